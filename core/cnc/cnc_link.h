@@ -1,0 +1,38 @@
+// CncLink: the wire to one machine. How to add one: core/cnc/ADDING.md.
+// Thread: everything on the link thread, which calls exchange() every few milliseconds and may block there for at most
+// the link's own time-out. Never touched by the worker: commands come through a mailbox, states go back through one.
+#pragma once
+
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/model/machine_state.h"
+#include "core/model/override_command.h"
+
+namespace stillcut::cnc {
+
+struct LinkInfo {
+  std::string_view id;  // "simulated", "linuxcnc"
+  std::string_view label;
+  bool simulated = false;                     // a replay can be wired only to such a machine
+  bool machineWatchdog = false;               // the machine itself restores 100 % when we fall silent
+  Ratio lowestSpeed{1.0}, highestSpeed{1.0};  // what the machine's override can do
+  Ratio lowestFeed{1.0}, highestFeed{1.0};
+};
+
+class CncLink {
+ public:
+  virtual ~CncLink() = default;
+  virtual LinkInfo describe() const = 0;
+  virtual Status open() = 0;
+  // Reads the machine. `now` is the link thread's stream time; the state carries the time it was read.
+  virtual MachineState read(Instant now) noexcept = 0;
+  // Sends a command. The caller (LinkRunner) has checked its lease.
+  virtual void apply(const OverrideCommand& command, Instant now) noexcept = 0;
+  // Brings the programmed values back. Called on lease expiry, on every end, and by the destructor of the runner.
+  // Must work without a command: safety does not wait for the gate.
+  virtual void release(Instant now) noexcept = 0;
+};
+
+}  // namespace stillcut::cnc

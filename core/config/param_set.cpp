@@ -1,0 +1,156 @@
+#include "core/config/param_set.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+#include <optional>
+
+namespace stillcut::config {
+namespace {
+
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+std::string shortest(double v) {
+  char buffer[32];
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, v);
+  return {buffer, end.ptr};
+}
+
+std::string range(const ParamDecl& decl) {
+  std::string s = "allowed: " + shortest(decl.lowest) + " to " + shortest(decl.highest);
+  if (!decl.unit.empty()) s += " " + std::string(decl.unit);
+  if (decl.mayBeAutomatic) s += ", or auto";
+  return s;
+}
+
+std::optional<double> parseNumber(std::string_view text) {
+  double v = 0.0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), v);
+  if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return v;
+}
+
+std::string place(std::string_view where, const ParamDecl& decl) {
+  return std::string(where) + ": " + std::string(decl.key);
+}
+
+Result<double> parse(const ParamDecl& decl, std::string_view text, std::string_view where) {
+  if (decl.mayBeAutomatic && text == "auto") return kAutomatic;
+  if (decl.kind == ParamKind::Boolean) {
+    if (text == "true") return 1.0;
+    if (text == "false") return 0.0;
+    return Error{place(where, decl), "'" + std::string(text) + "' is neither true nor false", ""};
+  }
+  if (decl.kind == ParamKind::Choice) {
+    const auto it = std::find(decl.choices.begin(), decl.choices.end(), text);
+    if (it != decl.choices.end()) return static_cast<double>(it - decl.choices.begin());
+    std::string all;
+    for (std::string_view c : decl.choices) all += (all.empty() ? "" : ", ") + std::string(c);
+    return Error{place(where, decl), "'" + std::string(text) + "' is not a choice", "choices: " + all};
+  }
+  const auto number = parseNumber(text);
+  if (!number) return Error{place(where, decl), "'" + std::string(text) + "' is not a number", range(decl)};
+  return *number;
+}
+
+}  // namespace
+
+void ParamCatalog::add(ParamTable table) {
+  for (const ParamDecl* decl : table) {
+    if (find(decl->key) == nullptr) decls_.push_back(decl);
+  }
+}
+
+const ParamDecl* ParamCatalog::find(std::string_view key) const {
+  const auto it = std::find_if(decls_.begin(), decls_.end(), [&](const ParamDecl* d) { return d->key == key; });
+  return it == decls_.end() ? nullptr : *it;
+}
+
+std::string_view ParamCatalog::nearest(std::string_view key) const {
+  std::string_view best;
+  std::size_t bestDistance = std::max<std::size_t>(3, key.size() / 2);
+  for (const ParamDecl* decl : decls_) {
+    const std::size_t d = editDistance(key, decl->key);
+    if (d < bestDistance) {
+      bestDistance = d;
+      best = decl->key;
+    }
+  }
+  return best;
+}
+
+double ParamSet::real(const ParamDecl& decl) const {
+  const auto it = values_.find(decl.key);
+  return it == values_.end() ? decl.fallback : it->second;
+}
+int ParamSet::integer(const ParamDecl& decl) const {
+  return static_cast<int>(std::lround(real(decl)));
+}
+bool ParamSet::boolean(const ParamDecl& decl) const {
+  return real(decl) != 0.0;
+}
+int ParamSet::choice(const ParamDecl& decl) const {
+  return integer(decl);
+}
+bool ParamSet::isAutomatic(const ParamDecl& decl) const {
+  return decl.mayBeAutomatic && std::isnan(real(decl));
+}
+bool ParamSet::isSet(const ParamDecl& decl) const {
+  return values_.contains(decl.key);
+}
+
+Status ParamSet::set(const ParamCatalog& catalog, std::string_view key, std::string_view text, std::string_view where) {
+  const ParamDecl* decl = catalog.find(key);
+  if (decl == nullptr) {
+    const std::string_view near = catalog.nearest(key);
+    return Error{std::string(where), "unknown key '" + std::string(key) + "'",
+                 near.empty() ? "" : "did you mean '" + std::string(near) + "'?"};
+  }
+  const Result<double> value = parse(*decl, text, where);
+  if (!value) return value.error();
+  return set(*decl, *value, where);
+}
+
+Status ParamSet::set(const ParamDecl& decl, double value, std::string_view where) {
+  const bool automatic = decl.mayBeAutomatic && std::isnan(value);
+  if (!automatic) {
+    if (!std::isfinite(value)) return Error{place(where, decl), "the value is not a finite number", range(decl)};
+    if (decl.kind == ParamKind::Integer && value != std::round(value)) {
+      return Error{place(where, decl), shortest(value) + " is not a whole number", range(decl)};
+    }
+    if (value < decl.lowest || value > decl.highest) {
+      return Error{place(where, decl), shortest(value) + " is out of range", range(decl)};
+    }
+  }
+  values_.insert_or_assign(std::string(decl.key), value);
+  return Done{};
+}
+
+void ParamSet::unset(const ParamDecl& decl) {
+  const auto it = values_.find(decl.key);
+  if (it != values_.end()) values_.erase(it);
+}
+
+std::string ParamSet::text(const ParamDecl& decl) const {
+  if (isAutomatic(decl)) return "auto";
+  if (decl.kind == ParamKind::Boolean) return boolean(decl) ? "true" : "false";
+  if (decl.kind == ParamKind::Choice) return std::string(decl.choices[static_cast<std::size_t>(choice(decl))]);
+  return shortest(real(decl));
+}
+
+}  // namespace stillcut::config

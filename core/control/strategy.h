@@ -1,0 +1,41 @@
+// Strategy: one published law that turns verdicts into wishes. How to add one: core/control/ADDING.md.
+// A pure decision from verdict, machine state and measured time: it keeps its own memory and touches nothing else.
+// Thread: worker. prepare() may allocate and throw; decide() and reset() may do neither.
+#pragma once
+
+#include <string_view>
+
+#include "core/config/param_set.h"
+#include "core/model/cut_setup.h"
+#include "core/model/machine_state.h"
+#include "core/model/override_request.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::control {
+
+struct StrategyInfo {
+  std::string_view id;      // "lobe-center"
+  std::string_view label;   // "Centre of the lobe"
+  std::string_view source;  // "van Dijk 2010, section 4.1"
+  bool drivesSpeed = false;
+  bool drivesFeed = false;
+};
+
+struct StrategyInput {
+  Instant now{};  // end of the block the verdict is from
+  Seconds dt{};   // measured time since the previous decision
+  Verdict verdict;
+  MachineState machine;
+};
+
+class Strategy {
+ public:
+  virtual ~Strategy() = default;
+  virtual StrategyInfo describe() const = 0;
+  virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
+  // Real-time. An unusable verdict or machine state gives Hold or None, never a Set.
+  virtual OverrideRequest decide(const StrategyInput& input) noexcept = 0;
+  virtual void reset() noexcept = 0;
+};
+
+}  // namespace stillcut::control

@@ -1,0 +1,37 @@
+// DaqSource: where samples come from. How to add a device: core/daq/ADDING.md.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/channel.h"
+#include "core/model/sample_block.h"
+
+namespace stillcut::daq {
+
+struct SourceFormat {
+  Hertz rate{};
+  int blockFrames = 0;  // frames in a full block
+  std::vector<ChannelInfo> channels;
+};
+
+// Pull interface: the driver thread (rt::RealtimeThread run by pipeline) calls read() in a loop and pushes what it gets
+// into the ring. A source paces itself: read() returns when the block's last sample exists (live), or at once (files,
+// simulation as fast as possible).
+class DaqSource {
+ public:
+  virtual ~DaqSource() = default;
+  // Set-up thread. Opens the device; may allocate. After success format() is final.
+  virtual Result<SourceFormat> open() = 0;
+  // Driver thread. Fills `block` (allocated for the format). Sequence, time, rate, flags and lostFrames are set by the
+  // source. False: no more blocks, ever; fault() says why when it was not a plain end.
+  virtual bool read(SampleBlock& block) noexcept = 0;
+  // Any thread: makes a blocked read() return false soon.
+  virtual void stop() noexcept = 0;
+  // After read() returned false: empty for a plain end, else one line.
+  virtual std::string fault() const = 0;
+};
+
+}  // namespace stillcut::daq

@@ -1,0 +1,40 @@
+// ConditionedBlock: what the conditioner hands to every detector. Views into the conditioner's own storage, good until
+// its next block.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/time.h"
+#include "core/base/units.h"
+#include "core/model/machine_state.h"
+#include "core/model/reason.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::detect {
+
+inline constexpr int kMaxChannels = 32;
+
+struct ConditionedBlock {
+  std::uint64_t sequence = 0;
+  Instant firstSample{};
+  Hertz rate{};
+  int channels = 0;
+  int frames = 0;
+  bool valid = false;     // false: detectors hold their state and say `reason`
+  bool afterGap = false;  // samples were lost just before: filters must restart
+  Reason reason;          // why not valid
+  CutPhase phase = CutPhase::Air;
+  Hertz spindle{};                  // best estimate at the end of the block; 0: unknown
+  Hertz spindleSd{};                // its doubt
+  const double* samples = nullptr;  // [channel * stride + frame], SI units, high-passed
+  std::ptrdiff_t stride = 0;
+  const double* angle = nullptr;      // [frame], integrated spindle angle in rad, wrapped to 0..2 pi
+  const double* angleStep = nullptr;  // [frame], rad per sample: 2 pi f_sp / F_s
+  MetresPerSecond feed{};             // actual feed, 0: unknown
+
+  std::span<const double> channel(int c) const { return {samples + c * stride, static_cast<std::size_t>(frames)}; }
+  Instant end() const { return firstSample + toDuration(Seconds(frames / rate.value)); }
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,41 @@
+// Detector: one published method. How to add one: core/detect/ADDING.md.
+// Thread: everything on the worker. prepare() may allocate, plan and throw; process() and reset() may do none of it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/config/param_set.h"
+#include "core/detect/conditioned_block.h"
+#include "core/model/cut_setup.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::detect {
+
+struct DetectorInfo {
+  std::string_view id;      // "energy-ratio": the name in files and on the command line
+  std::string_view label;   // "Energy ratio"
+  std::string_view source;  // "Caliskan 2018"
+  // Columns of --series and of Verdict::indicators, in order ("er", "frequency_hz"). At most kMaxIndicators.
+  std::span<const std::string_view> indicators;
+};
+
+class Detector {
+ public:
+  virtual ~Detector() = default;
+
+  virtual DetectorInfo describe() const = 0;
+
+  // Sizes every buffer for the setup (rate, channels, longest block). May allocate, plan and throw std::runtime_error
+  // with one clear line. Leaves the detector as after reset().
+  virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
+
+  // One block in order. Real-time: no allocation, lock, text or throw. Every verdict carries the block's end time and
+  // sequence; an invalid block gives an invalid verdict with the block's reason and changes no learned state.
+  virtual Verdict process(const ConditionedBlock& block) noexcept = 0;
+
+  // Forgets everything learned. Real-time.
+  virtual void reset() noexcept = 0;
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,28 @@
+// What a channel measures. The quantity decides the detector profile and Caliskan's integration factor.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace stillcut {
+
+enum class SensorQuantity { Acceleration, Velocity, Displacement, Sound, Force, Current, SpindleSpeed };
+
+// Names as the command line spells them: acceleration velocity displacement sound force current speed.
+std::string_view name(SensorQuantity q);
+std::optional<SensorQuantity> sensorQuantityFromName(std::string_view text);
+// SI unit the conditioner makes: m/s2 m/s m Pa N A rev/min.
+std::string_view siUnit(SensorQuantity q);
+// Caliskan 2018 eq. 28: eta = 1 displacement, 0 velocity, sound, speed, current (and force), -1 acceleration.
+int integrationFactor(SensorQuantity q);
+
+struct ChannelInfo {
+  std::string name;  // "x", "mic"
+  SensorQuantity quantity = SensorQuantity::Acceleration;
+  double scale = 1.0;  // SI units per device unit
+  std::string axis;    // "x", "y", "z", or empty
+};
+
+}  // namespace stillcut

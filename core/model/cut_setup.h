@@ -1,0 +1,24 @@
+// What is known about the cut before it starts: the tool, the programmed values, the channels.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/model/channel.h"
+
+namespace stillcut {
+
+struct CutSetup {
+  std::string machine;            // "Mill 3"
+  std::string tool;               // "T12 D12 Z4 HSK63 stick-out 48"
+  int teeth = 0;                  // 0: unknown
+  Metres toolDiameter{};          // 0: unknown
+  Rpm nominalSpeed{};             // as programmed or told; 1 to 2 % wrong in practice; 0: unknown
+  MetresPerSecond nominalFeed{};  // 0: unknown
+  Hertz rate{};                   // of every channel
+  int blockFrames = 0;            // frames per block, largest
+  std::vector<ChannelInfo> channels;
+};
+
+}  // namespace stillcut

@@ -1,0 +1,38 @@
+// Events (lines a machinist understands) and interventions (cards with before and after).
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/time.h"
+#include "core/base/units.h"
+#include "core/model/reason.h"
+
+namespace stillcut {
+
+enum class EventLevel : std::uint8_t { Info, Warning, Fault };
+
+struct Event {
+  Instant time{};
+  std::uint64_t number = 0;  // counts events of a run
+  EventLevel level = EventLevel::Info;
+  Reason reason;
+};
+
+// One move of ours and what came of it.
+struct Intervention {
+  std::uint64_t number = 0;
+  Instant began{};        // first alarm
+  Instant commanded{};    // first command after it
+  bool finished = false;  // quiet again, or given up
+  bool quiet = false;     // quiet again
+  Seconds timeToQuiet{};  // from the first alarm
+  Hertz frequency{};      // chatter frequency at the alarm
+  Rpm speedBefore{}, speedAfter{};
+  MetresPerSecond feedBefore{}, feedAfter{};
+  Ratio severityBefore{}, severityAfter{};  // energy ratio: highest before, present after
+  double vibrationBefore = 0.0;             // rms in the channel's SI unit
+  double vibrationAfter = 0.0;
+  Metres marked{};  // length of path cut in chatter
+};
+
+}  // namespace stillcut

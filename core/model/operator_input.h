@@ -1,0 +1,28 @@
+// What the person at the machine asks, as a value that enters the worker at a block boundary and is recorded with it.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace stillcut {
+
+enum class Authority : std::uint8_t { Off, Advise, Auto };
+std::string_view name(Authority a);
+
+enum class OperatorAction : std::uint8_t {
+  SetAuthority,      // to `authority`
+  Accept,            // the advice on screen
+  Refuse,            // the advice on screen: not now
+  BackToProgrammed,  // 100 %, and authority Off
+  Hold,              // keep the present overrides
+  EndHold,
+  TrueAlarm,   // "that was chatter"
+  FalseAlarm,  // "that was not chatter"
+};
+
+struct OperatorInput {
+  OperatorAction action = OperatorAction::BackToProgrammed;
+  Authority authority = Authority::Off;
+};
+
+}  // namespace stillcut

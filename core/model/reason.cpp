@@ -1,0 +1,94 @@
+#include "core/model/reason.h"
+
+#include <cstdio>
+#include <string_view>
+
+namespace stillcut {
+namespace {
+
+// A pattern holds "{i.d}": number i with d decimals.
+struct Row {
+  ReasonCode code;
+  std::string_view id;
+  std::string_view pattern;
+};
+
+constexpr Row kRows[] = {
+    {ReasonCode::None, "none", ""},
+    {ReasonCode::Learning, "learning", "still learning the noise, {0.1} s to go"},
+    {ReasonCode::NoSpeed, "no-speed", "the spindle speed is not known"},
+    {ReasonCode::NoTeeth, "no-teeth", "the number of teeth is not known"},
+    {ReasonCode::InputGap, "input-gap", "{0.0} samples are missing"},
+    {ReasonCode::InputClipped, "input-clipped", "the sensor is at its limit"},
+    {ReasonCode::InputNotFinite, "input-not-finite", "channel {0.0} delivers values that are not numbers"},
+    {ReasonCode::InputDead, "input-dead", "channel {0.0} delivers a constant"},
+    {ReasonCode::SpindleRunUp, "spindle-runup", "the spindle is running up, {0.0} rpm"},
+    {ReasonCode::Transient, "transient", "the tool is entering or leaving, {0.2} s"},
+    {ReasonCode::EnergyRatioHigh, "energy-ratio-high", "energy ratio {0.2} is over {1.2}"},
+    {ReasonCode::EnergyRatioGrowing, "energy-ratio-growing", "energy ratio {0.3} grows above its floor of {1.3}"},
+    {ReasonCode::DetectorFault, "detector-fault", "detector {0.0} failed"},
+    {ReasonCode::NothingToDo, "nothing-to-do", "nothing to do"},
+    {ReasonCode::CentreOfNextPocket, "centre-of-next-pocket",
+     "{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm"},
+    {ReasonCode::FeedFollowsSpeed, "feed-follows-speed",
+     "feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm"},
+    {ReasonCode::TargetOutOfRange, "target-out-of-range",
+     "{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm"},
+    {ReasonCode::Monitoring, "monitoring", "monitoring only"},
+    {ReasonCode::VerdictNotUsable, "verdict-not-usable", "there is no usable verdict to act on"},
+    {ReasonCode::Recovering, "recovering", "going back towards {0.2}"},
+    {ReasonCode::AuthorityOff, "authority-off", "authority is off"},
+    {ReasonCode::AdviceOnly, "advice-only", "advice only"},
+    {ReasonCode::GateNotFinite, "gate-not-finite", "the request was not a number"},
+    {ReasonCode::GateLimited, "gate-limited", "asked for {0.2}, limits allow {1.2}"},
+    {ReasonCode::GateStaleMachine, "gate-stale-machine", "the machine's state is {0.2} s old"},
+    {ReasonCode::GateStaleVerdict, "gate-stale-verdict", "the verdict is {0.2} s old"},
+    {ReasonCode::GateMachineNotReady, "gate-machine-not-ready", "the machine is not running a program"},
+    {ReasonCode::GateOperatorHold, "gate-operator-hold", "held by the operator"},
+    {ReasonCode::GateSettling, "gate-settling", "waiting for the spindle, {0.0} of {1.0} rpm"},
+    {ReasonCode::GateChangesPerMinute, "gate-changes-per-minute", "{0.0} changes in a minute, {1.0} allowed"},
+    {ReasonCode::GateReleased, "gate-released", "the programmed values are back in force"},
+    {ReasonCode::LeaseExpired, "lease-expired", "no fresh command for {0.2} s, programmed values restored"},
+    {ReasonCode::ChatterBegan, "chatter-began", "chatter at {0.0} Hz, energy ratio {1.2}"},
+    {ReasonCode::ChatterEnded, "chatter-ended", "quiet again after {0.2} s and {1.1} mm of feed"},
+    {ReasonCode::AuthorityChanged, "authority-changed", "authority changed from {0.0} to {1.0}"},
+    {ReasonCode::BackToProgrammed, "back-to-programmed", "back to 100 % at the operator's wish"},
+    {ReasonCode::LinkLost, "link-lost", "the machine has not answered for {0.2} s"},
+    {ReasonCode::LinkBack, "link-back", "the machine answers again"},
+    {ReasonCode::RecorderStopped, "recorder-stopped", "recording has stopped"},
+    {ReasonCode::DroppedBlocks, "dropped-blocks", "{0.0} blocks were dropped"},
+    {ReasonCode::AutoGrantedBySimulation, "auto-granted-by-simulation",
+     "Auto is granted because this machine is simulated"},
+};
+
+const Row& rowOf(ReasonCode code) {
+  for (const Row& r : kRows) {
+    if (r.code == code) return r;
+  }
+  return kRows[0];
+}
+
+}  // namespace
+
+std::string_view identifier(ReasonCode code) {
+  return rowOf(code).id;
+}
+
+std::string sentence(const Reason& reason) {
+  const std::string_view pattern = rowOf(reason.code).pattern;
+  std::string out;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] == '{' && i + 4 < pattern.size() && pattern[i + 2] == '.' && pattern[i + 4] == '}') {
+      char number[48];
+      const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
+      std::snprintf(number, sizeof number, "%.*f", pattern[i + 3] - '0', reason.n[index]);
+      out += number;
+      i += 4;
+    } else {
+      out += pattern[i];
+    }
+  }
+  return out;
+}
+
+}  // namespace stillcut
