@@ -1,0 +1,67 @@
+// The physics of one cut as numbers: structure, tool, material, engagement. Shared by the time-domain model, the
+// stability lobes and the identification from measurements. Plain values; check() is the one place that refuses
+// nonsense.
+//
+// Axes: x along the feed, y to the left of it, seen from the spindle; tooth angle phi is measured from +y towards +x
+// (clockwise), so that the chip thickness of a straight edge is h = f_z sin(phi) (van Dijk 2010 eq. 1-4).
+// Up milling engages phi = 0 .. acos(1 - 2 a/D), down milling pi - acos(1 - 2 a/D) .. pi.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/units.h"
+
+namespace stillcut::milling {
+
+struct Mode {
+  Hertz frequency{};                          // undamped natural frequency
+  double damping = 0.0;                       // ratio, > 0
+  double stiffness = 0.0;                     // modal stiffness at the tool tip [N/m], > 0
+  std::array<double, 2> direction{1.0, 0.0};  // participation of x and y; mass-normalised direction, not nec. unit
+  double mass() const {                       // [kg]
+    const double w = kTwoPi * frequency.value;
+    return stiffness / (w * w);
+  }
+};
+
+struct Tool {
+  int teeth = 2;  // 1 .. 12
+  Metres diameter{0.010};
+  std::vector<double> pitch;   // angle from each tooth to the next [rad], sums to 2 pi; empty: regular
+  double helix = 0.0;          // [rad]
+  std::vector<Metres> runout;  // radial, per tooth; empty: none
+};
+
+// F_t = a_p (K_t h^x + K_te), F_r = a_p (K_r h^x + K_re) for h > 0 (van Dijk eq. 1; x = 1 linear).
+struct Material {
+  double tangential = 6.0e8;    // K_t [N/m^2 for exponent 1, N/m^(1+x) otherwise]
+  double radial = 2.0e8;        // K_r in the same unit (K_n of the shared cases)
+  double tangentialEdge = 0.0;  // K_te [N/m]
+  double radialEdge = 0.0;      // K_re [N/m]
+  double exponent = 1.0;        // x, 0 < x <= 1
+  double processDamping = 0.0;  // indentation coefficient [N/m]; 0: off. Force = -a_p * c * (dr/dt) / v_c
+};
+
+enum class Side { Up, Down };
+
+struct Engagement {
+  double radialImmersion = 1.0;  // a/D, 0 < a/D <= 1
+  Side side = Side::Up;
+  double startAngle() const;  // [rad]
+  double exitAngle() const;   // [rad]
+};
+
+struct CutModel {
+  std::vector<Mode> modes;  // at least one
+  Tool tool;
+  Material material;
+  Engagement engagement;
+};
+
+// One clear line for negative damping, zero teeth, immersion outside 0..1, no modes, a pitch that does not close, ...
+// `where` names the file or caller.
+Status check(const CutModel& model, const std::string& where);
+
+}  // namespace stillcut::milling
