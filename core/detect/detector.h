@@ -30,9 +30,10 @@ class Detector {
   // with one clear line. Leaves the detector as after reset().
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
 
-  // One block in order. Real-time: no allocation, lock, text or throw. Every verdict carries the block's end time and
+  // One block in order. Real-time: no allocation, lock or text. It must not throw; should it all the same, the chain
+  // takes that as a fault and falls back. Every verdict carries the block's end time and
   // sequence; an invalid block gives an invalid verdict with the block's reason and changes no learned state.
-  virtual Verdict process(const ConditionedBlock& block) noexcept = 0;
+  virtual Verdict process(const ConditionedBlock& block) = 0;
 
   // Forgets everything learned. Real-time.
   virtual void reset() noexcept = 0;
