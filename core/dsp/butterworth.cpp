@@ -1,0 +1,108 @@
+#include "core/dsp/butterworth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace stillcut::dsp {
+namespace {
+
+using Complex = std::complex<double>;
+
+// Analogue edge frequency (in units of 2/T) that the bilinear transform maps to `edge`.
+double prewarp(Hertz edge, Hertz rate) {
+  const double relative = std::clamp(edge.value / rate.value, 1e-7, 0.4999);
+  return std::tan(std::numbers::pi * relative);
+}
+
+Complex prototypePole(int k, int order) {
+  return std::polar(1.0, std::numbers::pi * (2.0 * k + order + 1.0) / (2.0 * order));
+}
+
+Complex bilinear(Complex s) {
+  return (1.0 + s) / (1.0 - s);
+}
+
+// Section with poles p, q (a conjugate pair or two reals) and numerator b; gain set so that |H| = 1 at z0.
+Biquad makeSection(Complex p, Complex q, double b1, double b2, Complex z0) {
+  Biquad s{1.0, b1, b2, -(p + q).real(), (p * q).real()};
+  const Complex d = 1.0 / z0;
+  const double gain = std::abs((1.0 + s.a1 * d + s.a2 * d * d) / (1.0 + b1 * d + b2 * d * d));
+  s.b0 *= gain;
+  s.b1 *= gain;
+  s.b2 *= gain;
+  return s;
+}
+
+// One real pole as a section of first order.
+Biquad firstOrder(double pole, double zero, double z0) {
+  const double gain = std::abs((1.0 - pole / z0) / (1.0 - zero / z0));
+  return {gain, -zero * gain, 0.0, -pole, 0.0};
+}
+
+// Low-pass (zeros at z = -1) or high-pass (zeros at z = +1) from the prototype's poles mapped by `analogue`.
+template <class Map>
+int fill(std::array<Biquad, Butterworth::kMaxSections>& out, int order, double zero, Map analogue) {
+  int count = 0;
+  for (int k = 0; k < order / 2; ++k) {
+    const Complex p = bilinear(analogue(prototypePole(k, order)));
+    out[static_cast<std::size_t>(count++)] = makeSection(p, std::conj(p), -2.0 * zero, 1.0, Complex(-zero, 0.0));
+  }
+  if (order % 2 == 1) {
+    const double p = bilinear(analogue(Complex(-1.0, 0.0))).real();
+    out[static_cast<std::size_t>(count++)] = firstOrder(p, zero, -zero);
+  }
+  return count;
+}
+
+}  // namespace
+
+void Butterworth::lowPass(int order, Hertz edge, Hertz rate) noexcept {
+  const double w = prewarp(edge, rate);
+  sections_ = fill(coefficients_, std::clamp(order, 1, 2 * kMaxSections), -1.0, [w](Complex s) { return s * w; });
+}
+
+void Butterworth::highPass(int order, Hertz edge, Hertz rate) noexcept {
+  const double w = prewarp(edge, rate);
+  sections_ = fill(coefficients_, std::clamp(order, 1, 2 * kMaxSections), 1.0, [w](Complex s) { return w / s; });
+}
+
+void Butterworth::bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcept {
+  const int half = std::clamp(order / 2, 1, kMaxSections);
+  const double w1 = prewarp(low, rate);
+  const double w2 = std::max(prewarp(high, rate), w1 * (1.0 + 1e-6));
+  const double width = w2 - w1;
+  const double centre2 = w1 * w2;
+  // |H| = 1 where the analogue centre frequency lands.
+  const double theta = 2.0 * std::atan(std::sqrt(centre2));
+  const Complex z0 = std::polar(1.0, theta);
+  sections_ = 0;
+  // Each prototype pole p gives the two roots of s^2 - p width s + centre^2; pair every root with its conjugate.
+  for (int k = 0; k < half; ++k) {
+    const Complex p = prototypePole(k, half);
+    if (p.imag() < -1e-12) continue;
+    const Complex root = std::sqrt(p * p * width * width - 4.0 * centre2);
+    const Complex s1 = 0.5 * (p * width + root);
+    const Complex s2 = 0.5 * (p * width - root);
+    if (std::abs(p.imag()) <= 1e-12) {  // s1 and s2 are a conjugate pair, or both real
+      coefficients_[static_cast<std::size_t>(sections_++)] = makeSection(bilinear(s1), bilinear(s2), 0.0, -1.0, z0);
+    } else {
+      for (const Complex& s : {s1, s2}) {
+        const Complex z = bilinear(s);
+        coefficients_[static_cast<std::size_t>(sections_++)] = makeSection(z, std::conj(z), 0.0, -1.0, z0);
+      }
+    }
+  }
+}
+
+std::complex<double> Butterworth::response(Hertz f, Hertz rate) const {
+  const Complex d = std::polar(1.0, -kTwoPi * f.value / rate.value);
+  Complex h = 1.0;
+  for (int s = 0; s < sections_; ++s) {
+    const Biquad& c = section(s);
+    h *= (c.b0 + c.b1 * d + c.b2 * d * d) / (1.0 + c.a1 * d + c.a2 * d * d);
+  }
+  return h;
+}
+
+}  // namespace stillcut::dsp

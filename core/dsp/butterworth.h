@@ -1,0 +1,52 @@
+// Butterworth filters as biquad cascades (transposed direct form II), designed by the bilinear transform with
+// prewarped edges, so that the response at the edges is exactly -3 dB (half power). retune() changes the coefficients
+// in place, without allocation, and keeps the state: what a filter that follows the spindle speed needs.
+// Source: any text on digital filters; poles of the prototype s_k = exp(j pi (2k + n + 1) / 2n).
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "core/base/units.h"
+
+namespace stillcut::dsp {
+
+struct Biquad {
+  double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0;
+};
+
+class Butterworth {
+ public:
+  static constexpr int kMaxSections = 8;
+
+  // order: slope of a low- or high-pass; a band-pass has `order` poles in total (even), order/2 at each edge.
+  // Edges are clamped into (0, rate/2). Real-time (trigonometry only); the state is kept.
+  void lowPass(int order, Hertz edge, Hertz rate) noexcept;
+  void highPass(int order, Hertz edge, Hertz rate) noexcept;
+  void bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcept;
+
+  double process(double x) noexcept {
+    for (int s = 0; s < sections_; ++s) {
+      const Biquad& c = coefficients_[static_cast<std::size_t>(s)];
+      std::array<double, 2>& z = state_[static_cast<std::size_t>(s)];
+      const double y = c.b0 * x + z[0];
+      z[0] = c.b1 * x - c.a1 * y + z[1];
+      z[1] = c.b2 * x - c.a2 * y;
+      x = y;
+    }
+    return x;
+  }
+  void reset() noexcept { state_ = {}; }
+
+  int sections() const { return sections_; }
+  const Biquad& section(int s) const { return coefficients_[static_cast<std::size_t>(s)]; }
+  // H(e^{j 2 pi f / rate}).
+  std::complex<double> response(Hertz f, Hertz rate) const;
+
+ private:
+  int sections_ = 0;
+  std::array<Biquad, kMaxSections> coefficients_{};
+  std::array<std::array<double, 2>, kMaxSections> state_{};
+};
+
+}  // namespace stillcut::dsp

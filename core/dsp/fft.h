@@ -1,0 +1,37 @@
+// Real FFT plans as values that own them (FFTW, double). Plan in prepare(); executing allocates nothing as long as the
+// size has only the primes 2, 3, 5, 7, which prepare() insists on (FFTW allocates at run time for large primes).
+// Thread: prepare() on any thread (the planner is guarded); forward() on one thread at a time per object.
+#pragma once
+
+#include <complex>
+#include <memory>
+#include <span>
+
+namespace stillcut::dsp {
+
+// Smallest size >= n whose only prime factors are 2, 3, 5 and 7.
+int goodFftSize(int n);
+
+class RealFft {
+ public:
+  RealFft();
+  ~RealFft();
+  RealFft(RealFft&&) noexcept;
+  RealFft& operator=(RealFft&&) noexcept;
+
+  // Throws std::runtime_error for a size < 2 or with a prime factor above 7.
+  void prepare(int size);
+  int size() const;
+  int bins() const { return size() / 2 + 1; }
+
+  // Input of the next forward(); size() doubles, to be filled by the caller.
+  std::span<double> input() noexcept;
+  // Unnormalised X[k] = sum x[n] exp(-2 pi i k n / size), k = 0 .. size/2; valid until the next call. Real-time.
+  std::span<const std::complex<double>> forward() noexcept;
+
+ private:
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
+};
+
+}  // namespace stillcut::dsp

@@ -1,0 +1,45 @@
+#include "core/dsp/spectrum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::dsp {
+
+void Spectrum::prepare(int segment, Hertz rate, WindowKind window, int padded) {
+  window_.assign(static_cast<std::size_t>(std::max(segment, 2)), 0.0);
+  sums_ = fillWindow(window, window_);
+  fft_.prepare(goodFftSize(std::max(padded, segment)));
+  rate_ = rate.value;
+  binWidth_ = rate_ / fft_.size();
+  values_ = fft_.forward();
+}
+
+void Spectrum::transform(std::span<const double> samples) noexcept {
+  const std::span<double> in = fft_.input();
+  for (std::size_t n = 0; n < window_.size(); ++n) in[n] = samples[n] * window_[n];
+  std::fill(in.begin() + static_cast<std::ptrdiff_t>(window_.size()), in.end(), 0.0);
+  values_ = fft_.forward();
+}
+
+double Spectrum::density(int bin) const noexcept {
+  const bool single = bin == 0 || 2 * bin == fft_.size();  // no mirror image to fold in
+  return (single ? 1.0 : 2.0) * std::norm(values_[static_cast<std::size_t>(bin)]) / (rate_ * sums_.squares);
+}
+
+double Spectrum::amplitude(int bin) const noexcept {
+  const bool single = bin == 0 || 2 * bin == fft_.size();
+  return (single ? 1.0 : 2.0) * std::abs(values_[static_cast<std::size_t>(bin)]) / sums_.sum;
+}
+
+Hertz Spectrum::peakFrequency(int bin) const noexcept {
+  if (bin <= 0 || bin + 1 >= bins()) return Hertz(bin * binWidth_);
+  const auto logPower = [&](int b) { return std::log(std::norm(values_[static_cast<std::size_t>(b)]) + 1e-300); };
+  const double left = logPower(bin - 1);
+  const double mid = logPower(bin);
+  const double right = logPower(bin + 1);
+  const double curve = left - 2.0 * mid + right;
+  const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
+  return Hertz((bin + shift) * binWidth_);
+}
+
+}  // namespace stillcut::dsp

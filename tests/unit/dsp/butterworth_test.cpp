@@ -1,0 +1,79 @@
+// The filters do what their name promises: half power exactly at the edges, monotone flanks of the right slope, and
+// retuning that keeps the state.
+#include "core/dsp/butterworth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace stillcut::dsp {
+namespace {
+
+constexpr Hertz kRate{25600.0};
+const double kHalfPower = std::sqrt(0.5);
+
+class LowHigh : public testing::TestWithParam<int> {};
+
+TEST_P(LowHigh, HalfPowerAtTheEdgeAndOneFarAway) {
+  const int order = GetParam();
+  for (const double edge : {20.0, 366.7, 5000.0, 11000.0}) {
+    Butterworth low;
+    low.lowPass(order, Hertz(edge), kRate);
+    EXPECT_NEAR(std::abs(low.response(Hertz(edge), kRate)), kHalfPower, 1e-9) << order << " " << edge;
+    EXPECT_NEAR(std::abs(low.response(Hertz(edge / 1000), kRate)), 1.0, 1e-3);
+    Butterworth high;
+    high.highPass(order, Hertz(edge), kRate);
+    EXPECT_NEAR(std::abs(high.response(Hertz(edge), kRate)), kHalfPower, 1e-9) << order << " " << edge;
+    EXPECT_NEAR(std::abs(high.response(Hertz(0.4999 * kRate.value), kRate)), 1.0, 1e-3);
+  }
+}
+
+TEST_P(LowHigh, FallsSixDecibelPerOctaveAndOrder) {
+  const int order = GetParam();
+  Butterworth high;
+  high.highPass(order, Hertz(400.0), kRate);
+  // Well below the edge and far below Nyquist the analogue slope holds.
+  const double ratio = std::abs(high.response(Hertz(20.0), kRate)) / std::abs(high.response(Hertz(10.0), kRate));
+  EXPECT_NEAR(std::log2(ratio), order, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Orders, LowHigh, testing::Values(1, 2, 3, 4, 5, 8));
+
+TEST(BandPass, HalfPowerAtBothEdgesForEveryBandOfABank) {
+  for (const int order : {2, 4, 8}) {
+    for (int m = 2; m <= 14; ++m) {
+      const double low = (m - 1) * 366.7;
+      const double high = m * 366.7;
+      Butterworth filter;
+      filter.bandPass(order, Hertz(low), Hertz(high), kRate);
+      EXPECT_EQ(filter.sections(), order / 2);
+      EXPECT_NEAR(std::abs(filter.response(Hertz(low), kRate)), kHalfPower, 1e-9) << order << " " << m;
+      EXPECT_NEAR(std::abs(filter.response(Hertz(high), kRate)), kHalfPower, 1e-9) << order << " " << m;
+      EXPECT_GT(std::abs(filter.response(Hertz(std::sqrt(low * high)), kRate)), 0.99);
+    }
+  }
+}
+
+TEST(BandPass, WideBandWithRealPoles) {
+  Butterworth filter;
+  filter.bandPass(2, Hertz(10.0), Hertz(8000.0), kRate);
+  EXPECT_NEAR(std::abs(filter.response(Hertz(10.0), kRate)), kHalfPower, 1e-9);
+  EXPECT_NEAR(std::abs(filter.response(Hertz(8000.0), kRate)), kHalfPower, 1e-9);
+}
+
+TEST(Retune, TheTimeDomainFollowsTheResponseAndTheStateSurvives) {
+  Butterworth filter;
+  filter.bandPass(4, Hertz(733.0), Hertz(1100.0), kRate);
+  const double f = 900.0;
+  double worst = 0.0;
+  for (int n = 0; n < 12800; ++n) {
+    if (n == 6400) filter.bandPass(4, Hertz(740.0), Hertz(1110.0), kRate);
+    const double y = filter.process(std::sin(kTwoPi * f * n / kRate.value));
+    EXPECT_LT(std::abs(y), 1.2);  // no click on retuning
+    if (n > 12000) worst = std::max(worst, std::abs(y));
+  }
+  EXPECT_NEAR(worst, std::abs(filter.response(Hertz(f), kRate)), 0.01);
+}
+
+}  // namespace
+}  // namespace stillcut::dsp
