@@ -1,0 +1,49 @@
+// Mailbox: one slot for the newest of a stream of small plain values, from one writer to one reader. Latest wins,
+// nothing queues up. T need not be default constructible: nobody but the gate can make an OverrideCommand.
+// Thread: post() on the writer, take() and latest() on the reader; real-time, wait-free.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <optional>
+#include <type_traits>
+
+#include "core/rt/triple_buffer.h"
+
+namespace stillcut::rt {
+
+template <class T>
+class Mailbox {
+  static_assert(std::is_trivially_copyable_v<T>);
+
+ public:
+  void post(const T& value) noexcept {
+    ::new (static_cast<void*>(buffer_.back().bytes.data())) T(value);
+    buffer_.publish();
+  }
+  // What came since the last take(), if anything.
+  std::optional<T> take() noexcept {
+    const Slot* slot = buffer_.read();
+    if (slot == nullptr || !buffer_.fresh()) return std::nullopt;
+    return value(*slot);
+  }
+  // The newest there ever was.
+  std::optional<T> latest() noexcept {
+    const Slot* slot = buffer_.read();
+    if (slot == nullptr) return std::nullopt;
+    return value(*slot);
+  }
+
+ private:
+  struct Slot {
+    alignas(T) std::array<std::byte, sizeof(T)> bytes;
+  };
+  static T value(const Slot& slot) noexcept { return *std::launder(reinterpret_cast<const T*>(slot.bytes.data())); }
+
+  TripleBuffer<Slot> buffer_;
+};
+
+}  // namespace stillcut::rt
