@@ -1,0 +1,18 @@
+// Finding and judging the hits in a hammer record; used by analyseHammer().
+#pragma once
+
+#include "core/milling/identify/hammer.h"
+
+namespace stillcut::identify {
+
+struct FoundHit {
+  Hit hit;
+  std::size_t peak = 0;   // sample of the force peak
+  std::size_t begin = 0;  // first sample analysed: a little before the pulse rises
+  std::size_t end = 0;    // one past the last
+};
+
+// Hits in order of time, with their checks done; force already has the push positive.
+std::vector<FoundHit> findHits(const HammerRecord& record, const HammerOptions& options);
+
+}  // namespace stillcut::identify
