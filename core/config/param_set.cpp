@@ -4,26 +4,12 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <optional>
+
+#include "core/config/nearest_word.h"
 
 namespace stillcut::config {
 namespace {
-
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t substitute = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({substitute, row[j] + 1, row[j + 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
 
 std::string shortest(double v) {
   char buffer[32];
@@ -82,16 +68,9 @@ const ParamDecl* ParamCatalog::find(std::string_view key) const {
 }
 
 std::string_view ParamCatalog::nearest(std::string_view key) const {
-  std::string_view best;
-  std::size_t bestDistance = std::max<std::size_t>(3, key.size() / 2);
-  for (const ParamDecl* decl : decls_) {
-    const std::size_t d = editDistance(key, decl->key);
-    if (d < bestDistance) {
-      bestDistance = d;
-      best = decl->key;
-    }
-  }
-  return best;
+  std::vector<std::string_view> keys;
+  for (const ParamDecl* decl : decls_) keys.push_back(decl->key);
+  return nearestWord(key, keys);
 }
 
 double ParamSet::real(const ParamDecl& decl) const {

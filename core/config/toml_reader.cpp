@@ -1,0 +1,341 @@
+#include "core/config/toml_reader.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "core/config/nearest_word.h"
+
+namespace stillcut::config {
+
+namespace detail {
+
+struct TomlDocument {
+  std::string name;
+  toml::table root;
+  std::optional<Error> error;
+  std::map<const toml::table*, std::set<std::string, std::less<>>> asked;
+
+  void refuse(std::string where, std::string what, std::string why = {}) {
+    if (!error) error = Error{std::move(where), std::move(what), std::move(why)};
+  }
+  std::string place(const toml::node* node) const {
+    const auto line = node != nullptr ? node->source().begin.line : 0;
+    return line > 0 ? name + ":" + std::to_string(line) : name;
+  }
+};
+
+}  // namespace detail
+
+namespace {
+
+using detail::TomlDocument;
+
+const toml::table& tableOf(const void* node) {
+  return *static_cast<const toml::table*>(node);
+}
+
+std::string shown(double v) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, v).ptr};
+}
+
+std::string allowed(double lowest, double highest) {
+  if (lowest == -kAnyNumber && highest == kAnyNumber) return "";
+  if (highest == kAnyNumber) return "allowed: " + shown(lowest) + " and above";
+  if (lowest == -kAnyNumber) return "allowed: up to " + shown(highest);
+  return "allowed: " + shown(lowest) + " to " + shown(highest);
+}
+
+// Everything in `table` that nobody asked for, depth first.
+void refuseUnasked(TomlDocument& document, const toml::table& table, const std::string& path) {
+  const auto& asked = document.asked[&table];
+  const std::vector<std::string_view> known(asked.begin(), asked.end());
+  for (const auto& [key, node] : table) {
+    if (!asked.contains(key.str())) {
+      document.refuse(document.place(&node), "unknown key '" + path + std::string(key.str()) + "'",
+                      didYouMean(key.str(), known));
+      continue;
+    }
+    const std::string inner = path + std::string(key.str()) + ".";
+    if (const toml::table* t = node.as_table()) refuseUnasked(document, *t, inner);
+    if (const toml::array* a = node.as_array()) {
+      for (const toml::node& element : *a) {
+        if (const toml::table* t = element.as_table()) refuseUnasked(document, *t, inner);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+const void* TomlTable::find(std::string_view key, bool required) const {
+  if (node_ != nullptr) {
+    document_->asked[&tableOf(node_)].emplace(key);
+    if (const toml::node* node = tableOf(node_).get(key)) return node;
+  }
+  if (required) document_->refuse(place(), "'" + path_ + std::string(key) + "' is missing");
+  return nullptr;
+}
+
+bool TomlTable::has(std::string_view key) const {
+  return find(key, false) != nullptr;
+}
+
+std::string TomlTable::place(std::string_view key) const {
+  if (node_ == nullptr) return document_->name;
+  const toml::table& table = tableOf(node_);
+  const toml::node* node = key.empty() ? &table : table.get(key);
+  return document_->place(node);
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& what, const std::string& why) const {
+  document_->refuse(place(key), "'" + path_ + std::string(key) + "' " + what, why);
+}
+
+double TomlTable::number(std::string_view key, double lowest, double highest) const {
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return lowest == -kAnyNumber ? 0.0 : lowest;
+  const auto value = node->value<double>();
+  if (!node->is_number() || !value) {
+    refuse(key, "is not a number");
+  } else if (!std::isfinite(*value)) {
+    refuse(key, "is not a finite number");
+  } else if (*value < lowest || *value > highest) {
+    refuse(key, "is out of range: " + shown(*value), allowed(lowest, highest));
+  } else {
+    return *value;
+  }
+  return lowest == -kAnyNumber ? 0.0 : lowest;
+}
+
+int TomlTable::integer(std::string_view key, int lowest, int highest) const {
+  const double v = number(key, lowest, highest);
+  if (v != std::round(v)) {
+    refuse(key, "is not a whole number");
+    return lowest;
+  }
+  return static_cast<int>(v);
+}
+
+bool TomlTable::boolean(std::string_view key) const {
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return false;
+  const auto value = node->value_exact<bool>();
+  if (!value) refuse(key, "is neither true nor false");
+  return value.value_or(false);
+}
+
+std::string TomlTable::text(std::string_view key) const {
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return {};
+  const auto value = node->value_exact<std::string>();
+  if (!value) refuse(key, "is not a text");
+  return value.value_or("");
+}
+
+int TomlTable::choice(std::string_view key, const std::vector<std::string_view>& words) const {
+  const std::string word = text(key);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) return static_cast<int>(i);
+  }
+  std::string all;
+  for (std::string_view w : words) all += (all.empty() ? "" : ", ") + std::string(w);
+  refuse(key, "is not a choice: '" + word + "'", "choices: " + all);
+  return 0;
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key) const {
+  std::vector<double> values;
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return values;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    refuse(key, "is not an array of numbers");
+    return values;
+  }
+  for (const toml::node& element : *array) {
+    const auto value = element.value<double>();
+    if (!element.is_number() || !value || !std::isfinite(*value)) {
+      refuse(key, "holds something that is not a finite number");
+      return {};
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) const {
+  std::vector<std::string> values;
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return values;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    refuse(key, "is not an array of texts");
+    return values;
+  }
+  for (const toml::node& element : *array) {
+    const auto value = element.value_exact<std::string>();
+    if (!value) {
+      refuse(key, "holds something that is not a text");
+      return {};
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+std::vector<std::vector<double>> TomlTable::rows(std::string_view key) const {
+  std::vector<std::vector<double>> all;
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return all;
+  const toml::array* outer = node->as_array();
+  if (outer == nullptr) {
+    refuse(key, "is not an array of rows");
+    return all;
+  }
+  for (const toml::node& row : *outer) {
+    std::vector<double> values;
+    const toml::array* inner = row.as_array();
+    for (std::size_t i = 0; inner != nullptr && i < inner->size(); ++i) {
+      const auto value = (*inner)[i].value<double>();
+      if ((*inner)[i].is_number() && value && std::isfinite(*value)) values.push_back(*value);
+    }
+    if (inner == nullptr || values.size() != inner->size()) {
+      refuse(key, "holds a row that is not all finite numbers");
+      return {};
+    }
+    all.push_back(std::move(values));
+  }
+  return all;
+}
+
+TomlTable TomlTable::table(std::string_view key) const {
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  const std::string inner = path_ + std::string(key) + ".";
+  if (node == nullptr) return {document_, nullptr, inner};
+  if (!node->is_table()) refuse(key, "is not a table");
+  return {document_, node->as_table(), inner};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  std::vector<TomlTable> all;
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return all;
+  const toml::array* array = node->as_array();
+  if (array == nullptr) {
+    refuse(key, "is not an array of tables");
+    return all;
+  }
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) {
+      refuse(key, "is not an array of tables");
+      return {};
+    }
+    all.push_back({document_, element.as_table(), path_ + std::string(key) + "."});
+  }
+  return all;
+}
+
+double TomlTable::numberOr(std::string_view key, double fallback, double lowest, double highest) const {
+  return has(key) ? number(key, lowest, highest) : fallback;
+}
+int TomlTable::integerOr(std::string_view key, int fallback, int lowest, int highest) const {
+  return has(key) ? integer(key, lowest, highest) : fallback;
+}
+bool TomlTable::booleanOr(std::string_view key, bool fallback) const {
+  return has(key) ? boolean(key) : fallback;
+}
+std::string TomlTable::textOr(std::string_view key, std::string_view fallback) const {
+  return has(key) ? text(key) : std::string(fallback);
+}
+int TomlTable::choiceOr(std::string_view key, int fallback, const std::vector<std::string_view>& words) const {
+  return has(key) ? choice(key, words) : fallback;
+}
+std::vector<double> TomlTable::numbersOr(std::string_view key, std::vector<double> fallback) const {
+  return has(key) ? numbers(key) : std::move(fallback);
+}
+TomlTable TomlTable::tableOr(std::string_view key) const {
+  return has(key) ? table(key) : TomlTable(document_, nullptr, path_ + std::string(key) + ".");
+}
+std::vector<TomlTable> TomlTable::tablesOr(std::string_view key) const {
+  return has(key) ? tables(key) : std::vector<TomlTable>();
+}
+
+std::vector<std::string> TomlTable::keys() const {
+  std::vector<std::string> all;
+  if (node_ == nullptr) return all;
+  for (const auto& [key, node] : tableOf(node_)) {
+    all.emplace_back(key.str());
+    document_->asked[&tableOf(node_)].emplace(key.str());
+  }
+  return all;
+}
+
+std::string TomlTable::scalarText(std::string_view key) const {
+  const auto* node = static_cast<const toml::node*>(find(key, true));
+  if (node == nullptr) return {};
+  if (const auto word = node->value_exact<std::string>()) return *word;
+  if (const auto flag = node->value_exact<bool>()) return *flag ? "true" : "false";
+  if (node->is_number()) return shown(node->value<double>().value_or(0.0));
+  refuse(key, "is not a single value");
+  return {};
+}
+
+TomlReader::TomlReader(std::unique_ptr<detail::TomlDocument> document) : document_(std::move(document)) {}
+TomlReader::~TomlReader() = default;
+TomlReader::TomlReader(TomlReader&&) noexcept = default;
+TomlReader& TomlReader::operator=(TomlReader&&) noexcept = default;
+
+TomlReader TomlReader::file(const std::string& path) {
+  std::error_code code;
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path, code)) {
+    auto document = std::make_unique<detail::TomlDocument>();
+    document->name = path;
+    document->refuse(path, "cannot be read",
+                     std::filesystem::exists(path, code) ? "not a readable file" : "no such file");
+    return TomlReader(std::move(document));
+  }
+  std::stringstream content;
+  content << in.rdbuf();
+  return text(content.str(), path);
+}
+
+TomlReader TomlReader::text(std::string_view content, const std::string& name) {
+  auto document = std::make_unique<detail::TomlDocument>();
+  document->name = name;
+  toml::parse_result parsed = toml::parse(content);
+  if (!parsed) {
+    const toml::parse_error& wrong = parsed.error();
+    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), std::string(wrong.description()));
+  } else {
+    document->root = std::move(parsed).table();
+    if (document->root.empty()) document->refuse(name, "is empty");
+  }
+  return TomlReader(std::move(document));
+}
+
+TomlTable TomlReader::root() const {
+  return {document_.get(), &document_->root, ""};
+}
+
+std::optional<Error> TomlReader::error() const {
+  return document_->error;
+}
+
+Status TomlReader::finish() const {
+  if (!document_->error) refuseUnasked(*document_, document_->root, "");
+  if (document_->error) return *document_->error;
+  return Done{};
+}
+
+}  // namespace stillcut::config
