@@ -1,0 +1,41 @@
+// LineReader: a text file line by line, with bounded memory whatever the file holds.
+#pragma once
+
+#include <cstdint>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace stillcut::record {
+
+class LineReader {
+ public:
+  // A line longer than this is no line of numbers.
+  static constexpr std::size_t kLongestLine = 64 * 1024;
+
+  explicit LineReader(std::string path);
+  Status open();
+  // The next line without its end (LF or CR LF) and without a byte-order mark; valid until the next call. False: the
+  // end. Error: unreadable, a line too long, or bytes that are no text.
+  Result<bool> next(std::string_view& line);
+  // Of the line last returned, counted from 1.
+  std::int64_t number() const { return number_; }
+  // "file:12", for errors about the line last returned.
+  std::string where() const { return path_ + ":" + std::to_string(number_); }
+
+ private:
+  Status refill();
+
+  std::string path_;
+  std::ifstream file_;
+  std::vector<char> buffer_;
+  std::size_t begin_ = 0;  // unread part of buffer_
+  std::size_t end_ = 0;
+  bool atEnd_ = false;
+  std::int64_t number_ = 0;
+};
+
+}  // namespace stillcut::record

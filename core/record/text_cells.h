@@ -1,0 +1,24 @@
+// Cells of one line of a text recording: splitting and numbers.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace stillcut::record {
+
+// How a line is cut: a delimiter (' ' stands for any run of blanks) and the decimal sign.
+struct CellFormat {
+  char delimiter = ',';
+  bool decimalComma = false;
+};
+
+// Cells, trimmed of blanks and quotes. `cells` is reused to keep the reading of long files cheap.
+void splitCells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
+// A line without numbers of the recording, wherever it stands: blank, or a time stamp ("2016-05-26 21:15:16.881") that
+// some loggers write between their buffers.
+bool isSkippedLine(std::string_view line);
+// A number as programs print it: sign, decimals, exponents of two or three digits, "nan" and "inf" too.
+std::optional<double> parseNumber(std::string_view cell, bool decimalComma);
+
+}  // namespace stillcut::record
