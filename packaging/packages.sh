@@ -1,0 +1,32 @@
+# The Debian packages Stillcut needs, and one function that installs those that are missing. Sourced by app/run and
+# tests/run; nothing else installs anything.
+
+build_packages="g++ cmake ninja-build pkg-config ccache mold libeigen3-dev libfftw3-dev libsndfile1-dev
+  libhdf5-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev"
+desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools
+  qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
+test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy git"
+
+# install_missing PACKAGE... : asks dpkg first, so that a second run costs nothing and needs no network.
+install_missing() {
+  local package missing=()
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return 0
+  local root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || { echo "stillcut: needs root or sudo to install: ${missing[*]}" >&2; return 3; }
+    root=(sudo)
+  fi
+  echo "stillcut: installing ${missing[*]}"
+  "${root[@]}" apt-get update -qq </dev/null
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" \
+    </dev/null >/dev/null
+}
+
+# Compiler cache: one place for all build folders, precompiled headers included.
+use_ccache() {
+  export CCACHE_BASEDIR="$1" CCACHE_NOHASHDIR=1
+  export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+}
