@@ -27,6 +27,9 @@ struct CommandRecord {
   Ratio feed{1.0};
   Duration lease{};
   Reason reason;
+  // Counts how often the overrides were taken from 100 %. A lease that ran out ends its engagement: the link obeys no
+  // further Set of the same number, so that a worker that wakes up cannot jump back to where it was.
+  std::uint64_t engagement = 0;
 };
 
 class OverrideCommand {
@@ -41,6 +44,7 @@ class OverrideCommand {
   Ratio feed() const { return record_.feed; }
   // How long it may stay in force without being renewed by a newer command.
   Duration lease() const { return record_.lease; }
+  std::uint64_t engagement() const { return record_.engagement; }
   const CommandRecord& record() const { return record_; }
 
  private:

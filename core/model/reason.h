@@ -33,6 +33,9 @@ enum class ReasonCode : std::uint16_t {
   Monitoring,          // -
   VerdictNotUsable,    // -
   Recovering,          // ratio towards
+  AlreadyThere,        // rpm, chatter Hz: the speed is the one that the rule asks for
+  KeepingSpeed,        // rpm kept since chatter cleared
+  NextPocketInRange,   // target rpm, pocket number p, rpm out of reach, chatter Hz
   // gate
   AuthorityOff,          // -
   AdviceOnly,            // -
@@ -46,6 +49,26 @@ enum class ReasonCode : std::uint16_t {
   GateChangesPerMinute,  // changes, allowed
   GateReleased,          // -
   LeaseExpired,          // age s
+  GateInForce,           // our speed %, our feed %, product speed %, product feed %
+  GateMoving,            // our speed % now, wanted %, our feed % now, wanted %
+  GateMachineInvalid,    // -: the machine's state makes no sense
+  GateMachineLocked,     // -: overrides disabled by the program
+  GateControlLost,       // -: another client has them
+  GateVerdictInvalid,    // -
+  GateStaleRequest,      // age s
+  GateClockFault,        // -: stream time stood still or went back
+  GateNotInCut,          // -
+  GateFeedHold,          // -
+  GateKnobMoved,         // operator's speed %, feed %
+  GateNotFollowing,      // read back rpm, expected rpm
+  GateOverrideNotTaken,  // override read back %, expected %
+  GateProgramChanged,    // programmed rpm before, now
+  GateResting,           // seconds until the overrides may be taken again
+  GateCoolDown,          // seconds left
+  AutoNotAllowed,        // -
+  AutoWithdrawn,         // changes per minute allowed: authority falls back to Advise
+  AdviceAccepted,        // rpm, feed mm/min
+  AdviceRefused,         // rpm, feed mm/min
   // events
   ChatterBegan,             // Hz, energy ratio
   ChatterEnded,             // seconds in chatter, mm of feed

@@ -1,0 +1,90 @@
+#include "core/config/override_limits.h"
+
+#include <numbers>
+#include <string>
+
+namespace stillcut::config {
+namespace {
+
+Error refuse(std::string_view where, const ParamDecl& key, const std::string& what, const std::string& why) {
+  return Error{std::string(where) + ": " + std::string(key.key), what, why};
+}
+
+// The part of [low, high] in which both f and f * knob stay inside [low, high], 1 always included.
+FactorRange withKnob(double low, double high, double knob) noexcept {
+  if (knob <= 0.0) return {low, high};  // the operator has stopped this axis; the product is 0 whatever we do
+  return {std::min(1.0, std::max(low, low / knob)), std::max(1.0, std::min(high, high / knob))};
+}
+
+}  // namespace
+
+Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetup& setup, std::string_view where) {
+  OverrideLimits limits;
+  const auto share = [&](const ParamDecl& decl) { return Ratio(params.real(decl) / 100.0); };
+  limits.lowestSpeed = share(kLowestSpeedOverride);
+  limits.highestSpeed = share(kHighestSpeedOverride);
+  limits.lowestFeed = share(kLowestFeedOverride);
+  limits.highestFeed = share(kHighestFeedOverride);
+  limits.feedPerTooth = share(kHighestFeedPerTooth).value;
+  if (limits.lowestSpeed >= limits.highestSpeed) {
+    return refuse(where, kLowestSpeedOverride, "the range of the speed override is empty",
+                  "it must be below " + std::string(kHighestSpeedOverride.key));
+  }
+  if (limits.lowestFeed >= limits.highestFeed) {
+    return refuse(where, kLowestFeedOverride, "the range of the feed override is empty",
+                  "it must be below " + std::string(kHighestFeedOverride.key));
+  }
+  if (!params.isAutomatic(kLowestSpeed)) limits.slowest = Rpm(params.real(kLowestSpeed));
+  if (!params.isAutomatic(kHighestSpeed)) limits.fastest = Rpm(params.real(kHighestSpeed));
+  if (!params.isAutomatic(kHighestCuttingSpeed)) {
+    if (!(setup.toolDiameter.value > 0.0)) {
+      return refuse(where, kHighestCuttingSpeed, "a cutting speed cannot be limited without the tool's diameter",
+                    "give the diameter or set it to auto");
+    }
+    const double metresPerRev = std::numbers::pi * setup.toolDiameter.value;
+    limits.fastest = std::min(limits.fastest, Rpm(params.real(kHighestCuttingSpeed) / metresPerRev));
+  }
+  if (limits.slowest >= limits.fastest) {
+    return refuse(where, kLowestSpeed, "the lowest speed is not below the highest",
+                  "see gate.highest-speed and gate.highest-cutting-speed");
+  }
+  return limits;
+}
+
+Status narrowToMachine(ParamSet& params, const MachineOverrides& machine, std::string_view where) {
+  const auto narrow = [&](const ParamDecl& low, const ParamDecl& high, Ratio from, Ratio to) -> Status {
+    const double newLow = std::max(params.real(low), 100.0 * from.value);
+    const double newHigh = std::min(params.real(high), 100.0 * to.value);
+    if (!(newLow < newHigh)) {
+      return refuse(where, low, "the machine's override cannot reach the allowed range", "check the machine's profile");
+    }
+    Status status = params.set(low, newLow, where);
+    return status ? params.set(high, newHigh, where) : status;
+  };
+  Status status = narrow(kLowestSpeedOverride, kHighestSpeedOverride, machine.lowestSpeed, machine.highestSpeed);
+  return status ? narrow(kLowestFeedOverride, kHighestFeedOverride, machine.lowestFeed, machine.highestFeed) : status;
+}
+
+FactorRange feedFactors(const OverrideLimits& limits, Ratio knob) STILLCUT_RT {
+  return withKnob(limits.lowestFeed.value, limits.highestFeed.value, knob.value);
+}
+
+FactorRange speedFactors(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT {
+  FactorRange range = withKnob(limits.lowestSpeed.value, limits.highestSpeed.value, speedKnob.value);
+  // Below this speed even the lowest feed would be too much for each tooth.
+  range.low = std::max(range.low, std::min(1.0, feedFactors(limits, feedKnob).low / limits.feedPerTooth));
+  const double base = programmed.value * speedKnob.value;
+  if (base > 0.0) {
+    range.low = std::min(1.0, std::max(range.low, limits.slowest.value / base));
+    range.high = std::max(1.0, std::min(range.high, limits.fastest.value / base));
+  }
+  return range;
+}
+
+SpeedRange reachableSpeeds(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT {
+  const FactorRange range = speedFactors(limits, programmed, speedKnob, feedKnob);
+  const Rpm base = programmed * speedKnob.value;
+  return {base * range.low, base * range.high};
+}
+
+}  // namespace stillcut::config

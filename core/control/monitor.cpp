@@ -1,0 +1,19 @@
+#include "core/control/monitor.h"
+
+namespace stillcut::control {
+
+StrategyInfo Monitor::describe() const {
+  return {"monitor", "Monitoring only", "", false, false};
+}
+
+void Monitor::prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) {}
+
+OverrideRequest Monitor::decide(const StrategyInput& input) noexcept {
+  OverrideRequest request;
+  request.time = input.now;
+  request.kind = RequestKind::Release;
+  request.reason = {ReasonCode::Monitoring, {}};
+  return request;
+}
+
+}  // namespace stillcut::control

@@ -1,0 +1,44 @@
+#include "core/control/registry.h"
+
+#include <string>
+#include <vector>
+
+#include "core/config/nearest_word.h"
+#include "core/control/lobe_center.h"
+#include "core/control/monitor.h"
+
+namespace stillcut::control {
+namespace {
+
+template <class T>
+std::unique_ptr<Strategy> make() {
+  return std::make_unique<T>();
+}
+
+std::string allIds() {
+  std::string all;
+  for (const StrategyEntry& entry : strategyTable()) all += (all.empty() ? "" : ", ") + std::string(entry.id);
+  return all;
+}
+
+}  // namespace
+
+std::span<const StrategyEntry> strategyTable() {
+  static const std::vector<StrategyEntry> table{
+      {"monitor", &make<Monitor>, {}},
+      {"lobe-center", &make<LobeCenter>, lobeCenterParams()},
+  };
+  return table;
+}
+
+Result<std::unique_ptr<Strategy>> makeStrategy(std::string_view id) {
+  for (const StrategyEntry& entry : strategyTable()) {
+    if (entry.id == id) return entry.make();
+  }
+  std::vector<std::string_view> ids;
+  for (const StrategyEntry& entry : strategyTable()) ids.push_back(entry.id);
+  const std::string hint = config::didYouMean(id, ids);
+  return Error{"strategy", "unknown id '" + std::string(id) + "'", hint.empty() ? "known: " + allIds() : hint};
+}
+
+}  // namespace stillcut::control

@@ -1,0 +1,74 @@
+// AdviceDesk: what the operator is asked under authority Advise, and the answer. Accept executes that one advice;
+// refuse silences the like of it for a while. Thread: worker. Real-time.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/model/override_request.h"
+#include "core/safety/override_ramp.h"
+
+namespace stillcut::safety {
+
+struct Advice {
+  Factors factors;
+  OverrideRequest request;
+};
+
+class AdviceDesk {
+ public:
+  void clear() STILLCUT_RT {
+    open_ = false;
+    silentLeft_ = 0.0;
+    acceptedLeft_ = 0.0;
+  }
+  void advance(double dt) STILLCUT_RT {
+    silentLeft_ = std::max(0.0, silentLeft_ - dt);
+    acceptedLeft_ = std::max(0.0, acceptedLeft_ - dt);
+  }
+  // The newest wish that is not in force yet; replaces the one on the desk.
+  void put(const Advice& advice) STILLCUT_RT {
+    open_ = silentLeft_ <= 0.0 || !alike(advice.factors, refused_);
+    advice_ = advice;
+  }
+  void close() STILLCUT_RT { open_ = false; }
+  bool open() const STILLCUT_RT { return open_; }
+  const Advice& advice() const STILLCUT_RT { return advice_; }
+
+  bool accept() STILLCUT_RT {
+    if (!open_) return false;
+    open_ = false;
+    accepted_ = advice_;
+    acceptedLeft_ = kAcceptedFor;
+    return true;
+  }
+  bool refuse() STILLCUT_RT {
+    if (!open_) return false;
+    open_ = false;
+    refused_ = advice_.factors;
+    silentLeft_ = kSilentFor;
+    return true;
+  }
+  // Accepted and not yet carried out; an acceptance that waits too long for the machine lapses.
+  const Advice* accepted() const STILLCUT_RT { return acceptedLeft_ > 0.0 ? &accepted_ : nullptr; }
+  void carriedOut() STILLCUT_RT { acceptedLeft_ = 0.0; }
+
+ private:
+  static constexpr double kAcceptedFor = 5.0;  // [s]
+  static constexpr double kSilentFor = 30.0;   // [s]
+  static constexpr double kAlike = 0.02;       // 2 % of the programmed values
+
+  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT {
+    return std::abs(a.speed - b.speed) <= kAlike && std::abs(a.feed - b.feed) <= kAlike;
+  }
+
+  bool open_ = false;
+  Advice advice_;
+  Advice accepted_;
+  Factors refused_;
+  double silentLeft_ = 0.0;
+  double acceptedLeft_ = 0.0;
+};
+
+}  // namespace stillcut::safety

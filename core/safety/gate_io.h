@@ -1,0 +1,42 @@
+// What goes into the gate and what comes out of it, each block. Plain values, no storage of their own.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "core/model/event.h"
+#include "core/model/machine_state.h"
+#include "core/model/operator_input.h"
+#include "core/model/override_command.h"
+#include "core/model/override_request.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::safety {
+
+inline constexpr int kMaxGateEvents = 4;
+
+struct GateInput {
+  Instant now{};            // stream time: end of the block
+  Seconds dt{};             // measured time since the previous step
+  OverrideRequest request;  // of the strategy in charge
+  Verdict verdict;          // of the detector in charge
+  MachineState machine;     // newest read
+  std::span<const OperatorInput> inputs;
+};
+
+struct GateOutput {
+  std::optional<OverrideCommand> command;  // to the link's mailbox; none while nothing is in force
+  bool commanding = false;                 // a Set is in force
+  Authority authority = Authority::Off;
+  Instant authoritySince{};
+  bool autoAllowed = false;
+  bool adviceOpen = false;  // the request waits for accept or refuse
+  bool operatorHold = false;
+  Reason reason;        // why the gate does what it does now
+  bool flight = false;  // fault, refusal or change of authority: keep the last seconds (FlightRecorder::capture)
+  int eventCount = 0;   // Event::number is left to whoever counts a run's events
+  std::array<Event, kMaxGateEvents> events{};
+};
+
+}  // namespace stillcut::safety

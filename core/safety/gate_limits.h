@@ -1,0 +1,43 @@
+// GateLimits: every number that the gate obeys, and their declarations. How far the overrides may go is in
+// core/config/override_limits.h; here is how fast, how often, and how long the gate waits for what.
+// Thread: gateLimits() at set-up; the rest are plain values.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/config/override_limits.h"
+
+namespace stillcut::safety {
+
+struct GateLimits {
+  config::OverrideLimits overrides;
+  // Granted by whoever set this run up (profile or scenario), never by a parameter.
+  bool autoAllowed = false;
+
+  double speedStep = 0.05;       // largest change of our speed factor per step
+  double speedSlew = 1.0;        // ... per second
+  double feedStep = 0.05;        // the same for feed
+  double feedSlew = 2.0;         //
+  double recoveryShare = 0.2;    // of step and slew, back toward 100 % when nothing chatters
+  Seconds filter{0.02};          // time constant on the wanted factors
+  double deadband = 0.005;       // wanted changes up to this are ignored
+  int changesPerMinute = 12;     // moves that start from rest or turn back
+  Seconds coolDown{20.0};        // after that many
+  double speedTolerance = 0.02;  // spindle counts as at speed
+  Seconds machineAge{0.3};       // older: stale
+  Seconds verdictAge{0.3};       // verdict and request
+  Seconds holdTime{0.5};         // bad input: hold this long, then release
+  Seconds restTime{1.0};         // after a release: good input for this long before the overrides are taken again
+  Seconds knobTime{2.0};         // after the operator's knob moved
+  Seconds takeTime{1.0};         // override read back must agree within this
+  Seconds followTime{5.0};       // actual speed must agree within this
+  Seconds lease{0.2};            // of every Set
+};
+
+// All `gate.*` declarations, those of the override limits included.
+config::ParamTable gateParams();
+
+// Reads and cross-checks. Error: key and reason. autoAllowed stays false: set it from profile or scenario.
+Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& setup, std::string_view where);
+
+}  // namespace stillcut::safety

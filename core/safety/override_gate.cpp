@@ -1,0 +1,162 @@
+#include "core/safety/override_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/safety/gate_checks.h"
+
+namespace stillcut::safety {
+
+void OverrideGate::prepare(const GateLimits& limits) {
+  owesRelease_ = owesRelease_ || commanding_;
+  limits_ = limits;
+  ramp_.prepare(limits);
+  keeper_.prepare(limits);
+  watch_.prepare(limits);
+  desk_.clear();
+  authority_ = Authority::Off;
+  authoritySince_ = lastNow_;
+  operatorHold_ = false;
+  commanding_ = false;
+  goingBack_ = false;
+  hasTime_ = false;
+  badTime_ = 0.0;
+  restLeft_ = 0.0;
+  saidTrouble_ = ReasonCode::None;
+}
+
+GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
+  GateOutput out;
+  passTime(in, out);
+  obeyOperator(in, out);
+  const Reason trouble = findTrouble(in);
+  if (trouble.code != ReasonCode::None) {
+    holdThenRelease(trouble, in, out);
+  } else {
+    act(in, out);
+  }
+  emit(in, out);
+  return out;
+}
+
+// Time that stands still, goes back or jumps past the lease ends what is in force: the link has let go by now, or
+// cannot tell that it should.
+void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const double elapsed = (static_cast<double>(toNs(in.now)) - static_cast<double>(toNs(lastNow_))) * 1e-9;
+  const bool first = !hasTime_;
+  hasTime_ = true;
+  lastNow_ = in.now;
+  elapsed_ = 0.0;
+  moveTime_ = 0.0;
+  clockGood_ = false;
+  if (first) return;
+  if (!(elapsed > 0.0) || elapsed > limits_.lease.value) {
+    const bool back = !(elapsed > 0.0);
+    const Reason why{back ? ReasonCode::GateClockFault : ReasonCode::LeaseExpired, {elapsed}};
+    drop(why, EventLevel::Fault, in.now, out);
+    return;
+  }
+  elapsed_ = elapsed;
+  clockGood_ = std::isfinite(in.dt.value) && in.dt.value > 0.0;
+  moveTime_ = clockGood_ ? std::min(elapsed, in.dt.value) : 0.0;
+  desk_.advance(elapsed_);
+  keeper_.advance(elapsed_, ramp_.at(keeper_.target()));
+}
+
+Reason OverrideGate::findTrouble(const GateInput& in) STILLCUT_RT {
+  if (!clockGood_) return {ReasonCode::GateClockFault, {}};
+  Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
+  if (trouble.code != ReasonCode::None) return trouble;
+  watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
+  trouble = watch_.trouble();
+  if (trouble.code == ReasonCode::None) trouble = checkVerdict(in.verdict, in.now, limits_.verdictAge);
+  if (trouble.code == ReasonCode::None) {
+    trouble = checkRequest(in.request, in.machine, in.now, limits_.verdictAge);
+  }
+  return trouble;
+}
+
+void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
+  out.reason = trouble;
+  desk_.close();
+  if (restLeft_ > 0.0) restLeft_ = limits_.restTime.value;
+  if (!commanding_) return;
+  // The end of a program is an ordinary end, everything else is a fault worth its flight record.
+  const bool ordinary = trouble.code == ReasonCode::GateMachineNotReady;
+  if (saidTrouble_ != trouble.code) {
+    saidTrouble_ = trouble.code;
+    say(out, in.now, ordinary ? EventLevel::Info : EventLevel::Warning, trouble);
+    out.flight = out.flight || !ordinary;
+  }
+  ramp_.halt();
+  badTime_ += elapsed_;
+  if (badTime_ >= limits_.holdTime.value) {
+    drop(trouble, ordinary ? EventLevel::Info : EventLevel::Fault, in.now, out);
+  } else if (checkMachine(in.machine, in.now, limits_.machineAge).code == ReasonCode::None) {
+    const config::OverrideLimits& o = limits_.overrides;
+    const MachineState& m = in.machine;
+    ramp_.keepInside(speedFactors(o, m.programmedSpeed, m.operatorSpeed, m.operatorFeed),
+                     feedFactors(o, m.operatorFeed));
+  }
+}
+
+void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
+  ramp_.restart();
+  keeper_.restart();
+  desk_.clear();
+  goingBack_ = false;
+  badTime_ = 0.0;
+  saidTrouble_ = ReasonCode::None;
+  if (!commanding_) return;
+  commanding_ = false;
+  owesRelease_ = true;
+  dropReason_ = why;
+  restLeft_ = limits_.restTime.value;
+  if (level == EventLevel::Fault) {
+    say(out, now, level, why);
+    out.flight = true;
+  }
+  say(out, now, EventLevel::Info, {ReasonCode::GateReleased, {}});
+}
+
+// The one place where commands are made. The finite check is the last thing that happens to a number.
+void OverrideGate::emit(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const Factors& now = ramp_.now();
+  if (commanding_ && !(std::isfinite(now.speed) && std::isfinite(now.feed) && now.speed > 0.0 && now.feed >= 0.0)) {
+    drop({ReasonCode::GateNotFinite, {}}, EventLevel::Fault, in.now, out);
+  }
+  if (owesRelease_ || commanding_) {
+    CommandRecord record;
+    record.time = in.now;
+    record.sequence = ++sequence_;
+    record.engagement = engagement_;
+    record.lease = toDuration(limits_.lease);
+    if (owesRelease_) {
+      record.kind = CommandKind::Release;
+      record.reason = dropReason_;
+      owesRelease_ = false;
+    } else {
+      record.kind = CommandKind::Set;
+      record.speed = Ratio(now.speed);
+      record.feed = Ratio(now.feed);
+      record.reason = out.reason;
+    }
+    out.command.emplace(OverrideCommand(record));
+  }
+  out.commanding = commanding_;
+  out.authority = authority_;
+  out.authoritySince = authoritySince_;
+  out.autoAllowed = limits_.autoAllowed;
+  out.adviceOpen = desk_.open();
+  out.operatorHold = operatorHold_;
+}
+
+void OverrideGate::say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT {
+  if (out.eventCount >= kMaxGateEvents) return;
+  Event& event = out.events[static_cast<std::size_t>(out.eventCount++)];
+  event.time = now;
+  event.level = level;
+  event.reason = reason;
+}
+
+}  // namespace stillcut::safety

@@ -1,0 +1,89 @@
+// OverrideGate: the one door to the machine (house rule 3). It alone can construct an OverrideCommand, and there is no
+// way to switch it off: a wish that it does not understand, or that it gets from a machine state it cannot trust, is
+// held, and then the programmed values come back.
+//
+// Each step: time, operator, checks of everything that came in; then either hold-then-release, or the wish trimmed to
+// the limits, counted as a change, low-passed, rate-limited, ordered (speed rises before feed, feed falls before
+// speed), and checked for being finite last. While a Set is in force it is issued anew each step: that is what renews
+// its lease. Thread: prepare() at set-up, step() on the worker, once per block, real-time. Source: design.md, issue
+// "Control".
+#pragma once
+
+#include "core/safety/advice_desk.h"
+#include "core/safety/gate_io.h"
+#include "core/safety/gate_limits.h"
+#include "core/safety/machine_watch.h"
+#include "core/safety/override_ramp.h"
+#include "core/safety/target_keeper.h"
+
+namespace stillcut::safety {
+
+class OverrideGate {
+ public:
+  // Authority is Off afterwards. What was in force is released by the next step. May allocate nothing and never throws:
+  // limits come checked from gateLimits().
+  void prepare(const GateLimits& limits);
+
+  GateOutput step(const GateInput& in) STILLCUT_RT;
+
+  Authority authority() const STILLCUT_RT { return authority_; }
+  bool commanding() const STILLCUT_RT { return commanding_; }
+
+ private:
+  struct Wish {
+    Factors factors;
+    Reason limited;  // GateLimited when it had to be trimmed, else None
+  };
+  enum class Freeze { No, Operator, FeedHold, Knob };
+
+  void passTime(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
+  void answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT;
+  Reason findTrouble(const GateInput& in) STILLCUT_RT;
+  void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
+
+  void act(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void steer(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void retarget(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void move(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT;
+
+  Wish wish(const OverrideRequest& request, const MachineState& machine) const STILLCUT_RT;
+  Reason notReady(const GateInput& in) const STILLCUT_RT;
+  Freeze frozen(const MachineState& machine) const STILLCUT_RT;
+  Reason inForce(const MachineState& machine) const STILLCUT_RT;
+
+  void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
+  void emit(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT;
+
+  GateLimits limits_;
+  OverrideRamp ramp_;
+  TargetKeeper keeper_;
+  MachineWatch watch_;
+  AdviceDesk desk_;
+
+  Authority authority_ = Authority::Off;
+  Instant authoritySince_{};
+  bool operatorHold_ = false;
+
+  bool commanding_ = false;
+  bool goingBack_ = false;    // on the slow way to 100 %, then release
+  bool owesRelease_ = false;  // dropped, the Release is not out yet
+  Reason dropReason_;
+  std::uint64_t sequence_ = 0;
+  std::uint64_t engagement_ = 0;
+
+  bool hasTime_ = false;
+  Instant lastNow_{};
+  bool clockGood_ = false;
+  double elapsed_ = 0.0;   // [s] stream time since the last step, for what must run out
+  double moveTime_ = 0.0;  // [s] the smaller of elapsed and measured dt, for what may move
+  double badTime_ = 0.0;   // [s] of bad input, running down again while it is good
+  double restLeft_ = 0.0;
+  ReasonCode saidTrouble_ = ReasonCode::None;
+};
+
+}  // namespace stillcut::safety

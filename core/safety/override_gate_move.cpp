@@ -1,0 +1,209 @@
+// The half of the gate that moves the machine: all its inputs have passed the checks.
+#include <algorithm>
+#include <cmath>
+
+#include "core/safety/override_gate.h"
+
+namespace stillcut::safety {
+namespace {
+
+bool inCut(const Verdict& v) noexcept {
+  return v.state != CutState::Air && v.phase != CutPhase::RunUp;
+}
+
+}  // namespace
+
+void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  badTime_ = std::max(0.0, badTime_ - elapsed_);
+  if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
+  restLeft_ = std::max(0.0, restLeft_ - elapsed_);
+  // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects.
+  if (!commanding_ || (in.verdict.alarming() && !watch_.knobTurning())) watch_.rebase(in.machine);
+
+  if (commanding_ && watch_.programChanged()) {
+    const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
+    say(out, in.now, EventLevel::Info, why);
+    drop(why, EventLevel::Info, in.now, out);
+    out.reason = why;
+  } else if (commanding_) {
+    steer(in, out);
+  } else {
+    tryToTake(in, out);
+  }
+}
+
+// Nothing of ours is in force.
+void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const Advice* accepted = desk_.accepted();
+  if (authority_ == Authority::Off) {
+    out.reason = {ReasonCode::AuthorityOff, {}};
+    return;
+  }
+  const Wish wanted = wish(in.request, in.machine);
+  const bool wants = in.request.kind == RequestKind::Set && !keeper_.near(wanted.factors);
+  if (!wants && accepted == nullptr) {
+    desk_.close();
+    out.reason = in.request.reason.code != ReasonCode::None ? in.request.reason : Reason{ReasonCode::NothingToDo, {}};
+    return;
+  }
+  if (authority_ == Authority::Advise && accepted == nullptr) {
+    desk_.put({wanted.factors, in.request});
+    out.reason = {ReasonCode::AdviceOnly, {}};
+    return;
+  }
+  out.reason = notReady(in);
+  if (out.reason.code != ReasonCode::None) return;
+  const Wish target = accepted != nullptr ? wish(accepted->request, in.machine) : wanted;
+  if (keeper_.propose(target.factors, accepted != nullptr) == Proposal::Refused) {
+    refuseChange(in, out);
+    return;
+  }
+  say(out, in.now, EventLevel::Info, accepted != nullptr ? accepted->request.reason : in.request.reason);
+  desk_.carriedOut();
+  ramp_.restart();
+  watch_.engage(in.machine);
+  commanding_ = true;
+  ++engagement_;
+  move(in, out);
+  if (target.limited.code != ReasonCode::None) out.reason = target.limited;
+}
+
+Reason OverrideGate::notReady(const GateInput& in) const STILLCUT_RT {
+  const MachineState& m = in.machine;
+  if (owesRelease_ || restLeft_ > 0.0) return {ReasonCode::GateResting, {restLeft_}};
+  if (operatorHold_) return {ReasonCode::GateOperatorHold, {}};
+  if (m.feedHold) return {ReasonCode::GateFeedHold, {}};
+  if (watch_.knobTurning()) {
+    return {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
+  }
+  if (!watch_.atSpeed()) return {ReasonCode::GateSettling, {m.actualSpeed.value, m.targetSpeed().value}};
+  if (!inCut(in.verdict)) return {ReasonCode::GateNotInCut, {}};
+  return {};
+}
+
+OverrideGate::Freeze OverrideGate::frozen(const MachineState& machine) const STILLCUT_RT {
+  if (operatorHold_) return Freeze::Operator;
+  if (machine.feedHold) return Freeze::FeedHold;
+  return watch_.knobTurning() ? Freeze::Knob : Freeze::No;
+}
+
+// Something of ours is in force.
+void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const MachineState& m = in.machine;
+  if (watch_.knobJustMoved()) {
+    say(out, in.now, EventLevel::Info,
+        {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}});
+  }
+  switch (frozen(m)) {
+    case Freeze::Operator:
+      out.reason = {ReasonCode::GateOperatorHold, {}};
+      break;
+    case Freeze::FeedHold:
+      out.reason = {ReasonCode::GateFeedHold, {}};
+      break;
+    case Freeze::Knob:
+      out.reason = {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
+      break;
+    case Freeze::No:
+      retarget(in, out);
+      move(in, out);
+      return;
+  }
+  ramp_.halt();
+  ramp_.keepInside(speedFactors(limits_.overrides, m.programmedSpeed, m.operatorSpeed, m.operatorFeed),
+                   feedFactors(limits_.overrides, m.operatorFeed));
+}
+
+void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const OverrideRequest& r = in.request;
+  if (r.kind == RequestKind::Hold) {
+    keeper_.stopAt(ramp_.now());
+    ramp_.halt();
+    goingBack_ = false;
+  } else if (r.kind == RequestKind::Release) {
+    keeper_.propose({}, true);
+    goingBack_ = true;
+  }
+  const Advice* accepted = desk_.accepted();
+  if (r.kind != RequestKind::Set && accepted == nullptr) {
+    desk_.close();
+    return;
+  }
+  if (authority_ == Authority::Advise && accepted == nullptr) {
+    const Wish wanted = wish(r, in.machine);
+    keeper_.near(wanted.factors) ? desk_.close() : desk_.put({wanted.factors, r});
+    return;
+  }
+  const Wish wanted = wish(accepted != nullptr ? accepted->request : r, in.machine);
+  if (keeper_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
+    refuseChange(in, out);
+    return;
+  }
+  goingBack_ = false;
+  desk_.carriedOut();
+  if (wanted.limited.code != ReasonCode::None) out.reason = wanted.limited;
+}
+
+void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const MachineState& m = in.machine;
+  RampInput ramp;
+  ramp.dt = moveTime_;
+  ramp.wanted = keeper_.target();
+  ramp.speed = speedFactors(limits_.overrides, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  ramp.feed = feedFactors(limits_.overrides, m.operatorFeed);
+  ramp.actualSpeed = m.actualSpeed / (m.programmedSpeed * m.operatorSpeed.value);
+  ramp.recovering = goingBack_ || !in.verdict.alarming();
+  ramp_.advance(ramp);
+  if (out.reason.code == ReasonCode::None) out.reason = inForce(m);
+  if (goingBack_ && ramp_.at({})) drop({ReasonCode::GateReleased, {}}, EventLevel::Info, in.now, out);
+}
+
+// No hunting: after the changes of a minute are used up there is a pause, and the second time Auto is withdrawn.
+void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  const ChangeBudget& budget = keeper_.budget();
+  out.reason = {ReasonCode::GateCoolDown, {budget.coolDownLeft()}};
+  if (saidTrouble_ != ReasonCode::GateCoolDown) {
+    saidTrouble_ = ReasonCode::GateCoolDown;
+    say(out, in.now, EventLevel::Warning,
+        {ReasonCode::GateChangesPerMinute,
+         {static_cast<double>(budget.inLastMinute()), static_cast<double>(budget.perMinute())}});
+    out.flight = true;
+  }
+  if (budget.timesUsedUp() >= 2 && authority_ == Authority::Auto) {
+    say(out, in.now, EventLevel::Warning, {ReasonCode::AutoWithdrawn, {static_cast<double>(budget.perMinute())}});
+    setAuthority(Authority::Advise, in.now, out);
+  }
+}
+
+OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
+  const config::OverrideLimits& o = limits_.overrides;
+  const config::FactorRange speeds = speedFactors(o, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  const config::FactorRange feeds = feedFactors(o, m.operatorFeed);
+  const double speed = r.claimsSpeed ? r.speed / (m.programmedSpeed * watch_.baseSpeedKnob().value) : 1.0;
+  const MetresPerSecond feedBase = m.programmedFeed * watch_.baseFeedKnob().value;
+  double feed = 1.0;
+  // Without a feed to refer to, following the speed is the only way to keep the feed per tooth.
+  if (r.claimsFeed) feed = feedBase.value > 0.0 ? r.feed / feedBase : speed;
+  Wish w;
+  w.factors.speed = speeds.clamp(speed);
+  w.factors.feed = feeds.clamp(std::min(feed, o.feedPerTooth * w.factors.speed));
+  if (std::abs(w.factors.speed - speed) > limits_.deadband) {
+    w.limited = {ReasonCode::GateLimited, {speed, w.factors.speed}};
+  } else if (r.claimsFeed && std::abs(w.factors.feed - feed) > limits_.deadband) {
+    w.limited = {ReasonCode::GateLimited, {feed, w.factors.feed}};
+  }
+  return w;
+}
+
+Reason OverrideGate::inForce(const MachineState& m) const STILLCUT_RT {
+  const Factors& now = ramp_.now();
+  const Factors& goal = keeper_.target();
+  if (!ramp_.at(goal)) {
+    return {ReasonCode::GateMoving, {100.0 * now.speed, 100.0 * goal.speed, 100.0 * now.feed, 100.0 * goal.feed}};
+  }
+  return {ReasonCode::GateInForce,
+          {100.0 * now.speed, 100.0 * now.feed, 100.0 * now.speed * m.operatorSpeed.value,
+           100.0 * now.feed * m.operatorFeed.value}};
+}
+
+}  // namespace stillcut::safety

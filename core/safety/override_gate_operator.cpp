@@ -1,0 +1,64 @@
+// The half of the gate that listens to the person at the machine.
+#include "core/safety/override_gate.h"
+
+namespace stillcut::safety {
+
+void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  for (const OperatorInput& input : in.inputs) {
+    switch (input.action) {
+      case OperatorAction::SetAuthority:
+        setAuthority(input.authority, in.now, out);
+        break;
+      case OperatorAction::Accept:
+        answerAdvice(true, in.now, out);
+        break;
+      case OperatorAction::Refuse:
+        answerAdvice(false, in.now, out);
+        break;
+      case OperatorAction::BackToProgrammed:
+        say(out, in.now, EventLevel::Info, {ReasonCode::BackToProgrammed, {}});
+        setAuthority(Authority::Off, in.now, out);
+        operatorHold_ = false;
+        break;
+      case OperatorAction::Hold:
+        operatorHold_ = true;
+        break;
+      case OperatorAction::EndHold:
+        operatorHold_ = false;
+        break;
+      case OperatorAction::TrueAlarm:
+      case OperatorAction::FalseAlarm:
+        break;  // for the detectors' thresholds and the record, not for the machine
+    }
+  }
+}
+
+void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT {
+  const bool known = wanted == Authority::Off || wanted == Authority::Advise || wanted == Authority::Auto;
+  if (!known || (wanted == Authority::Auto && !limits_.autoAllowed)) {
+    say(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
+    out.flight = true;
+    return;
+  }
+  if (wanted != authority_) {
+    say(out, now, EventLevel::Info,
+        {ReasonCode::AuthorityChanged, {static_cast<double>(authority_), static_cast<double>(wanted)}});
+    out.flight = true;
+    authority_ = wanted;
+    authoritySince_ = now;
+    desk_.clear();
+    keeper_.forgiveChanges();
+  }
+  if (authority_ == Authority::Off) drop({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
+}
+
+void OverrideGate::answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT {
+  if (authority_ != Authority::Advise) return;
+  if (!(accept ? desk_.accept() : desk_.refuse())) return;
+  const OverrideRequest& r = desk_.advice().request;
+  say(out, now, EventLevel::Info,
+      {accept ? ReasonCode::AdviceAccepted : ReasonCode::AdviceRefused, {r.speed.value, toMmPerMin(r.feed)}});
+  out.flight = out.flight || !accept;
+}
+
+}  // namespace stillcut::safety
