@@ -1,0 +1,117 @@
+// A gate on virtual time with an obedient machine behind it: what the gate commands is read back a few steps later, and
+// the spindle follows. Tests bend any of it.
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "core/safety/override_gate.h"
+
+namespace stillcut::safety::testing {
+
+inline GateLimits promptLimits() {
+  GateLimits limits;
+  limits.autoAllowed = true;
+  limits.filter = Seconds(0.0);
+  limits.restTime = Seconds(0.1);
+  return limits;
+}
+
+class GateHarness {
+ public:
+  static constexpr double kDt = 0.01;
+
+  explicit GateHarness(const GateLimits& limits = promptLimits()) {
+    gate.prepare(limits);
+    machine.valid = machine.linkUp = machine.programRunning = machine.atSpeed = true;
+    machine.programmedSpeed = Rpm(10000.0);
+    machine.programmedFeed = fromMmPerMin(1000.0);
+    machine.actualSpeed = Rpm(10000.0);
+    verdict.valid = true;
+    verdict.state = CutState::Stable;
+    verdict.phase = CutPhase::Steady;
+    verdict.frequency = Hertz(700.0);
+    step();
+  }
+
+  // One block. Stamps what is fresh, lets the machine follow unless told otherwise.
+  GateOutput step(std::initializer_list<OperatorInput> inputs = {}) {
+    now += toDuration(Seconds(kDt));
+    if (machineFollows) follow();
+    GateInput in;
+    in.now = now;
+    in.dt = dt;
+    if (freshMachine) machine.time = now;
+    if (freshVerdict) verdict.time = now;
+    if (freshRequest) request.time = now;
+    in.machine = machine;
+    in.verdict = verdict;
+    in.request = request;
+    const std::vector<OperatorInput> list(inputs);
+    in.inputs = list;
+    last = gate.step(in);
+    if (last.command) commands.push_back(last.command->record());
+    for (int i = 0; i < last.eventCount; ++i) events.push_back(last.events[static_cast<std::size_t>(i)]);
+    flights += last.flight ? 1 : 0;
+    return last;
+  }
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds / kDt + 0.5); ++i) step();
+  }
+  GateOutput authority(Authority a) { return step({{OperatorAction::SetAuthority, a}}); }
+  GateOutput act(OperatorAction a) { return step({{a, Authority::Off}}); }
+
+  void ask(double speed, double feedMmPerMin) {
+    request.kind = RequestKind::Set;
+    request.claimsSpeed = request.claimsFeed = true;
+    request.speed = Rpm(speed);
+    request.feed = fromMmPerMin(feedMmPerMin);
+  }
+  // Chatter, Auto, and a wish that has been reached.
+  void settleAt(double speed, double feedMmPerMin) {
+    verdict.state = CutState::Chatter;
+    authority(Authority::Auto);
+    ask(speed, feedMmPerMin);
+    run(2.0);
+  }
+  bool said(ReasonCode code) const {
+    for (const Event& e : events) {
+      if (e.reason.code == code) return true;
+    }
+    return false;
+  }
+  bool released() const {
+    for (const CommandRecord& c : commands) {
+      if (c.kind == CommandKind::Release) return true;
+    }
+    return false;
+  }
+  const CommandRecord& lastCommand() const { return commands.back(); }
+
+  OverrideGate gate;
+  MachineState machine;
+  Verdict verdict;
+  OverrideRequest request;
+  Instant now{};
+  Seconds dt{kDt};
+  bool freshMachine = true, freshVerdict = true, freshRequest = true;
+  bool machineFollows = true;  // readback and spindle
+  GateOutput last;
+  std::vector<CommandRecord> commands;
+  std::vector<Event> events;
+  int flights = 0;
+
+ private:
+  void follow() {
+    constexpr std::size_t kDelay = 5;  // 50 ms, as van Dijk's machine
+    const bool set = !commands.empty() && commands.back().kind == CommandKind::Set;
+    delayed_.push_back(set ? Factors{commands.back().speed.value, commands.back().feed.value} : Factors{});
+    if (delayed_.size() > kDelay) delayed_.pop_front();
+    machine.speedOverride = Ratio(machine.operatorSpeed.value * delayed_.front().speed);
+    machine.feedOverride = Ratio(machine.operatorFeed.value * delayed_.front().feed);
+    machine.actualSpeed += (machine.targetSpeed() - machine.actualSpeed) * 0.3;
+  }
+  std::deque<Factors> delayed_;
+};
+
+}  // namespace stillcut::safety::testing
