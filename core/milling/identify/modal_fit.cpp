@@ -1,0 +1,272 @@
+#include "core/milling/identify/modal_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/milling/identify/lscf.h"
+#include "core/milling/identify/modal_band.h"
+#include "core/milling/identify/modal_model.h"
+
+namespace stillcut::identify {
+namespace {
+
+constexpr std::size_t kMostLines = 3000;
+constexpr std::size_t kMostCandidates = 16;
+constexpr int kIterations = 25;
+constexpr double kRiseThatCounts = 1.5;    // of the misfit
+constexpr double kShareThatCounts = 0.05;  // of the response
+constexpr double kMisfitFloor = 0.003;     // below this the misfit is as good as none
+constexpr double kLargestPhase = 1.05;     // 60 degrees
+constexpr double kDoubtfulPhase = 0.52;    // 30 degrees
+constexpr double kLargestDamping = 0.3;
+
+Status checkOptions(const Frf& frf, const ModalOptions& o) {
+  const auto bad = [&](const char* what) { return Error{frf.source, what, ""}; };
+  if (!std::isfinite(o.from) || !std::isfinite(o.to) || o.from < 0.0 || o.to < 0.0) return bad("the band is no band");
+  if (o.from > 0.0 && o.to > 0.0 && o.to <= o.from) return bad("the band ends before it begins");
+  if (o.modes < 0 || o.modes > 16) return bad("the number of modes must be 1 to 16, or 0 for automatic");
+  if (o.highestOrder < 4 || o.highestOrder > 60) return bad("the highest model order must be 4 to 60");
+  if (frf.frequency.size() != frf.value.size()) return bad("frequencies and values differ in number");
+  return Done{};
+}
+
+Result<Band> chooseBand(const Frf& compliance, const ModalOptions& options) {
+  Band band{options.from, options.to};
+  if (band.from > 0.0 && band.to > 0.0) return band;
+  auto found = resonantBand(compliance);
+  if (!found) return found;
+  if (band.from <= 0.0) band.from = found->from;
+  if (band.to <= 0.0) band.to = found->to;
+  if (band.to <= band.from) return Error{compliance.source, "no resonance lies in the band given", ""};
+  return band;
+}
+
+Result<ModalLines> linesIn(const Frf& compliance, const Band& band) {
+  const auto& f = compliance.frequency;
+  const auto first = static_cast<std::size_t>(std::lower_bound(f.begin(), f.end(), band.from) - f.begin());
+  const auto end = static_cast<std::size_t>(std::upper_bound(f.begin(), f.end(), band.to) - f.begin());
+  const std::size_t count = end > first ? end - first : 0;
+  if (count < 16) {
+    return Error{compliance.source, "has only " + std::to_string(count) + " lines in the band", "16 are needed"};
+  }
+  const std::size_t stride = (count + kMostLines - 1) / kMostLines;
+  ModalLines lines;
+  const auto kept = static_cast<Eigen::Index>((count + stride - 1) / stride);
+  lines.frequency.resize(kept);
+  lines.value.resize(kept);
+  for (Eigen::Index i = 0; i < kept; ++i) {
+    const std::size_t at = first + static_cast<std::size_t>(i) * stride;
+    lines.frequency[i] = f[at];
+    lines.value[i] = compliance.value[at];
+  }
+  lines.from = lines.frequency[0];
+  lines.to = lines.frequency[kept - 1];
+  if (!lines.value.allFinite() || !lines.frequency.allFinite()) {
+    return Error{compliance.source, "holds a value that is not finite", ""};
+  }
+  // A driving point takes power in: the imaginary part of its compliance is negative.
+  const double imaginary = lines.value.imag().sum();
+  if (imaginary > 0.25 * lines.value.imag().cwiseAbs().sum()) {
+    return Error{compliance.source, "force and response point against each other", "flip one of them"};
+  }
+  if (lines.value.cwiseAbs().maxCoeff() <= 0.0) return Error{compliance.source, "is zero in the band", ""};
+  return lines;
+}
+
+// The search for the smallest sufficient set of modes.
+class Selection {
+ public:
+  Selection(const ModalLines& lines, std::vector<ModalPole> poles, int wanted)
+      : lines_(lines), poles_(std::move(poles)), wanted_(wanted) {}
+
+  void run() {
+    misfit_ = refinePoles(lines_, poles_, kIterations);
+    while (!poles_.empty()) {
+      const int unphysical = findUnphysical();
+      if (unphysical >= 0) {
+        without(unphysical);
+        continue;
+      }
+      const int size = static_cast<int>(poles_.size());
+      if (size == 1 || (wanted_ > 0 && size <= wanted_)) return;
+      std::vector<ModalPole> fewer = poles_;
+      fewer.erase(fewer.begin() + leastNeeded());
+      const double misfit = refinePoles(lines_, fewer, kIterations);
+      if (wanted_ == 0 && counts(misfit)) return;
+      poles_ = std::move(fewer);
+      misfit_ = misfit;
+    }
+  }
+
+  const std::vector<ModalPole>& poles() const { return poles_; }
+  double misfit() const { return misfit_; }
+
+  // Misfit when mode i is left out and all else stays, poles included.
+  double misfitWithout(std::size_t i) const {
+    std::vector<ModalPole> fewer = poles_;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    return fitConstants(lines_, fewer, ModalConstants::Complex).misfit;
+  }
+
+ private:
+  bool counts(double misfitOfFewer) const {
+    const double share = std::sqrt(std::max(0.0, misfitOfFewer * misfitOfFewer - misfit_ * misfit_));
+    return share > kShareThatCounts || misfitOfFewer > kRiseThatCounts * std::max(misfit_, kMisfitFloor);
+  }
+
+  std::ptrdiff_t leastNeeded() const {
+    std::size_t least = 0;
+    double lowest = misfitWithout(0);
+    for (std::size_t i = 1; i < poles_.size(); ++i) {
+      const double misfit = misfitWithout(i);
+      if (misfit < lowest) {
+        lowest = misfit;
+        least = i;
+      }
+    }
+    return static_cast<std::ptrdiff_t>(least);
+  }
+
+  // The mode furthest from what a driving point can have, -1 when all can be.
+  int findUnphysical() const {
+    const ConstantsFit fit = fitConstants(lines_, poles_, ModalConstants::Complex);
+    int worst = -1;
+    double worstPhase = kLargestPhase;
+    for (int i = 0; i < static_cast<int>(poles_.size()); ++i) {
+      const ModalPole& pole = poles_[static_cast<std::size_t>(i)];
+      const double phase = std::abs(std::atan2(fit.constants[2 * i + 1], fit.constants[2 * i]));
+      const bool outside = pole.frequency < 0.97 * lines_.from || pole.frequency > 1.03 * lines_.to;
+      if (outside || pole.damping > kLargestDamping) return i;
+      if (phase > worstPhase) {
+        worstPhase = phase;
+        worst = i;
+      }
+    }
+    return worst;
+  }
+
+  void without(int i) {
+    poles_.erase(poles_.begin() + i);
+    if (!poles_.empty()) misfit_ = refinePoles(lines_, poles_, kIterations);
+  }
+
+  const ModalLines& lines_;
+  std::vector<ModalPole> poles_;
+  int wanted_;
+  double misfit_ = 1.0;
+};
+
+std::vector<ModalPole> candidates(const std::vector<StablePole>& stable, const ModalLines& lines, int wanted) {
+  std::vector<ModalPole> out;
+  for (const StablePole& s : stable) {
+    if (out.size() >= std::max(kMostCandidates, static_cast<std::size_t>(wanted))) break;
+    if (s.seen < 4 && out.size() >= static_cast<std::size_t>(std::max(wanted, 1))) break;
+    if (s.pole.frequency < lines.from || s.pole.frequency > lines.to) continue;
+    out.push_back(s.pole);
+  }
+  return out;
+}
+
+double stabilityOf(const ModalPole& pole, const std::vector<std::vector<ModalPole>>& diagram) {
+  int seen = 0;
+  for (const auto& order : diagram) {
+    seen += std::any_of(order.begin(), order.end(), [&](const ModalPole& p) {
+      return std::abs(p.frequency - pole.frequency) < 0.02 * pole.frequency && p.damping > 0.3 * pole.damping &&
+             p.damping < 3.0 * pole.damping;
+    });
+  }
+  return diagram.empty() ? 0.0 : static_cast<double>(seen) / static_cast<double>(diagram.size());
+}
+
+std::string doubtAbout(const IdentifiedMode& m, const ModalFit& fit) {
+  const auto degrees = static_cast<int>(std::lround(std::abs(m.phase) * 57.29578));
+  if (std::abs(m.phase) > kDoubtfulPhase) {
+    return "shape " + std::to_string(degrees) + " degrees off real: its stiffness is approximate";
+  }
+  if (m.stability < 0.3) return "its pole is seldom stable";
+  if (m.dampingSd > 0.2 * m.mode.damping) return "its damping is uncertain";
+  const double f = m.mode.frequency.value;
+  const double bandwidth = 2.0 * m.mode.damping * f;
+  if (f - bandwidth < fit.from || f + bandwidth > fit.to) return "lies at the edge of the band";
+  if (m.share < kShareThatCounts) return "hardly shows in the response";
+  return {};
+}
+
+// Takes the decay an exponential window added off a mode again; the modal mass stays. False when none would be left.
+bool withoutWindow(milling::Mode& mode, double addedDecay) {
+  if (addedDecay <= 0.0) return true;
+  const double w = kTwoPi * mode.frequency.value;
+  const double damped = w * std::sqrt(1.0 - mode.damping * mode.damping);
+  const double decay = mode.damping * w - addedDecay;
+  if (decay <= 0.0) return false;
+  const double natural = std::hypot(damped, decay);
+  mode.stiffness *= (natural / w) * (natural / w);
+  mode.frequency = Hertz(natural / kTwoPi);
+  mode.damping = decay / natural;
+  return true;
+}
+
+void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& selection, double addedDecay) {
+  const std::vector<ModalPole>& poles = selection.poles();
+  const ConstantsFit constants = fitConstants(lines, poles, ModalConstants::Complex);
+  const Eigen::MatrixX3d sd = relativeDeviations(lines, poles);
+  fit.misfit = constants.misfit;
+  fit.realMisfit = fitConstants(lines, poles, ModalConstants::Real).misfit;
+  fit.fitted.assign(constants.fitted.begin(), constants.fitted.end());
+  for (std::size_t i = 0; i < poles.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const double a = constants.constants[2 * row];
+    IdentifiedMode m;
+    m.mode.frequency = Hertz(poles[i].frequency);
+    m.mode.damping = poles[i].damping;
+    m.mode.stiffness = 1.0 / a;
+    m.phase = std::atan2(constants.constants[2 * row + 1], a);
+    m.frequencySd = sd(row, 0) * poles[i].frequency;
+    m.dampingSd = sd(row, 1) * poles[i].damping;
+    m.stiffnessSd = sd(row, 2) / a;
+    const double without = poles.size() > 1 ? selection.misfitWithout(i) : 1.0;
+    m.share = std::min(1.0, std::sqrt(std::max(0.0, without * without - fit.misfit * fit.misfit)));
+    m.stability = stabilityOf(poles[i], fit.diagram);
+    if (!withoutWindow(m.mode, addedDecay)) {
+      fit.remarks.push_back("a mode at " + std::to_string(std::lround(poles[i].frequency)) +
+                            " Hz left out: all its damping is the exponential window's");
+      continue;
+    }
+    m.doubt = doubtAbout(m, fit);
+    fit.modes.push_back(std::move(m));
+  }
+  std::sort(fit.modes.begin(), fit.modes.end(),
+            [](const auto& p, const auto& q) { return p.mode.frequency < q.mode.frequency; });
+}
+
+}  // namespace
+
+Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
+  Status sane = checkOptions(frf, options);
+  if (!sane) return sane.error();
+  const Frf compliance = toCompliance(frf);
+  const auto band = chooseBand(compliance, options);
+  if (!band) return band.error();
+  const auto lines = linesIn(compliance, *band);
+  if (!lines) return lines.error();
+  ModalFit fit;
+  fit.from = lines->from;
+  fit.to = lines->to;
+  fit.frequency.assign(lines->frequency.begin(), lines->frequency.end());
+  fit.measured.assign(lines->value.begin(), lines->value.end());
+  const int lineLimit = static_cast<int>(lines->frequency.size()) / 3;
+  fit.diagram = lscfPoles(*lines, std::clamp(options.highestOrder, 4, std::max(4, lineLimit)));
+  Selection selection(*lines, candidates(stablePoles(fit.diagram), *lines, options.modes), options.modes);
+  selection.run();
+  if (!selection.poles().empty()) describeModes(fit, *lines, selection, frf.addedDecay);
+  if (fit.modes.empty()) return Error{frf.source, "no physical mode was found in the band", "try another band"};
+  if (static_cast<int>(fit.modes.size()) < options.modes) {
+    fit.remarks.push_back("only " + std::to_string(fit.modes.size()) + " of the " + std::to_string(options.modes) +
+                          " modes asked for were found");
+  }
+  if (fit.misfit > 0.2) fit.remarks.emplace_back("the fit leaves a fifth of the response unexplained or more");
+  if (fit.realMisfit > 0.2) fit.remarks.emplace_back("real modes describe this structure poorly");
+  return fit;
+}
+
+}  // namespace stillcut::identify

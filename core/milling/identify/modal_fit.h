@@ -1,0 +1,56 @@
+// Modes of a structure from one measured frequency response at the tool tip: poles by the least-squares complex
+// frequency-domain estimator with stabilisation (lscf.h), constants and residuals by least squares with refined poles
+// (modal_model.h), as few modes as the measurement calls for.
+//
+// A mode is kept when leaving it out raises the misfit by half or by what amounts to 5 % of the response; modes that a
+// driving point cannot have (negative stiffness, shape more than 60 degrees off real, damping above 0.3) never are.
+// Thread: any, set-up path; about a second for a usual measurement.
+#pragma once
+
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/milling/cut_model.h"
+#include "core/milling/identify/frf.h"
+#include "core/milling/identify/modal_pole.h"
+
+namespace stillcut::identify {
+
+struct ModalOptions {
+  double from = 0.0;  // band to fit [Hz]; 0: found from the resonances (modal_band.h), each end for itself
+  double to = 0.0;
+  int modes = 0;          // how many; 0: as many as the measurement calls for
+  int highestOrder = 30;  // of the stabilisation, 4 .. 60
+};
+
+struct IdentifiedMode {
+  milling::Mode mode;        // direction left at (1, 0): the caller knows which axis was hit
+  double frequencySd = 0.0;  // from the scatter of the residual; errors of the model itself are not in it [Hz]
+  double dampingSd = 0.0;
+  double stiffnessSd = 0.0;  // [N/m]
+  double share = 0.0;        // part of the response (2-norm, 0..1) that is lost without this mode
+  double stability = 0.0;    // share of the orders at which a stable pole was seen within 2 % of it
+  double phase = 0.0;        // by which the mode's shape departs from real [rad]
+  std::string doubt;         // one line, empty when there is none
+};
+
+struct ModalFit {
+  std::vector<IdentifiedMode> modes;  // rising in frequency, at least one
+  double misfit = 0.0;                // |fit - measured| / |measured| over the band, complex constants
+  double realMisfit = 0.0;            // the same with real modes, which is what stability lobes are made from
+  double from = 0.0;                  // band [Hz]
+  double to = 0.0;
+  std::vector<double> frequency;               // lines of the band [Hz], thinned where more than 3000
+  std::vector<std::complex<double>> measured;  // compliance [m/N]
+  std::vector<std::complex<double>> fitted;
+  std::vector<std::vector<ModalPole>> diagram;  // poles of order 2, 3, ...
+  std::vector<std::string> remarks;
+};
+
+// Any quantity; converted to compliance first. Error when nothing resonates, when the response and the force point
+// against each other, when the options are out of range or no physical mode is left.
+Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options);
+
+}  // namespace stillcut::identify

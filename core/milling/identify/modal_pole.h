@@ -1,0 +1,11 @@
+// What a modal fit looks for first: where a mode lies and how it decays.
+#pragma once
+
+namespace stillcut::identify {
+
+struct ModalPole {
+  double frequency = 0.0;  // undamped natural frequency [Hz]
+  double damping = 0.0;    // ratio
+};
+
+}  // namespace stillcut::identify

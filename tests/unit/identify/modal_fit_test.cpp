@@ -1,0 +1,264 @@
+#include "core/milling/identify/modal_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "core/milling/identify/measurement_import.h"
+#include "core/milling/identify/modal_band.h"
+
+namespace stillcut::identify {
+namespace {
+
+using milling::Mode;
+
+struct Noise {
+  double relative = 0.0;  // of the largest value, per line and component
+  unsigned seed = 1;
+};
+
+Mode mode(double frequency, double damping, double stiffness) {
+  Mode m;
+  m.frequency = Hertz(frequency);
+  m.damping = damping;
+  m.stiffness = stiffness;
+  return m;
+}
+
+// Compliance of a sum of real modes at s = decay + i w.
+Frf compliance(const std::vector<Mode>& modes, double from, double to, double step, Noise noise = {},
+               double decay = 0.0) {
+  Frf frf;
+  frf.source = "synthetic";
+  frf.addedDecay = decay;
+  double largest = 0.0;
+  for (double f = from; f <= to; f += step) {
+    const std::complex<double> s(decay, kTwoPi * f);
+    std::complex<double> h = 0.0;
+    for (const Mode& m : modes) {
+      const double w = kTwoPi * m.frequency.value;
+      h += w * w / m.stiffness / (s * s + 2.0 * m.damping * w * s + w * w);
+    }
+    frf.frequency.push_back(f);
+    frf.value.push_back(h);
+    largest = std::max(largest, std::abs(h));
+  }
+  std::mt19937 random(noise.seed);
+  std::normal_distribution<double> gauss(0.0, 1.0);
+  for (auto& v : frf.value) {
+    const double re = gauss(random);
+    v += noise.relative * largest * std::complex<double>(re, gauss(random));
+  }
+  return frf;
+}
+
+void expectModes(const Result<ModalFit>& fit, const std::vector<Mode>& truth, double frequency, double damping,
+                 double stiffness) {
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  ASSERT_EQ(fit->modes.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Mode& got = fit->modes[i].mode;
+    EXPECT_NEAR(got.frequency.value, truth[i].frequency.value, frequency * truth[i].frequency.value) << i;
+    EXPECT_NEAR(got.damping, truth[i].damping, damping * truth[i].damping) << i;
+    EXPECT_NEAR(got.stiffness, truth[i].stiffness, stiffness * truth[i].stiffness) << i;
+  }
+}
+
+TEST(ModalFit, ExactDataGiveExactModes) {
+  const std::vector<Mode> truth = {mode(400, 0.03, 1e7), mode(900, 0.015, 4e7), mode(1500, 0.05, 6e7)};
+  const auto fit = fitModes(compliance(truth, 1, 2500, 1), {});
+  expectModes(fit, truth, 1e-6, 1e-5, 1e-5);
+  EXPECT_LT(fit->misfit, 1e-6);
+  EXPECT_LT(fit->realMisfit, 1e-6);
+  for (const IdentifiedMode& m : fit->modes) EXPECT_TRUE(m.doubt.empty()) << m.doubt;
+}
+
+TEST(ModalFit, NoiseIsAveragedOutAndNoModeIsInvented) {
+  const std::vector<Mode> truth = {mode(400, 0.03, 1e7), mode(900, 0.015, 4e7), mode(1500, 0.03, 6e7)};
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const auto fit = fitModes(compliance(truth, 1, 2500, 1, {0.005, seed}), {});
+    expectModes(fit, truth, 1e-3, 0.05, 0.05);
+    // The stated deviations are honest: errors stay below five of them.
+    for (std::size_t i = 0; i < truth.size(); ++i) {
+      const IdentifiedMode& m = fit->modes[i];
+      EXPECT_LT(std::abs(m.mode.frequency.value - truth[i].frequency.value), 5.0 * m.frequencySd);
+      EXPECT_LT(std::abs(m.mode.damping - truth[i].damping), 5.0 * m.dampingSd);
+      EXPECT_LT(std::abs(m.mode.stiffness - truth[i].stiffness), 5.0 * m.stiffnessSd);
+      EXPECT_LT(m.frequencySd, 1e-3 * m.mode.frequency.value);
+    }
+  }
+}
+
+TEST(ModalFit, CloselySpacedModesAreToldApart) {
+  // 2 % apart with 2 % damping: half a bandwidth, one peak to the eye.
+  const std::vector<Mode> truth = {mode(800, 0.02, 2e7), mode(816, 0.02, 3e7)};
+  expectModes(fitModes(compliance(truth, 300, 1400, 0.5), {}), truth, 1e-4, 1e-3, 1e-3);
+  const std::vector<Mode> wider = {mode(800, 0.015, 2e7), mode(832, 0.015, 3e7)};
+  expectModes(fitModes(compliance(wider, 300, 1400, 0.5, {0.003, 3}), {}), wider, 2e-3, 0.05, 0.1);
+}
+
+TEST(ModalFit, ModesOutsideTheBandGoIntoTheResiduals) {
+  const std::vector<Mode> all = {mode(150, 0.02, 3e7), mode(700, 0.03, 1e7), mode(2500, 0.02, 2e7)};
+  ModalOptions options;
+  options.from = 450;
+  options.to = 1100;
+  expectModes(fitModes(compliance(all, 1, 4000, 1), options), {all[1]}, 1e-3, 0.01, 0.01);
+}
+
+TEST(ModalFit, AStiffModeBesideASoftOneIsKept) {
+  const std::vector<Mode> truth = {mode(500, 0.02, 5e6), mode(1100, 0.02, 1e8)};
+  expectModes(fitModes(compliance(truth, 1, 2000, 1, {0.0005, 2}), {}), truth, 1e-3, 0.05, 0.05);
+}
+
+TEST(ModalFit, NumberOfModesCanBeAskedFor) {
+  const std::vector<Mode> truth = {mode(400, 0.03, 1e7), mode(900, 0.015, 4e7), mode(1500, 0.05, 6e7)};
+  ModalOptions options;
+  options.modes = 1;
+  options.from = 200;
+  options.to = 2000;
+  const auto one = fitModes(compliance(truth, 1, 2500, 1), options);
+  ASSERT_TRUE(one.ok());
+  ASSERT_EQ(one->modes.size(), 1u);
+  EXPECT_NEAR(one->modes[0].mode.frequency.value, 400.0, 10.0);  // the softest
+  EXPECT_GT(one->misfit, 0.1);
+  options.modes = 9;
+  const auto many = fitModes(compliance(truth, 1, 2500, 1), options);
+  ASSERT_TRUE(many.ok());
+  EXPECT_GE(many->modes.size(), 3u);
+  EXPECT_LT(many->misfit, 1e-4);
+}
+
+TEST(ModalFit, AnyQuantityGivesTheSameModes) {
+  const std::vector<Mode> truth = {mode(400, 0.03, 1e7), mode(900, 0.015, 4e7)};
+  Frf frf = compliance(truth, 1, 1500, 1);
+  frf.quantity = FrfQuantity::Accelerance;
+  for (std::size_t i = 0; i < frf.value.size(); ++i) frf.value[i] *= -std::pow(kTwoPi * frf.frequency[i], 2);
+  expectModes(fitModes(frf, {}), truth, 1e-5, 1e-4, 1e-4);
+}
+
+TEST(ModalFit, DampingOfTheExponentialWindowIsTakenOff) {
+  const std::vector<Mode> truth = {mode(400, 0.02, 1e7), mode(900, 0.015, 4e7)};
+  // 30 1/s on 400 Hz is 0.012 of damping, more than half of the mode's own.
+  expectModes(fitModes(compliance(truth, 1, 1500, 1, {}, 30.0), {}), truth, 1e-5, 1e-3, 1e-3);
+}
+
+TEST(ModalFit, AComplexShapeIsDoubted) {
+  Frf frf = compliance({mode(400, 0.02, 1e7)}, 1, 1000, 1);
+  for (auto& v : frf.value) v *= std::polar(1.0, -0.7);
+  const auto fit = fitModes(frf, {});
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  EXPECT_NE(fit->modes[0].doubt.find("degrees off real"), std::string::npos) << fit->modes[0].doubt;
+  EXPECT_GT(fit->realMisfit, 0.1);
+}
+
+TEST(ModalFit, OpposedSensorsAreNamed) {
+  Frf frf = compliance({mode(400, 0.02, 1e7)}, 1, 1000, 1);
+  for (auto& v : frf.value) v = -v;
+  const auto fit = fitModes(frf, {});
+  ASSERT_FALSE(fit.ok());
+  EXPECT_EQ(fit.error().line(), "synthetic: force and response point against each other (flip one of them)");
+}
+
+TEST(ModalFit, NonsenseIsOneClearLine) {
+  const Frf good = compliance({mode(400, 0.02, 1e7)}, 1, 1000, 1);
+  EXPECT_FALSE(fitModes(Frf{}, {}).ok());
+  Frf noise = compliance({mode(400, 0.02, 1e12)}, 1, 1000, 1, {5.0, 1});
+  EXPECT_FALSE(fitModes(noise, {}).ok());
+  Frf zero = good;
+  for (auto& v : zero.value) v = 0.0;
+  EXPECT_FALSE(fitModes(zero, {}).ok());
+  Frf nan = good;
+  nan.value[400] = NAN;
+  ModalOptions band;
+  band.from = 200;
+  band.to = 600;
+  EXPECT_FALSE(fitModes(nan, band).ok());
+  ModalOptions options;
+  options.from = 800;
+  options.to = 300;
+  EXPECT_FALSE(fitModes(good, options).ok());
+  options.to = 801;
+  EXPECT_FALSE(fitModes(good, options).ok());
+  options = {};
+  options.modes = -1;
+  EXPECT_FALSE(fitModes(good, options).ok());
+  options.modes = 99;
+  EXPECT_FALSE(fitModes(good, options).ok());
+}
+
+TEST(ModalBand, SpansTheResonancesAndNotTheNoise) {
+  Frf frf = compliance({mode(400, 0.03, 1e7), mode(900, 0.02, 4e7)}, 1, 4000, 1, {1e-4, 5});
+  // Drift at low frequency and noise at high frequency, as an integrated accelerometer gives them.
+  std::mt19937 random(3);
+  std::normal_distribution<double> gauss(0.0, 1.0);
+  for (std::size_t i = 0; i < frf.value.size(); ++i) {
+    const double f = frf.frequency[i];
+    frf.value[i] += 1e-3 / (f * f * f) * gauss(random);
+    if (f > 2500) frf.value[i] += 2e-7 * gauss(random);
+  }
+  const auto band = resonantBand(frf);
+  ASSERT_TRUE(band.ok()) << band.error().line();
+  EXPECT_NEAR(band->from, 220.0, 5.0);
+  EXPECT_NEAR(band->to, 1080.0, 10.0);
+}
+
+class TapTest : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(path())) GTEST_SKIP() << "reference recording absent: " << path();
+  }
+  std::string path() const { return std::string(STILLCUT_SHARED_DIR "/recordings/tap_test/") + GetParam(); }
+
+  Result<Frf> measured() const {
+    auto file = importMeasurement(path(), {});
+    if (!file) return file.error();
+    if (const auto* frf = std::get_if<Frf>(&file->data)) return *frf;
+    auto hammer = analyseHammer(std::get<HammerRecord>(file->data), {});
+    if (!hammer) return hammer.error();
+    return hammer->frf;
+  }
+
+  static void expectFive(const ModalFit& fit) {
+    ASSERT_EQ(fit.modes.size(), 5u);
+    const auto& m = fit.modes;
+    EXPECT_NEAR(m[0].mode.frequency.value, 1074.0, 0.005 * 1074.0);
+    EXPECT_NEAR(m[0].mode.damping, 0.032, 0.0032);
+    EXPECT_NEAR(m[0].mode.stiffness, 2.4e7, 2.4e6);
+    EXPECT_NEAR(m[1].mode.frequency.value, 1260.0, 0.01 * 1260.0);
+    EXPECT_NEAR(m[2].mode.frequency.value, 1980.0, 0.005 * 1980.0);
+    EXPECT_NEAR(m[2].mode.damping, 0.050, 0.0050);
+    EXPECT_NEAR(m[3].mode.frequency.value, 2604.0, 0.005 * 2604.0);
+    EXPECT_NEAR(m[3].mode.damping, 0.0225, 0.00225);
+    EXPECT_NEAR(m[4].mode.frequency.value, 2729.0, 0.005 * 2729.0);
+    EXPECT_NEAR(m[4].mode.damping, 0.023, 0.0023);
+    EXPECT_LT(fit.misfit, 0.08);
+  }
+};
+
+TEST_P(TapTest, FiveModesInTheStatedBand) {
+  const auto frf = measured();
+  ASSERT_TRUE(frf.ok()) << frf.error().line();
+  ModalOptions options;
+  options.from = 600;
+  options.to = 3100;
+  const auto fit = fitModes(*frf, options);
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  expectFive(*fit);
+}
+
+TEST_P(TapTest, FiveModesWithNothingSaid) {
+  const auto frf = measured();
+  ASSERT_TRUE(frf.ok()) << frf.error().line();
+  const auto fit = fitModes(*frf, {});
+  ASSERT_TRUE(fit.ok()) << fit.error().line();
+  expectFive(*fit);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, TapTest,
+                         testing::Values("Point_1_Channel_1_CH1.txt", "impact_time_Point1_Channel1_CH1.txt"),
+                         [](const auto& it) { return std::string(it.index == 0 ? "compliance" : "hammer"); });
+
+}  // namespace
+}  // namespace stillcut::identify
