@@ -7,18 +7,13 @@
 #include <optional>
 
 #include "core/config/nearest_word.h"
+#include "core/config/number_text.h"
 
 namespace stillcut::config {
 namespace {
 
-std::string shortest(double v) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, v);
-  return {buffer, end.ptr};
-}
-
 std::string range(const ParamDecl& decl) {
-  std::string s = "allowed: " + shortest(decl.lowest) + " to " + shortest(decl.highest);
+  std::string s = "allowed: " + numberText(decl.lowest) + " to " + numberText(decl.highest);
   if (!decl.unit.empty()) s += " " + std::string(decl.unit);
   if (decl.mayBeAutomatic) s += ", or auto";
   return s;
@@ -110,10 +105,10 @@ Status ParamSet::set(const ParamDecl& decl, double value, std::string_view where
   if (!automatic) {
     if (!std::isfinite(value)) return Error{place(where, decl), "the value is not a finite number", range(decl)};
     if (decl.kind == ParamKind::Integer && value != std::round(value)) {
-      return Error{place(where, decl), shortest(value) + " is not a whole number", range(decl)};
+      return Error{place(where, decl), numberText(value) + " is not a whole number", range(decl)};
     }
     if (value < decl.lowest || value > decl.highest) {
-      return Error{place(where, decl), shortest(value) + " is out of range", range(decl)};
+      return Error{place(where, decl), numberText(value) + " is out of range", range(decl)};
     }
   }
   values_.insert_or_assign(std::string(decl.key), value);
@@ -129,7 +124,7 @@ std::string ParamSet::text(const ParamDecl& decl) const {
   if (isAutomatic(decl)) return "auto";
   if (decl.kind == ParamKind::Boolean) return boolean(decl) ? "true" : "false";
   if (decl.kind == ParamKind::Choice) return std::string(decl.choices[static_cast<std::size_t>(choice(decl))]);
-  return shortest(real(decl));
+  return numberText(real(decl));
 }
 
 }  // namespace stillcut::config

@@ -1,18 +1,18 @@
 #include "core/config/toml_reader.h"
 
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 
-#define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 #include "core/config/nearest_word.h"
+#include "core/config/number_text.h"
 
 namespace stillcut::config {
 
@@ -43,16 +43,11 @@ const toml::table& tableOf(const void* node) {
   return *static_cast<const toml::table*>(node);
 }
 
-std::string shown(double v) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, v).ptr};
-}
-
 std::string allowed(double lowest, double highest) {
   if (lowest == -kAnyNumber && highest == kAnyNumber) return "";
-  if (highest == kAnyNumber) return "allowed: " + shown(lowest) + " and above";
-  if (lowest == -kAnyNumber) return "allowed: up to " + shown(highest);
-  return "allowed: " + shown(lowest) + " to " + shown(highest);
+  if (highest == kAnyNumber) return "allowed: " + numberText(lowest) + " and above";
+  if (lowest == -kAnyNumber) return "allowed: up to " + numberText(highest);
+  return "allowed: " + numberText(lowest) + " to " + numberText(highest);
 }
 
 // Everything in `table` that nobody asked for, depth first.
@@ -90,6 +85,11 @@ bool TomlTable::has(std::string_view key) const {
   return find(key, false) != nullptr;
 }
 
+bool TomlTable::isTable(std::string_view key) const {
+  const auto* node = static_cast<const toml::node*>(find(key, false));
+  return node != nullptr && node->is_table();
+}
+
 std::string TomlTable::place(std::string_view key) const {
   if (node_ == nullptr) return document_->name;
   const toml::table& table = tableOf(node_);
@@ -110,7 +110,7 @@ double TomlTable::number(std::string_view key, double lowest, double highest) co
   } else if (!std::isfinite(*value)) {
     refuse(key, "is not a finite number");
   } else if (*value < lowest || *value > highest) {
-    refuse(key, "is out of range: " + shown(*value), allowed(lowest, highest));
+    refuse(key, "is out of range: " + numberText(*value), allowed(lowest, highest));
   } else {
     return *value;
   }
@@ -285,7 +285,8 @@ std::string TomlTable::scalarText(std::string_view key) const {
   if (node == nullptr) return {};
   if (const auto word = node->value_exact<std::string>()) return *word;
   if (const auto flag = node->value_exact<bool>()) return *flag ? "true" : "false";
-  if (node->is_number()) return shown(node->value<double>().value_or(0.0));
+  if (const auto whole = node->value_exact<std::int64_t>()) return std::to_string(*whole);
+  if (node->is_number()) return numberText(node->value<double>().value_or(0.0));
   refuse(key, "is not a single value");
   return {};
 }
@@ -313,13 +314,11 @@ TomlReader TomlReader::file(const std::string& path) {
 TomlReader TomlReader::text(std::string_view content, const std::string& name) {
   auto document = std::make_unique<detail::TomlDocument>();
   document->name = name;
-  toml::parse_result parsed = toml::parse(content);
-  if (!parsed) {
-    const toml::parse_error& wrong = parsed.error();
-    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), std::string(wrong.description()));
-  } else {
-    document->root = std::move(parsed).table();
+  try {
+    document->root = toml::parse(content);
     if (document->root.empty()) document->refuse(name, "is empty");
+  } catch (const toml::parse_error& wrong) {
+    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), std::string(wrong.description()));
   }
   return TomlReader(std::move(document));
 }

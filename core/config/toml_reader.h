@@ -32,6 +32,7 @@ inline constexpr double kAnyNumber = std::numeric_limits<double>::max();
 class TomlTable {
  public:
   bool has(std::string_view key) const;
+  bool isTable(std::string_view key) const;
   bool present() const { return node_ != nullptr; }
 
   // Required values: missing is an error. Numbers outside lowest..highest, non-finite ones and wrong types are errors.

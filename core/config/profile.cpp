@@ -1,0 +1,201 @@
+#include "core/config/profile.h"
+
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/config/nearest_word.h"
+#include "core/config/toml_reader.h"
+#include "core/config/toml_writer.h"
+
+namespace stillcut::config {
+namespace {
+
+constexpr int kMostTeeth = 64;
+constexpr double kLargestDiameter_mm = 1000.0;
+constexpr double kHighestSpeed_rpm = 200000.0;
+constexpr double kHighestFeed_mm_min = 200000.0;
+
+std::string idFrom(const TomlTable& table, std::string_view key, std::string_view fallback,
+                   const std::vector<std::string_view>& known) {
+  std::string id = table.textOr(key, fallback);
+  if (known.empty() || id.empty() || !table.has(key)) return id;
+  for (std::string_view k : known) {
+    if (k == id) return id;
+  }
+  std::string why = didYouMean(id, known);
+  if (why.empty()) {
+    for (std::string_view k : known) why += (why.empty() ? "choices: " : ", ") + std::string(k);
+  }
+  table.refuse(key, "is unknown: '" + id + "'", why);
+  return id;
+}
+
+PartChoice partFrom(const TomlTable& table, const std::vector<std::string_view>& known) {
+  PartChoice part;
+  part.id = idFrom(table, "id", "", known);
+  const TomlTable settings = table.tableOr("settings");
+  for (const std::string& key : settings.keys()) part.settings[key] = settings.scalarText(key);
+  return part;
+}
+
+ChannelInfo channelFrom(const TomlTable& table) {
+  ChannelInfo channel;
+  channel.name = table.text("name");
+  const std::string quantity = table.text("quantity");
+  if (const auto known = sensorQuantityFromName(quantity)) {
+    channel.quantity = *known;
+  } else {
+    table.refuse("quantity", "is unknown: '" + quantity + "'",
+                 "choices: acceleration, velocity, displacement, sound, force, current, speed");
+  }
+  channel.scale = table.numberOr("scale", 1.0);
+  if (channel.scale == 0.0) table.refuse("scale", "is zero", "SI units per device unit");
+  channel.axis = table.textOr("axis", "");
+  return channel;
+}
+
+CutSetup cutFrom(const TomlTable& root) {
+  CutSetup cut;
+  cut.machine = root.text("machine");
+  const TomlTable tool = root.tableOr("tool");
+  cut.tool = tool.textOr("label", "");
+  cut.teeth = tool.integerOr("teeth", 0, 1, kMostTeeth);
+  cut.toolDiameter = Metres(tool.numberOr("diameter_mm", 0.0, 0.01, kLargestDiameter_mm) * 1e-3);
+  const TomlTable programmed = root.tableOr("cut");
+  cut.nominalSpeed = Rpm(programmed.numberOr("speed_rpm", 0.0, 1.0, kHighestSpeed_rpm));
+  cut.nominalFeed = fromMmPerMin(programmed.numberOr("feed_mm_min", 0.0, 0.001, kHighestFeed_mm_min));
+  for (const TomlTable& channel : root.tablesOr("channels")) cut.channels.push_back(channelFrom(channel));
+  return cut;
+}
+
+struct ParamReading {
+  const ParamCatalog& catalog;
+  std::span<const ParamRename> renames;
+  int version;
+  ParamSet params;
+  std::optional<Error> error;
+
+  std::string currentKey(std::string key) const {
+    for (const ParamRename& r : renames) {
+      if (version <= r.until && key == r.from) key = r.to;
+    }
+    return key;
+  }
+  void read(const TomlTable& table, const std::string& prefix) {
+    for (const std::string& key : table.keys()) {
+      if (table.isTable(key)) {
+        read(table.table(key), prefix + key + ".");
+        continue;
+      }
+      const Status set = params.set(catalog, currentKey(prefix + key), table.scalarText(key), table.place(key));
+      if (!set && !error) error = set.error();
+    }
+  }
+};
+
+Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, const KnownIds& known,
+                            std::span<const ParamRename> renames) {
+  if (const auto unreadable = in.error()) return *unreadable;
+  const TomlTable root = in.root();
+  const int version = root.integer("version", 1);
+  if (version > kProfileVersion) {
+    return Error{root.place("version"), "profile version " + std::to_string(version) + " is newer than this program",
+                 "it reads up to version " + std::to_string(kProfileVersion)};
+  }
+  Profile profile;
+  profile.cut = cutFrom(root);
+  profile.source = partFrom(root.tableOr("source"), known.sources);
+  profile.link = partFrom(root.tableOr("link"), known.links);
+  const TomlTable control = root.tableOr("control");
+  profile.detector = idFrom(control, "detector", profile.detector, known.detectors);
+  profile.fallback = idFrom(control, "fallback", "", known.detectors);
+  profile.strategy = idFrom(control, "strategy", profile.strategy, known.strategies);
+  profile.allowAuto = control.booleanOr("allow_auto", false);
+  ParamReading parameters{catalog, renames, version, {}, std::nullopt};
+  parameters.read(root.tableOr("parameters"), "");
+  if (const Status finished = in.finish(); !finished) return finished.error();
+  if (parameters.error) return *parameters.error;
+  profile.params = std::move(parameters.params);
+  return profile;
+}
+
+void writePart(TomlWriter& out, std::string_view name, const PartChoice& part) {
+  if (part.id.empty()) return;
+  out.table(name);
+  out.text("id", part.id);
+  if (part.settings.empty()) return;
+  out.table(std::string(name) + ".settings");
+  for (const auto& [key, value] : part.settings) out.scalar(key, value);
+}
+
+void writeCut(TomlWriter& out, const CutSetup& cut) {
+  out.table("tool");
+  out.text("label", cut.tool);
+  if (cut.teeth > 0) out.integer("teeth", cut.teeth);
+  if (cut.toolDiameter.value > 0.0) out.number("diameter_mm", cut.toolDiameter.value * 1e3);
+  out.table("cut");
+  if (cut.nominalSpeed.value > 0.0) out.number("speed_rpm", cut.nominalSpeed.value);
+  if (cut.nominalFeed.value > 0.0) out.number("feed_mm_min", toMmPerMin(cut.nominalFeed));
+  for (const ChannelInfo& channel : cut.channels) {
+    out.arrayElement("channels");
+    out.text("name", channel.name);
+    out.text("quantity", name(channel.quantity));
+    out.number("scale", channel.scale);
+    out.text("axis", channel.axis);
+  }
+}
+
+void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog) {
+  // A table may be opened once only, so the parts are written one after the other.
+  std::map<std::string, std::vector<const ParamDecl*>> parts;
+  for (const ParamDecl* decl : catalog.all()) {
+    if (params.isSet(*decl)) parts[std::string(decl->key.substr(0, decl->key.rfind('.')))].push_back(decl);
+  }
+  for (const auto& [part, decls] : parts) {
+    out.table("parameters." + part);
+    for (const ParamDecl* decl : decls) out.scalar(decl->key.substr(part.size() + 1), params.text(*decl));
+  }
+}
+
+}  // namespace
+
+Result<Profile> loadProfile(const std::string& path, const ParamCatalog& catalog, const KnownIds& known,
+                            std::span<const ParamRename> renames) {
+  return profileFrom(TomlReader::file(path), catalog, known, renames);
+}
+
+Result<Profile> parseProfile(std::string_view content, const std::string& name, const ParamCatalog& catalog,
+                             const KnownIds& known, std::span<const ParamRename> renames) {
+  return profileFrom(TomlReader::text(content, name), catalog, known, renames);
+}
+
+std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
+  TomlWriter out;
+  out.integer("version", kProfileVersion);
+  out.text("machine", profile.cut.machine);
+  writeCut(out, profile.cut);
+  writePart(out, "source", profile.source);
+  writePart(out, "link", profile.link);
+  out.table("control");
+  out.text("detector", profile.detector);
+  if (!profile.fallback.empty()) out.text("fallback", profile.fallback);
+  out.text("strategy", profile.strategy);
+  out.boolean("allow_auto", profile.allowAuto);
+  writeParameters(out, profile.params, catalog);
+  return out.content();
+}
+
+Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const std::string& path) {
+  return writeFileAtomically(path, profileText(profile, catalog));
+}
+
+Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting, std::string_view where) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string_view::npos || equals == 0) {
+    return Error{std::string(where), "'" + std::string(setting) + "' is not KEY=VALUE",
+                 "for example energy-ratio.threshold=0.2"};
+  }
+  return params.set(catalog, setting.substr(0, equals), setting.substr(equals + 1), where);
+}
+
+}  // namespace stillcut::config

@@ -1,0 +1,74 @@
+// Profile: what is saved for one machine: the tool, the channels, where samples come from and where commands go, which
+// methods are in charge, and the parameters that differ from their defaults (the gate's limits are among them).
+//
+//   version = 1
+//   machine = "Mill 3"
+//   [tool]       label, teeth, diameter_mm
+//   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
+//   [[channels]] name, quantity, scale, axis             scale: SI units per device unit
+//   [source]     id        [source.settings]  keys of that device
+//   [link]       id        [link.settings]    keys of that machine link
+//   [control]    detector, fallback, strategy, allow_auto
+//   [parameters.energy-ratio]  threshold = 0.2           a declared key, its part as a table
+//
+// Thread: set-up.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/config/param_set.h"
+#include "core/model/cut_setup.h"
+
+namespace stillcut::config {
+
+inline constexpr int kProfileVersion = 1;
+
+// A device or machine link by its id, with its own settings as text; the part itself checks them when it is made.
+struct PartChoice {
+  std::string id;  // empty: none
+  std::map<std::string, std::string> settings;
+};
+
+struct Profile {
+  CutSetup cut;  // rate and blockFrames are the source's affair and not part of a profile
+  PartChoice source;
+  PartChoice link;
+  std::string detector = "energy-ratio";  // in charge
+  std::string fallback;                   // takes over when it fails; empty: none
+  std::string strategy = "monitor";
+  bool allowAuto = false;  // whether Auto may be chosen on this machine; authority still starts Off
+  ParamSet params;
+};
+
+// The ids that exist, for "did you mean"; an empty list is not checked.
+struct KnownIds {
+  std::vector<std::string_view> sources, links, detectors, strategies;
+};
+
+// A parameter that had another key in profiles up to and including version `until`.
+struct ParamRename {
+  int until = 0;
+  std::string_view from, to;
+};
+
+// The file is named in every error. `renames` is what makes a profile of an older version readable.
+Result<Profile> loadProfile(const std::string& path, const ParamCatalog& catalog, const KnownIds& known = {},
+                            std::span<const ParamRename> renames = {});
+// The same from text; `name` stands for the file.
+Result<Profile> parseProfile(std::string_view content, const std::string& name, const ParamCatalog& catalog,
+                             const KnownIds& known = {}, std::span<const ParamRename> renames = {});
+
+// The text a save writes, also stored in recordings. Parameters are in the order of the catalogue.
+std::string profileText(const Profile& profile, const ParamCatalog& catalog);
+Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const std::string& path);
+
+// "KEY=VALUE" of the command line; `where` names the option for the error. Nothing changes on error.
+Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting,
+                    std::string_view where = "--set");
+
+}  // namespace stillcut::config
