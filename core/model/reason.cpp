@@ -100,18 +100,22 @@ std::string_view identifier(ReasonCode code) {
   return rowOf(code).id;
 }
 
+std::string_view pattern(ReasonCode code) {
+  return rowOf(code).pattern;
+}
+
 std::string sentence(const Reason& reason) {
-  const std::string_view pattern = rowOf(reason.code).pattern;
+  const std::string_view form = pattern(reason.code);
   std::string out;
-  for (std::size_t i = 0; i < pattern.size(); ++i) {
-    if (pattern[i] == '{' && i + 4 < pattern.size() && pattern[i + 2] == '.' && pattern[i + 4] == '}') {
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    if (form[i] == '{' && i + 4 < form.size() && form[i + 2] == '.' && form[i + 4] == '}') {
       char number[48];
-      const auto index = static_cast<std::size_t>(pattern[i + 1] - '0');
-      std::snprintf(number, sizeof number, "%.*f", pattern[i + 3] - '0', reason.n[index]);
+      const auto index = static_cast<std::size_t>(form[i + 1] - '0');
+      std::snprintf(number, sizeof number, "%.*f", form[i + 3] - '0', reason.n[index]);
       out += number;
       i += 4;
     } else {
-      out += pattern[i];
+      out += form[i];
     }
   }
   return out;

@@ -88,6 +88,8 @@ struct Reason {
 
 // The stable identifier of a code ("input-gap"), for files and tests. Not real-time.
 std::string_view identifier(ReasonCode code);
+// The sentence with "{i.d}" where number i belongs with d decimals: what screens translate. Not real-time.
+std::string_view pattern(ReasonCode code);
 // One English sentence with its numbers, without a full stop. Not real-time.
 std::string sentence(const Reason& reason);
 
