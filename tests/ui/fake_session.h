@@ -1,0 +1,57 @@
+// A scripted session for the screens' tests: a cut that is stable, begins to chatter at 4.5 s and grows, until the
+// speed is moved (by Accept under Advise, by itself under Auto); then it dies down. Time passes only in advance().
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "ui/shell/session_facade.h"
+
+namespace stillcut::ui {
+
+class FakeSession final : public SessionFacade {
+ public:
+  FakeSession();
+
+  const SessionInfo& info() const override { return info_; }
+  const Snapshot* pull() override { return started_ ? &snapshot_ : nullptr; }
+  void send(const OperatorInput& input) override;
+  RecorderStatus recorder() const override { return recorder_; }
+  LinkStatus link() const override { return link_; }
+
+  // Lets the story go on, in steps of one spectrum column (40 ms).
+  void advance(Seconds s);
+  // One display tick's worth: what a test changes by hand shows after this.
+  void touch() { ++snapshot_.number; }
+
+  Snapshot& snapshot() { return snapshot_; }
+  SessionInfo& mutableInfo() { return info_; }
+  RecorderStatus& mutableRecorder() { return recorder_; }
+  LinkStatus& mutableLink() { return link_; }
+  const std::vector<OperatorInput>& sent() const { return sent_; }
+
+ private:
+  void step();
+  void stepChatter();
+  void fillVerdict();
+  void fillAdvice();
+  void fillMachine();
+  void finishIntervention();
+  void makeColumn();
+
+  SessionInfo info_;
+  Snapshot snapshot_;
+  RecorderStatus recorder_;
+  LinkStatus link_;
+  std::vector<OperatorInput> sent_;
+  std::mt19937 random_{7};
+  bool started_ = false;
+  bool moved_ = false;
+  bool alarmed_ = false;
+  double amplitude_ = 1e-3;  // of chatter, 1 is full
+  double speed_ = 8800.0;    // actual, follows the target as a spindle does
+  double onset_ = 0.0;       // s
+  double peak_ = 0.0;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,99 @@
+// Pictures of the operator page for people to look at: light and dark, two sizes, in the states that matter.
+// Written to the build folder; what a machine can check of them is that nothing was cut off.
+#include <QDir>
+
+#include "tests/ui/ui_fixture.h"
+#include "ui/pages/intervention_list.h"
+#include "ui/shell/header_bar.h"
+#include "ui/widgets/advice_panel.h"
+#include "ui/widgets/command_bar.h"
+#include "ui/widgets/intervention_card.h"
+#include "ui/widgets/limit_bar.h"
+#include "ui/widgets/override_table.h"
+#include "ui/widgets/status_strip.h"
+#include "ui/widgets/verdict_sign.h"
+
+namespace stillcut::ui {
+namespace {
+
+struct Look {
+  const char* name;
+  ThemeKind theme;
+  int width, height;
+};
+
+class Screenshots : public WindowTest, public testing::WithParamInterface<Look> {
+ protected:
+  void save(const char* state) {
+    const QDir folder(QStringLiteral(STILLCUT_SCREENSHOT_DIR));
+    ASSERT_TRUE(folder.mkpath(QStringLiteral(".")));
+    const QString file =
+        folder.filePath(QStringLiteral("operate-%1-%2.png").arg(QLatin1String(GetParam().name), QLatin1String(state)));
+    const QImage image = picture();
+    EXPECT_EQ(image.size(), QSize(GetParam().width, GetParam().height));
+    EXPECT_TRUE(image.save(file));
+    expectNothingCut(state);
+  }
+  template <class Widget>
+  void expectWhole(const char* state) {
+    for (const Widget* widget : window_->findChildren<Widget*>()) {
+      if (!widget->isVisible()) continue;
+      EXPECT_FALSE(widget->clipped()) << state << ": " << widget->metaObject()->className() << " "
+                                      << widget->accessibleName().toStdString();
+      const QSize least = widget->minimumSizeHint();
+      EXPECT_GE(widget->width(), least.width()) << state << ": " << widget->metaObject()->className();
+      EXPECT_GE(widget->height(), least.height()) << state << ": " << widget->metaObject()->className();
+    }
+  }
+  void expectNothingCut(const char* state) {
+    EXPECT_LE(window_->minimumSizeHint().width(), GetParam().width) << state;
+    EXPECT_LE(window_->minimumSizeHint().height(), GetParam().height) << state;
+    expectWhole<VerdictSign>(state);
+    expectWhole<AdvicePanel>(state);
+    expectWhole<TouchButton>(state);
+    expectWhole<LimitBar>(state);
+    expectWhole<OverrideTable>(state);
+    expectWhole<InterventionCard>(state);
+    expectWhole<StatusStrip>(state);
+    expectWhole<CommandBar>(state);
+    expectWhole<HeaderBar>(state);
+  }
+};
+
+TEST_P(Screenshots, EveryStateFits) {
+  session_.mutableInfo().machineWatchdog = false;
+  open(GetParam().width, GetParam().height, GetParam().theme);
+  save("waiting");
+  play(0.2);
+  save("no-verdict");
+  press("advise");
+  play(4.2);
+  save("stable");
+  while (session_.snapshot().verdicts[0].state != CutState::Onset) play(0.04);
+  save("onset");
+  play(0.6);
+  ASSERT_EQ(session_.snapshot().verdicts[0].state, CutState::Chatter);
+  save("chatter");
+  press("accept");
+  play(2.4);
+  press("auto");
+  tick(40);
+  save("quiet");
+  tick(2300);
+  save("stale");
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, Screenshots,
+                         testing::Values(Look{"light-1280", ThemeKind::Light, 1280, 800},
+                                         Look{"dark-1280", ThemeKind::Dark, 1280, 800},
+                                         Look{"light-1920", ThemeKind::Light, 1920, 1080},
+                                         Look{"dark-1920", ThemeKind::Dark, 1920, 1080},
+                                         Look{"contrast-1280", ThemeKind::HighContrast, 1280, 800}),
+                         [](const auto& looked) {
+                           std::string name = looked.param.name;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace stillcut::ui

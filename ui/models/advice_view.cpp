@@ -1,0 +1,132 @@
+#include "ui/models/advice_view.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+#include <cmath>
+#include <numbers>
+
+#include "ui/models/format.h"
+#include "ui/models/reason_text.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("AdviceView", text);
+}
+
+// Where speed and feed shall go, whoever says so. 0: not moved.
+struct Move {
+  Rpm speed;
+  MetresPerSecond feed;
+};
+
+QString deltaText(const Move& move, const MachineState& machine) {
+  if (!(machine.programmedSpeed.value > 0)) return {};
+  const double change = move.speed.value - machine.programmedSpeed.value;
+  return say("%1 rpm, %2").arg(withSign(change), percent(move.speed / machine.programmedSpeed));
+}
+
+// Time goes as 1 / feed; the cutting speed is pi D n.
+QString costText(const Move& move, const Picture& picture) {
+  QStringList parts;
+  const MachineState& machine = picture.snapshot->machine;
+  if (move.feed.value > 0 && machine.programmedFeed.value > 0) {
+    const double change = (machine.programmedFeed / move.feed - 1.0) * 100.0;
+    if (std::abs(change) < 0.05) {
+      parts << say("Costs no time");
+    } else {
+      const QString amount = join(number(std::abs(change), 1), QStringLiteral("%"));
+      parts << (change > 0 ? say("Costs %1 time") : say("Saves %1 time")).arg(amount);
+    }
+  }
+  const Metres diameter = picture.info->setup.toolDiameter;
+  if (move.speed.value > 0 && diameter.value > 0) {
+    const double metresPerMinute = std::numbers::pi * diameter.value * move.speed.value;
+    parts << say("cutting speed %1").arg(join(number(metresPerMinute), QStringLiteral("m/min")));
+  }
+  QString text = parts.join(QStringLiteral(", "));
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
+QString feedText(const Move& move) {
+  if (!(move.feed.value > 0)) return say("The feed stays as it is");
+  return say("Feed follows: %1").arg(join(number(toMmPerMin(move.feed)), QStringLiteral("mm/min")));
+}
+
+void fillMove(AdviceView& view, const Move& move, const Picture& picture) {
+  if (move.speed.value > 0) {
+    view.target = join(number(move.speed.value), QStringLiteral("rpm"));
+    view.delta = deltaText(move, picture.snapshot->machine);
+    view.feed = feedText(move);
+  } else {
+    view.target = join(number(toMmPerMin(move.feed)), QStringLiteral("mm/min"));
+    view.feed = say("The speed stays as it is");
+  }
+  view.cost = costText(move, picture);
+}
+
+AdviceView openAdvice(const Picture& picture) {
+  const OverrideRequest& request = picture.snapshot->request;
+  AdviceView view;
+  view.mode = AdviceView::Mode::Open;
+  view.title = say("ADVICE");
+  view.reason = reasonText(request.reason);
+  if (request.kind == RequestKind::Release) {
+    view.target = say("Back to 100 %");
+    return view;
+  }
+  fillMove(view, {request.claimsSpeed ? request.speed : Rpm(), request.claimsFeed ? request.feed : MetresPerSecond()},
+           picture);
+  return view;
+}
+
+AdviceView commandInForce(const Picture& picture) {
+  const Snapshot& s = *picture.snapshot;
+  AdviceView view;
+  view.mode = AdviceView::Mode::InForce;
+  view.title = s.operatorHold ? say("IN FORCE, HELD BY YOU") : say("IN FORCE");
+  fillMove(view, {s.machine.programmedSpeed * s.command.speed.value, s.machine.programmedFeed * s.command.feed.value},
+           picture);
+  // The gate's own word comes first: it says what still happens to the move.
+  view.reason = reasonText(s.command.reason.code == ReasonCode::None ? s.request.reason : s.command.reason);
+  return view;
+}
+
+AdviceView nothing(const Picture& picture) {
+  AdviceView view;
+  view.title = say("WHAT TO DO");
+  if (!picture.snapshot || picture.stale) {
+    view.target = say("No advice");
+    view.reason = say("There is no live picture to advise on");
+    return view;
+  }
+  const Snapshot& s = *picture.snapshot;
+  const bool alarm = picture.verdict().alarming();
+  view.target = alarm ? say("No advice") : say("Nothing to do");
+  view.reason = s.request.reason.code == ReasonCode::NothingToDo ? QString() : reasonText(s.request.reason);
+  if (view.reason.isEmpty() && s.authority == Authority::Off)
+    view.reason = say("Authority is off: Stillcut only watches");
+  if (view.reason.isEmpty() && alarm) view.reason = say("The strategy has not decided yet");
+  return view;
+}
+
+}  // namespace
+
+QString AdviceView::spoken() const {
+  QStringList parts{title, target, delta, reason, feed, cost};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(". "));
+}
+
+AdviceView makeAdviceView(const Picture& picture) {
+  if (!picture.snapshot || picture.stale) return nothing(picture);
+  const Snapshot& s = *picture.snapshot;
+  const bool isMove = s.request.kind == RequestKind::Set || s.request.kind == RequestKind::Release;
+  if (s.adviceOpen && isMove) return openAdvice(picture);
+  if (s.commanding && s.command.kind == CommandKind::Set) return commandInForce(picture);
+  return nothing(picture);
+}
+
+}  // namespace stillcut::ui

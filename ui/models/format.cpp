@@ -1,0 +1,88 @@
+#include "ui/models/format.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::ui {
+namespace {
+
+constexpr QChar kThinSpace(0x2009);
+constexpr QChar kNoBreakSpace(0x00a0);
+constexpr QChar kMinus(0x2212);
+constexpr QChar kUnknown(0x2013);
+
+QString say(const char* text) {
+  return QCoreApplication::translate("Format", text);
+}
+
+}  // namespace
+
+QString number(double value, int decimals) {
+  if (!std::isfinite(value)) return kUnknown;
+  QString digits = QString::number(std::abs(value), 'f', decimals);
+  const bool isZero = std::all_of(digits.cbegin(), digits.cend(), [](QChar c) { return c == u'0' || c == u'.'; });
+  const qsizetype dot = digits.indexOf(u'.');
+  for (qsizetype i = (dot < 0 ? digits.size() : dot) - 3; i > 0; i -= 3) digits.insert(i, kThinSpace);
+  return value < 0 && !isZero ? kMinus + digits : digits;
+}
+
+QString significant(double value, int digits) {
+  if (!std::isfinite(value)) return kUnknown;
+  if (std::abs(value) < 1e-12) return QStringLiteral("0");
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+  return number(value, std::clamp(digits - before, 0, 6));
+}
+
+QString join(const QString& value, const QString& unit) {
+  return unit.isEmpty() ? value : value + kNoBreakSpace + unit;
+}
+
+QString frequency(Hertz value, Hertz doubt) {
+  if (!(value.value > 0)) return {};
+  const bool known = std::isfinite(doubt.value) && doubt.value > 0;
+  if (!known) return say("about %1").arg(join(number(value.value), QStringLiteral("Hz")));
+  const double step = doubt.value >= 100 ? 100 : doubt.value >= 20 ? 10 : 1;
+  const double shown = std::round(value.value / step) * step;
+  const double sd = std::max(std::ceil(doubt.value / step) * step, 1.0);
+  return join(number(shown) + kNoBreakSpace + QChar(0x00b1) + number(sd), QStringLiteral("Hz"));
+}
+
+QString percent(double ratio) {
+  return join(number(ratio * 100.0), QStringLiteral("%"));
+}
+
+QString withSign(double value) {
+  return value > 0 ? u'+' + number(value) : number(value);
+}
+
+QString duration(Seconds s) {
+  if (!std::isfinite(s.value)) return kUnknown;
+  if (s.value < 0.9995) return join(number(s.value * 1e3), QStringLiteral("ms"));
+  if (s.value < 60) return join(number(s.value, s.value < 9.95 ? 1 : 0), QStringLiteral("s"));
+  const auto whole = static_cast<qint64>(s.value);
+  const QString seconds = QStringLiteral("%1").arg(whole % 60, 2, 10, QChar(u'0'));
+  return join(number(static_cast<double>(whole / 60)), QStringLiteral("min")) + kNoBreakSpace +
+         join(seconds, QStringLiteral("s"));
+}
+
+QString millimetres(Metres m) {
+  const double mm = m.value * 1e3;
+  return join(number(mm, mm < 99.95 ? 1 : 0), QStringLiteral("mm"));
+}
+
+QString clockTime(qint64 wallMs) {
+  return QDateTime::fromMSecsSinceEpoch(wallMs).toString(QStringLiteral("HH:mm:ss"));
+}
+
+QString stopwatch(Seconds s) {
+  const auto whole = static_cast<qint64>(std::max(s.value, 0.0));
+  const QChar zero(u'0');
+  return QStringLiteral("%1:%2:%3")
+      .arg(whole / 3600, 2, 10, zero)
+      .arg(whole / 60 % 60, 2, 10, zero)
+      .arg(whole % 60, 2, 10, zero);
+}
+
+}  // namespace stillcut::ui

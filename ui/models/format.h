@@ -1,0 +1,25 @@
+// Numbers as the screens write them: thousands apart by a thin space, a true minus, units always, and no more digits
+// than are true. Any thread.
+#pragma once
+
+#include <QString>
+
+#include "core/base/units.h"
+
+namespace stillcut::ui {
+
+// "1 713", "-235" with a true minus, "0.62". Not finite: an en dash.
+QString number(double value, int decimals = 0);
+// Three significant digits at most: 0.062, 3.1, 31, 310, 3 100.
+QString significant(double value, int digits = 2);
+// "1 713 \u00b12 Hz"; the value is rounded to what the doubt allows. Without a known doubt: "about 1 713 Hz".
+QString frequency(Hertz value, Hertz doubt);
+QString percent(double ratio);                            // "97 %"
+QString withSign(double value);                           // "+235", "-235"
+QString duration(Seconds s);                              // "38 ms", "1.2 s", "2 min 05 s"
+QString millimetres(Metres m);                            // "1.2 mm"
+QString clockTime(qint64 wallMs);                         // "13:58:04", local time
+QString stopwatch(Seconds s);                             // "00:12:40"
+QString join(const QString& value, const QString& unit);  // with a space that does not break
+
+}  // namespace stillcut::ui

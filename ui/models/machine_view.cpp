@@ -1,0 +1,161 @@
+#include "ui/models/machine_view.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/channel.h"
+#include "ui/models/format.h"
+
+namespace stillcut::ui {
+namespace {
+
+constexpr Seconds kOldAfter{1.0};  // a machine state older than this is no longer "actual"
+
+QString say(const char* text) {
+  return QCoreApplication::translate("MachineView", text);
+}
+
+OverrideRow row(const QString& label, const QString& unit, double programmed, Ratio inForce, Ratio knob,
+                double actual) {
+  OverrideRow r;
+  r.label = label;
+  r.unit = unit;
+  r.programmed = number(programmed);
+  r.overridden = percent(inForce.value);
+  r.actual = number(actual);
+  if (std::abs(inForce.value - knob.value) > 0.004) r.tone = Tone::Advice;
+  return r;
+}
+
+QString whatHinders(const MachineState& m, Seconds age) {
+  if (!m.linkUp) return say("The machine does not answer; last values %1 old").arg(duration(age));
+  if (age > kOldAfter) return say("Values are %1 old").arg(duration(age));
+  if (!m.controlOurs) return say("Another program has the overrides");
+  if (!m.overridesEnabled) return say("The program has switched overrides off");
+  if (m.feedHold) return say("Feed hold");
+  return {};
+}
+
+double clampedFraction(double value, double full) {
+  return full > 0 ? std::clamp(value / full, 0.0, 1.0) : 0.0;
+}
+
+void mark(BarView& bar, double limit, double full) {
+  if (std::isfinite(limit) && limit > 0 && limit <= full) bar.marks.push_back(limit / full);
+}
+
+BarView ratioBar(const QString& label, double value, bool known) {
+  BarView bar;
+  bar.label = label;
+  bar.known = known && std::isfinite(value);
+  if (!bar.known) {
+    bar.value = number(std::nan(""));
+    return bar;
+  }
+  bar.value = number(value, 2);
+  bar.fraction = clampedFraction(value, 1.0);
+  return bar;
+}
+
+int detectorIndex(const SessionInfo& info, const QString& id) {
+  const auto found =
+      std::find_if(info.detectors.begin(), info.detectors.end(), [&](const DetectorInfo& d) { return d.id == id; });
+  return found == info.detectors.end() ? -1 : static_cast<int>(found - info.detectors.begin());
+}
+
+Tone toneOver(double value, double onset, double limit) {
+  if (std::isfinite(limit) && value >= limit) return Tone::Chatter;
+  if (std::isfinite(onset) && value >= onset) return Tone::Onset;
+  return Tone::Normal;
+}
+
+BarView energyBar(const Picture& p, bool live) {
+  const LimitMarks& limits = p.info->limits;
+  const int index = detectorIndex(*p.info, QStringLiteral("energy-ratio"));
+  const std::size_t which = static_cast<std::size_t>(index >= 0 ? index : live ? p.snapshot->inCharge : 0);
+  const double value = live ? p.snapshot->verdicts[which].severity.value : 0.0;
+  BarView bar = ratioBar(say("Energy ratio"), value, live && p.snapshot->verdicts[which].valid);
+  mark(bar, limits.energyRatioOnset, 1.0);
+  mark(bar, limits.energyRatio, 1.0);
+  if (bar.known) bar.tone = toneOver(value, limits.energyRatioOnset, limits.energyRatio);
+  return bar;
+}
+
+BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
+  BarView bar;
+  bar.label = say("Vibration");
+  const auto& channels = p.info->setup.channels;
+  const SensorQuantity quantity = channels.empty() ? SensorQuantity::Acceleration : channels.front().quantity;
+  const std::string_view siName = siUnit(quantity);
+  const QString unit = QString::fromUtf8(siName.data(), static_cast<qsizetype>(siName.size()));
+  const double rms = live ? p.snapshot->vibrationRms : 0.0;
+  const double full = scale.fullFor(rms, p.info->limits.vibration);
+  bar.known = live && std::isfinite(rms);
+  bar.value = bar.known ? join(significant(rms), unit) : join(number(std::nan("")), unit);
+  bar.fraction = bar.known ? clampedFraction(rms, full) : 0.0;
+  mark(bar, p.info->limits.vibration, full);
+  if (bar.known) bar.tone = toneOver(rms, std::nan(""), p.info->limits.vibration);
+  return bar;
+}
+
+BarView coherenceBar(const Picture& p, bool live, int detector) {
+  const auto which = static_cast<std::size_t>(detector);
+  const DetectorInfo& info = p.info->detectors[which];
+  const qsizetype place = std::max<qsizetype>(info.indicators.indexOf(QStringLiteral("gamma_max")), 0);
+  const double value = live ? p.snapshot->verdicts[which].indicators[static_cast<std::size_t>(place)] : 0.0;
+  BarView bar = ratioBar(say("Coherence"), value, live && p.snapshot->verdicts[which].valid);
+  mark(bar, p.info->limits.coherence, 1.0);
+  if (bar.known) bar.tone = toneOver(value, std::nan(""), p.info->limits.coherence);
+  return bar;
+}
+
+}  // namespace
+
+MachineView makeMachineView(const Picture& picture) {
+  MachineView view;
+  const QString rpm = QStringLiteral("rpm"), mmPerMin = QStringLiteral("mm/min");
+  const bool known = picture.snapshot && picture.snapshot->machine.valid;
+  if (!known) {
+    const QString none = number(std::nan(""));
+    view.speed = {say("Speed"), none, none, none, rpm, Tone::Faint, true};
+    view.feed = {say("Feed"), none, none, none, mmPerMin, Tone::Faint, true};
+    view.warning = picture.snapshot != nullptr;
+    if (view.warning) view.note = say("Nothing was read from the machine yet");
+    return view;
+  }
+  const MachineState& m = picture.snapshot->machine;
+  view.speed = row(say("Speed"), rpm, m.programmedSpeed.value, m.speedOverride, m.operatorSpeed, m.actualSpeed.value);
+  view.feed = row(say("Feed"), mmPerMin, toMmPerMin(m.programmedFeed), m.feedOverride, m.operatorFeed,
+                  toMmPerMin(m.actualFeed));
+  const Seconds age = secondsBetween(m.time, picture.snapshot->time) + (picture.stale ? picture.age : Seconds());
+  view.note = whatHinders(m, age);
+  view.warning = !view.note.isEmpty();
+  if (!view.warning) {
+    view.note =
+        say("Your own knobs: speed %1, feed %2").arg(percent(m.operatorSpeed.value), percent(m.operatorFeed.value));
+  }
+  view.speed.old = view.feed.old = !m.linkUp || age > kOldAfter;
+  return view;
+}
+
+double VibrationScale::fullFor(double rms, double limit) {
+  double wanted = std::isfinite(limit) && limit > 0 ? 2.0 * limit : 0.0;
+  if (std::isfinite(rms)) wanted = std::max(wanted, rms);
+  if (wanted > full_ && wanted > 0) {
+    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+    const double lead = wanted / decade;
+    full_ = decade * (lead <= 1 ? 1 : lead <= 2 ? 2 : lead <= 5 ? 5 : 10);
+  }
+  return full_;
+}
+
+std::vector<BarView> makeBars(const Picture& picture, VibrationScale& scale) {
+  const bool live = picture.snapshot && !picture.stale;
+  std::vector<BarView> bars{energyBar(picture, live), vibrationBar(picture, live, scale)};
+  const int coherence = detectorIndex(*picture.info, QStringLiteral("coherence"));
+  if (coherence >= 0) bars.push_back(coherenceBar(picture, live, coherence));
+  return bars;
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,51 @@
+// Speed and feed in absolute values, and the bars with their limits. GUI thread, pure functions.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/models/session_info.h"
+#include "ui/models/theme.h"
+
+namespace stillcut::ui {
+
+struct OverrideRow {
+  QString label, programmed, overridden, actual, unit;
+  Tone tone = Tone::Normal;  // Advice: we have moved it
+  bool old = false;          // the machine has not answered of late
+
+  bool operator==(const OverrideRow&) const = default;
+};
+
+struct MachineView {
+  OverrideRow speed, feed;
+  QString note;          // the operator's own knobs, or what keeps the overrides from working
+  bool warning = false;  // the note is about something that is wrong
+  bool operator==(const MachineView&) const = default;
+};
+
+MachineView makeMachineView(const Picture& picture);
+
+struct BarView {
+  QString label, value;
+  double fraction = 0.0;  // of the bar's length, 0..1
+  bool known = false;
+  std::vector<double> marks;  // limits, as fractions
+  Tone tone = Tone::Normal;
+
+  bool operator==(const BarView&) const = default;
+};
+
+// Full scale of the vibration bar: 1, 2 or 5 times a power of ten; it grows at once and never shrinks during a run.
+class VibrationScale {
+ public:
+  double fullFor(double rms, double limit);
+
+ private:
+  double full_ = 0.0;
+};
+
+// Energy ratio, vibration, and coherence when that detector runs.
+std::vector<BarView> makeBars(const Picture& picture, VibrationScale& scale);
+
+}  // namespace stillcut::ui

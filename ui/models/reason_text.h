@@ -1,0 +1,13 @@
+// A reason as a sentence in the reader's language, with numbers as the screens write them. GUI thread.
+#pragma once
+
+#include <QString>
+
+#include "core/model/reason.h"
+
+namespace stillcut::ui {
+
+// Begins with a capital, no full stop; empty for ReasonCode::None. Translated by the English pattern, context "Reason".
+QString reasonText(const Reason& reason);
+
+}  // namespace stillcut::ui

@@ -1,0 +1,67 @@
+// What a session tells the screens once, and the little that is not in the snapshot. Plain values, GUI thread.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <limits>
+#include <vector>
+
+#include "core/model/cut_setup.h"
+#include "core/model/snapshot.h"
+
+namespace stillcut::ui {
+
+// In the order of Snapshot::verdicts.
+struct DetectorInfo {
+  QString id;              // "energy-ratio"
+  QString label;           // "Energy ratio"
+  QStringList indicators;  // in the order of Verdict::indicators
+};
+
+// Limits drawn as marks on bars. Not a number: there is no such limit, no mark is drawn.
+struct LimitMarks {
+  double energyRatioOnset = std::numeric_limits<double>::quiet_NaN();
+  double energyRatio = std::numeric_limits<double>::quiet_NaN();
+  double coherence = std::numeric_limits<double>::quiet_NaN();
+  double vibration = std::numeric_limits<double>::quiet_NaN();  // SI unit of the first channel
+};
+
+struct SessionInfo {
+  CutSetup setup;
+  QString sourceLabel;  // "simulated cut", "ALSA hw:1"
+  QString linkLabel;    // "LinuxCNC", "simulated machine"
+  bool simulatedMachine = false;
+  bool machineWatchdog = false;  // the machine restores 100 % by itself when this program dies
+  Metres feedPerTooth{};         // 0: unknown
+  std::vector<DetectorInfo> detectors;
+  LimitMarks limits;
+  qint64 wallMsAtStreamZero = 0;  // wall clock (ms since 1970) at stream time 0
+
+  qint64 wallMs(Instant t) const { return wallMsAtStreamZero + toNs(t) / 1'000'000; }
+};
+
+struct RecorderStatus {
+  enum class State { Off, Recording, Failed };
+  State state = State::Off;
+  Seconds length{};
+  QString problem;  // a sentence, when failed
+};
+
+struct LinkStatus {
+  QString problem;  // a sentence, when there is one; link state and age come with the machine state
+};
+
+// Everything one display tick shows.
+struct Picture {
+  const SessionInfo* info = nullptr;
+  const Snapshot* snapshot = nullptr;  // null: nothing came yet
+  Seconds age{};                       // since the snapshot last changed, on the screen's own clock
+  bool stale = false;
+  qint64 nowMs = 0;  // the screen's own clock, for touches
+  RecorderStatus recorder;
+  LinkStatus link;
+
+  const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
+};
+
+}  // namespace stillcut::ui

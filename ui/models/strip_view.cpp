@@ -1,0 +1,132 @@
+#include "ui/models/strip_view.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/models/format.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("StripView", text);
+}
+
+StripItem linkItem(const Picture& p) {
+  const QString label = p.info->linkLabel.isEmpty() ? say("Machine") : p.info->linkLabel;
+  if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
+  if (!p.snapshot || !p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
+  const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time);
+  if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
+  return {label, duration(age), age.value > 1.0 ? Tone::Onset : Tone::Normal};
+}
+
+StripItem sensorItem(const Picture& p) {
+  const QString label = say("Sensor");
+  if (!p.snapshot) return {label, say("no samples yet"), Tone::Faint};
+  if (p.stale) return {label, say("nothing for %1").arg(duration(p.age)), Tone::Chatter};
+  switch (p.verdict().reason.code) {
+    case ReasonCode::InputClipped:
+      return {label, say("at its limit"), Tone::Onset};
+    case ReasonCode::InputDead:
+      return {label, say("dead"), Tone::Chatter};
+    case ReasonCode::InputNotFinite:
+      return {label, say("not a number"), Tone::Chatter};
+    case ReasonCode::InputGap:
+      return {label, say("samples missing"), Tone::Onset};
+    default:
+      return {label, say("ok"), Tone::Normal};
+  }
+}
+
+StripItem counter(const QString& label, quint64 count) {
+  return {label, number(static_cast<double>(count)), count > 0 ? Tone::Onset : Tone::Normal};
+}
+
+StripItem recordingItem(const RecorderStatus& recorder) {
+  switch (recorder.state) {
+    case RecorderStatus::State::Off:
+      return {say("Recording"), say("off"), Tone::Faint};
+    case RecorderStatus::State::Recording:
+      return {say("Recording"), stopwatch(recorder.length), Tone::Normal};
+    case RecorderStatus::State::Failed:
+      return {say("Recording"), recorder.problem.isEmpty() ? say("stopped") : recorder.problem, Tone::Chatter};
+  }
+  return {};
+}
+
+QString change(const QString& before, const QString& after, const QString& unit) {
+  return join(QStringLiteral("%1 \u2192 %2").arg(before, after), unit);
+}
+
+QString headlineOf(const Intervention& i) {
+  const QString what = say("Chatter %1").arg(join(number(i.frequency.value), QStringLiteral("Hz")));
+  if (!i.finished) return say("%1, acting").arg(what);
+  if (!i.quiet) return say("%1, not quieted").arg(what);
+  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), millimetres(i.marked));
+}
+
+CardView cardOf(const Intervention& i, const SessionInfo& info) {
+  const std::string_view si =
+      siUnit(info.setup.channels.empty() ? SensorQuantity::Acceleration : info.setup.channels.front().quantity);
+  const QString unit = QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
+  CardView card;
+  card.number = i.number;
+  card.time = clockTime(info.wallMs(i.began));
+  card.headline = headlineOf(i);
+  card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
+  card.feed = change(number(toMmPerMin(i.feedBefore)), number(toMmPerMin(i.feedAfter)), QStringLiteral("mm/min"));
+  card.vibration = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
+  card.tone = i.quiet ? Tone::Normal : i.finished ? Tone::Chatter : Tone::Advice;
+  return card;
+}
+
+}  // namespace
+
+std::vector<StripItem> makeStrip(const Picture& picture) {
+  std::vector<StripItem> items{linkItem(picture), sensorItem(picture)};
+  const PathHealth health = picture.snapshot ? picture.snapshot->health : PathHealth{};
+  items.push_back({say("Rate"), join(number(picture.info->setup.rate.value), QStringLiteral("Hz")), Tone::Normal});
+  items.push_back(counter(say("Drops"), health.droppedBlocks));
+  items.push_back(counter(say("Overruns"), health.overruns));
+  items.push_back({say("Block age"), duration(health.blockAge), Tone::Normal});
+  items.push_back(recordingItem(picture.recorder));
+  return items;
+}
+
+CommandView makeCommandView(const Picture& picture) {
+  CommandView view;
+  view.autoNeedsSecondTouch = !picture.info->machineWatchdog;
+  if (!picture.snapshot) {
+    view.inCommand = say("You are in command");
+    return view;
+  }
+  const Snapshot& s = *picture.snapshot;
+  view.authority = s.authority;
+  view.live = s.running;
+  view.autoAllowed = s.autoAllowed;
+  view.held = s.operatorHold;
+  view.moved = s.machine.valid && (std::abs(s.machine.speedOverride.value - 1.0) > 0.004 ||
+                                   std::abs(s.machine.feedOverride.value - 1.0) > 0.004);
+  view.inCommand = s.authority == Authority::Auto     ? say("Stillcut is in command")
+                   : s.authority == Authority::Advise ? say("You are in command, Stillcut advises")
+                                                      : say("You are in command");
+  view.since = say("since %1").arg(clockTime(picture.info->wallMs(s.authoritySince)));
+  if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
+  return view;
+}
+
+std::vector<CardView> makeCards(const Picture& picture) {
+  std::vector<CardView> cards;
+  if (!picture.snapshot) return cards;
+  const Snapshot& s = *picture.snapshot;
+  const quint64 kept = std::min<quint64>(s.interventionCount, kInterventionsShown);
+  for (quint64 k = 0; k < kept; ++k) {
+    const quint64 number = s.interventionCount - 1 - k;
+    cards.push_back(cardOf(s.interventions[number % kInterventionsShown], *picture.info));
+  }
+  return cards;
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,45 @@
+// The status strip, the authority line and the intervention cards as values. GUI thread, pure functions.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/models/session_info.h"
+#include "ui/models/theme.h"
+
+namespace stillcut::ui {
+
+struct StripItem {
+  QString label, value;
+  Tone tone = Tone::Normal;
+  bool operator==(const StripItem&) const = default;
+};
+
+std::vector<StripItem> makeStrip(const Picture& picture);
+
+struct CommandView {
+  Authority authority = Authority::Off;
+  QString inCommand;  // "You are in command"
+  QString since;      // "since 14:00:03"
+  bool live = false;  // touches reach a session
+  bool autoAllowed = false;
+  bool autoNeedsSecondTouch = false;
+  bool held = false;
+  bool moved = false;  // overrides differ from 100 %
+  bool operator==(const CommandView&) const = default;
+};
+
+CommandView makeCommandView(const Picture& picture);
+
+struct CardView {
+  quint64 number = 0;
+  QString time, headline;
+  QString speed, feed, vibration;  // "8 800 -> 8 565 rpm" with a true arrow
+  Tone tone = Tone::Normal;
+  bool operator==(const CardView&) const = default;
+};
+
+// Newest first.
+std::vector<CardView> makeCards(const Picture& picture);
+
+}  // namespace stillcut::ui

@@ -1,0 +1,142 @@
+#include "ui/models/verdict_view.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "ui/models/format.h"
+#include "ui/models/reason_text.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString say(const char* text) {
+  return QCoreApplication::translate("VerdictView", text);
+}
+
+QString stateWord(CutState state) {
+  switch (state) {
+    case CutState::Air:
+      return say("NO CUT");
+    case CutState::Stable:
+      return say("STABLE");
+    case CutState::Onset:
+      return say("ONSET");
+    case CutState::Chatter:
+      return say("CHATTER");
+  }
+  return {};
+}
+
+QString kindText(ChatterKind kind) {
+  switch (kind) {
+    case ChatterKind::Unknown:
+      return {};
+    case ChatterKind::Hopf:
+      return say("Hopf");
+    case ChatterKind::Flip:
+      return say("period doubling");
+    case ChatterKind::Forced:
+      return say("forced vibration");
+  }
+  return {};
+}
+
+QString trendText(Trend trend) {
+  switch (trend) {
+    case Trend::Unknown:
+      return {};
+    case Trend::Growing:
+      return say("growing");
+    case Trend::Steady:
+      return say("steady");
+    case Trend::Fading:
+      return say("dying down");
+  }
+  return {};
+}
+
+QString phaseText(CutPhase phase) {
+  switch (phase) {
+    case CutPhase::Air:
+      return say("The tool is in the air");
+    case CutPhase::RunUp:
+      return say("The spindle is running up");
+    case CutPhase::Entry:
+      return say("The tool is entering");
+    case CutPhase::Steady:
+      return {};
+    case CutPhase::Exit:
+      return say("The tool is leaving");
+  }
+  return {};
+}
+
+QString totals(const Snapshot& snapshot) {
+  if (!(snapshot.chatterTime.value > 0)) return say("No chatter in this run");
+  return say("In chatter so far: %1, %2").arg(duration(snapshot.chatterTime), millimetres(snapshot.chatterLength));
+}
+
+VerdictView noVerdict(const QString& why) {
+  VerdictView view;
+  view.word = say("NO VERDICT");
+  view.detail = why;
+  return view;
+}
+
+VerdictView staleVerdict(const Picture& picture) {
+  VerdictView view = noVerdict(say("The picture is stale: nothing new for %1").arg(duration(picture.age)));
+  const Verdict& last = picture.verdict();
+  if (last.valid)
+    view.marked =
+        say("Last verdict: %1 %2").arg(stateWord(last.state), frequency(last.frequency, last.frequencySd)).trimmed();
+  return view;
+}
+
+void fillAlarm(VerdictView& view, const Verdict& verdict, Trend trend) {
+  const bool chatter = verdict.state == CutState::Chatter;
+  view.shape = chatter ? Shape::Octagon : Shape::Triangle;
+  view.tone = chatter ? Tone::Chatter : Tone::Onset;
+  view.frequency = frequency(verdict.frequency, verdict.frequencySd);
+  QStringList words{kindText(verdict.kind), trendText(trend)};
+  words.removeAll(QString());
+  view.detail = words.join(QStringLiteral(", "));
+  view.marked = say("For %1").arg(duration(verdict.sinceOnset));
+  if (verdict.feedSinceOnset.value > 0)
+    view.marked = say("For %1, %2 of feed").arg(duration(verdict.sinceOnset), millimetres(verdict.feedSinceOnset));
+}
+
+}  // namespace
+
+QString VerdictView::spoken() const {
+  QStringList parts{word, frequency, detail, marked};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(". "));
+}
+
+VerdictView makeVerdictView(const Picture& picture, Trend trend) {
+  if (!picture.snapshot) return noVerdict(say("Waiting for the first samples"));
+  if (picture.stale) return staleVerdict(picture);
+  const Verdict& verdict = picture.verdict();
+  if (!verdict.valid) {
+    const QString why = reasonText(verdict.reason);
+    VerdictView view = noVerdict(why.isEmpty() ? say("The detector gives no reason") : why);
+    view.marked = totals(*picture.snapshot);
+    return view;
+  }
+  VerdictView view;
+  view.word = stateWord(verdict.state);
+  if (verdict.alarming()) {
+    fillAlarm(view, verdict, trend);
+    return view;
+  }
+  const bool stable = verdict.state == CutState::Stable;
+  view.shape = stable ? Shape::Circle : Shape::Ring;
+  view.tone = stable ? Tone::Normal : Tone::Faint;
+  view.detail =
+      stable && verdict.earlyWarning ? say("Early warning: vibration begins to grow") : phaseText(verdict.phase);
+  if (view.detail.isEmpty()) view.detail = stable ? say("The cut is quiet") : say("The tool does not cut");
+  view.marked = totals(*picture.snapshot);
+  return view;
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,122 @@
+#include "ui/pages/intervention_list.h"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/widgets/intervention_card.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+constexpr double kPad = 16;
+constexpr double kHead = 30;
+
+}  // namespace
+
+InterventionList::InterventionList(QWidget* parent)
+    : QWidget(parent),
+      theme_(makeTheme(ThemeKind::Light, 1.0)),
+      wasTrue_(new TouchButton(tr("WAS CHATTER"), TouchButton::Look::Plain, this)),
+      wasFalse_(new TouchButton(tr("FALSE ALARM"), TouchButton::Look::Plain, this)) {
+  setAccessibleName(tr("Last interventions"));
+  wasTrue_->setObjectName(QStringLiteral("was-true"));
+  wasFalse_->setObjectName(QStringLiteral("was-false"));
+  wasTrue_->setKey(Qt::Key_F9);
+  wasFalse_->setKey(Qt::Key_F10);
+  for (TouchButton* button : {wasTrue_, wasFalse_}) {
+    button->setCheckable(true);
+    button->setEnabled(false);
+    button->setBaseHeight(50);
+  }
+  connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(true); });
+  connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(false); });
+  for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
+}
+
+void InterventionList::display(const std::vector<CardView>& cards, bool alarming) {
+  if (cards == cards_ && alarming == alarming_) return;
+  const bool newAlarm =
+      (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
+  if (newAlarm) judgement_ = Judgement::None;
+  cards_ = cards;
+  alarming_ = alarming;
+  for (std::size_t k = 0; k < widgets_.size() && k < cards.size(); ++k) widgets_[k]->display(cards[k]);
+  showJudgement();
+  place();
+  update();
+}
+
+void InterventionList::judge(bool wasChatter) {
+  judgement_ = wasChatter ? Judgement::True : Judgement::False;
+  emit asked({wasChatter ? OperatorAction::TrueAlarm : OperatorAction::FalseAlarm, Authority::Off});
+  showJudgement();
+}
+
+void InterventionList::showJudgement() {
+  const bool judgeable = alarming_ || !cards_.empty();
+  wasTrue_->setEnabled(judgeable);
+  wasFalse_->setEnabled(judgeable);
+  wasTrue_->setChecked(judgement_ == Judgement::True);
+  wasFalse_->setChecked(judgement_ == Judgement::False);
+}
+
+int InterventionList::shownCards() const {
+  return static_cast<int>(
+      std::count_if(widgets_.begin(), widgets_.end(), [](const QWidget* w) { return !w->isHidden(); }));
+}
+
+void InterventionList::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  updateGeometry();
+  place();
+  update();
+}
+
+QSize InterventionList::minimumSizeHint() const {
+  const int buttons = wasTrue_->sizeHint().height() * 2 + theme_.px(12);
+  return {theme_.px(420),
+          std::max(buttons + theme_.px(2 * 12), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height())};
+}
+
+QSize InterventionList::sizeHint() const {
+  return {theme_.px(640), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height()};
+}
+
+void InterventionList::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  place();
+}
+
+void InterventionList::place() {
+  const int pad = theme_.px(kPad), gap = std::max(theme_.px(12), pixelsFor(kTouchGapMm, this));
+  const int high = wasTrue_->sizeHint().height();
+  const int buttonWidth = std::max(wasTrue_->sizeHint().width(), wasFalse_->sizeHint().width());
+  const int left = width() - pad - buttonWidth;
+  const int top = std::max((height() - 2 * high - gap) / 2, theme_.px(8));
+  wasTrue_->setGeometry(left, top, buttonWidth, high);
+  wasFalse_->setGeometry(left, top + high + gap, buttonWidth, high);
+  int y = theme_.px(kHead);
+  const int cardHeight = widgets_.front()->sizeHint().height();
+  for (std::size_t k = 0; k < widgets_.size(); ++k) {
+    const bool fits = k < cards_.size() && y + cardHeight <= height() - theme_.px(6);
+    widgets_[k]->setVisible(fits);
+    widgets_[k]->setGeometry(pad, y, left - gap - pad, cardHeight);
+    y += cardHeight;
+  }
+}
+
+void InterventionList::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  drawPanel(p, rect(), theme_, theme_.colors.panel);
+  TextPainter text(p, theme_);
+  const double pad = theme_.px(kPad), room = wasTrue_->x() - 2 * pad;
+  text.centred(QRectF(pad, theme_.px(4), room, theme_.px(kHead - 4)), tr("LAST INTERVENTIONS"),
+               {type_size::kLabel, true, theme_.colors.secondary});
+  if (!cards_.empty()) return;
+  text.centred(QRectF(pad, theme_.px(kHead), room, height() - 2 * theme_.px(kHead)), tr("None in this run"),
+               {type_size::kBody, false, theme_.colors.faint});
+}
+
+}  // namespace stillcut::ui

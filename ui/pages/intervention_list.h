@@ -1,0 +1,53 @@
+// The last interventions as cards, newest first, as many as there is room for, and the one-touch judgement of the
+// newest.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/model/operator_input.h"
+#include "ui/models/strip_view.h"
+#include "ui/models/themed.h"
+
+namespace stillcut::ui {
+
+class InterventionCard;
+class TouchButton;
+
+class InterventionList : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  explicit InterventionList(QWidget* parent = nullptr);
+
+  // `alarming`: an alarm is on right now, which can be judged before there is a card.
+  void display(const std::vector<CardView>& cards, bool alarming);
+  int shownCards() const;
+
+  void applyTheme(const Theme& theme) override;
+  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override;
+
+ signals:
+  void asked(const stillcut::OperatorInput& input);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void judge(bool wasChatter);
+  void showJudgement();
+  void place();
+
+  enum class Judgement { None, True, False };
+
+  Theme theme_;
+  std::vector<CardView> cards_;
+  std::vector<InterventionCard*> widgets_;
+  TouchButton* wasTrue_;
+  TouchButton* wasFalse_;
+  bool alarming_ = false;
+  Judgement judgement_ = Judgement::None;
+};
+
+}  // namespace stillcut::ui

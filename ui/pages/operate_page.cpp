@@ -1,0 +1,109 @@
+#include "ui/pages/operate_page.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+#include "ui/models/format.h"
+#include "ui/pages/intervention_list.h"
+#include "ui/plots/spectrogram_widget.h"
+#include "ui/widgets/advice_panel.h"
+#include "ui/widgets/limit_bar.h"
+#include "ui/widgets/override_table.h"
+#include "ui/widgets/panel.h"
+#include "ui/widgets/verdict_sign.h"
+
+namespace stillcut::ui {
+
+OperatePage::OperatePage(QWidget* parent)
+    : QWidget(parent),
+      verdict_(new VerdictSign),
+      advice_(new AdvicePanel),
+      spectrogram_(new SpectrogramWidget),
+      spectrogramPanel_(new Panel),
+      barsPanel_(new Panel),
+      machinePanel_(new Panel),
+      overrides_(new OverrideTable),
+      interventions_(new InterventionList),
+      grid_(new QGridLayout(this)),
+      barsLayout_(new QVBoxLayout(barsPanel_)),
+      theme_(makeTheme(ThemeKind::Light, 1.0)) {
+  auto* left = new QVBoxLayout;
+  left->addWidget(verdict_, 5);
+  left->addWidget(advice_, 5);
+  auto* right = new QVBoxLayout;
+  auto* spectrogramLayout = new QVBoxLayout(spectrogramPanel_);
+  spectrogramLayout->setContentsMargins(0, 0, 0, 0);
+  spectrogramLayout->addWidget(spectrogram_);
+  auto* machineLayout = new QVBoxLayout(machinePanel_);
+  machineLayout->addWidget(overrides_);
+  right->addWidget(spectrogramPanel_, 1);
+  right->addWidget(barsPanel_);
+  right->addWidget(machinePanel_);
+  right->addWidget(interventions_);
+  grid_->addLayout(left, 0, 0);
+  grid_->addLayout(right, 0, 1);
+  grid_->setColumnStretch(0, 44);
+  grid_->setColumnStretch(1, 56);
+  space(theme_);
+
+  connect(advice_, &AdvicePanel::accepted, this, [this] { emit asked({OperatorAction::Accept, Authority::Off}); });
+  connect(advice_, &AdvicePanel::refused, this, [this] { emit asked({OperatorAction::Refuse, Authority::Off}); });
+  connect(interventions_, &InterventionList::asked, this, &OperatePage::asked);
+}
+
+void OperatePage::display(const Picture& picture) {
+  if (picture.snapshot) trend_.add(picture.verdict());
+  verdict_->display(makeVerdictView(picture, trend_.trend()));
+  advice_->display(makeAdviceView(picture));
+  overrides_->display(makeMachineView(picture));
+  const bool alarming = picture.snapshot && !picture.stale && picture.verdict().alarming();
+  interventions_->display(makeCards(picture), alarming);
+  showBars(picture);
+  showSpectrogram(picture);
+}
+
+void OperatePage::showSpectrogram(const Picture& picture) {
+  const CutSetup& setup = picture.info->setup;
+  const bool named = !setup.channels.empty();
+  const std::string_view si = named ? siUnit(setup.channels.front().quantity) : std::string_view();
+  spectrogram_->setSignal(
+      named ? tr("channel %1").arg(QString::fromStdString(setup.channels.front().name)) : tr("channel 1"),
+      QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
+  spectrogram_->setStale(picture.stale);
+  if (!picture.snapshot) return;
+  spectrogram_->setSpectrumTop(picture.snapshot->spectrumTop);
+  columns_.read(*picture.snapshot, [this](const SpectrumColumn& column) { spectrogram_->append(column); });
+  const Verdict& verdict = picture.verdict();
+  const bool marked = verdict.alarming() && verdict.frequency.value > 0;
+  spectrogram_->setChatter(marked ? verdict.frequency : Hertz(),
+                           marked ? join(number(verdict.frequency.value), QStringLiteral("Hz")) : QString());
+}
+
+void OperatePage::showBars(const Picture& picture) {
+  const std::vector<BarView> views = makeBars(picture, vibrationScale_);
+  while (bars_.size() < views.size()) {
+    auto* bar = new LimitBar;
+    bar->applyTheme(theme_);
+    barsLayout_->addWidget(bar);
+    bar->show();
+    bars_.push_back(bar);
+  }
+  for (std::size_t k = 0; k < views.size(); ++k) bars_[k]->display(views[k]);
+}
+
+void OperatePage::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  space(theme);
+}
+
+void OperatePage::space(const Theme& theme) {
+  const int margin = theme.px(16), gap = theme.px(12);
+  grid_->setContentsMargins(margin, gap, margin, gap);
+  grid_->setHorizontalSpacing(gap);
+  for (int column = 0; column < 2; ++column) grid_->itemAtPosition(0, column)->layout()->setSpacing(gap);
+  barsLayout_->setContentsMargins(margin, theme.px(6), margin, theme.px(6));
+  barsLayout_->setSpacing(0);
+  machinePanel_->layout()->setContentsMargins(margin, theme.px(4), margin, theme.px(4));
+}
+
+}  // namespace stillcut::ui

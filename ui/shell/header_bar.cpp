@@ -1,0 +1,102 @@
+#include "ui/shell/header_bar.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include "ui/widgets/painting.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+
+HeaderBar::HeaderBar(QWidget* parent)
+    : QWidget(parent),
+      theme_(makeTheme(ThemeKind::Light, 1.0)),
+      themeButton_(new TouchButton(tr("Theme"), TouchButton::Look::Tab, this)) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  themeButton_->setObjectName(QStringLiteral("theme"));
+  themeButton_->setBaseHeight(44);
+  themeButton_->setToolTip(tr("Light, dark, high contrast (F12)"));
+  connect(themeButton_, &TouchButton::clicked, this, &HeaderBar::themeAsked);
+}
+
+void HeaderBar::setSession(const SessionInfo& info) {
+  machine_ = QString::fromStdString(info.setup.machine);
+  tool_ = QString::fromStdString(info.setup.tool);
+  badge_ = info.simulatedMachine ? tr("SIMULATED MACHINE") : QString();
+  setAccessibleName(QStringList{machine_, tool_, badge_}.join(QStringLiteral(", ")));
+  update();
+}
+
+void HeaderBar::addPage(const QString& title) {
+  auto* button = new TouchButton(title, TouchButton::Look::Tab, this);
+  button->setCheckable(true);
+  button->setBaseHeight(44);
+  const int index = static_cast<int>(pages_.size());
+  pages_.push_back(button);
+  connect(button, &TouchButton::clicked, this, [this, index] { emit pageAsked(index); });
+  button->applyTheme(theme_);
+  placeButtons();
+}
+
+void HeaderBar::setCurrentPage(int index) {
+  for (std::size_t k = 0; k < pages_.size(); ++k) pages_[k]->setChecked(static_cast<int>(k) == index);
+}
+
+void HeaderBar::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  updateGeometry();
+  placeButtons();
+  update();
+}
+
+QSize HeaderBar::sizeHint() const {
+  return {theme_.px(800), themeButton_->sizeHint().height() + theme_.px(10)};
+}
+
+void HeaderBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  placeButtons();
+}
+
+void HeaderBar::placeButtons() {
+  const int gap = pixelsFor(kTouchGapMm, this);
+  int right = width() - theme_.px(16);
+  const auto place = [&](TouchButton* button) {
+    const QSize size = button->sizeHint();
+    right -= size.width();
+    button->setGeometry(right, (height() - size.height()) / 2, size.width(), size.height());
+    right -= gap;
+  };
+  place(themeButton_);
+  for (auto it = pages_.rbegin(); it != pages_.rend(); ++it) place(*it);
+}
+
+void HeaderBar::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(theme_.colors.border);
+  p.drawLine(0, height() - 1, width(), height() - 1);
+  TextPainter text(p, theme_);
+  const double gap = theme_.px(18);
+  double x = theme_.px(16);
+  const double end = (pages_.empty() ? themeButton_ : pages_.front())->x() - gap;
+  const auto put = [&](const QString& what, const TextStyle& style) {
+    const double w = QFontMetricsF(theme_.font(style.size, style.bold)).horizontalAdvance(what);
+    text.centred(QRectF(x, 0, std::min(w + 1, end - x), height()), what, style);
+    x += w + gap;
+  };
+  put(machine_, {type_size::kButton, true, theme_.colors.text});
+  put(tool_, {type_size::kBody, false, theme_.colors.secondary});
+  if (!badge_.isEmpty()) {
+    const TextStyle style{type_size::kLabel, true, theme_.colors.text, Qt::AlignHCenter};
+    const double w = QFontMetricsF(theme_.font(style.size, true)).horizontalAdvance(badge_) + theme_.px(24);
+    const QRectF box(x, (height() - theme_.px(30)) / 2.0, std::min(w, end - x), theme_.px(30));
+    p.setPen(QPen(theme_.colors.text, theme_.px(1.5)));
+    p.setBrush(Qt::NoBrush);
+    p.drawRoundedRect(box, box.height() / 2, box.height() / 2);
+    text.centred(box.adjusted(theme_.px(8), 0, -theme_.px(8), 0), badge_, style);
+  }
+  clipped_ = text.clipped();
+}
+
+}  // namespace stillcut::ui

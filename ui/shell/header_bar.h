@@ -1,0 +1,46 @@
+// The head of the window: machine, tool, whether the machine is a simulated one, the pages, the theme.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/models/session_info.h"
+#include "ui/models/themed.h"
+
+namespace stillcut::ui {
+
+class TouchButton;
+
+class HeaderBar : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  explicit HeaderBar(QWidget* parent = nullptr);
+
+  void setSession(const SessionInfo& info);
+  void addPage(const QString& title);
+  void setCurrentPage(int index);
+  bool clipped() const { return clipped_; }
+
+  void applyTheme(const Theme& theme) override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void pageAsked(int index);
+  void themeAsked();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void placeButtons();
+
+  Theme theme_;
+  QString machine_, tool_, badge_;
+  std::vector<TouchButton*> pages_;
+  TouchButton* themeButton_;
+  bool clipped_ = false;
+};
+
+}  // namespace stillcut::ui

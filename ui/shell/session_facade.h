@@ -1,0 +1,25 @@
+// What the screens need of a running session. app/session implements it; the screens never touch a device.
+// Every function is called on the GUI thread and returns at once.
+#pragma once
+
+#include "core/model/operator_input.h"
+#include "core/model/snapshot.h"
+#include "ui/models/session_info.h"
+
+namespace stillcut::ui {
+
+class SessionFacade {
+ public:
+  virtual ~SessionFacade() = default;
+
+  // Constant for the life of the session.
+  virtual const SessionInfo& info() const = 0;
+  // The newest snapshot, or null before the first. Immutable and valid until the next pull().
+  virtual const Snapshot* pull() = 0;
+  // Queued to the worker, acts at its next block; what came of it shows in the snapshot.
+  virtual void send(const OperatorInput& input) = 0;
+  virtual RecorderStatus recorder() const = 0;
+  virtual LinkStatus link() const = 0;
+};
+
+}  // namespace stillcut::ui

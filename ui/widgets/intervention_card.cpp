@@ -1,0 +1,57 @@
+#include "ui/widgets/intervention_card.h"
+
+#include <QPainter>
+#include <array>
+
+#include "ui/widgets/painting.h"
+
+namespace stillcut::ui {
+
+InterventionCard::InterventionCard(QWidget* parent) : QWidget(parent), theme_(makeTheme(ThemeKind::Light, 1.0)) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void InterventionCard::display(const CardView& view) {
+  if (view == view_) return;
+  view_ = view;
+  setAccessibleName(view.headline);
+  setAccessibleDescription(QStringList{view.time, view.speed, view.feed, view.vibration}.join(QStringLiteral(", ")));
+  update();
+}
+
+void InterventionCard::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  updateGeometry();
+  update();
+}
+
+QSize InterventionCard::sizeHint() const {
+  return {theme_.px(420), theme_.px(53)};
+}
+
+void InterventionCard::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  TextPainter text(p, theme_);
+  const double stripe = theme_.px(4), left = theme_.px(14), half = height() / 2.0;
+  const QColor tone = view_.tone == Tone::Normal ? theme_.colors.fill : theme_.back(view_.tone);
+  p.fillRect(QRectF(0, theme_.px(4), stripe, height() - theme_.px(8)), tone);
+  const double timeWidth = theme_.px(76);
+  const QRectF upper(left, theme_.px(4), width() - left, half - theme_.px(4));
+  const QRectF lower(left, half, width() - left, half - theme_.px(4));
+  text.centred(QRectF(upper.left(), upper.top(), timeWidth, upper.height()), view_.time,
+               {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignLeft, 0.8});
+  text.centred(upper.adjusted(timeWidth, 0, 0, 0), view_.headline,
+               {type_size::kBody, true, theme_.onPanel(view_.tone), Qt::AlignLeft, 0.75});
+  // Three columns at fixed shares, so that the cards line up under each other.
+  constexpr std::array<double, 4> kEdges{0.0, 0.34, 0.74, 1.0};
+  const std::array<const QString*, 3> parts{&view_.speed, &view_.feed, &view_.vibration};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const QRectF box(lower.left() + lower.width() * kEdges[k], lower.top(),
+                     lower.width() * (kEdges[k + 1] - kEdges[k]) - theme_.px(8), lower.height());
+    text.centred(box, *parts[k], {type_size::kBody, false, theme_.colors.text, Qt::AlignLeft, 0.8});
+  }
+  clipped_ = text.clipped();
+}
+
+}  // namespace stillcut::ui

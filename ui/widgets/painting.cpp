@@ -1,0 +1,77 @@
+#include "ui/widgets/painting.h"
+
+#include <QFontMetricsF>
+#include <QScreen>
+#include <QWidget>
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::ui {
+
+int pixelsFor(double mm, const QWidget* widget) {
+  const double logical = widget->logicalDpiY();
+  // Screens that report no size or a wild one are taken at their logical density.
+  const double physical = std::clamp<double>(widget->physicalDpiY(), logical, 2.0 * logical);
+  return static_cast<int>(std::ceil(mm / 25.4 * physical));
+}
+
+void drawPanel(QPainter& p, const QRectF& rect, const Theme& theme, const QColor& back) {
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(back == theme.colors.panel ? theme.colors.border : back, 1.0));
+  p.setBrush(back);
+  p.drawRoundedRect(rect.adjusted(0.5, 0.5, -0.5, -0.5), theme.px(6), theme.px(6));
+  p.restore();
+}
+
+double capHeight(const Theme& theme, double size, bool bold) {
+  return QFontMetricsF(theme.font(size, bold)).capHeight();
+}
+
+QFont TextPainter::fit(double width, const QString& text, const TextStyle& style) {
+  for (double share = 1.0; share > style.smallest; share -= 0.02) {
+    const QFont font = theme_.font(style.size * share, style.bold);
+    if (QFontMetricsF(font).horizontalAdvance(text) <= width) return font;
+  }
+  const QFont font = theme_.font(style.size * style.smallest, style.bold);
+  if (QFontMetricsF(font).horizontalAdvance(text) > width) clipped_ = true;
+  return font;
+}
+
+double TextPainter::line(double left, double top, double width, const QString& text, const TextStyle& style) {
+  const double height = capHeight(theme_, style.size, style.bold);
+  centred(QRectF(left, top, width, height), text, style);
+  return top + height;
+}
+
+void TextPainter::centred(const QRectF& box, const QString& text, const TextStyle& style) {
+  if (text.isEmpty()) return;
+  const QFont font = fit(box.width(), text, style);
+  const QFontMetricsF metrics(font);
+  const double advance = metrics.horizontalAdvance(text);
+  double x = box.left();
+  if (style.align & Qt::AlignRight) x = box.right() - advance;
+  if (style.align & Qt::AlignHCenter) x = box.center().x() - advance / 2.0;
+  p_.setFont(font);
+  p_.setPen(style.color);
+  p_.drawText(QPointF(x, box.center().y() + metrics.capHeight() / 2.0), text);
+}
+
+double TextPainter::block(const QRectF& box, const QString& text, const TextStyle& style) {
+  if (text.isEmpty()) return box.top();
+  const int flags = Qt::TextWordWrap | static_cast<int>(style.align) | Qt::AlignTop;
+  for (double share = 1.0;; share -= 0.04) {
+    const QFont font = theme_.font(style.size * std::max(share, style.smallest), style.bold);
+    const QRectF needed =
+        QFontMetricsF(font).boundingRect(QRectF(box.left(), box.top(), box.width(), 1e4), flags, text);
+    const bool fits = needed.height() <= box.height() + 1.0 && needed.width() <= box.width() + 1.0;
+    if (!fits && share > style.smallest) continue;
+    clipped_ = clipped_ || !fits;
+    p_.setFont(font);
+    p_.setPen(style.color);
+    p_.drawText(box, flags, text);
+    return box.top() + needed.height();
+  }
+}
+
+}  // namespace stillcut::ui
