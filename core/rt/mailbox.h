@@ -24,15 +24,16 @@ class Mailbox {
     ::new (static_cast<void*>(buffer_.back().bytes.data())) T(value);
     buffer_.publish();
   }
-  // What came since the last take(), if anything.
+  // What came since the last take(), if anything; latest() in between does not swallow it.
   std::optional<T> take() noexcept {
-    const Slot* slot = buffer_.read();
-    if (slot == nullptr || !buffer_.fresh()) return std::nullopt;
+    const Slot* slot = newest();
+    if (!pending_) return std::nullopt;
+    pending_ = false;
     return value(*slot);
   }
   // The newest there ever was.
   std::optional<T> latest() noexcept {
-    const Slot* slot = buffer_.read();
+    const Slot* slot = newest();
     if (slot == nullptr) return std::nullopt;
     return value(*slot);
   }
@@ -43,7 +44,14 @@ class Mailbox {
   };
   static T value(const Slot& slot) noexcept { return *std::launder(reinterpret_cast<const T*>(slot.bytes.data())); }
 
+  const Slot* newest() noexcept {
+    const Slot* slot = buffer_.read();
+    pending_ = pending_ || buffer_.fresh();
+    return slot;
+  }
+
   TripleBuffer<Slot> buffer_;
+  bool pending_ = false;  // reader's: not yet taken
 };
 
 }  // namespace stillcut::rt
