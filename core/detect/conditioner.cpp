@@ -1,0 +1,158 @@
+#include "core/detect/conditioner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::array<const config::ParamDecl*, 3> kParams{&kHighPass, &kSpeedRange, &kCutLevel};
+constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the first order whole
+constexpr Hertz kHighPassUnknown{2.0};   // no speed known
+constexpr int kFilterOrder = 2;
+constexpr Seconds kTurnUnknown{0.02};
+
+void refuse(const CutSetup& setup) {
+  const auto count = static_cast<int>(setup.channels.size());
+  if (count < 1 || count > kMaxChannels) {
+    throw std::runtime_error("conditioner: " + std::to_string(count) + " channels (allowed: 1 to " +
+                             std::to_string(kMaxChannels) + ")");
+  }
+  if (!(setup.rate.value >= 100.0) || setup.rate.value > 1e6) {
+    throw std::runtime_error("conditioner: sampling rate " + std::to_string(setup.rate.value) +
+                             " Hz (allowed: 100 to 1000000)");
+  }
+  if (setup.blockFrames < 1) throw std::runtime_error("conditioner: the longest block has no frames");
+}
+
+}  // namespace
+
+config::ParamTable conditionerParams() {
+  return kParams;
+}
+
+void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  refuse(setup);
+  setup_ = setup;
+  capacity_ = setup.blockFrames;
+  channels_ = static_cast<int>(setup.channels.size());
+  const Hertz spindle = toHertz(setup.nominalSpeed);
+  if (!params.isAutomatic(kHighPass)) {
+    highPass_ = Hertz(params.real(kHighPass));
+  } else {
+    highPass_ = spindle.value > 0.0 ? spindle * kHighPassOrder : kHighPassUnknown;
+  }
+  const auto count = static_cast<std::size_t>(channels_);
+  const auto frames = static_cast<std::size_t>(capacity_);
+  filters_.assign(count, {});
+  offset_.assign(count, 0.0);
+  samples_.assign(count * frames, 0.0);
+  angle_.assign(frames, 0.0);
+  angleStep_.assign(frames, 0.0);
+  for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_;
+  check_.prepare(setup);
+  speed_.prepare(setup, params.real(kSpeedRange));
+  gate_.prepare(setup, std::pow(10.0, params.real(kCutLevel) / 10.0));
+  reset();
+}
+
+void Conditioner::reset() noexcept {
+  check_.reset();
+  speed_.reset();
+  gate_.reset();
+  out_ = {};
+  restart();
+  gapPending_ = false;
+}
+
+void Conditioner::restart() noexcept {
+  primed_ = false;
+  for (auto& filter : filters_) {
+    filter.reset();
+    filter.highPass(kFilterOrder, highPass_, setup_.rate);
+  }
+  speed_.restart();
+}
+
+bool Conditioner::usable(const SampleBlock& block) noexcept {
+  if (block.channels != channels_ || block.frames > capacity_ || block.frames < 1) {
+    out_.reason = {ReasonCode::DetectorFault, {}};
+    return false;
+  }
+  out_.reason = check_.check(block);
+  if (out_.reason.code == ReasonCode::None && block.has(kBlockGap)) {
+    // The block after the gap is sound in itself, but everything that was followed through it is not.
+    out_.reason = {ReasonCode::InputGap, {static_cast<double>(block.lostFrames)}};
+  }
+  return out_.reason.code == ReasonCode::None;
+}
+
+void Conditioner::makeSi(const SampleBlock& block) noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const std::span<const float> in = block.channel(c);
+    double* out = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
+    const double scale = setup_.channels[i].scale;
+    if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
+    double squares = 0.0;
+    for (int f = 0; f < block.frames; ++f) {
+      const double x = filters_[i].process(scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i]);
+      out[f] = x;
+      squares += x * x;
+    }
+    meanSquares_[i] = squares / block.frames;
+  }
+  primed_ = true;
+}
+
+void Conditioner::advanceGate() noexcept {
+  const Seconds turn = out_.spindle.value > 0.0 ? Seconds(1.0 / out_.spindle.value) : kTurnUnknown;
+  const CutPhase before = gate_.phase();
+  gate_.setForced(speed_.forced());
+  gate_.setSpeedKnown(speed_.locked());
+  gate_.advance(std::span(meanSquares_).first(static_cast<std::size_t>(channels_)),
+                Seconds(out_.frames / setup_.rate.value), turn);
+  if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
+}
+
+void Conditioner::findFeed(const MachineState& machine) noexcept {
+  out_.feed = setup_.nominalFeed;
+  if (!machine.valid) return;
+  out_.feed = machine.actualFeed.value > 0.0 ? machine.actualFeed : machine.programmedFeed * machine.feedOverride.value;
+}
+
+const ConditionedBlock& Conditioner::process(const SampleBlock& block, const MachineState& machine) noexcept {
+  out_.sequence = block.sequence;
+  out_.firstSample = block.firstSample;
+  out_.rate = setup_.rate;
+  out_.channels = channels_;
+  out_.frames = std::clamp(block.frames, 0, capacity_);
+  out_.samples = samples_.data();
+  out_.stride = capacity_;
+  out_.angle = angle_.data();
+  out_.angleStep = angleStep_.data();
+  out_.afterGap = false;
+  findFeed(machine);
+  speed_.listen(machine);
+  out_.valid = usable(block);
+  if (!out_.valid) {
+    gapPending_ = true;  // whatever follows starts anew
+    return out_;
+  }
+  if (gapPending_) {
+    restart();
+    out_.afterGap = true;
+    gapPending_ = false;
+  }
+  makeSi(block);
+  speed_.advance(pointers_.data(), block.frames, angle_.data(), angleStep_.data());
+  out_.spindle = speed_.spindle();
+  out_.spindleSd = speed_.sd();
+  advanceGate();
+  out_.phase = gate_.phase();
+  return out_;
+}
+
+}  // namespace stillcut::detect

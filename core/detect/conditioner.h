@@ -1,0 +1,70 @@
+// Conditioner: raw device blocks to what every detector works on. SI units, no offset, validity, spindle angle per
+// sample, true spindle speed with its doubt, phase of the cut.
+// Thread: worker. prepare() may allocate, plan and throw std::runtime_error; process() and reset() are real-time.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/config/param_set.h"
+#include "core/detect/conditioned_block.h"
+#include "core/detect/cut_gate.h"
+#include "core/detect/input_check.h"
+#include "core/detect/speed_tracker.h"
+#include "core/dsp/butterworth.h"
+#include "core/model/cut_setup.h"
+#include "core/model/machine_state.h"
+#include "core/model/sample_block.h"
+
+namespace stillcut::detect {
+
+inline constexpr config::ParamDecl kHighPass =
+    config::autoParam("conditioner.high-pass", "High-pass edge", "Hz", 0.1, 1000.0,
+                      "Removes offset and drift below this frequency; auto: a quarter of the spindle frequency");
+inline constexpr config::ParamDecl kSpeedRange =
+    config::realParam("conditioner.speed-range", "Doubt of the told speed", "", 0.03, 0.0, 0.2,
+                      "How far the told spindle speed may be from the true one, as a ratio; searched at entry");
+inline constexpr config::ParamDecl kCutLevel =
+    config::realParam("conditioner.cut-level", "Cut above air", "dB", 6.0, 1.0, 40.0,
+                      "A cut is this much louder than the quietest the sensor has heard");
+
+// Every parameter of the conditioner and its parts.
+config::ParamTable conditionerParams();
+
+class Conditioner {
+ public:
+  void prepare(const CutSetup& setup, const config::ParamSet& params);
+  // The returned block and what it points at are good until the next call.
+  const ConditionedBlock& process(const SampleBlock& block, const MachineState& machine) noexcept;
+  void reset() noexcept;
+
+  const SpeedTracker& speed() const { return speed_; }
+  const CutGate& gate() const { return gate_; }
+
+ private:
+  void restart() noexcept;
+  bool usable(const SampleBlock& block) noexcept;
+  void makeSi(const SampleBlock& block) noexcept;
+  void advanceGate() noexcept;
+  void findFeed(const MachineState& machine) noexcept;
+
+  CutSetup setup_;
+  int capacity_ = 0;
+  int channels_ = 0;
+  Hertz highPass_{};
+  bool primed_ = false;  // the first sample of each channel is known
+  bool gapPending_ = false;
+  InputCheck check_;
+  SpeedTracker speed_;
+  CutGate gate_;
+  std::vector<dsp::Butterworth> filters_;
+  std::vector<double> offset_;
+  std::vector<double> samples_;
+  std::vector<double> angle_;
+  std::vector<double> angleStep_;
+  std::array<const double*, kMaxChannels> pointers_{};
+  std::array<double, kMaxChannels> meanSquares_{};
+  ConditionedBlock out_;
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,99 @@
+#include "core/detect/cut_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kFloorSeconds = 0.2;    // level over which the floor is taken: tonal hum beats inside it
+constexpr double kCloseRelative = 0.6;   // the gate closes at this part of its opening level
+constexpr double kEntryTurns = 8.0;      // shortest entry
+constexpr double kSlowTurns = 6.0;       // memory against which entry and exit are seen
+constexpr double kSettled = 1.6;         // 2 dB: the level no longer moves
+constexpr double kFalling = 0.5;         // 3 dB down within the memory: the tool leaves
+constexpr double kLongestEntry = 120.0;  // turns; then whatever is there counts as the cut
+
+// First-order follower, exact for any step.
+void follow(double& state, double target, double step, double timeConstant) {
+  state += (1.0 - std::exp(-step / timeConstant)) * (target - state);
+}
+
+}  // namespace
+
+void CutGate::prepare(const CutSetup& setup, double openRatio) {
+  channels_ = std::min<std::size_t>(setup.channels.size(), kMaxChannels);
+  openRatio_ = openRatio;
+  reset();
+}
+
+void CutGate::reset() noexcept {
+  fast_ = {};
+  floor_ = {};
+  calm_ = {};
+  slow_ = level_ = elapsed_ = sinceChange_ = quiet_ = 0.0;
+  airSeen_ = forced_ = speedKnown_ = false;
+  phase_ = CutPhase::Air;
+}
+
+void CutGate::go(CutPhase phase) noexcept {
+  if (phase == phase_) return;
+  phase_ = phase;
+  sinceChange_ = 0.0;
+}
+
+void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) noexcept {
+  // A growing memory at first, so that the floor is a mean and not one lucky block.
+  const double memory = std::clamp(elapsed_, 2.0 * seconds, kFloorSeconds);
+  for (std::size_t c = 0; c < channels_; ++c) {
+    follow(calm_[c], meanSquares[c], seconds, memory);
+    if (elapsed_ < 0.25 * kFloorSeconds) {
+      floor_[c] = calm_[c];
+    } else {
+      floor_[c] = std::min(floor_[c], calm_[c]);
+    }
+  }
+}
+
+CutPhase CutGate::next(double revolution) const noexcept {
+  const bool loud = level_ > openRatio_ * (phase_ == CutPhase::Air ? 1.0 : kCloseRelative);
+  const bool cutting = loud || (forced_ && !airSeen_);
+  if (!cutting && quiet_ > revolution) return CutPhase::Air;
+  if (phase_ == CutPhase::Air) return cutting ? CutPhase::Entry : CutPhase::Air;
+  const double fast = level_;
+  const bool settled = fast < kSettled * slow_ && slow_ < kSettled * fast;
+  if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) {
+    const double turns = sinceChange_ / revolution;
+    if (!speedKnown_) return turns > kLongestEntry ? CutPhase::RunUp : phase_;
+    if (phase_ == CutPhase::RunUp) return CutPhase::Entry;
+    return turns > kEntryTurns && (settled || turns > kLongestEntry) ? CutPhase::Steady : CutPhase::Entry;
+  }
+  if (fast < kFalling * slow_) return CutPhase::Exit;
+  if (phase_ == CutPhase::Exit && settled) return CutPhase::Steady;
+  return phase_;
+}
+
+void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seconds revolution) noexcept {
+  const double dt = seconds.value;
+  elapsed_ += dt;
+  sinceChange_ += dt;
+  learnFloor(meanSquares, dt);
+  level_ = 0.0;
+  for (std::size_t c = 0; c < channels_; ++c) {
+    follow(fast_[c], meanSquares[c], dt, std::max(revolution.value, dt));
+    if (floor_[c] > 0.0) level_ = std::max(level_, fast_[c] / floor_[c]);
+  }
+  if (elapsed_ < 0.25 * kFloorSeconds) {
+    slow_ = level_;
+    return;
+  }
+  const double limit = openRatio_ * kCloseRelative;
+  quiet_ = level_ < limit ? quiet_ + dt : 0.0;
+  if (level_ > openRatio_) airSeen_ = true;
+  const CutPhase before = phase_;
+  go(next(revolution.value));
+  if (before == CutPhase::Air && phase_ == CutPhase::Entry) slow_ = level_;
+  follow(slow_, level_, dt, kSlowTurns * std::max(revolution.value, dt));
+}
+
+}  // namespace stillcut::detect

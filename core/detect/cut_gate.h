@@ -1,0 +1,57 @@
+// Air, entry, steady cut, exit told apart from the level of the signal (a cut gate is part of Caliskan's method: its
+// ratio is high in air, and entry and exit are to be disregarded).
+//
+// The air floor is the lowest level seen; a cut is 6 dB above it. A recording that starts inside a cut has no air to
+// compare with: then forced vibration found at the teeth (told by the speed tracker) opens the gate.
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/detect/conditioned_block.h"
+#include "core/model/cut_setup.h"
+
+namespace stillcut::detect {
+
+class CutGate {
+ public:
+  void prepare(const CutSetup& setup, double openRatio);
+  void reset() noexcept;
+
+  // Mean squares of the channels over `seconds`; `revolution` is the present length of one turn.
+  void advance(std::span<const double> meanSquares, Seconds seconds, Seconds revolution) noexcept;
+  // The tracker found forced vibration at the teeth, or a speed at all.
+  void setForced(bool forced) noexcept { forced_ = forced; }
+  void setSpeedKnown(bool known) noexcept { speedKnown_ = known; }
+
+  CutPhase phase() const noexcept { return phase_; }
+  bool inCut() const noexcept { return phase_ != CutPhase::Air; }
+  Seconds sinceChange() const noexcept { return Seconds(sinceChange_); }
+  bool airSeen() const noexcept { return airSeen_; }
+  // Mean square of a channel in air; 0 until learned.
+  double airFloor(int channel) const noexcept { return airSeen_ ? floor_[static_cast<std::size_t>(channel)] : 0.0; }
+  double level() const noexcept { return level_; }  // mean square over the floor, loudest channel
+
+ private:
+  void go(CutPhase phase) noexcept;
+  void learnFloor(std::span<const double> meanSquares, double seconds) noexcept;
+  CutPhase next(double revolution) const noexcept;
+
+  double openRatio_ = 4.0;
+  std::size_t channels_ = 0;
+  std::array<double, kMaxChannels> fast_{};   // one turn
+  std::array<double, kMaxChannels> floor_{};  // lowest 0.2 s level
+  std::array<double, kMaxChannels> calm_{};   // 0.2 s level
+  double slow_ = 0.0;                         // fast level followed over several turns
+  double level_ = 0.0;
+  double elapsed_ = 0.0;
+  double sinceChange_ = 0.0;
+  double quiet_ = 0.0;  // how long the level has been below the limit
+  bool airSeen_ = false;
+  bool forced_ = false;
+  bool speedKnown_ = false;
+  CutPhase phase_ = CutPhase::Air;
+};
+
+}  // namespace stillcut::detect

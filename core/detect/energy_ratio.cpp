@@ -1,0 +1,266 @@
+#include "core/detect/energy_ratio.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dsp/order.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::array<const config::ParamDecl*, 5> kParams{&kErHarmonics, &kErLambda, &kErChatter, &kErOnsetAmplitude,
+                                                          &kErEvidence};
+constexpr std::array<std::string_view, 6> kIndicators{"er", "frequency_hz", "changed", "floor", "evidence", "purity"};
+
+constexpr double kUsableBand = 0.45;  // of the rate
+constexpr double kMemoryTurns = 2.0;  // of the harmonic filter
+constexpr int kLeastHarmonics = 32;
+constexpr int kToothHarmonics = 12;
+constexpr int kMostHarmonics = 160;
+constexpr int kMostBands = 24;
+constexpr double kRatioTurns = 2.0;         // smoothing of the energy ratio
+constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
+constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
+constexpr double kLineTurns = 8.0;          // window of the line finder
+constexpr double kSettleTurns = 6.0;        // after a restart the filters are not believed
+constexpr Hertz kSpindleUnknown{20.0};
+
+}  // namespace
+
+config::ParamTable energyRatioParams() {
+  return kParams;
+}
+
+DetectorInfo EnergyRatioDetector::describe() const {
+  return {"energy-ratio", "Energy ratio", "Caliskan, Kilic, Altintas 2018", kIndicators};
+}
+
+void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet& params) {
+  const double nominal = setup.nominalSpeed.value > 0.0 ? toHertz(setup.nominalSpeed).value : kSpindleUnknown.value;
+  const int allowed = std::max(1, static_cast<int>(kUsableBand * rate_ / (0.8 * nominal)));
+  int harmonics = std::clamp(std::max(kLeastHarmonics, kToothHarmonics * teeth_), 1, kMostHarmonics);
+  if (!params.isAutomatic(kErHarmonics)) harmonics = static_cast<int>(std::lround(params.real(kErHarmonics)));
+  harmonics = std::min(harmonics, allowed);
+  const int perBand = teeth_ > 0 ? teeth_ : 4;
+  const int bandCount = std::clamp((harmonics + perBand - 1) / perBand, 1, kMostBands);
+  const double slowest = 0.5 * nominal;
+  kalman_.prepare(channels_, harmonics);
+  bands_.prepare(channels_, bandCount, Hertz(rate_), Hertz(slowest * perBand));
+  turns_.prepare(channels_, Hertz(rate_), Hertz(slowest));
+  lines_.prepare(channels_, std::max(64, static_cast<int>(kLineTurns * rate_ / nominal)), Hertz(rate_));
+  fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
+}
+
+void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  rate_ = setup.rate.value;
+  teeth_ = setup.teeth;
+  channels_ = static_cast<int>(setup.channels.size());
+  chatterRatio_ = params.real(kErChatter);
+  const double amplitude = params.real(kErOnsetAmplitude);
+  smallest_ = amplitude * amplitude;
+  sizeFor(setup, params);
+  channelStates_.assign(static_cast<std::size_t>(channels_), {});
+  for (int c = 0; c < channels_; ++c) {
+    ChannelState& s = channelStates_[static_cast<std::size_t>(c)];
+    s.eta = integrationFactor(setup.channels[static_cast<std::size_t>(c)].quantity);
+    s.onset.prepare({smallest_, params.real(kErEvidence)});
+  }
+  for (auto* v : {&frame_, &rest_, &difference_}) v->assign(static_cast<std::size_t>(channels_), 0.0);
+  reset();
+}
+
+void EnergyRatioDetector::reset() noexcept {
+  spindle_ = {};
+  state_ = CutState::Air;
+  leaveCut();
+  restart();
+}
+
+void EnergyRatioDetector::restart() noexcept {
+  kalman_.reset();
+  bands_.reset();
+  turns_.reset();
+  lines_.reset();
+  for (ChannelState& s : channelStates_) {
+    s.sums = {};
+    s.hops = {};
+    s.ratio = s.changed = 0.0;
+  }
+  inHop_ = hopCount_ = 0;
+  steadyTurns_ = 0.0;
+}
+
+void EnergyRatioDetector::leaveCut() noexcept {
+  for (ChannelState& s : channelStates_) s.onset.reset();
+  highTurns_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
+  learned_ = false;
+  frequency_ = {};
+  frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
+}
+
+void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
+  spindle_ = block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown;
+  const double turn = rate_ / spindle_.value;
+  hopFrames_ = std::max(1L, std::lround(turn / kHopsPerTurn));
+  kalman_.setActive(static_cast<int>(kUsableBand * rate_ / spindle_.value));
+  kalman_.setGain(fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
+  const int perBand = teeth_ > 0 ? teeth_ : 4;
+  bands_.tune(spindle_ * perBand, spindle_ * 0.5);
+  turns_.setTurn(spindle_);
+}
+
+double EnergyRatioDetector::energyRatio(int channel) const noexcept {
+  const int eta = channelStates_[static_cast<std::size_t>(channel)].eta;
+  const auto weight = [eta](double f) { return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f); };
+  double chatter = 0.0;
+  for (int m = 0; m < bands_.active(); ++m) {
+    const BandEstimate& b = bands_.band(channel, m);
+    if (b.power > 0.0 && b.frequency.value > 0.0) chatter += b.power * weight(b.frequency.value);
+  }
+  double forced = 0.0;
+  for (int n = 1; n <= kalman_.active(); ++n) forced += kalman_.power(channel, n) * weight(n * spindle_.value);
+  const double all = forced + chatter;
+  return all > 0.0 ? chatter / all : 0.0;
+}
+
+void EnergyRatioDetector::endChannelHop(int channel, CutPhase phase) noexcept {
+  ChannelState& s = channelStates_[static_cast<std::size_t>(channel)];
+  s.hops[static_cast<std::size_t>(hopCount_ % kLevelHops)] = s.sums;
+  s.sums = {};
+  double changed = 0.0;
+  double all = 0.0;
+  for (int k = 0; k < kLevelHops; ++k) {
+    const Energies& e = s.hops[static_cast<std::size_t>((hopCount_ - k + kLevelHops) % kLevelHops)];
+    if (k < kHopsPerTurn) changed += e.changed;
+    all += e.all;
+  }
+  all *= static_cast<double>(kHopsPerTurn) / kLevelHops;
+  s.changed = all > 0.0 ? changed / all : 0.0;
+  const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
+  s.ratio += rate * (energyRatio(channel) - s.ratio);
+  if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns) return;
+  s.onset.update(s.changed, 1.0 / kHopsPerTurn, state_ == CutState::Stable);
+}
+
+void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
+  severity_ = changed_ = evidence_ = 0.0;
+  bool onset = false;
+  learned_ = true;
+  for (const ChannelState& s : channelStates_) {
+    severity_ = std::max(severity_, s.ratio);
+    if (s.onset.evidence() >= evidence_) {
+      evidence_ = s.onset.evidence();
+      floor_ = s.onset.floor();
+    }
+    changed_ = std::max(changed_, s.changed);
+    onset = onset || s.onset.alarm();
+    learned_ = learned_ && s.onset.learned();
+  }
+  const bool alarming = state_ == CutState::Onset || state_ == CutState::Chatter;
+  const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
+  highTurns_ = high && phase == CutPhase::Steady && steadyTurns_ > kSettleTurns ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  const bool fromEntry = highTurns_ > kEntryChatterTurns;
+  if (alarming) {
+    state_ = high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
+  } else if (phase == CutPhase::Steady && (onset || fromEntry)) {
+    state_ = high ? CutState::Chatter : CutState::Onset;
+  } else {
+    state_ = CutState::Stable;
+  }
+  const bool now = state_ == CutState::Onset || state_ == CutState::Chatter;
+  sinceOnset_ = now ? sinceOnset_ + seconds : 0.0;
+  if (!now) feedSinceOnset_ = 0.0;
+}
+
+void EnergyRatioDetector::track(double seconds) noexcept {
+  const bool alarming = state_ == CutState::Onset || state_ == CutState::Chatter;
+  if (!alarming) {
+    frequency_ = {};
+    frequencySd_ = 0.0;
+    return;
+  }
+  const FoundLine line = lines_.find(spindle_ * 0.5, spindle_ * (kalman_.active() + 0.5));
+  purity_ = line.purity;
+  if (!(line.frequency.value > 0.0)) return;
+  if (!(frequency_.value > 0.0)) {
+    frequencySd_ = spindle_.value / kLineTurns;
+  } else {
+    const double jump = std::abs(line.frequency.value - frequency_.value);
+    frequencySd_ += (1.0 - std::exp(-seconds * spindle_.value)) * (jump - frequencySd_);
+  }
+  frequency_ = line.frequency;
+}
+
+void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
+  const double seconds = static_cast<double>(inHop_) / rate_;
+  bands_.estimate();
+  steadyTurns_ = phase == CutPhase::Steady ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  for (int c = 0; c < channels_; ++c) endChannelHop(c, phase);
+  judge(phase, seconds);
+  track(seconds);
+  ++hopCount_;
+  inHop_ = 0;
+}
+
+Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
+  Verdict v;
+  v.time = block.end();
+  v.blockSequence = block.sequence;
+  v.phase = block.phase;
+  v.spindle = block.spindle;
+  v.valid = block.valid;
+  v.reason = block.reason;
+  if (!block.valid) return v;
+  v.state = block.phase == CutPhase::Air ? CutState::Air : state_;
+  v.severity = Ratio(severity_);
+  v.frequency = frequency_;
+  v.frequencySd = Hertz(frequencySd_);
+  v.sinceOnset = Seconds(sinceOnset_);
+  v.feedSinceOnset = Metres(feedSinceOnset_);
+  v.indicators = {severity_, frequency_.value, changed_, floor_, evidence_, purity_};
+  if (v.state == CutState::Chatter) {
+    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, chatterRatio_}};
+  } else if (v.state == CutState::Onset) {
+    v.reason = {ReasonCode::EnergyRatioGrowing, {changed_, floor_}};
+  } else if (block.phase == CutPhase::RunUp) {
+    v.reason = {ReasonCode::SpindleRunUp, {toRpm(block.spindle).value}};
+  } else if (block.phase == CutPhase::Steady && !learned_) {
+    v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle_.value}};
+  }
+  if (v.alarming()) v.kind = ChatterKind::Hopf;
+  return v;
+}
+
+Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
+  if (!block.valid) return verdict(block);
+  if (block.afterGap) restart();
+  tune(block);
+  const double seconds = block.frames / rate_;
+  double step = -1.0;
+  for (int f = 0; f < block.frames; ++f) {
+    if (block.angleStep[f] != step) {
+      step = block.angleStep[f];
+      kalman_.align(block.angle[f], step);
+    }
+    for (int c = 0; c < channels_; ++c) frame_[static_cast<std::size_t>(c)] = block.samples[c * block.stride + f];
+    kalman_.process(frame_.data(), rest_.data());
+    bands_.process(rest_.data());
+    lines_.push(rest_.data());
+    turns_.process(frame_.data(), difference_.data());
+    for (int c = 0; c < channels_; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      channelStates_[i].sums.all += frame_[i] * frame_[i];
+      channelStates_[i].sums.changed += difference_[i] * difference_[i];
+    }
+    if (++inHop_ >= hopFrames_) endHop(block.phase);
+  }
+  if (block.phase == CutPhase::Air) {
+    state_ = CutState::Air;
+    leaveCut();
+  } else if (state_ == CutState::Onset || state_ == CutState::Chatter) {
+    feedSinceOnset_ += block.feed.value * seconds;
+  }
+  return verdict(block);
+}
+
+}  // namespace stillcut::detect

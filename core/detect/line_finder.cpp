@@ -1,0 +1,74 @@
+#include "core/detect/line_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr int kPadding = 4;          // zero-padding: the parabola then errs by less than a thousandth of a bin width
+constexpr int kLobe = 2 * kPadding;  // half width of a Hann main lobe in padded bins
+
+}  // namespace
+
+void LineFinder::prepare(int channels, int window, Hertz rate) {
+  channels_ = channels;
+  window_ = static_cast<std::size_t>(window);
+  spectrum_.prepare(window, rate, dsp::WindowKind::Hann, kPadding * window);
+  ring_.assign(static_cast<std::size_t>(channels) * window_, 0.0);
+  unrolled_.assign(window_, 0.0);
+  power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
+  reset();
+}
+
+void LineFinder::reset() noexcept {
+  std::fill(ring_.begin(), ring_.end(), 0.0);
+  head_ = seen_ = 0;
+}
+
+void LineFinder::push(const double* rest) noexcept {
+  for (int c = 0; c < channels_; ++c) ring_[static_cast<std::size_t>(c) * window_ + head_] = rest[c];
+  head_ = head_ + 1 == window_ ? 0 : head_ + 1;
+  if (seen_ < window_) ++seen_;
+}
+
+FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
+  FoundLine found;
+  if (2 * seen_ < window_) return found;
+  std::fill(power_.begin(), power_.end(), 0.0);
+  const double width = spectrum_.binWidth();
+  const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil(low.value / width)));
+  const auto last = std::min(static_cast<std::size_t>(high.value / width), power_.size() - 2);
+  if (first >= last) return found;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+    const auto begin = ring_.begin() + static_cast<std::ptrdiff_t>(c * window_);
+    const auto middle = begin + static_cast<std::ptrdiff_t>(head_);
+    const auto end = begin + static_cast<std::ptrdiff_t>(window_);
+    std::copy(begin, middle, std::copy(middle, end, unrolled_.begin()));
+    spectrum_.transform(unrolled_);
+    double total = 0.0;
+    for (std::size_t b = first; b <= last; ++b) total += std::norm(spectrum_.values()[b]);
+    if (!(total > 0.0)) continue;
+    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += std::norm(spectrum_.values()[b]) / total;
+  }
+  const auto from = power_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto to = power_.begin() + static_cast<std::ptrdiff_t>(last + 1);
+  const auto peak = static_cast<std::size_t>(std::max_element(from, to) - power_.begin());
+  double all = 0.0;
+  double lobe = 0.0;
+  for (std::size_t b = first; b <= last; ++b) {
+    all += power_[b];
+    if (b + kLobe >= peak && b <= peak + kLobe) lobe += power_[b];
+  }
+  if (!(all > 0.0)) return found;
+  const double left = std::log(power_[peak - 1] + 1e-300);
+  const double mid = std::log(power_[peak] + 1e-300);
+  const double right = std::log(power_[peak + 1] + 1e-300);
+  const double curve = left - 2.0 * mid + right;
+  const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
+  found.frequency = Hertz((static_cast<double>(peak) + shift) * width);
+  found.purity = lobe / all;
+  return found;
+}
+
+}  // namespace stillcut::detect

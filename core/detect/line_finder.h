@@ -1,0 +1,37 @@
+// The strongest line of the rest: chatter frequency and its doubt.
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/dsp/spectrum.h"
+
+namespace stillcut::detect {
+
+struct FoundLine {
+  Hertz frequency{};
+  double purity = 0.0;  // part of the power within the line's main lobe
+};
+
+class LineFinder {
+ public:
+  // window: samples; lines are looked for in low..high.
+  void prepare(int channels, int window, Hertz rate);
+  void reset() noexcept;
+  void push(const double* rest) noexcept;
+  // Strongest line over all channels, each normalised to its own power; nothing until the window is half full.
+  FoundLine find(Hertz low, Hertz high) noexcept;
+
+ private:
+  int channels_ = 0;
+  std::size_t window_ = 0;
+  std::size_t head_ = 0;
+  std::size_t seen_ = 0;
+  dsp::Spectrum spectrum_;
+  std::vector<double> ring_;
+  std::vector<double> unrolled_;
+  std::vector<double> power_;
+};
+
+}  // namespace stillcut::detect

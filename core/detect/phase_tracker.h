@@ -1,0 +1,73 @@
+// Keeps the spindle angle on the forced vibration: each turn the phases of the tooth-passing harmonics are compared
+// with their own slow mean, and one angle error common to all of them is fed to a two-state Kalman filter (angle,
+// speed). A harmonic counts by the inverse of its own recent scatter, so chatter, which scatters them, takes the
+// weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md section 4).
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <array>
+#include <complex>
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+
+class PhaseTracker {
+ public:
+  static constexpr int kOrders = 8;
+  static constexpr int kChannels = 2;
+
+  // Orders 1..8 times the teeth (1..8 when the teeth are unknown), as far as the rate allows.
+  void prepare(int channels, Hertz rate, int teeth);
+  // Starts anew at a speed known to `sd`.
+  void start(Hertz spindle, Hertz sd) noexcept;
+  // The machine changed its speed: the references stay, the doubt grows.
+  void nudge(Hertz spindle) noexcept;
+
+  // One frame at spindle angle `angle` (its phasor e^{j angle}); samples of the first channels.
+  void accumulate(std::complex<double> phasor, const double* const* samples, std::ptrdiff_t frame) noexcept {
+    std::complex<double> tooth = phasor;
+    for (int t = 1; t < stride_; ++t) tooth = mul(tooth, phasor);
+    std::complex<double> p = tooth;
+    for (int k = 0; k < orders_; ++k) {
+      for (int c = 0; c < channels_; ++c) {
+        std::complex<double>& s = sums_[static_cast<std::size_t>(c * kOrders + k)];
+        const double x = samples[c][frame];
+        s = {s.real() + x * p.real(), s.imag() - x * p.imag()};
+      }
+      p = mul(p, tooth);
+    }
+    ++frames_;
+  }
+  // A turn is complete: returns the angle [rad] by which the spindle runs ahead of us, to be caught up.
+  double completeTurn() noexcept;
+
+  Hertz spindle() const noexcept { return Hertz(omega_ / kTwoPi); }
+  Hertz sd() const noexcept;
+  // Part of the tracked amplitude that does not repeat from turn to turn (0: purely forced).
+  double scatter() const noexcept { return scatter_; }
+
+ private:
+  static std::complex<double> mul(std::complex<double> a, std::complex<double> b) noexcept {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+  }
+  double measure(double* information) noexcept;
+  void learn(double delta) noexcept;
+
+  int channels_ = 1;
+  int orders_ = kOrders;
+  int stride_ = 1;  // order of the first tracked line: the number of teeth
+  int maxOrderPerRate_ = 0;
+  double rate_ = 0.0;
+  double omega_ = 0.0;                        // rad/s
+  double p00_ = 0.0, p01_ = 0.0, p11_ = 0.0;  // covariance of angle and omega
+  long frames_ = 0;
+  int turns_ = 0;
+  double scatter_ = 0.0;
+  std::array<std::complex<double>, kChannels * kOrders> sums_{};
+  std::array<std::complex<double>, kChannels * kOrders> now_{};
+  std::array<std::complex<double>, kChannels * kOrders> reference_{};
+  std::array<double, kChannels * kOrders> variance_{};
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,60 @@
+// Finds the spindle frequency on two spectra: of the vibration and of its square. Forced vibration puts its lines on a
+// comb in both. A chatter line, which need not lie on the comb, disappears from the square: what is left there are the
+// differences between lines, and the side lines of chatter are whole spindle orders apart (methods.md section 4).
+// Each comb is judged by the part of the power that lies on it, and the two parts are added.
+//
+// Evidence: a face mill chattering at 898.5 Hz at 27.58 Hz fits 33 x 27.23 and 32 x 28.08 Hz; the comb on the vibration
+// alone takes those in 95 % of its windows, the square alone finds 27.59 Hz in 95 to 100 %. An end mill chattering at
+// 275 Hz is the other way round: vibration alone 100 %, square alone 36 %.
+// Thread: worker; search() is real-time.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/units.h"
+#include "core/dsp/spectrum.h"
+
+namespace stillcut::detect {
+
+struct SpeedCandidate {
+  Hertz spindle{};         // 0: nothing found
+  Hertz sd{};              // resolution of the search
+  double part = 0.0;       // power on the comb, mean of both spectra, 0..1
+  double contrast = 0.0;   // part over the median part of all combs tried
+  double toothPart = 0.0;  // part of the vibration's power on tooth-passing harmonics (0 without teeth)
+  bool atEdge = false;     // the best comb is the last one tried: no peak
+};
+
+class SpeedSearch {
+ public:
+  // window: samples per channel that search() gets.
+  void prepare(int window, Hertz rate, int teeth);
+  int window() const { return spectrum_.segment(); }
+
+  // Adds one channel to the evidence. Call begin() first, then add() per channel, then search().
+  void begin() noexcept;
+  void add(std::span<const double> samples) noexcept;
+  SpeedCandidate search(Hertz low, Hertz high) noexcept;
+  // Power on the comb of one frequency, as SpeedCandidate::part.
+  double partAt(Hertz spindle) const noexcept;
+
+ private:
+  static constexpr int kMostTrials = 4096;
+
+  void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
+  static double at(const std::vector<double>& power, double position) noexcept;
+  double score(double spindle, int harmonics) const noexcept;
+  double toothPart(double spindle) const noexcept;
+
+  dsp::Spectrum spectrum_;
+  double rate_ = 0.0;
+  int teeth_ = 0;
+  int added_ = 0;
+  std::vector<double> power_;   // of the vibration, each channel normalised to sum 1
+  std::vector<double> square_;  // of its square, the same
+  std::vector<double> scratch_;
+  std::vector<double> trials_;
+};
+
+}  // namespace stillcut::detect

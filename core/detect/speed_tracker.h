@@ -1,0 +1,78 @@
+// The true spindle speed and angle: told speed (machine or setup), corrected by a comb search on the cut, then held on
+// the forced vibration turn by turn. Reports its doubt.
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/detect/phase_tracker.h"
+#include "core/detect/speed_search.h"
+#include "core/model/cut_setup.h"
+#include "core/model/machine_state.h"
+
+namespace stillcut::detect {
+
+enum class SpeedSource : std::uint8_t { None, Told, Machine, Signal };
+
+class SpeedTracker {
+ public:
+  static constexpr int kSearchChannels = 4;
+
+  // searchRange: how far the told speed may be off, as a ratio (0.03).
+  void prepare(const CutSetup& setup, double searchRange);
+  void reset() noexcept;
+  // After a gap the angle means nothing any more; the speed still holds.
+  void restart() noexcept;
+
+  // Before each block: what the machine says now.
+  void listen(const MachineState& machine) noexcept;
+  // A new cut began: what was found in the last one is only a hint.
+  void beginCut() noexcept;
+  // One block of conditioned samples, channel c at samples[c]; fills angle [rad, wrapped] and step [rad] per frame.
+  void advance(const double* const* samples, int frames, double* angle, double* step) noexcept;
+
+  Hertz spindle() const noexcept { return Hertz(told_ * ratio_); }
+  Hertz sd() const noexcept;
+  SpeedSource source() const noexcept { return source_; }
+  bool locked() const noexcept { return locked_; }
+  // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
+  bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
+  double scatter() const noexcept { return tracker_.scatter(); }
+
+ private:
+  static constexpr double kForcedPart = 0.3;
+
+  void remember(const double* const* samples, int frames) noexcept;
+  struct Look {  // one search and what it said last
+    SpeedSearch search;
+    SpeedCandidate last;
+    long since = 0;  // frames since the last search
+  };
+  void lookIfDue(Look& look) noexcept;
+  void judge(const Look& look, const SpeedCandidate& before) noexcept;
+  void lock(Hertz spindle, Hertz sd) noexcept;
+
+  Look quick_;     // 12 turns: enough for a clean stable cut
+  Look thorough_;  // 24 turns: chatter, noise; goes on watching after the lock
+  PhaseTracker tracker_;
+  int channels_ = 1;
+  double rate_ = 0.0;
+  double range_ = 0.03;
+  double nominal_ = 0.0;  // Hz, from the setup
+  double told_ = 0.0;     // Hz, now
+  double ratio_ = 1.0;    // true over told
+  SpeedSource source_ = SpeedSource::None;
+  bool locked_ = false;
+  double toothPart_ = 0.0;
+
+  double angle_ = 0.0;
+  double catchUp_ = 0.0;  // angle still to be slewed in
+  long inCut_ = 0;        // frames since the cut or the stream began
+  std::size_t head_ = 0;
+  std::array<std::vector<double>, kSearchChannels> ring_;
+  std::vector<double> unrolled_;
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,73 @@
+#include "core/detect/turn_difference.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace stillcut::detect {
+
+void TurnDifference::prepare(int channels, Hertz rate, Hertz slowest) {
+  channels_ = channels;
+  rate_ = rate.value;
+  const double longest = 2.0 * rate_ / slowest.value + 2.0 * kTaps;
+  mask_ = std::bit_ceil(static_cast<std::size_t>(longest) + 1) - 1;
+  ring_.assign(static_cast<std::size_t>(channels) * (mask_ + 1), 0.0);
+  reset();
+}
+
+void TurnDifference::reset() noexcept {
+  std::fill(ring_.begin(), ring_.end(), 0.0);
+  head_ = seen_ = 0;
+  turn_ = 0.0;
+  needed_ = mask_;
+}
+
+void TurnDifference::make(double delay, Delay& out) noexcept {
+  const double floor = std::floor(delay);
+  const double part = delay - floor;
+  // Taps at whole - 7 .. whole + 8 around the wanted delay.
+  out.whole = static_cast<std::size_t>(floor) - (kTaps / 2 - 1);
+  double sum = 0.0;
+  for (int k = 0; k < kTaps; ++k) {
+    const double t = k - (kTaps / 2 - 1) - part;
+    const double window = std::cos(std::numbers::pi * t / (kTaps + 1));
+    const double sinc = std::abs(t) < 1e-9 ? 1.0 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t);
+    out.taps[static_cast<std::size_t>(k)] = sinc * window * window;
+    sum += out.taps[static_cast<std::size_t>(k)];
+  }
+  for (double& tap : out.taps) tap /= sum;
+}
+
+void TurnDifference::setTurn(Hertz spindle) noexcept {
+  if (!(spindle.value > 0.0)) return;
+  const double longest = (static_cast<double>(mask_) - 2.0 * kTaps) / 2.0;
+  const double turn = std::clamp(rate_ / spindle.value, 2.0, longest);
+  if (turn == turn_) return;
+  turn_ = turn;
+  make(turn + kTaps / 2, one_);
+  make(2.0 * turn + kTaps / 2, two_);
+  needed_ = static_cast<std::size_t>(2.0 * turn) + kTaps + 1;
+}
+
+double TurnDifference::read(const double* ring, const Delay& delay) const noexcept {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < kTaps; ++k) sum += delay.taps[k] * ring[(head_ - delay.whole - k) & mask_];
+  return sum;
+}
+
+void TurnDifference::process(const double* x, double* out) noexcept {
+  ++seen_;
+  const bool known = ready() && turn_ > 0.0;
+  for (int c = 0; c < channels_; ++c) {
+    double* ring = ring_.data() + static_cast<std::size_t>(c) * (mask_ + 1);
+    ring[head_] = x[c];
+    out[c] = 0.0;
+    if (!known) continue;
+    constexpr double kScale = 0.408248290463863;  // 1 / sqrt(6)
+    out[c] = kScale * (ring[(head_ - kTaps / 2) & mask_] - 2.0 * read(ring, one_) + read(ring, two_));
+  }
+  head_ = (head_ + 1) & mask_;
+}
+
+}  // namespace stillcut::detect
