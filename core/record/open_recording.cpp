@@ -7,13 +7,12 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/record/session_reader.h"
 #include "core/record/text_reader.h"
 #include "core/record/wav_reader.h"
 
 namespace stillcut::record {
 namespace {
-
-constexpr std::string_view kHdf5Signature("\x89HDF\r\n\x1a\n", 8);
 
 bool isSound(std::string_view head) {
   constexpr auto kMagics = std::to_array<std::string_view>({"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff"});
@@ -41,6 +40,7 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   file.read(bytes.data(), bytes.size());
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (head.empty()) return Error{path, "the file is empty", ""};
+  if (isHdf5File(path)) return openSession(path, options);
   if (isSound(head) || hasSuffix(path, ".wav") || hasSuffix(path, ".WAV")) return openWav(path, options);
   return TextReader::open(path, options);
 }

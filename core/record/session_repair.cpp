@@ -1,0 +1,92 @@
+// Repair of a crashed session, and what `info` counts.
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "core/record/session_layout.h"
+#include "core/record/session_open.h"
+#include "core/record/session_reader.h"
+#include "core/record/session_table.h"
+
+namespace stillcut::record {
+namespace {
+
+std::string textOf(const std::array<char, kTruthNameSize>& name) {
+  return {name.data(), strnlen(name.data(), name.size())};
+}
+
+}  // namespace
+
+Result<bool> repairSession(const std::string& path) {
+  quietHdf5();
+  if (!isHdf5File(path)) return Error{path, "is no session file", ""};
+  if (const Hdf5Id clean(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)); clean) return false;
+  // The property h5clear itself sets: opening for writing then clears the marks of the dead writer.
+  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
+  const hbool_t yes = 1;
+  H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  if (H5Pset(access.get(), "clear_status_flags", &yes) < 0 || H5Pset(access.get(), "skip_eof_check", &yes) < 0) {
+    return Error{path, "this HDF5 library cannot repair files", hdf5Cause()};
+  }
+  Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
+  if (!file) return Error{path, "the session file cannot be repaired", hdf5Cause()};
+  if (!file.reset()) return Error{path, "the repaired file could not be written", hdf5Cause()};
+  return true;
+}
+
+Result<SessionCounts> countSession(const std::string& path) {
+  const Result<OpenedSession> opened = openSessionFile(path);
+  if (!opened) return opened.error();
+  const hid_t file = opened.value().file.get();
+  TableReader<BlockRow> blocks;
+  TableReader<InputRow> inputs;
+  TableReader<VerdictRow> verdicts;
+  TableReader<CommandRow> commands;
+  TableReader<EventRow> events;
+  TableReader<TruthRow> truth;
+  if (!blocks.open(file, kBlocksPath) || !inputs.open(file, kInputsPath) || !verdicts.open(file, kVerdictsPath) ||
+      !commands.open(file, kCommandsPath) || !events.open(file, kEventsPath) || !truth.open(file, kTruthPath)) {
+    return Error{path, "a table is missing or has another layout", hdf5Cause()};
+  }
+  constexpr std::uint64_t kMostShown = 100;
+  SessionCounts counts;
+  counts.steps = blocks.rows();
+  counts.inputs = inputs.rows();
+  counts.verdicts = verdicts.rows();
+  counts.commands = commands.rows();
+  counts.events = events.rows();
+  bool damaged = false;
+  for (std::uint64_t i = 0; const BlockRow* row = blocks.at(i, damaged); ++i) {
+    if ((row->flags & kBlockGap) != 0) ++counts.gaps;
+  }
+  for (std::uint64_t i = 0; i < kMostShown; ++i) {
+    const EventRow* row = events.at(i, damaged);
+    if (row == nullptr) break;
+    Event event;
+    fromRow(*row, event);
+    counts.firstEvents.push_back(event);
+  }
+  for (std::uint64_t i = 0; i < kMostShown; ++i) {
+    const TruthRow* row = truth.at(i, damaged);
+    if (row == nullptr) break;
+    counts.truthValues.emplace_back(textOf(row->name), row->value);
+  }
+  if (damaged) return Error{path, "the session file is damaged", hdf5Cause()};
+  return counts;
+}
+
+Result<std::vector<TruthSample>> readTruthSeries(const std::string& path) {
+  const Result<OpenedSession> opened = openSessionFile(path);
+  if (!opened) return opened.error();
+  TableReader<TruthSampleRow> series;
+  if (!series.open(opened.value().file.get(), kTruthSeriesPath)) return Error{path, "holds no truth", hdf5Cause()};
+  std::vector<TruthSample> samples;
+  bool damaged = false;
+  for (std::uint64_t i = 0; const TruthSampleRow* row = series.at(i, damaged); ++i) {
+    samples.push_back({textOf(row->name), instantFromNs(row->time), row->value});
+  }
+  if (damaged) return Error{path, "the session file is damaged", hdf5Cause()};
+  return samples;
+}
+
+}  // namespace stillcut::record

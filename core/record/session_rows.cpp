@@ -1,0 +1,190 @@
+#include "core/record/session_rows.h"
+
+namespace stillcut::record {
+namespace {
+
+// A field added to the model must be added to its row as well, or a replay would differ from the cut.
+static_assert(sizeof(MachineState) == 80 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
+                  sizeof(CommandRecord) == 88 && sizeof(Event) == 64 && sizeof(OperatorInput) == 2,
+              "record the new field in session_rows, raise kSessionVersion, then change this line");
+
+Reason fromRow(const ReasonRow& row) {
+  return {static_cast<ReasonCode>(row.code), row.n};
+}
+ReasonRow toRow(const Reason& reason) {
+  return {static_cast<std::uint16_t>(reason.code), reason.n};
+}
+
+constexpr std::uint8_t byte(bool b) {
+  return b ? 1 : 0;
+}
+template <class E>
+constexpr std::uint8_t byte(E value) {
+  return static_cast<std::uint8_t>(value);
+}
+
+// Only enumerations whose names are looked up by index need a check.
+constexpr bool known(std::uint8_t value, CutState) {
+  return value <= static_cast<std::uint8_t>(CutState::Chatter);
+}
+constexpr bool known(std::uint8_t value, CutPhase) {
+  return value <= static_cast<std::uint8_t>(CutPhase::Exit);
+}
+constexpr bool known(std::uint8_t value, ChatterKind) {
+  return value <= static_cast<std::uint8_t>(ChatterKind::Forced);
+}
+constexpr bool known(std::uint8_t value, Authority) {
+  return value <= static_cast<std::uint8_t>(Authority::Auto);
+}
+
+template <class E>
+bool take(std::uint8_t value, E& out) {
+  if (!known(value, E{})) return false;
+  out = static_cast<E>(value);
+  return true;
+}
+
+}  // namespace
+
+BlockRow toRow(const SampleBlock& b, std::uint64_t offset) {
+  return {b.sequence, toNs(b.firstSample), b.rate.value, b.lostFrames, offset, b.source, b.frames, b.flags};
+}
+
+void fromRow(const BlockRow& row, SampleBlock& b) {
+  b.sequence = row.sequence;
+  b.firstSample = instantFromNs(row.firstSample);
+  b.rate = Hertz(row.rate);
+  b.lostFrames = row.lostFrames;
+  b.source = row.source;
+  b.frames = row.frames;
+  b.flags = row.flags;
+}
+
+MachineRow toRow(const MachineState& m) {
+  return {toNs(m.time),
+          byte(m.valid),
+          byte(m.linkUp),
+          byte(m.programRunning),
+          byte(m.feedHold),
+          byte(m.atSpeed),
+          byte(m.overridesEnabled),
+          byte(m.controlOurs),
+          m.programmedSpeed.value,
+          m.programmedFeed.value,
+          m.operatorSpeed.value,
+          m.operatorFeed.value,
+          m.speedOverride.value,
+          m.feedOverride.value,
+          m.actualSpeed.value,
+          m.actualFeed.value};
+}
+
+void fromRow(const MachineRow& row, MachineState& m) {
+  m.time = instantFromNs(row.time);
+  m.valid = row.valid != 0;
+  m.linkUp = row.linkUp != 0;
+  m.programRunning = row.programRunning != 0;
+  m.feedHold = row.feedHold != 0;
+  m.atSpeed = row.atSpeed != 0;
+  m.overridesEnabled = row.overridesEnabled != 0;
+  m.controlOurs = row.controlOurs != 0;
+  m.programmedSpeed = Rpm(row.programmedSpeed);
+  m.programmedFeed = MetresPerSecond(row.programmedFeed);
+  m.operatorSpeed = Ratio(row.operatorSpeed);
+  m.operatorFeed = Ratio(row.operatorFeed);
+  m.speedOverride = Ratio(row.speedOverride);
+  m.feedOverride = Ratio(row.feedOverride);
+  m.actualSpeed = Rpm(row.actualSpeed);
+  m.actualFeed = MetresPerSecond(row.actualFeed);
+}
+
+DecisionRow toRow(const StepOutput& o) {
+  const OverrideRequest& r = o.request;
+  return {toNs(r.time), byte(r.kind),  byte(r.claimsSpeed), byte(r.claimsFeed), byte(o.authority),
+          o.inCharge,   r.speed.value, r.feed.value,        toRow(r.reason)};
+}
+
+bool fromRow(const DecisionRow& row, StepOutput& o) {
+  OverrideRequest& r = o.request;
+  r.time = instantFromNs(row.time);
+  r.kind = static_cast<RequestKind>(row.kind);
+  r.claimsSpeed = row.claimsSpeed != 0;
+  r.claimsFeed = row.claimsFeed != 0;
+  r.speed = Rpm(row.speed);
+  r.feed = MetresPerSecond(row.feed);
+  r.reason = fromRow(row.reason);
+  o.inCharge = row.inCharge;
+  return take(row.authority, o.authority) && row.inCharge >= 0 && row.inCharge < kMaxDetectors;
+}
+
+InputRow toRow(const OperatorInput& i, std::uint64_t step) {
+  return {step, byte(i.action), byte(i.authority)};
+}
+
+bool fromRow(const InputRow& row, OperatorInput& i) {
+  i.action = static_cast<OperatorAction>(row.action);
+  return take(row.authority, i.authority);
+}
+
+VerdictRow toRow(const Verdict& v, int detector, std::uint64_t step) {
+  return {step,
+          detector,
+          toNs(v.time),
+          v.blockSequence,
+          byte(v.state),
+          byte(v.phase),
+          byte(v.kind),
+          byte(v.valid),
+          byte(v.earlyWarning),
+          toRow(v.reason),
+          v.frequency.value,
+          v.frequencySd.value,
+          v.severity.value,
+          v.spindle.value,
+          v.sinceOnset.value,
+          v.feedSinceOnset.value,
+          v.indicators};
+}
+
+bool fromRow(const VerdictRow& row, Verdict& v) {
+  v.time = instantFromNs(row.time);
+  v.blockSequence = row.blockSequence;
+  v.valid = row.valid != 0;
+  v.earlyWarning = row.earlyWarning != 0;
+  v.reason = fromRow(row.reason);
+  v.frequency = Hertz(row.frequency);
+  v.frequencySd = Hertz(row.frequencySd);
+  v.severity = Ratio(row.severity);
+  v.spindle = Hertz(row.spindle);
+  v.sinceOnset = Seconds(row.sinceOnset);
+  v.feedSinceOnset = Metres(row.feedSinceOnset);
+  v.indicators = row.indicators;
+  return take(row.state, v.state) && take(row.phase, v.phase) && take(row.kind, v.kind);
+}
+
+CommandRow toRow(const CommandRecord& c, std::uint64_t step) {
+  return {step, toNs(c.time), c.sequence, byte(c.kind), c.speed.value, c.feed.value, c.lease.count(), toRow(c.reason)};
+}
+
+void fromRow(const CommandRow& row, CommandRecord& c) {
+  c.time = instantFromNs(row.time);
+  c.sequence = row.sequence;
+  c.kind = static_cast<CommandKind>(row.kind);
+  c.speed = Ratio(row.speed);
+  c.feed = Ratio(row.feed);
+  c.lease = Duration(row.lease);
+  c.reason = fromRow(row.reason);
+}
+
+EventRow toRow(const Event& e, std::uint64_t step) {
+  return {step, toNs(e.time), e.number, byte(e.level), toRow(e.reason)};
+}
+
+void fromRow(const EventRow& row, Event& e) {
+  e.time = instantFromNs(row.time);
+  e.number = row.number;
+  e.level = static_cast<EventLevel>(row.level);
+  e.reason = fromRow(row.reason);
+}
+
+}  // namespace stillcut::record

@@ -1,0 +1,122 @@
+// One row of every table of a session file, flat, in the order of the file, and the way from and to the plain values of
+// the model. What a field means is said there; units are part of the names in the file (session_rows.cpp).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "core/model/step_record.h"
+
+namespace stillcut::record {
+
+enum class ColumnType : std::uint8_t { U8, U16, U32, I32, U64, I64, F64, Text };
+
+struct Column {
+  const char* name;
+  std::size_t offset;
+  ColumnType type;
+  std::size_t count = 1;  // over 1: a small array; for Text its length in bytes
+};
+
+struct ReasonRow {
+  std::uint16_t code = 0;
+  std::array<double, 4> n{};
+};
+
+struct BlockRow {
+  std::uint64_t sequence = 0;
+  std::int64_t firstSample = 0;
+  double rate = 0.0;
+  std::uint64_t lostFrames = 0;
+  std::uint64_t offset = 0;  // of its first frame in the samples
+  std::uint32_t source = 0;
+  std::int32_t frames = 0;
+  std::uint32_t flags = 0;
+};
+
+struct MachineRow {
+  std::int64_t time = 0;
+  std::uint8_t valid = 0, linkUp = 0, programRunning = 0, feedHold = 0, atSpeed = 0, overridesEnabled = 0,
+               controlOurs = 0;
+  double programmedSpeed = 0, programmedFeed = 0, operatorSpeed = 0, operatorFeed = 0, speedOverride = 0,
+         feedOverride = 0, actualSpeed = 0, actualFeed = 0;
+};
+
+struct DecisionRow {
+  std::int64_t time = 0;
+  std::uint8_t kind = 0, claimsSpeed = 0, claimsFeed = 0, authority = 0;
+  std::int32_t inCharge = 0;
+  double speed = 0, feed = 0;
+  ReasonRow reason;
+};
+
+struct InputRow {
+  std::uint64_t step = 0;
+  std::uint8_t action = 0, authority = 0;
+};
+
+struct VerdictRow {
+  std::uint64_t step = 0;
+  std::int32_t detector = 0;
+  std::int64_t time = 0;
+  std::uint64_t blockSequence = 0;
+  std::uint8_t state = 0, phase = 0, kind = 0, valid = 0, earlyWarning = 0;
+  ReasonRow reason;
+  double frequency = 0, frequencySd = 0, severity = 0, spindle = 0, sinceOnset = 0, feedSinceOnset = 0;
+  std::array<double, kMaxIndicators> indicators{};
+};
+
+struct CommandRow {
+  std::uint64_t step = 0;
+  std::int64_t time = 0;
+  std::uint64_t sequence = 0;
+  std::uint8_t kind = 0;
+  double speed = 0, feed = 0;
+  std::int64_t lease = 0;
+  ReasonRow reason;
+};
+
+struct EventRow {
+  std::uint64_t step = 0;
+  std::int64_t time = 0;
+  std::uint64_t number = 0;
+  std::uint8_t level = 0;
+  ReasonRow reason;
+};
+
+inline constexpr std::size_t kTruthNameSize = 48;
+
+// Known only of simulated cuts.
+struct TruthRow {
+  std::array<char, kTruthNameSize> name{};
+  double value = 0.0;
+};
+struct TruthSampleRow {
+  std::array<char, kTruthNameSize> name{};
+  std::int64_t time = 0;
+  double value = 0.0;
+};
+
+template <class Row>
+std::span<const Column> columnsOf();
+
+BlockRow toRow(const SampleBlock& block, std::uint64_t offset);
+MachineRow toRow(const MachineState& machine);
+DecisionRow toRow(const StepOutput& output);
+InputRow toRow(const OperatorInput& input, std::uint64_t step);
+VerdictRow toRow(const Verdict& verdict, int detector, std::uint64_t step);
+CommandRow toRow(const CommandRecord& command, std::uint64_t step);
+EventRow toRow(const Event& event, std::uint64_t step);
+
+// The way back. False: a value that this program never writes.
+void fromRow(const BlockRow& row, SampleBlock& block);  // all but the samples
+void fromRow(const MachineRow& row, MachineState& machine);
+bool fromRow(const DecisionRow& row, StepOutput& output);
+bool fromRow(const InputRow& row, OperatorInput& input);
+bool fromRow(const VerdictRow& row, Verdict& verdict);
+void fromRow(const CommandRow& row, CommandRecord& command);
+void fromRow(const EventRow& row, Event& event);
+
+}  // namespace stillcut::record
