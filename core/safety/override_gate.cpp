@@ -29,7 +29,7 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   GateOutput out;
   passTime(in, out);
   obeyOperator(in, out);
-  const Reason trouble = findTrouble(in);
+  const Reason trouble = findTrouble(in, out);
   if (trouble.code != ReasonCode::None) {
     holdThenRelease(trouble, in, out);
   } else {
@@ -63,11 +63,18 @@ void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
   keeper_.advance(elapsed_, ramp_.at(keeper_.target()));
 }
 
-Reason OverrideGate::findTrouble(const GateInput& in) STILLCUT_RT {
+Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (!clockGood_) return {ReasonCode::GateClockFault, {}};
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
   watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
+  if (commanding_ && watch_.programChanged()) {
+    // Whatever else is wrong: our factors were meant for another speed.
+    const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
+    say(out, in.now, EventLevel::Info, why);
+    drop(why, EventLevel::Info, in.now, out);
+    return why;
+  }
   trouble = watch_.trouble();
   if (trouble.code == ReasonCode::None) trouble = checkVerdict(in.verdict, in.now, limits_.verdictAge);
   if (trouble.code == ReasonCode::None) {

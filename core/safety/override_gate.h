@@ -40,7 +40,7 @@ class OverrideGate {
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
   void answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT;
-  Reason findTrouble(const GateInput& in) STILLCUT_RT;
+  Reason findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
 
   void act(const GateInput& in, GateOutput& out) STILLCUT_RT;

@@ -20,12 +20,7 @@ void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects.
   if (!commanding_ || (in.verdict.alarming() && !watch_.knobTurning())) watch_.rebase(in.machine);
 
-  if (commanding_ && watch_.programChanged()) {
-    const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
-    say(out, in.now, EventLevel::Info, why);
-    drop(why, EventLevel::Info, in.now, out);
-    out.reason = why;
-  } else if (commanding_) {
+  if (commanding_) {
     steer(in, out);
   } else {
     tryToTake(in, out);

@@ -18,7 +18,7 @@ double lowPassed(double state, double wanted, double share) noexcept {
 }
 
 bool toward100(double from, double to) noexcept {
-  return std::abs(to - 1.0) < std::abs(from - 1.0);
+  return (from - 1.0) * (to - from) < 0.0;
 }
 
 }  // namespace

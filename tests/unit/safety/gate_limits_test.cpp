@@ -1,0 +1,126 @@
+// Settings of the gate: what is refused, with which key, and what the ranges come to with the operator's knob.
+#include "core/safety/gate_limits.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <set>
+
+namespace stillcut::safety {
+namespace {
+
+using ::testing::HasSubstr;
+
+void expectRefused(const config::ParamSet& params, const CutSetup& setup, const char* key) {
+  const auto limits = gateLimits(params, setup, "mill.toml");
+  ASSERT_FALSE(limits.ok());
+  EXPECT_THAT(limits.error().line(), HasSubstr(key));
+  EXPECT_THAT(limits.error().line(), HasSubstr("mill.toml"));
+}
+
+TEST(GateLimits, DefaultsAreAccepted) {
+  const auto limits = gateLimits({}, {}, "test");
+  ASSERT_TRUE(limits.ok());
+  EXPECT_FALSE(limits->autoAllowed);
+  EXPECT_EQ(limits->overrides.lowestSpeed.value, 0.5);
+  EXPECT_EQ(limits->overrides.highestSpeed.value, 1.2);
+  EXPECT_EQ(limits->lease.value, 0.2);
+  EXPECT_LE(limits->recoveryShare, 0.2);
+  // The struct's own defaults are the declared ones.
+  const GateLimits plain;
+  EXPECT_EQ(limits->speedSlew, plain.speedSlew);
+  EXPECT_EQ(limits->feedSlew, plain.feedSlew);
+  EXPECT_EQ(limits->holdTime.value, plain.holdTime.value);
+  EXPECT_EQ(limits->restTime.value, plain.restTime.value);
+  EXPECT_EQ(limits->changesPerMinute, plain.changesPerMinute);
+  EXPECT_EQ(limits->coolDown.value, plain.coolDown.value);
+  EXPECT_EQ(limits->machineAge.value, plain.machineAge.value);
+  EXPECT_EQ(limits->verdictAge.value, plain.verdictAge.value);
+}
+
+TEST(GateLimits, EveryKeyIsDeclaredOnceAndItsDefaultIsInRange) {
+  std::set<std::string_view> keys;
+  for (const config::ParamDecl* decl : gateParams()) {
+    EXPECT_TRUE(keys.insert(decl->key).second) << decl->key;
+    EXPECT_EQ(decl->key.substr(0, 5), "gate.");
+    EXPECT_FALSE(decl->meaning.empty());
+    if (decl->mayBeAutomatic) continue;
+    EXPECT_GE(decl->fallback, decl->lowest) << decl->key;
+    EXPECT_LE(decl->fallback, decl->highest) << decl->key;
+  }
+}
+
+TEST(GateLimits, EmptyAndCrossedRangesAreRefused) {
+  config::ParamSet params;
+  ASSERT_TRUE(params.set(config::kLowestSpeedOverride, 100, "t"));
+  ASSERT_TRUE(params.set(config::kHighestSpeedOverride, 100, "t"));
+  expectRefused(params, {}, "gate.lowest-speed-override");
+
+  params = {};
+  ASSERT_TRUE(params.set(config::kLowestFeedOverride, 100, "t"));
+  ASSERT_TRUE(params.set(config::kHighestFeedOverride, 100, "t"));
+  expectRefused(params, {}, "gate.lowest-feed-override");
+
+  params = {};
+  ASSERT_TRUE(params.set(config::kLowestSpeed, 12000, "t"));
+  ASSERT_TRUE(params.set(config::kHighestSpeed, 10000, "t"));
+  expectRefused(params, {}, "gate.lowest-speed");
+  EXPECT_FALSE(params.set(config::kLowestSpeedOverride, 130, "t"));  // 100 % is always inside
+}
+
+TEST(GateLimits, CuttingSpeedNeedsTheDiameterAndLimitsTheSpindle) {
+  config::ParamSet params;
+  ASSERT_TRUE(params.set(config::kHighestCuttingSpeed, 600, "t"));
+  expectRefused(params, {}, "gate.highest-cutting-speed");
+  CutSetup setup;
+  setup.toolDiameter = Metres(0.010);
+  const auto limits = gateLimits(params, setup, "test");
+  ASSERT_TRUE(limits.ok());
+  EXPECT_NEAR(limits->overrides.fastest.value, 600.0 / (std::numbers::pi * 0.010), 1e-6);
+}
+
+TEST(GateLimits, ALeaseShorterThanTwoBlocksIsRefused) {
+  CutSetup setup;
+  setup.rate = Hertz(1000.0);
+  setup.blockFrames = 128;
+  expectRefused({}, setup, "gate.lease");
+}
+
+TEST(GateLimits, TheMachinesOwnOverrideNarrows) {
+  config::ParamSet params;
+  ASSERT_TRUE(config::narrowToMachine(params, {Ratio(0.8), Ratio(1.1), Ratio(0.0), Ratio(1.0)}, "Mill 3"));
+  const auto limits = gateLimits(params, {}, "test");
+  ASSERT_TRUE(limits.ok());
+  EXPECT_NEAR(limits->overrides.lowestSpeed.value, 0.8, 1e-12);
+  EXPECT_NEAR(limits->overrides.highestFeed.value, 1.0, 1e-12);
+  EXPECT_NEAR(limits->overrides.lowestFeed.value, 0.5, 1e-12);
+  EXPECT_FALSE(config::narrowToMachine(params, {Ratio(1.0), Ratio(1.0), Ratio(0.0), Ratio(1.0)}, "Mill 3").ok());
+}
+
+TEST(OverrideRanges, OneHundredPercentIsAlwaysInside) {
+  config::OverrideLimits limits;
+  limits.slowest = Rpm(5000.0);
+  limits.fastest = Rpm(11000.0);
+  for (const double programmed : {100.0, 5000.0, 10000.0, 11000.0, 50000.0}) {
+    for (const double knob : {0.0, 0.1, 0.5, 1.0, 1.2, 2.0}) {
+      const config::FactorRange s = speedFactors(limits, Rpm(programmed), Ratio(knob), Ratio(knob));
+      EXPECT_TRUE(s.contains(1.0));
+      EXPECT_TRUE(feedFactors(limits, Ratio(knob)).contains(1.0));
+      EXPECT_GE(s.low * limits.feedPerTooth, feedFactors(limits, Ratio(knob)).low - 1e-12);
+    }
+  }
+  // Where the operator alone is inside, so is the product at both edges.
+  const config::FactorRange s = speedFactors(limits, Rpm(10000.0), Ratio(0.9), Ratio(1.0));
+  EXPECT_NEAR(s.low * 0.9, 0.5, 1e-12);
+  EXPECT_NEAR(s.high * 9000.0, 10800.0, 1e-9);  // 120 % of the knob's base is below 11 000
+}
+
+TEST(OverrideRanges, ReachableSpeedsAreTheProduct) {
+  const config::SpeedRange range = config::reachableSpeeds({}, Rpm(35000.0), Ratio(1.0), Ratio(1.0));
+  EXPECT_NEAR(range.low.value, 17500.0, 1e-9);
+  EXPECT_NEAR(range.high.value, 42000.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace stillcut::safety
