@@ -1,0 +1,158 @@
+#include <cmath>
+#include <functional>
+
+#include "core/base/atomic_file.h"
+#include "core/config/number_text.h"
+#include "core/config/toml_reader.h"
+#include "core/config/toml_writer.h"
+#include "core/milling/identify/model_files.h"
+
+namespace stillcut::identify {
+namespace {
+
+using config::numberText;
+using config::TomlReader;
+using config::TomlTable;
+
+std::string rounded(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string percent(double ratio) {
+  return rounded(100.0 * ratio, 3) + " %";
+}
+
+void describe(config::TomlWriter& out, const IdentifiedMode& m) {
+  out.comment(rounded(m.mode.frequency.value, 6) + " +- " + rounded(m.frequencySd, 2) + " Hz, damping " +
+              rounded(m.mode.damping, 3) + " +- " + rounded(m.dampingSd, 2) + ", stiffness " +
+              rounded(m.mode.stiffness, 3) + " +- " + rounded(m.stiffnessSd, 2) + " N/m, " + percent(m.share) +
+              " of the response");
+  if (!m.doubt.empty()) out.comment("doubt: " + m.doubt);
+}
+
+std::string modeText(const milling::Mode& m) {
+  return "[[mode]]\nfrequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
+         "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\ndirection = [" + numberText(m.direction[0]) + ", " +
+         numberText(m.direction[1]) + "]\n\n";
+}
+
+using Member = std::function<double&(IdentifiedMode&)>;
+
+// Columns of [modal_fit], one number per mode.
+struct Column {
+  std::string_view key;
+  Member member;
+};
+
+const std::vector<Column>& columns() {
+  static const std::vector<Column> kColumns = {
+      {"frequency_sd_hz", [](IdentifiedMode& m) -> double& { return m.frequencySd; }},
+      {"damping_sd", [](IdentifiedMode& m) -> double& { return m.dampingSd; }},
+      {"stiffness_sd_n_per_m", [](IdentifiedMode& m) -> double& { return m.stiffnessSd; }},
+      {"share", [](IdentifiedMode& m) -> double& { return m.share; }},
+      {"stability", [](IdentifiedMode& m) -> double& { return m.stability; }},
+      {"phase_rad", [](IdentifiedMode& m) -> double& { return m.phase; }},
+  };
+  return kColumns;
+}
+
+void readMode(const TomlTable& t, ModesFile& file) {
+  IdentifiedMode m;
+  m.mode.frequency = Hertz(t.number("frequency_hz", 0.01, 1e6));
+  m.mode.damping = t.number("damping", 1e-6, 0.999);
+  m.mode.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
+  const std::vector<double> d = t.numbersOr("direction", {1.0, 0.0});
+  if (d.size() == 2) {
+    m.mode.direction = {d[0], d[1]};
+  } else {
+    t.refuse("direction", "a direction is two numbers, along x and y");
+  }
+  file.modes.push_back(std::move(m));
+}
+
+void readFit(const TomlTable& t, ModesFile& file) {
+  file.source = t.textOr("source", "");
+  file.from = t.numberOr("from_hz", 0.0, 0.0, 1e9);
+  file.to = t.numberOr("to_hz", 0.0, 0.0, 1e9);
+  file.misfit = t.numberOr("misfit", 0.0, 0.0, 1e9);
+  file.realMisfit = t.numberOr("real_misfit", 0.0, 0.0, 1e9);
+  for (const Column& column : columns()) {
+    if (!t.has(column.key)) continue;
+    const std::vector<double> values = t.numbers(column.key);
+    if (values.size() != file.modes.size()) {
+      t.refuse(column.key, "needs one number per mode, " + std::to_string(file.modes.size()));
+      continue;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) column.member(file.modes[i]) = values[i];
+  }
+  if (!t.has("doubt")) return;
+  const std::vector<std::string> doubts = t.texts("doubt");
+  if (doubts.size() != file.modes.size()) {
+    t.refuse("doubt", "needs one text per mode, " + std::to_string(file.modes.size()));
+    return;
+  }
+  for (std::size_t i = 0; i < doubts.size(); ++i) file.modes[i].doubt = doubts[i];
+}
+
+Result<ModesFile> read(const TomlReader& in) {
+  ModesFile file;
+  for (const TomlTable& t : in.root().tables("mode")) readMode(t, file);
+  const TomlTable fit = in.root().tableOr("modal_fit");
+  if (fit.present()) readFit(fit, file);
+  Status done = in.finish();
+  if (!done) return done.error();
+  if (file.modes.empty()) return Error{in.root().place(), "holds no [[mode]]", ""};
+  return file;
+}
+
+}  // namespace
+
+ModesFile modesFile(const ModalFit& fit, const std::string& source, std::array<double, 2> direction) {
+  ModesFile file{fit.modes, source, fit.from, fit.to, fit.misfit, fit.realMisfit};
+  for (IdentifiedMode& m : file.modes) m.mode.direction = direction;
+  return file;
+}
+
+std::string modesFileText(const ModesFile& file) {
+  std::string text;
+  for (const IdentifiedMode& m : file.modes) {
+    config::TomlWriter notes;
+    describe(notes, m);
+    text += notes.content() + modeText(m.mode);
+  }
+  config::TomlWriter fit;
+  fit.comment("misfit: " + percent(file.misfit) + " of the response, " + percent(file.realMisfit) + " with real modes");
+  fit.table("modal_fit");
+  fit.text("source", file.source);
+  fit.number("from_hz", file.from);
+  fit.number("to_hz", file.to);
+  fit.number("misfit", file.misfit);
+  fit.number("real_misfit", file.realMisfit);
+  text += fit.content();
+  std::vector<IdentifiedMode> modes = file.modes;
+  for (const Column& column : columns()) {
+    text += std::string(column.key) + " = [";
+    for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", " : "") + numberText(column.member(modes[i]));
+    text += "]\n";
+  }
+  // Doubts are our own sentences: nothing in them needs escaping.
+  text += "doubt = [";
+  for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", \"" : "\"") + modes[i].doubt + "\"";
+  return text + "]\n";
+}
+
+Status saveModes(const ModesFile& file, const std::string& path) {
+  return writeFileAtomically(path, modesFileText(file));
+}
+
+Result<ModesFile> parseModes(std::string_view text, const std::string& where) {
+  return read(TomlReader::text(text, where));
+}
+
+Result<ModesFile> loadModes(const std::string& path) {
+  return read(TomlReader::file(path));
+}
+
+}  // namespace stillcut::identify
