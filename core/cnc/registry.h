@@ -1,0 +1,31 @@
+// The machine links there are, in one table. A link is a header, a source, a test and one line here.
+// Thread: set-up.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/cnc/cnc_link.h"
+#include "core/milling/plant_port.h"
+#include "core/milling/scenario.h"
+
+namespace stillcut::cnc {
+
+// What a link may need to be made; each takes its part.
+struct LinkRequest {
+  const milling::Scenario* scenario = nullptr;  // simulated
+  std::shared_ptr<milling::PlantPort> port;
+};
+
+struct LinkEntry {
+  std::string_view id;           // "simulated"
+  std::string_view description;  // one line for `devices` and the settings page
+  Result<std::unique_ptr<CncLink>> (*make)(const LinkRequest& request);
+};
+
+std::span<const LinkEntry> linkTable();
+// Unknown id: an error that names the known ones.
+Result<std::unique_ptr<CncLink>> makeLink(std::string_view id, const LinkRequest& request);
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,48 @@
+// SimulatedSource: samples of a simulated cut. Owns the plant and advances it; a simulated machine may share it through
+// the port.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/daq/daq_source.h"
+#include "core/milling/plant_port.h"
+#include "core/milling/simulated_cut.h"
+
+namespace stillcut::daq {
+
+struct SimulatedPace {
+  // Paced: read() returns when the block's last sample is due on the steady clock. Stream time is then the steady
+  // clock's, as for a live device. Otherwise as fast as possible, stream time from 0.
+  bool realTime = false;
+  double multiplier = 1.0;  // seconds of cut per second, paced only
+};
+
+class SimulatedSource final : public DaqSource {
+ public:
+  // `scenario` has passed check(). Seed 0: the scenario's own. `port` may be null (nobody turns the overrides).
+  SimulatedSource(const milling::Scenario& scenario, std::uint64_t seed, std::shared_ptr<milling::PlantPort> port,
+                  SimulatedPace pace = {});
+
+  Result<SourceFormat> open() override;
+  bool read(SampleBlock& block) noexcept override;
+  void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
+  std::string fault() const override { return {}; }
+
+  // The plant and its truth: driver thread, or any thread once reading has ended.
+  const milling::SimulatedCut& plant() const { return plant_; }
+  milling::SimulatedCut& plant() { return plant_; }
+
+ private:
+  void waitFor(const SampleBlock& block) noexcept;
+
+  milling::SimulatedCut plant_;
+  std::shared_ptr<milling::PlantPort> port_;
+  SimulatedPace pace_;
+  Instant start_{};
+  std::atomic<bool> stopped_{false};
+};
+
+}  // namespace stillcut::daq

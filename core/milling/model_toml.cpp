@@ -1,0 +1,136 @@
+#include "core/milling/model_toml.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace stillcut::milling {
+
+namespace {
+
+constexpr double kPerMetreMm = 1e3;
+constexpr double kPerMetreUm = 1e6;
+constexpr double kPerRadian = 360.0 / kTwoPi;
+
+std::vector<double> inSi(std::vector<double> values, double perUnit) {
+  for (double& v : values) v = milling::inSi(v, perUnit);
+  return values;
+}
+
+Tool readTool(const config::TomlTable& t) {
+  Tool tool;
+  tool.teeth = t.integer("teeth", 1, 12);
+  tool.diameter = Metres(milling::inSi(t.numberOr("diameter_mm", 10.0, 0.01, 1000.0), kPerMetreMm));
+  tool.helix = milling::inSi(t.numberOr("helix_deg", 0.0, -80.0, 80.0), kPerRadian);
+  tool.pitch = inSi(t.numbersOr("pitch_deg", {}), kPerRadian);
+  for (double r : t.numbersOr("runout_um", {})) tool.runout.emplace_back(milling::inSi(r, kPerMetreUm));
+  return tool;
+}
+
+std::string list(const std::vector<double>& values, double perUnit) {
+  std::string s = "[";
+  for (std::size_t i = 0; i < values.size(); ++i) s += (i > 0 ? ", " : "") + numberText(values[i], perUnit);
+  return s + "]";
+}
+
+}  // namespace
+
+std::vector<Mode> readModes(const config::TomlTable& root) {
+  std::vector<Mode> modes;
+  for (const config::TomlTable& t : root.tables("mode")) {
+    Mode m;
+    m.frequency = Hertz(t.number("frequency_hz", 0.01, 1e6));
+    m.damping = t.number("damping", 1e-6, 0.999);
+    m.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
+    const std::vector<double> d = t.numbers("direction");
+    if (d.size() == 2) {
+      m.direction = {d[0], d[1]};
+    } else {
+      t.refuse("direction", "a direction is two numbers, along x and y");
+    }
+    modes.push_back(m);
+  }
+  return modes;
+}
+
+Material readMaterial(const config::TomlTable& t) {
+  Material m;
+  m.tangential = t.number("tangential_n_per_m2", 0.0, 1e15);
+  m.radial = t.number("radial_n_per_m2", -1e15, 1e15);
+  m.tangentialEdge = t.numberOr("tangential_edge_n_per_m", 0.0, -1e9, 1e9);
+  m.radialEdge = t.numberOr("radial_edge_n_per_m", 0.0, -1e9, 1e9);
+  m.exponent = t.numberOr("exponent", 1.0, 0.01, 1.0);
+  m.processDamping = t.numberOr("process_damping_n_per_m", 0.0, 0.0, 1e12);
+  return m;
+}
+
+CutModel readModel(const config::TomlTable& root) {
+  CutModel model;
+  model.modes = readModes(root);
+  model.tool = readTool(root.table("tool"));
+  model.material = readMaterial(root.table("material"));
+  const config::TomlTable e = root.table("engagement");
+  model.engagement.radialImmersion = e.number("radial_immersion", 1e-6, 1.0);
+  model.engagement.side = e.choice("side", {"up", "down"}) == 0 ? Side::Up : Side::Down;
+  return model;
+}
+
+std::string modesText(const std::vector<Mode>& modes) {
+  std::string s;
+  for (const Mode& m : modes) {
+    s += "[[mode]]\nfrequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
+         "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\ndirection = [" + numberText(m.direction[0]) + ", " +
+         numberText(m.direction[1]) + "]\n\n";
+  }
+  return s;
+}
+
+std::string materialText(const Material& m) {
+  return "[material]\ntangential_n_per_m2 = " + numberText(m.tangential) +
+         "\nradial_n_per_m2 = " + numberText(m.radial) + "\ntangential_edge_n_per_m = " + numberText(m.tangentialEdge) +
+         "\nradial_edge_n_per_m = " + numberText(m.radialEdge) + "\nexponent = " + numberText(m.exponent) +
+         "\nprocess_damping_n_per_m = " + numberText(m.processDamping) + "\n\n";
+}
+
+std::string modelText(const CutModel& model) {
+  const Tool& t = model.tool;
+  std::string s = modesText(model.modes);
+  s += "[tool]\nteeth = " + std::to_string(t.teeth) + "\ndiameter_mm = " + numberText(t.diameter.value, kPerMetreMm) +
+       "\nhelix_deg = " + numberText(t.helix, kPerRadian) + "\n";
+  if (!t.pitch.empty()) s += "pitch_deg = " + list(t.pitch, kPerRadian) + "\n";
+  if (!t.runout.empty()) {
+    std::vector<double> runout;
+    for (Metres r : t.runout) runout.push_back(r.value);
+    s += "runout_um = " + list(runout, kPerMetreUm) + "\n";
+  }
+  s += "\n" + materialText(model.material);
+  s += "[engagement]\nradial_immersion = " + numberText(model.engagement.radialImmersion) + "\nside = \"" +
+       (model.engagement.side == Side::Up ? "up" : "down") + "\"\n\n";
+  return s;
+}
+
+std::string numberText(double value) {
+  std::array<char, 40> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  std::string s(buffer.data(), end);
+  if (s.find_first_of(".en") == std::string::npos) s += ".0";
+  return s;
+}
+
+std::string numberText(double value, double perUnit) {
+  // The nearest number need not read back exactly; one of its neighbours then does.
+  const double nearest = value * perUnit;
+  double best = nearest;
+  if (inSi(nearest, perUnit) != value) {
+    double low = nearest, high = nearest;
+    for (int i = 0; i < 3 && inSi(best, perUnit) != value; ++i) {
+      low = std::nextafter(low, -HUGE_VAL);
+      high = std::nextafter(high, HUGE_VAL);
+      if (inSi(low, perUnit) == value) best = low;
+      if (inSi(high, perUnit) == value) best = high;
+    }
+  }
+  return numberText(best);
+}
+
+}  // namespace stillcut::milling

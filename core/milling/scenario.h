@@ -1,0 +1,80 @@
+// Scenario: one simulated cut on one simulated machine, complete: physics, programme, sensors, drives, what is expected
+// of control. Files: resources/scenarios/*.toml (scenario_toml.cpp), shared cases (case_json.cpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/milling/cut_model.h"
+#include "core/milling/override_path.h"
+#include "core/milling/profile.h"
+#include "core/milling/sensors.h"
+#include "core/milling/spindle_drive.h"
+#include "core/model/cut_setup.h"
+
+namespace stillcut::milling {
+
+// What control within the override range can make of it, proved by the exact lobes.
+enum class Expectation { Stable, NoStableSpeed, Hold };
+std::string_view name(Expectation e);
+std::optional<Expectation> expectationFromName(std::string_view text);
+
+// Where the tool comes into or leaves the material: a time [s] or a place on the path [m].
+struct Passage {
+  Along along = Along::Time;
+  double at = 0.0;
+  bool operator==(const Passage&) const = default;
+};
+
+struct Programme {
+  Rpm speed{};            // S word
+  Metres feedPerTooth{};  // the F word is feedPerTooth * teeth * speed
+  Seconds duration{};
+  Profile depth;                 // [m]; empty: air
+  Profile immersion;             // a/D; empty: the engagement's
+  Profile speedOverTime;         // S word over time [rev/min]; empty: `speed`
+  std::optional<Passage> entry;  // the tool's edge meets the material; it is fully in after one radius of path
+  std::optional<Passage> exit;   // the tool has left; it begins to leave one radius before
+  Seconds feedLag{0.03};         // first-order lag of the feed drives (ours)
+  double randomForce = 0.0;      // white, on the tool tip in x and in y [N/sqrt(Hz)] (floor, coolant, bearings)
+  double unevenness = 0.0;       // rms of the cutting force's random part, relative (ours: grain, chips)
+};
+
+struct Scenario {
+  std::string name;         // one word
+  std::string description;  // one line
+  std::string machine, tool;
+  CutModel model;
+  Programme programme;
+  DriveSettings drive;
+  OverrideSettings overrides;
+  Hertz rate{25600.0};
+  int blockFrames = 256;
+  std::vector<SensorSettings> sensors;
+  std::uint64_t seed = 1;
+  Expectation expect = Expectation::Hold;
+  bool grantsAuto = false;               // on its own simulated machine only
+  std::string strategy = "lobe-center";  // default one
+  int stepsPerRevolution = 0;            // 0: chosen from modes, speed and rate
+  int helixSlices = 8;
+
+  MetresPerSecond programmedFeed(Rpm at) const;
+  CutSetup cutSetup() const;
+  // Steps per revolution actually used: at least 2048, 40 per period of the highest mode, 4 per sample; a multiple of
+  // the teeth, so that a regular pitch falls on whole steps.
+  int chosenSteps() const;
+};
+
+// From and to TOML (scenario_toml.cpp, scenario_text.cpp); loading checks. Saving loses nothing.
+Result<Scenario> loadScenario(const std::string& path);
+std::string scenarioText(const Scenario& scenario);
+Status saveScenario(const Scenario& scenario, const std::string& path);
+
+// One clear line for what cannot be simulated.
+Status check(const Scenario& scenario, const std::string& where);
+
+}  // namespace stillcut::milling

@@ -1,0 +1,38 @@
+#include "core/milling/spindle_drive.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::milling {
+
+SpindleDrive::SpindleDrive(const DriveSettings& settings, Rpm start) noexcept
+    : settings_(settings),
+      omega_(start.value * kTwoPi / 60.0),
+      reference_(omega_),
+      target_(omega_),
+      integral_(settings.frictionTorque),
+      torque_(settings.frictionTorque) {}
+
+void SpindleDrive::advance(Seconds dt, double cuttingTorque) noexcept {
+  const double h = dt.value;
+  const double w = kTwoPi * settings_.bandwidth.value;
+  const double proportional = 2.0 * w * settings_.inertia, integrating = w * w * settings_.inertia;
+  const double most = settings_.acceleration * kTwoPi / 60.0 * h;
+  const double move = std::clamp(target_ - reference_, -most, most);
+  reference_ += move;
+
+  const double error = reference_ - omega_;
+  const double wanted = proportional * error + integral_ + settings_.inertia * move / h;
+  torque_ = std::clamp(wanted, -settings_.torqueLimit, settings_.torqueLimit);
+  // The integral rests while the torque is at its limit and the error would push it further.
+  if (torque_ == wanted || error * wanted < 0.0) integral_ += integrating * error * h;
+  omega_ += (torque_ - settings_.frictionTorque - cuttingTorque) / settings_.inertia * h;
+  // A stalled spindle stays a number the model can step with.
+  omega_ = std::max(omega_, 1.0);
+}
+
+bool SpindleDrive::atSpeed() const {
+  return std::abs(omega_ - target_) <= 0.005 * std::abs(target_);
+}
+
+}  // namespace stillcut::milling

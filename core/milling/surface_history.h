@@ -1,0 +1,46 @@
+// SurfaceHistory: the surface the teeth have left, on a grid of angles, and which of those angles are in the material.
+//
+// A tooth's edge at angle phi reaches rho = runout + x_feed sin(phi) + [sin phi, cos phi] . v(t). The surface is the
+// farthest any tooth has reached at that angle, so the chip is h = rho - surface: whatever number of past teeth have
+// cut it, at whatever pitch and speed. A tooth with h <= 0 is out of the cut and leaves the surface as it is.
+// Thread: one. advance-time functions are real-time safe.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace stillcut::milling {
+
+struct AngularWindow {
+  double from = 0.0, to = 0.0;  // [rad], 0 <= from <= to <= pi
+};
+
+class SurfaceHistory {
+ public:
+  // `cells` angles per revolution, one surface per axial slice.
+  SurfaceHistory(int cells, int slices);
+
+  // Angles in the material. Cells that come newly into it start with a flat surface one tooth's feed behind the tool:
+  // height (xFeed - feedPerTooth) sin(phi). Edges between cells weigh the cell by its share, so that the force integral
+  // over a step does not jump when an edge moves (first order in the step without it).
+  void setWindows(std::span<const AngularWindow> windows, double xFeed, double feedPerTooth) noexcept;
+  // A slice that comes newly into the cut starts flat as well.
+  void restartSlice(int slice, double xFeed, double feedPerTooth) noexcept;
+
+  int cells() const { return cells_; }
+  const double* sine() const { return sine_.data(); }
+  const double* cosine() const { return cosine_.data(); }
+  const double* weight() const { return weight_.data(); }
+  const std::uint8_t* live() const { return live_.data(); }
+  double* slice(int s) { return surface_.data() + static_cast<std::ptrdiff_t>(s) * cells_; }
+
+ private:
+  int cells_, slices_;
+  std::vector<double> sine_, cosine_;
+  std::vector<double> weight_;      // share of the cell [m - 1/2, m + 1/2] inside the windows
+  std::vector<std::uint8_t> live_;  // the cell or a neighbour has weight: its surface is kept
+  std::vector<double> surface_;     // [slice * cells + cell], [m]
+};
+
+}  // namespace stillcut::milling
