@@ -64,7 +64,6 @@ void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
 }
 
 Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (!clockGood_) return {ReasonCode::GateClockFault, {}};
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
   watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
@@ -75,6 +74,7 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
     drop(why, EventLevel::Info, in.now, out);
     return why;
   }
+  if (!clockGood_) return {ReasonCode::GateClockFault, {}};
   trouble = watch_.trouble();
   if (trouble.code == ReasonCode::None) trouble = checkVerdict(in.verdict, in.now, limits_.verdictAge);
   if (trouble.code == ReasonCode::None) {
