@@ -1,6 +1,8 @@
 // Pictures of the operator page for people to look at: light and dark, two sizes, in the states that matter.
 // Written to the build folder; what a machine can check of them is that nothing was cut off.
 #include <QDir>
+#include <algorithm>
+#include <ostream>
 
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
@@ -21,6 +23,10 @@ struct Look {
   ThemeKind theme;
   int width, height;
 };
+
+void PrintTo(const Look& look, std::ostream* out) {
+  *out << look.name;
+}
 
 class Screenshots : public WindowTest, public testing::WithParamInterface<Look> {
  protected:

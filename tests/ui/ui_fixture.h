@@ -3,11 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
+#include <QCoreApplication>
 #include <QFontInfo>
 #include <QPixmap>
 #include <QTest>
 #include <QWidget>
+#include <memory>
 
 #include "tests/ui/fake_session.h"
 #include "ui/shell/main_window.h"
@@ -15,17 +16,8 @@
 
 namespace stillcut::ui {
 
-inline QApplication& application() {
-  static int argc = 1;
-  static char name[] = "stillcut-test";
-  static char* argv[] = {name, nullptr};
-  static QApplication app(argc, argv);
-  return app;
-}
-
 class UiTest : public testing::Test {
  protected:
-  static void SetUpTestSuite() { application(); }
   void SetUp() override { ASSERT_FALSE(QFontInfo(makeTheme(ThemeKind::Light, 1.0).font(20)).family().isEmpty()); }
 };
 
@@ -36,6 +28,8 @@ class WindowTest : public UiTest {
     window_ = std::make_unique<MainWindow>(session_, theme);
     window_->resize(width, height);
     window_->show();
+    window_->activateWindow();
+    QCoreApplication::processEvents();
     tick(0);
   }
   // Lets the story and the screen's clock go on together.

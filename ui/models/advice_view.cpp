@@ -21,6 +21,12 @@ struct Move {
   MetresPerSecond feed;
 };
 
+// A command nearer to 100 % than the screen can tell has moved nothing.
+bool moves(const CommandRecord& command) {
+  const bool set = command.kind == CommandKind::Set;
+  return set && (std::abs(command.speed.value - 1.0) > 0.004 || std::abs(command.feed.value - 1.0) > 0.004);
+}
+
 QString deltaText(const Move& move, const MachineState& machine) {
   if (!(machine.programmedSpeed.value > 0)) return {};
   const double change = move.speed.value - machine.programmedSpeed.value;
@@ -104,10 +110,12 @@ AdviceView nothing(const Picture& picture) {
   }
   const Snapshot& s = *picture.snapshot;
   const bool alarm = picture.verdict().alarming();
-  view.target = alarm ? say("No advice") : say("Nothing to do");
+  const bool quiet = picture.verdict().valid && !alarm;
+  view.target = quiet ? say("Nothing to do") : say("No advice");
   view.reason = s.request.reason.code == ReasonCode::NothingToDo ? QString() : reasonText(s.request.reason);
   if (view.reason.isEmpty() && s.authority == Authority::Off)
     view.reason = say("Authority is off: Stillcut only watches");
+  if (view.reason.isEmpty() && !quiet && !alarm) view.reason = say("There is no verdict to act on");
   if (view.reason.isEmpty() && alarm) view.reason = say("The strategy has not decided yet");
   return view;
 }
@@ -125,7 +133,7 @@ AdviceView makeAdviceView(const Picture& picture) {
   const Snapshot& s = *picture.snapshot;
   const bool isMove = s.request.kind == RequestKind::Set || s.request.kind == RequestKind::Release;
   if (s.adviceOpen && isMove) return openAdvice(picture);
-  if (s.commanding && s.command.kind == CommandKind::Set) return commandInForce(picture);
+  if (s.commanding && moves(s.command)) return commandInForce(picture);
   return nothing(picture);
 }
 

@@ -132,8 +132,7 @@ MachineView makeMachineView(const Picture& picture) {
   view.note = whatHinders(m, age);
   view.warning = !view.note.isEmpty();
   if (!view.warning) {
-    view.note =
-        say("Your own knobs: speed %1, feed %2").arg(percent(m.operatorSpeed.value), percent(m.operatorFeed.value));
+    view.note = say("Knobs %1, %2").arg(percent(m.operatorSpeed.value), percent(m.operatorFeed.value));
   }
   view.speed.old = view.feed.old = !m.linkUp || age > kOldAfter;
   return view;

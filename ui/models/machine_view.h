@@ -19,7 +19,7 @@ struct OverrideRow {
 
 struct MachineView {
   OverrideRow speed, feed;
-  QString note;          // the operator's own knobs, or what keeps the overrides from working
+  QString note;          // the operator's own knobs (speed, feed), or what keeps the overrides from working
   bool warning = false;  // the note is about something that is wrong
   bool operator==(const MachineView&) const = default;
 };

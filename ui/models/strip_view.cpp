@@ -17,7 +17,7 @@ StripItem linkItem(const Picture& p) {
   const QString label = p.info->linkLabel.isEmpty() ? say("Machine") : p.info->linkLabel;
   if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
   if (!p.snapshot || !p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
-  const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time);
+  const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time) + (p.stale ? p.age : Seconds());
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
   return {label, duration(age), age.value > 1.0 ? Tone::Onset : Tone::Normal};
 }
@@ -90,7 +90,8 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   items.push_back({say("Rate"), join(number(picture.info->setup.rate.value), QStringLiteral("Hz")), Tone::Normal});
   items.push_back(counter(say("Drops"), health.droppedBlocks));
   items.push_back(counter(say("Overruns"), health.overruns));
-  items.push_back({say("Block age"), duration(health.blockAge), Tone::Normal});
+  const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
+  items.push_back({say("Block age"), duration(blockAge), picture.stale ? Tone::Chatter : Tone::Normal});
   items.push_back(recordingItem(picture.recorder));
   return items;
 }
@@ -107,12 +108,16 @@ CommandView makeCommandView(const Picture& picture) {
   view.live = s.running;
   view.autoAllowed = s.autoAllowed;
   view.held = s.operatorHold;
-  view.moved = s.machine.valid && (std::abs(s.machine.speedOverride.value - 1.0) > 0.004 ||
-                                   std::abs(s.machine.feedOverride.value - 1.0) > 0.004);
+  const MachineState& m = s.machine;
+  const auto differs = [](Ratio r) { return std::abs(r.value - 1.0) > 0.004; };
+  if (m.valid && (differs(m.speedOverride) || differs(m.feedOverride))) {
+    view.moved = say("speed %1, feed %2").arg(percent(m.speedOverride.value), percent(m.feedOverride.value));
+  }
   view.inCommand = s.authority == Authority::Auto     ? say("Stillcut is in command")
                    : s.authority == Authority::Advise ? say("You are in command, Stillcut advises")
                                                       : say("You are in command");
   view.since = say("since %1").arg(clockTime(picture.info->wallMs(s.authoritySince)));
+  if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
   return view;
 }

@@ -25,7 +25,7 @@ struct CommandView {
   bool autoAllowed = false;
   bool autoNeedsSecondTouch = false;
   bool held = false;
-  bool moved = false;  // overrides differ from 100 %
+  QString moved;  // "speed 97 %, feed 97 %" while the overrides are not 100 %
   bool operator==(const CommandView&) const = default;
 };
 

@@ -14,7 +14,7 @@ ThemeColors light() {
   c.border = "#c3c9cf";
   c.text = "#171b20";
   c.secondary = "#505a64";
-  c.faint = "#6b757f";
+  c.faint = "#646e78";
   c.track = "#dbe0e4";
   c.fill = "#76828e";
   c.advice = "#1257a8";

@@ -72,11 +72,14 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   spectrogram_->setStale(picture.stale);
   if (!picture.snapshot) return;
   spectrogram_->setSpectrumTop(picture.snapshot->spectrumTop);
-  columns_.read(*picture.snapshot, [this](const SpectrumColumn& column) { spectrogram_->append(column); });
   const Verdict& verdict = picture.verdict();
-  const bool marked = verdict.alarming() && verdict.frequency.value > 0;
+  const Tone alarm = !verdict.alarming()                  ? Tone::Normal
+                     : verdict.state == CutState::Chatter ? Tone::Chatter
+                                                          : Tone::Onset;
+  columns_.read(*picture.snapshot, [&](const SpectrumColumn& column) { spectrogram_->append(column, alarm); });
+  const bool marked = alarm != Tone::Normal && verdict.frequency.value > 0;
   spectrogram_->setChatter(marked ? verdict.frequency : Hertz(),
-                           marked ? join(number(verdict.frequency.value), QStringLiteral("Hz")) : QString());
+                           marked ? join(number(verdict.frequency.value), QStringLiteral("Hz")) : QString(), alarm);
 }
 
 void OperatePage::showBars(const Picture& picture) {
@@ -97,7 +100,7 @@ void OperatePage::applyTheme(const Theme& theme) {
 }
 
 void OperatePage::space(const Theme& theme) {
-  const int margin = theme.px(16), gap = theme.px(12);
+  const int margin = theme.px(16), gap = theme.px(10);
   grid_->setContentsMargins(margin, gap, margin, gap);
   grid_->setHorizontalSpacing(gap);
   for (int column = 0; column < 2; ++column) grid_->itemAtPosition(0, column)->layout()->setSpacing(gap);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr int kMostColumns = 2000;
 
-SpectrogramImage::Cell cellOf(const SpectrumColumn& column) {
-  return {true, column.afterGap, column.spindle, column.chatter, {column.level_dB.begin(), column.level_dB.end()}};
+SpectrogramImage::Cell cellOf(const SpectrumColumn& column, Tone alarm) {
+  return {true, column.afterGap, alarm, {column.level_dB.begin(), column.level_dB.end()}};
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ void SpectrogramImage::clear() {
   range_ = LevelRange();
 }
 
-void SpectrogramImage::append(const SpectrumColumn& column) {
+void SpectrogramImage::append(const SpectrumColumn& column, Tone alarm) {
   const Seconds since = secondsBetween(last_.time, column.time);
   if (hasLast_ && (column.time <= last_.time || since > span_)) clear();
   if (hasLast_ && capacity_ == 0) start(column);
@@ -53,10 +53,11 @@ void SpectrogramImage::append(const SpectrumColumn& column) {
   if (capacity_ > 0) {
     const long steps = std::max(std::lround(since / period_), 1L);
     for (long k = 1; k < steps; ++k) push(Cell{});
-    push(cellOf(column));
+    push(cellOf(column, alarm));
     if (repaint) paintAll();
   }
   last_ = column;
+  lastAlarm_ = alarm;
   hasLast_ = true;
 }
 
@@ -66,7 +67,7 @@ void SpectrogramImage::start(const SpectrumColumn& second) {
   const auto steps = static_cast<double>(second.number - last_.number);
   period_ = secondsBetween(last_.time, second.time) * (1.0 / steps);
   capacity_ = std::clamp(static_cast<int>(std::lround(span_ / period_)), 2, kMostColumns);
-  cells_.assign(1, cellOf(last_));
+  cells_.assign(1, cellOf(last_, lastAlarm_));
   paintAll();
 }
 

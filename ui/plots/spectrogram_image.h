@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/snapshot.h"
+#include "ui/models/theme.h"
 #include "ui/plots/level_range.h"
 
 namespace stillcut::ui {
@@ -15,10 +16,9 @@ class SpectrogramImage {
  public:
   // One place in time, oldest first in cells().
   struct Cell {
-    bool present = false;   // false: samples or columns are missing here
-    bool afterGap = false;  // samples were lost just before it, even if less than one column
-    Hertz spindle{};
-    Hertz chatter{};
+    bool present = false;         // false: samples or columns are missing here
+    bool afterGap = false;        // samples were lost just before it, even if less than one column
+    Tone alarm = Tone::Normal;    // Onset or Chatter: what the verdict was then
     std::vector<float> level_dB;  // kSpectrumBins, empty when not present
   };
 
@@ -26,7 +26,7 @@ class SpectrogramImage {
 
   // Frequencies 0 .. visibleTop on `rows` pixels; `spectrumTop` is the upper edge of the last bin.
   void setAxis(int rows, Hertz visibleTop, Hertz spectrumTop);
-  void append(const SpectrumColumn& column);
+  void append(const SpectrumColumn& column, Tone alarm);
   void clear();
 
   // capacity() x rows; null until two columns have told how far apart columns are.
@@ -52,6 +52,7 @@ class SpectrogramImage {
   std::vector<int> firstBin_;  // of every row, from the top; one more at the end
   std::deque<Cell> cells_;
   SpectrumColumn last_;
+  Tone lastAlarm_ = Tone::Normal;
   bool hasLast_ = false;
   LevelRange range_;
   QImage image_;

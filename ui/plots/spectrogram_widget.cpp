@@ -43,16 +43,17 @@ Hertz SpectrogramWidget::visibleTop() const {
   return top_.value > 0 ? std::min(wantedTop_, top_) : wantedTop_;
 }
 
-void SpectrogramWidget::append(const SpectrumColumn& column) {
-  image_.append(column);
+void SpectrogramWidget::append(const SpectrumColumn& column, Tone alarm) {
+  image_.append(column, alarm);
   spindle_ = column.spindle;
   update();
 }
 
-void SpectrogramWidget::setChatter(Hertz frequency, const QString& label) {
-  if (std::abs(frequency.value - chatter_.value) < 1e-9 && label == chatterLabel_) return;
+void SpectrogramWidget::setChatter(Hertz frequency, const QString& label, Tone tone) {
+  if (std::abs(frequency.value - chatter_.value) < 1e-9 && label == chatterLabel_ && tone == chatterTone_) return;
   chatter_ = frequency;
   chatterLabel_ = label;
+  chatterTone_ = tone;
   setAccessibleDescription(label.isEmpty() ? tr("no chatter") : tr("chatter at %1").arg(label));
   update();
 }
@@ -88,7 +89,7 @@ QSize SpectrogramWidget::sizeHint() const {
 }
 
 QRect SpectrogramWidget::plotRect() const {
-  return rect().adjusted(theme_.px(72), theme_.px(38), -theme_.px(96), -theme_.px(30));
+  return rect().adjusted(theme_.px(72), theme_.px(36), -theme_.px(96), -theme_.px(27));
 }
 
 void SpectrogramWidget::updateImage() {
@@ -208,8 +209,9 @@ void SpectrogramWidget::drawGaps(QPainter& p, const QRect& plot) const {
       p.fillRect(QRectF(x, plot.top(), std::max(1.5, width * 0.5), plot.height()),
                  QBrush(theme_.colors.hatch, Qt::Dense3Pattern));
     }
-    if (cell.chatter.value > 0)
-      p.fillRect(QRectF(x, plot.top() - theme_.px(6), width + 0.5, theme_.px(4)), theme_.colors.chatter);
+    if (cell.alarm != Tone::Normal) {
+      p.fillRect(QRectF(x, plot.top() - theme_.px(6), width + 0.5, theme_.px(4)), theme_.back(cell.alarm));
+    }
     x += width;
   }
 }
@@ -221,7 +223,7 @@ void SpectrogramWidget::drawAxes(QPainter& p, const QRect& plot) const {
   const double perHertz = unitsPerHertz();
   const QString unit = axis_ == Axis::Hertz ? tr("Hz") : axis_ == Axis::Order ? tr("order") : tr("rpm");
   p.setPen(theme_.colors.secondary);
-  const int most = std::max(plot.height() / theme_.px(34), 2);
+  const int most = std::max(plot.height() / theme_.px(30), 2);
   for (const double value :
        perHertz > 0 ? niceTicks(0.0, visibleTop().value * perHertz, most) : std::vector<double>{}) {
     const int y = static_cast<int>(std::lround(yOf(Hertz(value / perHertz))));
@@ -269,9 +271,9 @@ void SpectrogramWidget::drawChatter(QPainter& p, const QRect& plot) const {
   pointer << QPointF(left, y) << QPointF(tag.left(), tag.top()) << tag.topRight() << tag.bottomRight()
           << QPointF(tag.left(), tag.bottom());
   p.setPen(Qt::NoPen);
-  p.setBrush(theme_.colors.chatter);
+  p.setBrush(theme_.back(chatterTone_));
   p.drawPolygon(pointer);
-  p.setPen(theme_.colors.onChatter);
+  p.setPen(theme_.front(chatterTone_));
   p.drawText(QPointF(tag.left() + theme_.px(3), y + metrics.capHeight() / 2.0), chatterLabel_);
 }
 

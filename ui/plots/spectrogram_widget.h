@@ -20,9 +20,10 @@ class SpectrogramWidget : public QWidget, public Themed {
   // GUI thread. Teeth 0: no ticks. `signal` names the channel, `unit` its SI unit.
   void setSignal(const QString& signal, const QString& unit, int teeth);
   void setSpectrumTop(Hertz top);
-  void append(const SpectrumColumn& column);
+  // `alarm`: Onset or Chatter when the verdict was that, else Normal.
+  void append(const SpectrumColumn& column, Tone alarm);
   // The newest chatter frequency with its label; 0: no mark.
-  void setChatter(Hertz frequency, const QString& label);
+  void setChatter(Hertz frequency, const QString& label, Tone tone);
   void setStale(bool stale);
   void clear();
 
@@ -58,6 +59,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   int teeth_ = 0;
   Hertz top_{}, wantedTop_, spindle_{}, chatter_{};
   Axis axis_ = Axis::Hertz;
+  Tone chatterTone_ = Tone::Normal;
   bool stale_ = false;
 };
 

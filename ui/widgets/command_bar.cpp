@@ -70,7 +70,7 @@ void CommandBar::showButtons() {
   authority_[2]->setToolTip(view_.autoAllowed ? QString() : tr("This profile does not grant Auto"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
-  back_->setCheckedTone(Tone::Normal);
+  back_->setHint(view_.moved.isEmpty() ? QStringLiteral("Esc") : tr("Esc, now %1").arg(view_.moved));
 }
 
 void CommandBar::touchAuthority(Authority authority) {

@@ -25,7 +25,7 @@ void LimitBar::applyTheme(const Theme& theme) {
 }
 
 QSize LimitBar::sizeHint() const {
-  return {theme_.px(420), theme_.px(31)};
+  return {theme_.px(420), theme_.px(30)};
 }
 
 void LimitBar::paintEvent(QPaintEvent*) {

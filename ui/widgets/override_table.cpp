@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kHead = 25;
 constexpr double kRow = 32;
-constexpr double kNote = 21;
 
 // Left edges and widths of the columns, as shares of what is right of the label.
 constexpr std::array<double, 3> kRight{0.28, 0.56, 0.84};
@@ -40,7 +39,7 @@ void OverrideTable::applyTheme(const Theme& theme) {
 }
 
 QSize OverrideTable::sizeHint() const {
-  return {theme_.px(420), theme_.px(kHead + 2 * kRow + kNote)};
+  return {theme_.px(420), theme_.px(kHead + 2 * kRow)};
 }
 
 void OverrideTable::paintEvent(QPaintEvent*) {
@@ -49,7 +48,15 @@ void OverrideTable::paintEvent(QPaintEvent*) {
   const double label = theme_.px(124), rest = width() - label, head = theme_.px(kHead), row = theme_.px(kRow);
   const std::array<QString, 3> heads{tr("programmed"), tr("override"), tr("actual")};
   const double column = rest * 0.26;
-  for (std::size_t k = 0; k < heads.size(); ++k) {
+  // What keeps the overrides from working is worth more than the names of the columns.
+  if (view_.warning) {
+    text.centred(QRectF(0, 0, width(), head), view_.note,
+                 {type_size::kLabel, true, theme_.colors.onsetText, Qt::AlignLeft, 0.8});
+  } else {
+    text.centred(QRectF(0, 0, label + rest * 0.1, head), view_.note,
+                 {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignLeft, 0.8});
+  }
+  for (std::size_t k = 0; k < heads.size() && !view_.warning; ++k) {
     const double right = label + rest * kRight[k];
     text.centred(QRectF(right - column, 0, column, head), heads[k],
                  {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignRight, 0.8});
@@ -69,9 +76,6 @@ void OverrideTable::paintEvent(QPaintEvent*) {
                  r->unit, {type_size::kBody, false, theme_.colors.secondary, Qt::AlignLeft, 0.7});
     y += row;
   }
-  text.centred(QRectF(0, y, width(), theme_.px(kNote)), view_.note,
-               {type_size::kLabel, view_.warning, view_.warning ? theme_.colors.onsetText : theme_.colors.secondary,
-                Qt::AlignLeft, 0.8});
   clipped_ = text.clipped();
 }
 
