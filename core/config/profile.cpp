@@ -11,9 +11,9 @@ namespace stillcut::config {
 namespace {
 
 constexpr int kMostTeeth = 64;
-constexpr double kLargestDiameter_mm = 1000.0;
-constexpr double kHighestSpeed_rpm = 200000.0;
-constexpr double kHighestFeed_mm_min = 200000.0;
+constexpr double kLargestDiameterMm = 1000.0;
+constexpr double kHighestSpeedRpm = 200000.0;
+constexpr double kHighestFeedMmMin = 200000.0;
 
 std::string idFrom(const TomlTable& table, std::string_view key, std::string_view fallback,
                    const std::vector<std::string_view>& known) {
@@ -60,10 +60,10 @@ CutSetup cutFrom(const TomlTable& root) {
   const TomlTable tool = root.tableOr("tool");
   cut.tool = tool.textOr("label", "");
   cut.teeth = tool.integerOr("teeth", 0, 1, kMostTeeth);
-  cut.toolDiameter = Metres(tool.numberOr("diameter_mm", 0.0, 0.01, kLargestDiameter_mm) * 1e-3);
+  cut.toolDiameter = Metres(tool.numberOr("diameter_mm", 0.0, 0.01, kLargestDiameterMm) * 1e-3);
   const TomlTable programmed = root.tableOr("cut");
-  cut.nominalSpeed = Rpm(programmed.numberOr("speed_rpm", 0.0, 1.0, kHighestSpeed_rpm));
-  cut.nominalFeed = fromMmPerMin(programmed.numberOr("feed_mm_min", 0.0, 0.001, kHighestFeed_mm_min));
+  cut.nominalSpeed = Rpm(programmed.numberOr("speed_rpm", 0.0, 1.0, kHighestSpeedRpm));
+  cut.nominalFeed = fromMmPerMin(programmed.numberOr("feed_mm_min", 0.0, 0.001, kHighestFeedMmMin));
   for (const TomlTable& channel : root.tablesOr("channels")) cut.channels.push_back(channelFrom(channel));
   return cut;
 }

@@ -33,7 +33,8 @@ class Strategy {
   virtual ~Strategy() = default;
   virtual StrategyInfo describe() const = 0;
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
-  // Real-time; an exception is taken as a fault and drops to monitoring. An unusable verdict or machine state gives Hold or None, never a Set.
+  // Real-time; an exception is taken as a fault and drops to monitoring. An unusable verdict or machine state gives
+  // Hold or None, never a Set.
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
   virtual void reset() noexcept = 0;
 };
