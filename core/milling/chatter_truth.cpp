@@ -11,11 +11,13 @@ namespace {
 
 constexpr double kEventRatio = 0.2;
 constexpr double kMarkRatio = 0.5;
+constexpr double kOverRatio = 0.1;  // below it chatter has ended
+constexpr double kLeastDivisor = 0.3;
 
 double divisor(double chatterHz, double spindleHz) {
   if (!(spindleHz > 0.0)) return 1.0;
   const double s = 2.0 * std::sin(std::numbers::pi * chatterHz / spindleHz);
-  return std::max(s * s, 0.05);
+  return std::max(s * s, kLeastDivisor);
 }
 
 double ratioOf(double chatterRms, double totalRms) {
@@ -94,7 +96,7 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
   if (settled) peak_ = std::max(peak_, ratio_);
   if (ratio_ > kMarkRatio && settled) marked_ += s.path - lastPath_;
   lastPath_ = s.path;
-  if (settled && ratio_ >= kEventRatio) {
+  if (settled && ratio_ >= (sustained_ ? kOverRatio : kEventRatio)) {
     if (aboveSince_ < 0.0) aboveSince_ = s.time;
     sustained_ = s.time - aboveSince_ >= std::max(0.020, 3.0 / s.spindleHz);
   } else {

@@ -4,7 +4,7 @@
 // a(t-2T): the forced vibration with its runout repeats every revolution and falls out, slow growth of it too. Divided
 // by |1 - exp(-2 pi i f_c T)|^2 it has the chatter's amplitude. Samples come at equal angles, so T is exact at any
 // speed. ratio = rms of the chatter part / rms of the rest (x and y together), over the longer of one revolution and 8
-// ms. Soft where f_c nears a spindle harmonic (the divisor is kept above 0.05) and while the cut itself changes: after
+// ms. Soft where f_c nears a spindle harmonic (the divisor is kept above 0.3) and while the cut itself changes: after
 // entry, exit and steps of the engagement it waits `settle` before it calls anything chatter. Thread: one. add() is
 // real-time safe; the questions about the past are not.
 #pragma once
