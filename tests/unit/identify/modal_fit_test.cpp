@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <random>
 
-#include "core/milling/identify/measurement_import.h"
 #include "core/milling/identify/modal_band.h"
+#include "core/milling/identify/modal_measurement.h"
 
 namespace stillcut::identify {
 namespace {
@@ -211,15 +211,6 @@ class TapTest : public testing::TestWithParam<const char*> {
   }
   std::string path() const { return std::string(STILLCUT_SHARED_DIR "/recordings/tap_test/") + GetParam(); }
 
-  Result<Frf> measured() const {
-    auto file = importMeasurement(path(), {});
-    if (!file) return file.error();
-    if (const auto* frf = std::get_if<Frf>(&file->data)) return *frf;
-    auto hammer = analyseHammer(std::get<HammerRecord>(file->data), {});
-    if (!hammer) return hammer.error();
-    return hammer->frf;
-  }
-
   static void expectFive(const ModalFit& fit) {
     ASSERT_EQ(fit.modes.size(), 5u);
     const auto& m = fit.modes;
@@ -238,22 +229,31 @@ class TapTest : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(TapTest, FiveModesInTheStatedBand) {
-  const auto frf = measured();
-  ASSERT_TRUE(frf.ok()) << frf.error().line();
-  ModalOptions options;
-  options.from = 600;
-  options.to = 3100;
-  const auto fit = fitModes(*frf, options);
-  ASSERT_TRUE(fit.ok()) << fit.error().line();
-  expectFive(*fit);
+  ModalRequest request;
+  request.fit.from = 600;
+  request.fit.to = 3100;
+  const auto got = identifyModes(path(), request);
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  expectFive(got->fit);
 }
 
 TEST_P(TapTest, FiveModesWithNothingSaid) {
-  const auto frf = measured();
-  ASSERT_TRUE(frf.ok()) << frf.error().line();
-  const auto fit = fitModes(*frf, {});
-  ASSERT_TRUE(fit.ok()) << fit.error().line();
-  expectFive(*fit);
+  const auto got = identifyModes(path(), {});
+  ASSERT_TRUE(got.ok()) << got.error().line();
+  expectFive(got->fit);
+  if (!got->fromHammer) return;
+  ASSERT_EQ(got->hits.size(), 1u);
+  EXPECT_NEAR(got->hits[0].peakForce, 249.7, 0.1);
+  EXPECT_FALSE(got->hits[0].doubleHit);
+  EXPECT_FALSE(got->hits[0].overload);
+}
+
+TEST_P(TapTest, TurnedAccelerometerIsNamedAndTurnedBack) {
+  ModalRequest request;
+  request.hammer.flipResponse = true;
+  const auto got = identifyModes(path(), request);
+  ASSERT_FALSE(got.ok());
+  EXPECT_NE(got.error().line().find("flip"), std::string::npos) << got.error().line();
 }
 
 INSTANTIATE_TEST_SUITE_P(Files, TapTest,
