@@ -5,6 +5,7 @@
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
 #include "core/milling/identify/model_files.h"
+#include "core/milling/model_toml.h"
 
 namespace stillcut::identify {
 namespace {
@@ -15,17 +16,6 @@ using config::TomlTable;
 
 std::string keyValue(std::string_view key, double value) {
   return std::string(key) + " = " + numberText(value) + "\n";
-}
-
-milling::Material readMaterial(const TomlTable& t) {
-  milling::Material m;
-  m.tangential = t.number("tangential_n_per_m2", 0.0, 1e15);
-  m.radial = t.number("radial_n_per_m2", -1e15, 1e15);
-  m.tangentialEdge = t.numberOr("tangential_edge_n_per_m", 0.0, -1e9, 1e9);
-  m.radialEdge = t.numberOr("radial_edge_n_per_m", 0.0, -1e9, 1e9);
-  m.exponent = t.numberOr("exponent", 1.0, 0.01, 1.0);
-  m.processDamping = t.numberOr("process_damping_n_per_m", 0.0, 0.0, 1e12);
-  return m;
 }
 
 void readFit(const TomlTable& t, MaterialFile& file) {
@@ -54,7 +44,7 @@ void readFit(const TomlTable& t, MaterialFile& file) {
 
 Result<MaterialFile> read(const TomlReader& in) {
   MaterialFile file;
-  file.material = readMaterial(in.root().table("material"));
+  file.material = milling::readMaterial(in.root().table("material"));
   file.coefficients.tangential.value = file.material.tangential;
   file.coefficients.radial.value = file.material.radial;
   file.coefficients.tangentialEdge.value = file.material.tangentialEdge;
@@ -73,12 +63,8 @@ MaterialFile materialFile(const CuttingCoefficients& coefficients, const std::st
 }
 
 std::string materialFileText(const MaterialFile& file) {
-  const milling::Material& m = file.material;
   const CuttingCoefficients& k = file.coefficients;
-  std::string text = "[material]\n" + keyValue("tangential_n_per_m2", m.tangential) +
-                     keyValue("radial_n_per_m2", m.radial) + keyValue("tangential_edge_n_per_m", m.tangentialEdge) +
-                     keyValue("radial_edge_n_per_m", m.radialEdge) + keyValue("exponent", m.exponent) +
-                     keyValue("process_damping_n_per_m", m.processDamping) + "\n";
+  std::string text = milling::materialText(file.material);
   config::TomlWriter fit;
   for (const std::string& remark : k.remarks) fit.comment(remark);
   fit.table("force_fit");

@@ -6,6 +6,7 @@
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
 #include "core/milling/identify/model_files.h"
+#include "core/milling/model_toml.h"
 
 namespace stillcut::identify {
 namespace {
@@ -32,12 +33,6 @@ void describe(config::TomlWriter& out, const IdentifiedMode& m) {
   if (!m.doubt.empty()) out.comment("doubt: " + m.doubt);
 }
 
-std::string modeText(const milling::Mode& m) {
-  return "[[mode]]\nfrequency_hz = " + numberText(m.frequency.value) + "\ndamping = " + numberText(m.damping) +
-         "\nstiffness_n_per_m = " + numberText(m.stiffness) + "\ndirection = [" + numberText(m.direction[0]) + ", " +
-         numberText(m.direction[1]) + "]\n\n";
-}
-
 using Member = std::function<double&(IdentifiedMode&)>;
 
 // Columns of [modal_fit], one number per mode.
@@ -56,20 +51,6 @@ const std::vector<Column>& columns() {
       {"phase_rad", [](IdentifiedMode& m) -> double& { return m.phase; }},
   };
   return kColumns;
-}
-
-void readMode(const TomlTable& t, ModesFile& file) {
-  IdentifiedMode m;
-  m.mode.frequency = Hertz(t.number("frequency_hz", 0.01, 1e6));
-  m.mode.damping = t.number("damping", 1e-6, 0.999);
-  m.mode.stiffness = t.number("stiffness_n_per_m", 1.0, 1e15);
-  const std::vector<double> d = t.numbersOr("direction", {1.0, 0.0});
-  if (d.size() == 2) {
-    m.mode.direction = {d[0], d[1]};
-  } else {
-    t.refuse("direction", "a direction is two numbers, along x and y");
-  }
-  file.modes.push_back(std::move(m));
 }
 
 void readFit(const TomlTable& t, ModesFile& file) {
@@ -98,7 +79,10 @@ void readFit(const TomlTable& t, ModesFile& file) {
 
 Result<ModesFile> read(const TomlReader& in) {
   ModesFile file;
-  for (const TomlTable& t : in.root().tables("mode")) readMode(t, file);
+  for (const milling::Mode& mode : milling::readModes(in.root())) {
+    file.modes.emplace_back();
+    file.modes.back().mode = mode;
+  }
   const TomlTable fit = in.root().tableOr("modal_fit");
   if (fit.present()) readFit(fit, file);
   Status done = in.finish();
@@ -120,7 +104,7 @@ std::string modesFileText(const ModesFile& file) {
   for (const IdentifiedMode& m : file.modes) {
     config::TomlWriter notes;
     describe(notes, m);
-    text += notes.content() + modeText(m.mode);
+    text += notes.content() + milling::modesText({m.mode});
   }
   config::TomlWriter fit;
   fit.comment("misfit: " + percent(file.misfit) + " of the response, " + percent(file.realMisfit) + " with real modes");

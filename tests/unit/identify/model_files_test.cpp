@@ -54,7 +54,8 @@ TEST(ModesFile, ReadsBackWhatItWrote) {
 }
 
 TEST(ModesFile, AHandWrittenListIsEnough) {
-  const auto got = parseModes("[[mode]]\nfrequency_hz = 900\ndamping = 0.02\nstiffness_n_per_m = 1e7\n", "m.toml");
+  const auto got = parseModes(
+      "[[mode]]\nfrequency_hz = 900\ndamping = 0.02\nstiffness_n_per_m = 1e7\ndirection = [1, 0]\n", "m.toml");
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_EQ(got->modes[0].mode.direction, (std::array<double, 2>{1.0, 0.0}));
 }
