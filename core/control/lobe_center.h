@@ -3,42 +3,26 @@
 // f_c is low-passed first; the target is recomputed while chatter is marked, and the last one is kept once it clears
 // (option: frozen at the actual speed, for narrow lobes). Feed follows speed, so that the feed per tooth stays.
 //
-// A detector may name any member of the chatter's family f_c + k f_tp as the dominant one; the members differ in p and,
-// at the present speed, by whole waves, but 60 (f_c + k f_tp) / ((p + k) Z) is a different speed for each k. The rule
-// takes the dominant one as given, as the paper does. Where the override does not reach the rule's target, the nearest
-// neighbouring pocket that it reaches is taken; where there is none, nothing is asked and the reason says so.
+// A detector may name any member of the chatter's family f_c + k f_tp as the dominant one. At the present speed they
+// share the fraction of a wave, so all point the same way; but 60 (f_c + k f_tp) / ((p + k) Z) is a different speed for
+// each k, nearer to the present one the higher k is. The rule takes the dominant one as given, as the paper does. Where
+// the override does not reach the rule's target, the nearest neighbouring pocket that it reaches is taken; where there
+// is none, nothing is asked and the reason says so.
 #pragma once
 
-#include "core/control/strategy.h"
-#include "core/control/target_speed.h"
+#include "core/control/frequency_rule.h"
 
 namespace stillcut::control {
 
 config::ParamTable lobeCenterParams();
 
-class LobeCenter final : public Strategy {
+class LobeCenter final : public FrequencyRule {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  OverrideRequest decide(const StrategyInput& input) noexcept override;
-  void reset() noexcept override;
 
  private:
-  void follow(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept;
-  void aim(const StrategyInput& input, Rpm present) noexcept;
-  OverrideRequest answer(const StrategyInput& input) const noexcept;
-
-  config::OverrideLimits limits_;
-  int teeth_ = 0;
-  Seconds smoothing_{};
-  bool waitForChatter_ = false;
-  bool freeze_ = false;
-
-  Rpm programmed_{};
-  Hertz chatter_{};  // low-passed; 0: none yet in this episode
-  Rpm target_{};     // 0: none
-  bool alarmed_ = false;
-  Reason reason_;
+  Aim aim(const RuleView& view) noexcept override;
 };
 
 }  // namespace stillcut::control

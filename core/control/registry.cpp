@@ -6,6 +6,7 @@
 #include "core/config/nearest_word.h"
 #include "core/control/lobe_center.h"
 #include "core/control/monitor.h"
+#include "core/control/quarter_phase.h"
 
 namespace stillcut::control {
 namespace {
@@ -27,6 +28,7 @@ std::span<const StrategyEntry> strategyTable() {
   static const std::vector<StrategyEntry> table{
       {"monitor", &make<Monitor>, {}},
       {"lobe-center", &make<LobeCenter>, lobeCenterParams()},
+      {"quarter-phase", &make<QuarterPhase>, quarterPhaseParams()},
   };
   return table;
 }

@@ -26,6 +26,9 @@ struct StrategyInput {
   Seconds dt{};   // measured time since the previous decision
   Verdict verdict;
   MachineState machine;
+  // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26) where the detector in charge reports it, for the strategies that lower
+  // it; negative: unknown, the verdict's severity stands in for it.
+  double perturbation = -1.0;
 };
 
 class Strategy {

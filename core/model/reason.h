@@ -36,6 +36,10 @@ enum class ReasonCode : std::uint16_t {
   AlreadyThere,        // rpm, chatter Hz: the speed is the one that the rule asks for
   KeepingSpeed,        // rpm kept since chatter cleared
   NextPocketInRange,   // target rpm, pocket number p, rpm out of reach, chatter Hz
+  QuarterWave,         // target rpm, waves n + nu, chatter Hz, present rpm
+  TowardLowerLevel,    // target rpm, chatter Hz minus the harmonic, level over its mean
+  SeekingMinimum,      // target rpm, level there, lowest level so far, its rpm
+  MinimumFound,        // target rpm, level
   // gate
   AuthorityOff,          // -
   AdviceOnly,            // -

@@ -1,0 +1,124 @@
+#include "core/control/frequency_rule.h"
+
+#include <stdexcept>
+
+namespace stillcut::control {
+namespace {
+
+// A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise:
+// averaging the two would aim between them.
+constexpr double kFamilyJump = 0.25;
+constexpr double kSpeedWordShare = 1e-3;
+constexpr double kSettledShare = 0.01;
+
+Rpm presentSpeed(const MachineState& m) noexcept {
+  return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
+}
+
+bool positive(double v) noexcept {
+  return std::isfinite(v) && v > 0.0;
+}
+
+bool usable(const MachineState& m) noexcept {
+  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
+         positive(presentSpeed(m).value);
+}
+
+}  // namespace
+
+void FrequencyRule::prepareRule(const CutSetup& setup, const config::ParamSet& params, const RuleOptions& options) {
+  const auto limits = config::checkOverrideLimits(params, setup, describe().id);
+  if (!limits) throw std::runtime_error(limits.error().line());
+  limits_ = *limits;
+  options_ = options;
+  teeth_ = setup.teeth;
+  reset();
+}
+
+void FrequencyRule::reset() noexcept {
+  programmed_ = {};
+  chatter_ = {};
+  target_ = {};
+  alarmed_ = false;
+  reason_ = {ReasonCode::NothingToDo, {}};
+  forget();
+}
+
+OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
+  const MachineState& m = input.machine;
+  const Verdict& v = input.verdict;
+  if (!usable(m) || !v.valid || !isFinite(v.frequency)) {
+    OverrideRequest hold;
+    hold.time = input.now;
+    hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
+    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    return hold;
+  }
+  // Another S word is another cut: what was found for the old one says nothing.
+  if (std::abs((m.programmedSpeed - programmed_).value) > kSpeedWordShare * m.programmedSpeed.value) {
+    reset();
+    programmed_ = m.programmedSpeed;
+  }
+  const Rpm present = presentSpeed(m);
+  const bool alarm = options_.waitForChatter ? v.state == CutState::Chatter : v.alarming();
+  if (teeth_ <= 0) {
+    reason_ = {ReasonCode::NoTeeth, {}};
+  } else if (alarm && v.frequency.value > 0.0) {
+    smooth(v, input.dt, toothPassing(present, teeth_));
+    take(aim(look(input, present)));
+  } else if (!alarm && target_.value > 0.0) {
+    if (alarmed_ && options_.freeze) target_ = present;
+    chatter_ = {};
+    take(whenQuiet(look(input, present)));
+  }
+  alarmed_ = alarm;
+  return answer(input);
+}
+
+Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
+  return {{}, {ReasonCode::KeepingSpeed, {target_.value}}};
+}
+
+void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept {
+  const bool jump = std::abs((verdict.frequency - chatter_).value) > kFamilyJump * toothPass.value;
+  if (!alarmed_ || chatter_.value <= 0.0 || jump || !(dt.value > 0.0)) {
+    chatter_ = verdict.frequency;
+    return;
+  }
+  chatter_ += (verdict.frequency - chatter_) * (dt.value / (dt.value + options_.smoothing.value));
+}
+
+RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noexcept {
+  const MachineState& m = input.machine;
+  RuleView view;
+  view.now = input.now;
+  view.dt = input.dt;
+  view.chatter = chatter_;
+  view.teeth = teeth_;
+  view.present = present;
+  view.programmed = m.programmedSpeed * m.operatorSpeed.value;
+  view.level = input.perturbation >= 0.0 ? input.perturbation : input.verdict.severity.value;
+  view.settled = std::abs((present - target_).value) <= kSettledShare * present.value;
+  view.reach = reachableSpeeds(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  return view;
+}
+
+void FrequencyRule::take(const Aim& aim) noexcept {
+  if (positive(aim.speed.value)) target_ = aim.speed;
+  reason_ = aim.reason;
+}
+
+OverrideRequest FrequencyRule::answer(const StrategyInput& input) const noexcept {
+  OverrideRequest request;
+  request.time = input.now;
+  request.claimsSpeed = true;
+  request.claimsFeed = true;
+  request.reason = reason_;
+  if (target_.value <= 0.0) return request;
+  request.kind = RequestKind::Set;
+  request.speed = target_;
+  request.feed = feedFollowing(target_, input.machine);
+  return request;
+}
+
+}  // namespace stillcut::control

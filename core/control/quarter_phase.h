@@ -1,0 +1,37 @@
+// quarter-phase: Liao 1996, eq. 3 with the phase factor nu = 0.25:
+//   Z N / 60 = f_c / (n + nu), n = 0, 1, 2, ... chosen for the speed closest to the present one.
+// A quarter wave between two cuts takes the most energy out of the vibration in each period. The paper's machine could
+// only go slower, so the direction is an option: nearest, down, up. "Slower" includes what the rule already reached:
+// a target that the frequency's noise puts a hair above the present speed is not a reason to jump a whole pocket.
+#pragma once
+
+#include "core/control/frequency_rule.h"
+
+namespace stillcut::control {
+
+config::ParamTable quarterPhaseParams();
+
+enum class SpeedDirection { Nearest, Down, Up };
+
+struct QuarterTarget {
+  Rpm speed{};
+  double waves = 0.0;  // n + nu; 0: none in the reach
+};
+
+// The rule itself. A speed within `reach`, in the wanted direction, closest to the present one. Real-time.
+QuarterTarget quarterPhaseSpeed(Hertz chatter, int teeth, Rpm present, double phase, SpeedDirection direction,
+                                const config::SpeedRange& reach) STILLCUT_RT;
+
+class QuarterPhase final : public FrequencyRule {
+ public:
+  StrategyInfo describe() const override;
+  void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+
+ private:
+  Aim aim(const RuleView& view) noexcept override;
+
+  double phase_ = 0.25;
+  SpeedDirection direction_ = SpeedDirection::Nearest;
+};
+
+}  // namespace stillcut::control
