@@ -96,7 +96,7 @@ std::span<const Column> columnsOf<VerdictRow>() {
 
 template <>
 std::span<const Column> columnsOf<CommandRow>() {
-  static constexpr std::array<Column, 9> kColumns{
+  static constexpr std::array<Column, 10> kColumns{
       {{"step", offsetof(CommandRow, step), T::U64},
        {"time_ns", offsetof(CommandRow, time), T::I64},
        {"sequence", offsetof(CommandRow, sequence), T::U64},
@@ -104,6 +104,7 @@ std::span<const Column> columnsOf<CommandRow>() {
        {"speed", offsetof(CommandRow, speed), T::F64},
        {"feed", offsetof(CommandRow, feed), T::F64},
        {"lease_ns", offsetof(CommandRow, lease), T::I64},
+       {"engagement", offsetof(CommandRow, engagement), T::U64},
        {"reason", offsetof(CommandRow, reason) + kReasonCode, T::U16},
        {"reason_numbers", offsetof(CommandRow, reason) + kReasonNumbers, T::F64, 4}}};
   return kColumns;

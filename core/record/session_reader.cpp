@@ -85,6 +85,7 @@ class SessionReader final : public RecordingReader {
     if (!format) return format.error();
     format_ = std::move(*format);
     format_.closedCleanly = opened->closedCleanly;
+    reasons_ = ReasonCodes(readText(file_.get(), "reason_codes").value_or(""));
     std::uint64_t frames = 0;
     picked_ = options.channels;
     for (int c = 0; options.channels.empty() && c < static_cast<int>(format_.channels.size()); ++c)
@@ -143,11 +144,14 @@ class SessionReader final : public RecordingReader {
     fromRow(*block, current_.input.block);
     fromRow(*machine, current_.input.machine);
     if (!fromRow(*decision, current_.output)) return false;
+    translate(current_.output.request.reason);
     for (std::size_t c = 0; c < samples_.size(); ++c) {
       if (!samples_[c].read(block->offset, current_.input.block.channel(static_cast<int>(c)))) return false;
     }
     return readInputs() && readOutputs();
   }
+
+  void translate(Reason& reason) const { reason.code = reasons_.fromFile(reason.code); }
 
   bool readInputs() {
     bool damaged = false;
@@ -166,16 +170,21 @@ class SessionReader final : public RecordingReader {
     StepOutput& output = current_.output;
     while (const VerdictRow* row = verdicts_.next(step_, damaged)) {
       if (output.verdictCount >= kMaxDetectors || row->detector != output.verdictCount) return false;
-      if (!fromRow(*row, output.verdicts[static_cast<std::size_t>(output.verdictCount++)])) return false;
+      Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.verdictCount++)];
+      if (!fromRow(*row, verdict)) return false;
+      translate(verdict.reason);
     }
     while (const CommandRow* row = commands_.next(step_, damaged)) {
       if (output.hasCommand) return false;
       output.hasCommand = true;
       fromRow(*row, output.command);
+      translate(output.command.reason);
     }
     while (const EventRow* row = events_.next(step_, damaged)) {
       if (output.eventCount >= kMaxEventsPerStep) return false;
-      fromRow(*row, output.events[static_cast<std::size_t>(output.eventCount++)]);
+      Event& event = output.events[static_cast<std::size_t>(output.eventCount++)];
+      fromRow(*row, event);
+      translate(event.reason);
     }
     return !damaged;
   }
@@ -183,6 +192,7 @@ class SessionReader final : public RecordingReader {
   std::string path_;
   Hdf5Id file_;
   RecordingFormat format_;
+  ReasonCodes reasons_{""};
   std::vector<int> picked_;
   std::vector<SampleReader> samples_;
   TableReader<BlockRow> blocks_;

@@ -48,6 +48,7 @@ Result<SessionCounts> countSession(const std::string& path) {
       !commands.open(file, kCommandsPath) || !events.open(file, kEventsPath) || !truth.open(file, kTruthPath)) {
     return Error{path, "a table is missing or has another layout", hdf5Cause()};
   }
+  const ReasonCodes reasons(readText(file, "reason_codes").value_or(""));
   constexpr std::uint64_t kMostShown = 100;
   SessionCounts counts;
   counts.steps = blocks.rows();
@@ -64,6 +65,7 @@ Result<SessionCounts> countSession(const std::string& path) {
     if (row == nullptr) break;
     Event event;
     fromRow(*row, event);
+    event.reason.code = reasons.fromFile(event.reason.code);
     counts.firstEvents.push_back(event);
   }
   for (std::uint64_t i = 0; i < kMostShown; ++i) {

@@ -1,11 +1,14 @@
 #include "core/record/session_rows.h"
 
+#include <map>
+#include <ranges>
+
 namespace stillcut::record {
 namespace {
 
 // A field added to the model must be added to its row as well, or a replay would differ from the cut.
 static_assert(sizeof(MachineState) == 80 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
-                  sizeof(CommandRecord) == 88 && sizeof(Event) == 64 && sizeof(OperatorInput) == 2,
+                  sizeof(CommandRecord) == 96 && sizeof(Event) == 64 && sizeof(OperatorInput) == 2,
               "record the new field in session_rows, raise kSessionVersion, then change this line");
 
 Reason fromRow(const ReasonRow& row) {
@@ -45,6 +48,33 @@ bool take(std::uint8_t value, E& out) {
 }
 
 }  // namespace
+
+std::string reasonIdentifiers() {
+  std::string all(identifier(ReasonCode::None));
+  for (std::uint16_t code = 1;; ++code) {
+    const std::string_view id = identifier(static_cast<ReasonCode>(code));
+    if (id == identifier(ReasonCode::None)) return all;  // the end of what there is
+    all.append("\n").append(id);
+  }
+}
+
+ReasonCodes::ReasonCodes(std::string_view identifiers) {
+  std::map<std::string_view, ReasonCode> known;
+  const std::string mine = reasonIdentifiers();
+  std::uint16_t code = 0;
+  for (const auto id : std::views::split(std::string_view(mine), '\n')) {
+    known.emplace(std::string_view(id.begin(), id.end()), static_cast<ReasonCode>(code++));
+  }
+  for (const auto id : std::views::split(identifiers, '\n')) {
+    const auto found = known.find(std::string_view(id.begin(), id.end()));
+    codes_.push_back(found != known.end() ? found->second : ReasonCode::None);
+  }
+}
+
+ReasonCode ReasonCodes::fromFile(ReasonCode stored) const {
+  const auto index = static_cast<std::size_t>(stored);
+  return index < codes_.size() ? codes_[index] : ReasonCode::None;
+}
 
 BlockRow toRow(const SampleBlock& b, std::uint64_t offset) {
   return {b.sequence, toNs(b.firstSample), b.rate.value, b.lostFrames, offset, b.source, b.frames, b.flags};
@@ -163,7 +193,8 @@ bool fromRow(const VerdictRow& row, Verdict& v) {
 }
 
 CommandRow toRow(const CommandRecord& c, std::uint64_t step) {
-  return {step, toNs(c.time), c.sequence, byte(c.kind), c.speed.value, c.feed.value, c.lease.count(), toRow(c.reason)};
+  return {step,         toNs(c.time),    c.sequence,   byte(c.kind),   c.speed.value,
+          c.feed.value, c.lease.count(), c.engagement, toRow(c.reason)};
 }
 
 void fromRow(const CommandRow& row, CommandRecord& c) {
@@ -173,6 +204,7 @@ void fromRow(const CommandRow& row, CommandRecord& c) {
   c.speed = Ratio(row.speed);
   c.feed = Ratio(row.feed);
   c.lease = Duration(row.lease);
+  c.engagement = row.engagement;
   c.reason = fromRow(row.reason);
 }
 

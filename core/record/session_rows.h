@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/model/step_record.h"
 
@@ -75,6 +78,7 @@ struct CommandRow {
   std::uint8_t kind = 0;
   double speed = 0, feed = 0;
   std::int64_t lease = 0;
+  std::uint64_t engagement = 0;
   ReasonRow reason;
 };
 
@@ -101,6 +105,18 @@ struct TruthSampleRow {
 
 template <class Row>
 std::span<const Column> columnsOf();
+
+// Reason codes are numbers of one version of the program; a file lists their identifiers, and reading goes by those.
+std::string reasonIdentifiers();  // one a line, in the order of the numbers
+class ReasonCodes {
+ public:
+  explicit ReasonCodes(std::string_view identifiers);
+  // The code of this program for what a file holds; None when this program does not know it.
+  ReasonCode fromFile(ReasonCode stored) const;
+
+ private:
+  std::vector<ReasonCode> codes_;
+};
 
 BlockRow toRow(const SampleBlock& block, std::uint64_t offset);
 MachineRow toRow(const MachineState& machine);

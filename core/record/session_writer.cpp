@@ -66,6 +66,7 @@ bool writeHeader(hid_t file, const SessionHeader& header) {
   return writeText(file, "format", kSessionFormat) && writeInteger(file, "format_version", kSessionVersion) &&
          writeText(file, "program", "Stillcut") && writeText(file, "program_version", header.programVersion) &&
          writeText(file, "configuration", header.configuration) &&
+         writeText(file, "reason_codes", reasonIdentifiers()) &&
          writeInteger(file, "simulated", header.simulated ? 1 : 0) && setup &&
          writeText(setup.get(), "machine", s.machine) && writeText(setup.get(), "tool", s.tool) &&
          writeInteger(setup.get(), "teeth", s.teeth) &&

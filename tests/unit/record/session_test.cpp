@@ -14,6 +14,7 @@
 #include "core/record/hdf5_file.h"
 #include "core/record/open_recording.h"
 #include "core/record/session_reader.h"
+#include "core/record/session_rows.h"
 #include "core/record/session_writer.h"
 #include "tests/unit/record/step_samples.h"
 #include "tests/unit/record/temp_folder.h"
@@ -109,6 +110,20 @@ TEST(Session, TheHeaderComesBackEvenWithALargeConfiguration) {
   EXPECT_EQ(format.channels[1].info.name, "y");
   EXPECT_EQ(format.channels[1].info.scale, expected.channels[1].scale);
   EXPECT_EQ(format.channels[1].info.quantity, SensorQuantity::Acceleration);
+}
+
+TEST(Session, ReasonsAreReadByTheirIdentifiersNotTheirNumbers) {
+  const std::string ids = reasonIdentifiers();
+  EXPECT_THAT(ids, testing::StartsWith("none\nlearning\n"));
+  EXPECT_THAT(ids, HasSubstr("\nchatter-began\n"));
+  // A file of another version, with other numbers and a code this program has never had.
+  const ReasonCodes codes("none\nchatter-began\nfrom-the-future\nlearning");
+  EXPECT_EQ(codes.fromFile(static_cast<ReasonCode>(1)), ReasonCode::ChatterBegan);
+  EXPECT_EQ(codes.fromFile(static_cast<ReasonCode>(2)), ReasonCode::None);
+  EXPECT_EQ(codes.fromFile(static_cast<ReasonCode>(3)), ReasonCode::Learning);
+  EXPECT_EQ(codes.fromFile(static_cast<ReasonCode>(4000)), ReasonCode::None);
+  const ReasonCodes own(ids);
+  EXPECT_EQ(own.fromFile(ReasonCode::LinkLost), ReasonCode::LinkLost);
 }
 
 TEST(Session, TruthOfASimulatedCutIsKept) {

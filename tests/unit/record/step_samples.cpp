@@ -93,7 +93,7 @@ StepOutput output(Numbers& n) {
   if (o.hasCommand) {
     o.command = {n.instant(),     n.bits(),        static_cast<CommandKind>(n.below(2)),
                  Ratio(n.real()), Ratio(n.real()), Duration(static_cast<std::int64_t>(n.bits() >> 3U)),
-                 n.reason()};
+                 n.reason(),      n.bits()};
   }
   o.authority = static_cast<Authority>(n.below(3));
   o.eventCount = n.below(kMaxEventsPerStep + 1);
@@ -201,8 +201,8 @@ std::vector<std::uint64_t> bitsOf(const StepOutput& o) {
   const OverrideRequest& r = o.request;
   bits << r.time << r.kind << r.claimsSpeed << r.claimsFeed << r.speed << r.feed << r.reason << o.hasCommand;
   const CommandRecord& c = o.command;
-  bits << c.time << c.sequence << c.kind << c.speed << c.feed << c.lease.count() << c.reason << o.authority
-       << o.eventCount;
+  bits << c.time << c.sequence << c.kind << c.speed << c.feed << c.lease.count() << c.reason << c.engagement
+       << o.authority << o.eventCount;
   for (const Event& e : o.events) bits << e.time << e.number << e.level << e.reason;
   return bits.take();
 }

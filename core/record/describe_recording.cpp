@@ -1,0 +1,121 @@
+#include "core/record/describe_recording.h"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "core/record/open_recording.h"
+
+namespace stillcut::record {
+namespace {
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+std::string channelLine(std::size_t index, const RecordedChannel& channel) {
+  const ChannelInfo& info = channel.info;
+  std::string line = "channel " + std::to_string(index) + "    " + info.name + ", " + std::string(name(info.quantity));
+  if (!channel.quantityKnown) line += " (assumed)";
+  if (!channel.unit.empty()) line += ", in " + channel.unit;
+  if (info.scale != 1.0) line += ", times " + number(info.scale) + " makes " + std::string(siUnit(info.quantity));
+  return line + "\n";
+}
+
+std::string sessionText(const RecordingFormat& format, const SessionCounts& counts) {
+  std::string text;
+  if (format.setup) {
+    text += "machine      " + format.setup->machine + "\ntool         " + format.setup->tool + "\n";
+    text += "programmed   " + number(format.setup->nominalSpeed.value) + " rpm, " +
+            number(toMmPerMin(format.setup->nominalFeed)) + " mm/min, " + std::to_string(format.setup->teeth) +
+            " teeth\n";
+  }
+  text += "program      " + format.programVersion + (format.simulated ? ", simulated machine" : "") + "\n";
+  text += "steps        " + std::to_string(counts.steps) + ", with " + std::to_string(counts.gaps) + " gaps\n";
+  text += "recorded     " + std::to_string(counts.verdicts) + " verdicts, " + std::to_string(counts.commands) +
+          " commands, " + std::to_string(counts.events) + " events, " + std::to_string(counts.inputs) +
+          " operator inputs\n";
+  if (!format.closedCleanly) text += "state        not closed: still being written, or cut off by a crash\n";
+  for (const Event& event : counts.firstEvents) {
+    text += "event        " + number(sinceEpoch(event.time).value) + " s: " + sentence(event.reason) + "\n";
+  }
+  for (const auto& [key, value] : counts.truthValues) text += "truth        " + key + " = " + number(value) + "\n";
+  return text;
+}
+
+nlohmann::ordered_json sessionJson(const RecordingFormat& format, const SessionCounts& counts) {
+  nlohmann::ordered_json session;
+  session["closed_cleanly"] = format.closedCleanly;
+  session["simulated"] = format.simulated;
+  session["program_version"] = format.programVersion;
+  if (format.setup) {
+    session["machine"] = format.setup->machine;
+    session["tool"] = format.setup->tool;
+    session["teeth"] = format.setup->teeth;
+    session["nominal_speed_rpm"] = format.setup->nominalSpeed.value;
+    session["nominal_feed_mm_min"] = toMmPerMin(format.setup->nominalFeed);
+  }
+  session["steps"] = counts.steps;
+  session["gaps"] = counts.gaps;
+  session["verdicts"] = counts.verdicts;
+  session["commands"] = counts.commands;
+  session["events"] = counts.events;
+  session["operator_inputs"] = counts.inputs;
+  for (const auto& [key, value] : counts.truthValues) session["truth"][key] = value;
+  session["configuration"] = format.configuration;
+  return session;
+}
+
+}  // namespace
+
+Result<RecordingDescription> describeRecording(const std::string& path, const ReadOptions& options) {
+  RecordingDescription description;
+  description.path = path;
+  {
+    const Result<std::unique_ptr<RecordingReader>> reader = openRecording(path, options);
+    if (!reader) return reader.error();
+    description.format = reader.value()->format();
+  }
+  if (description.format.setup) {
+    Result<SessionCounts> counts = countSession(path);
+    if (!counts) return counts.error();
+    description.session = std::move(*counts);
+  }
+  return description;
+}
+
+std::string toText(const RecordingDescription& description) {
+  const RecordingFormat& format = description.format;
+  std::string text = "file         " + description.path + "\nformat       " + format.kind + "\n";
+  text += "rate         " + number(format.rate.value) + " Hz\n";
+  text += "length       " + number(format.length().value) + " s, " + std::to_string(format.frames) + " frames\n";
+  for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
+  for (const std::string& skipped : format.skipped) text += "no channel   " + skipped + "\n";
+  if (description.session) text += sessionText(format, *description.session);
+  return text;
+}
+
+std::string toJson(const RecordingDescription& description) {
+  const RecordingFormat& format = description.format;
+  nlohmann::ordered_json json;
+  json["file"] = description.path;
+  json["format"] = format.kind;
+  json["rate_hz"] = format.rate.value;
+  json["frames"] = format.frames;
+  json["length_s"] = format.length().value;
+  json["channels"] = nlohmann::ordered_json::array();
+  for (const RecordedChannel& channel : format.channels) {
+    json["channels"].push_back({{"name", channel.info.name},
+                                {"quantity", name(channel.info.quantity)},
+                                {"quantity_known", channel.quantityKnown},
+                                {"unit", channel.unit},
+                                {"scale", channel.info.scale}});
+  }
+  json["skipped"] = format.skipped;
+  if (description.session) json["session"] = sessionJson(format, *description.session);
+  // A file may hold bytes that are no UTF-8 in a name: shown as a replacement sign, never an exception.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace stillcut::record
