@@ -193,7 +193,7 @@ Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_v
   const std::size_t equals = setting.find('=');
   if (equals == std::string_view::npos || equals == 0) {
     return Error{std::string(where), "'" + std::string(setting) + "' is not KEY=VALUE",
-                 "for example energy-ratio.threshold=0.2"};
+                 "for example energy-ratio.chatter=0.2"};
   }
   return params.set(catalog, setting.substr(0, equals), setting.substr(equals + 1), where);
 }

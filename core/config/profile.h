@@ -9,7 +9,7 @@
 //   [source]     id        [source.settings]  keys of that device
 //   [link]       id        [link.settings]    keys of that machine link
 //   [control]    detector, fallback, strategy, allow_auto
-//   [parameters.energy-ratio]  threshold = 0.2           a declared key, its part as a table
+//   [parameters.energy-ratio]  chatter = 0.2             a declared key, its part as a table
 //
 // Thread: set-up.
 #pragma once

@@ -94,7 +94,7 @@ std::vector<LinkLine> linkLines(const std::vector<SourceFile>& files) {
       for (std::string word; words >> word;) {
         if (word == "SOURCES" || word == "LINKS" || word == "PRIVATE_LINKS") {
           linking = word != "SOURCES";
-        } else if (linking && (word.starts_with("core_") || word.starts_with("ui_"))) {
+        } else if (linking && (word.starts_with("core_") || word.starts_with("ui_") || word.starts_with("app_"))) {
           line.links.push_back(word);
         }
       }

@@ -84,8 +84,8 @@ TEST(ParamSetErrors, NameKeyCauseAndRemedyInOneLine) {
   EXPECT_EQ(errorOf("spectral.relearn=yes"), "--set: spectral.relearn: 'yes' is neither true nor false");
   EXPECT_EQ(errorOf("spectral.window=hamming"),
             "--set: spectral.window: 'hamming' is not a choice (choices: hann, flat-top, none)");
-  EXPECT_EQ(errorOf("threshold"), "--set: 'threshold' is not KEY=VALUE (for example energy-ratio.threshold=0.2)");
-  EXPECT_EQ(errorOf("=1"), "--set: '=1' is not KEY=VALUE (for example energy-ratio.threshold=0.2)");
+  EXPECT_EQ(errorOf("threshold"), "--set: 'threshold' is not KEY=VALUE (for example energy-ratio.chatter=0.2)");
+  EXPECT_EQ(errorOf("=1"), "--set: '=1' is not KEY=VALUE (for example energy-ratio.chatter=0.2)");
 }
 
 TEST(ParamSetErrors, RefuseWhatIsNotFinite) {
