@@ -60,6 +60,7 @@ class Screenshots : public WindowTest, public testing::WithParamInterface<Look> 
     expectWhole<LimitBar>(state);
     expectWhole<OverrideTable>(state);
     expectWhole<InterventionCard>(state);
+    expectWhole<InterventionList>(state);
     expectWhole<StatusStrip>(state);
     expectWhole<CommandBar>(state);
     expectWhole<HeaderBar>(state);

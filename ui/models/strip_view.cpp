@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include "ui/models/format.h"
+#include "ui/models/reason_text.h"
 
 namespace stillcut::ui {
 namespace {
+
+constexpr Seconds kEventShownFor{30.0};
 
 QString say(const char* text) {
   return QCoreApplication::translate("StripView", text);
@@ -44,12 +47,14 @@ StripItem counter(const QString& label, quint64 count) {
   return {label, number(static_cast<double>(count)), count > 0 ? Tone::Onset : Tone::Normal};
 }
 
-StripItem recordingItem(const RecorderStatus& recorder) {
+StripItem recordingItem(const RecorderStatus& recorder, quint64 lost) {
   switch (recorder.state) {
     case RecorderStatus::State::Off:
       return {say("Recording"), say("off"), Tone::Faint};
     case RecorderStatus::State::Recording:
-      return {say("Recording"), stopwatch(recorder.length), Tone::Normal};
+      if (lost == 0) return {say("Recording"), stopwatch(recorder.length), Tone::Normal};
+      return {say("Recording"), say("%1, %2 lost").arg(stopwatch(recorder.length), number(static_cast<double>(lost))),
+              Tone::Onset};
     case RecorderStatus::State::Failed:
       return {say("Recording"), recorder.problem.isEmpty() ? say("stopped") : recorder.problem, Tone::Chatter};
   }
@@ -91,8 +96,9 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   items.push_back(counter(say("Drops"), health.droppedBlocks));
   items.push_back(counter(say("Overruns"), health.overruns));
   const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
-  items.push_back({say("Block age"), duration(blockAge), picture.stale ? Tone::Chatter : Tone::Normal});
-  items.push_back(recordingItem(picture.recorder));
+  items.push_back({say("Block age"), duration(picture.snapshot ? blockAge : Seconds(std::nan(""))),
+                   picture.stale ? Tone::Chatter : Tone::Normal});
+  items.push_back(recordingItem(picture.recorder, health.tapDropped));
   return items;
 }
 
@@ -117,6 +123,9 @@ CommandView makeCommandView(const Picture& picture) {
                    : s.authority == Authority::Advise ? say("You are in command, Stillcut advises")
                                                       : say("You are in command");
   view.since = say("since %1").arg(clockTime(picture.info->wallMs(s.authoritySince)));
+  if (s.authority == Authority::Auto && picture.info->simulatedMachine) {
+    view.since = say("%1, on this simulated machine").arg(view.since);
+  }
   if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
   return view;
@@ -132,6 +141,20 @@ std::vector<CardView> makeCards(const Picture& picture) {
     cards.push_back(cardOf(s.interventions[number % kInterventionsShown], *picture.info));
   }
   return cards;
+}
+
+EventLine makeEventLine(const Picture& picture) {
+  if (!picture.snapshot) return {};
+  const Snapshot& s = *picture.snapshot;
+  const quint64 kept = std::min<quint64>(s.eventCount, kEventsShown);
+  for (quint64 k = 0; k < kept; ++k) {
+    const Event& event = s.events[(s.eventCount - 1 - k) % kEventsShown];
+    if (secondsBetween(event.time, s.time) > kEventShownFor) break;
+    if (event.level == EventLevel::Info || event.reason.code == ReasonCode::ChatterBegan) continue;
+    return {clockTime(picture.info->wallMs(event.time)) + u' ' + reasonText(event.reason),
+            event.level == EventLevel::Fault ? Tone::Chatter : Tone::Onset};
+  }
+  return {};
 }
 
 }  // namespace stillcut::ui

@@ -42,4 +42,13 @@ struct CardView {
 // Newest first.
 std::vector<CardView> makeCards(const Picture& picture);
 
+// The newest thing that went wrong and what became of it, for half a minute; alarms are told by the verdict.
+struct EventLine {
+  QString text;  // "14:00:03  The machine has not answered for 1.2 s"; empty: nothing
+  Tone tone = Tone::Normal;
+  bool operator==(const EventLine&) const = default;
+};
+
+EventLine makeEventLine(const Picture& picture);
+
 }  // namespace stillcut::ui

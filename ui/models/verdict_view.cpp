@@ -116,6 +116,7 @@ QString VerdictView::spoken() const {
 VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   if (!picture.snapshot) return noVerdict(say("Waiting for the first samples"));
   if (picture.stale) return staleVerdict(picture);
+  if (!picture.snapshot->running) return noVerdict(say("The run has ended"));
   const Verdict& verdict = picture.verdict();
   if (!verdict.valid) {
     const QString why = reasonText(verdict.reason);

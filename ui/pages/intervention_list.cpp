@@ -35,12 +35,13 @@ InterventionList::InterventionList(QWidget* parent)
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
-void InterventionList::display(const std::vector<CardView>& cards, bool alarming) {
-  if (cards == cards_ && alarming == alarming_) return;
+void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool alarming) {
+  if (cards == cards_ && event == event_ && alarming == alarming_) return;
   const bool newAlarm =
       (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
   if (newAlarm) judgement_ = Judgement::None;
   cards_ = cards;
+  event_ = event;
   alarming_ = alarming;
   for (std::size_t k = 0; k < widgets_.size() && k < cards.size(); ++k) widgets_[k]->display(cards[k]);
   showJudgement();
@@ -111,9 +112,12 @@ void InterventionList::paintEvent(QPaintEvent*) {
   QPainter p(this);
   drawPanel(p, rect(), theme_, theme_.colors.panel);
   TextPainter text(p, theme_);
+  // What went wrong takes the place of the title: the cards explain themselves.
   const double pad = theme_.px(kPad), room = wasTrue_->x() - 2 * pad;
-  text.centred(QRectF(pad, theme_.px(4), room, theme_.px(kHead - 4)), tr("LAST INTERVENTIONS"),
-               {type_size::kLabel, true, theme_.colors.secondary});
+  const bool plain = event_.text.isEmpty();
+  text.centred(QRectF(pad, theme_.px(4), room, theme_.px(kHead - 4)), plain ? tr("LAST INTERVENTIONS") : event_.text,
+               {type_size::kLabel, true, plain ? theme_.colors.secondary : theme_.onPanel(event_.tone)});
+  clipped_ = text.clipped();
   if (!cards_.empty()) return;
   text.centred(QRectF(pad, theme_.px(kHead), room, height() - 2 * theme_.px(kHead)), tr("None in this run"),
                {type_size::kBody, false, theme_.colors.faint});

@@ -20,8 +20,9 @@ class InterventionList : public QWidget, public Themed {
   explicit InterventionList(QWidget* parent = nullptr);
 
   // `alarming`: an alarm is on right now, which can be judged before there is a card.
-  void display(const std::vector<CardView>& cards, bool alarming);
+  void display(const std::vector<CardView>& cards, const EventLine& event, bool alarming);
   int shownCards() const;
+  bool clipped() const { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize minimumSizeHint() const override;
@@ -43,10 +44,12 @@ class InterventionList : public QWidget, public Themed {
 
   Theme theme_;
   std::vector<CardView> cards_;
+  EventLine event_;
   std::vector<InterventionCard*> widgets_;
   TouchButton* wasTrue_;
   TouchButton* wasFalse_;
   bool alarming_ = false;
+  bool clipped_ = false;
   Judgement judgement_ = Judgement::None;
 };
 

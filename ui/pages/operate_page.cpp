@@ -57,7 +57,7 @@ void OperatePage::display(const Picture& picture) {
   advice_->display(makeAdviceView(picture));
   overrides_->display(makeMachineView(picture));
   const bool alarming = picture.snapshot && !picture.stale && picture.verdict().alarming();
-  interventions_->display(makeCards(picture), alarming);
+  interventions_->display(makeCards(picture), makeEventLine(picture), alarming);
   showBars(picture);
   showSpectrogram(picture);
 }

@@ -158,9 +158,6 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   p.drawText(QRect(theme_.px(16), 0, plot.right(), line.height()), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int titleEnd = theme_.px(16) + p.fontMetrics().horizontalAdvance(title) + theme_.px(14);
   p.setFont(theme_.font(type_size::kLabel));
-  p.drawText(QRect(titleEnd, 0, plot.right(), line.height()), Qt::AlignVCenter | Qt::AlignLeft,
-             tr("%1, last 10 s").arg(signal_));
-
   // The palette with its two ends.
   const QString low = number(image_.range().low());
   const QString high = join(number(image_.range().high()), unit_.isEmpty() ? tr("dB") : tr("dB re 1 %1").arg(unit_));
@@ -175,6 +172,10 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   p.fillRect(QRect(x, (line.height() - barHeight) / 2, barWidth, barHeight), gradient);
   x -= gap + metrics.horizontalAdvance(low);
   p.drawText(x, (line.height() + metrics.ascent() - metrics.descent()) / 2, low);
+
+  const QString signal = tr("%1, last 10 s").arg(signal_);
+  const QRect room(titleEnd, 0, x - gap - titleEnd, line.height());
+  p.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, metrics.elidedText(signal, Qt::ElideRight, room.width()));
 }
 
 void SpectrogramWidget::drawColumns(QPainter& p, const QRect& plot) const {

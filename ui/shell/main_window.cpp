@@ -48,6 +48,8 @@ MainWindow::MainWindow(SessionFacade& session, ThemeKind theme, QWidget* parent)
   connect(operate_, &OperatePage::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   connect(command_, &CommandBar::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   connect(&timer_, &QTimer::timeout, this, [this] { tick(clock_.elapsed()); });
+  operate_->setFocusPolicy(Qt::ClickFocus);
+  operate_->setFocus();
   resize(1280, 800);
   retheme();
 }

@@ -48,13 +48,15 @@ void TextPainter::centred(const QRectF& box, const QString& text, const TextStyl
   if (text.isEmpty()) return;
   const QFont font = fit(box.width(), text, style);
   const QFontMetricsF metrics(font);
-  const double advance = metrics.horizontalAdvance(text);
+  const bool whole = metrics.horizontalAdvance(text) <= box.width();
+  const QString shown = whole ? text : metrics.elidedText(text, Qt::ElideRight, box.width());
+  const double advance = metrics.horizontalAdvance(shown);
   double x = box.left();
   if (style.align & Qt::AlignRight) x = box.right() - advance;
   if (style.align & Qt::AlignHCenter) x = box.center().x() - advance / 2.0;
   p_.setFont(font);
   p_.setPen(style.color);
-  p_.drawText(QPointF(x, box.center().y() + metrics.capHeight() / 2.0), text);
+  p_.drawText(QPointF(x, box.center().y() + metrics.capHeight() / 2.0), shown);
 }
 
 double TextPainter::block(const QRectF& box, const QString& text, const TextStyle& style) {

@@ -13,7 +13,7 @@ TouchButton::TouchButton(const QString& caption, Look look, QWidget* parent)
     : QAbstractButton(parent), theme_(makeTheme(ThemeKind::Light, 1.0)), look_(look) {
   setText(caption);
   setAccessibleName(caption);
-  setFocusPolicy(Qt::StrongFocus);
+  setFocusPolicy(Qt::TabFocus);  // a touch leaves no frame behind; the keyboard reaches everything
   setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   setAttribute(Qt::WA_Hover);
 }
@@ -96,7 +96,7 @@ void TouchButton::paintEvent(QPaintEvent*) {
   p.drawRoundedRect(QRectF(rect()).adjusted(line / 2, line / 2, -line / 2, -line / 2), radius, radius);
   if (hasFocus()) {
     p.setBrush(Qt::NoBrush);
-    p.setPen(QPen(look.front, theme_.px(1.2), Qt::DotLine));
+    p.setPen(QPen(look.front, theme_.px(2)));
     p.drawRoundedRect(QRectF(rect()).adjusted(4, 4, -4, -4), radius - 2, radius - 2);
   }
   TextPainter text(p, theme_);

@@ -1,6 +1,7 @@
 #include "ui/widgets/verdict_sign.h"
 
 #include <QAccessible>
+#include <QFontMetricsF>
 #include <QPainter>
 #include <cmath>
 #include <numbers>
@@ -72,9 +73,13 @@ void VerdictSign::paintEvent(QPaintEvent*) {
   const bool hasFrequency = !view_.frequency.isEmpty();
   const double freq = hasFrequency ? capHeight(theme_, type_size::kFrequency, true) + theme_.px(28) : 0.0;
   const double value = capHeight(theme_, type_size::kValue, false);
-  const double lines = value + theme_.px(26) + value + theme_.px(20);
+  // A sentence without a frequency above it may take two lines.
+  const QFontMetricsF valueMetrics(theme_.font(type_size::kValue));
+  const double room = width() - 2.0 * pad;
+  const bool twoLines = !hasFrequency && valueMetrics.horizontalAdvance(view_.detail) > room;
+  const double detail = twoLines ? 2.0 * valueMetrics.lineSpacing() : value;
+  const double lines = detail + theme_.px(26) + value + theme_.px(20);
   double y = std::max(pad, (height() - shape - freq - lines) / 2.0);
-  const double inner = width() - 2.0 * pad;
 
   drawShape(p, QRectF(pad, y, shape, shape));
   const double wordLeft = pad + shape + theme_.px(20);
@@ -83,11 +88,17 @@ void VerdictSign::paintEvent(QPaintEvent*) {
       {type_size::kVerdict, true, view_.tone == Tone::Faint ? theme_.colors.secondary : front, Qt::AlignLeft, 0.65});
   y += shape;
   if (hasFrequency)
-    y = text.line(pad, y + theme_.px(28), inner, view_.frequency,
+    y = text.line(pad, y + theme_.px(28), room, view_.frequency,
                   {type_size::kFrequency, true, front, Qt::AlignLeft, 0.8});
-  y = text.line(pad, y + theme_.px(26), inner, view_.detail,
-                {type_size::kValue, false, alarm ? front : theme_.colors.text, Qt::AlignLeft, 0.7});
-  text.line(pad, y + theme_.px(20), inner, view_.marked, {type_size::kValue, false, second, Qt::AlignLeft, 0.7});
+  const TextStyle detailStyle{type_size::kValue, false, alarm ? front : theme_.colors.text, Qt::AlignLeft, 0.7};
+  y += theme_.px(twoLines ? 14 : 26);
+  if (twoLines) {
+    text.block(QRectF(pad, y, room, detail), view_.detail, detailStyle);
+    y += detail;
+  } else {
+    y = text.line(pad, y, room, view_.detail, detailStyle);
+  }
+  text.line(pad, y + theme_.px(20), room, view_.marked, {type_size::kValue, false, second, Qt::AlignLeft, 0.7});
   clipped_ = text.clipped();
 }
 
