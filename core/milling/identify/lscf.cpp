@@ -140,6 +140,7 @@ std::vector<Track> followOrders(const std::vector<std::vector<ModalPole>>& byOrd
 std::vector<std::vector<ModalPole>> lscfPoles(const ModalLines& lines, int highestOrder) {
   const Moments moments = momentsOf(lines, highestOrder);
   std::vector<std::vector<ModalPole>> byOrder;
+  byOrder.reserve(static_cast<std::size_t>(highestOrder));
   for (int order = 2; order <= highestOrder; ++order) byOrder.push_back(polesOfOrder(moments, lines, order));
   return byOrder;
 }
@@ -167,6 +168,7 @@ std::vector<StablePole> stablePoles(const std::vector<std::vector<ModalPole>>& b
     }
   }
   std::vector<StablePole> out;
+  out.reserve(kept.size());
   for (const Track& track : kept) out.push_back(summary(track));
   std::stable_sort(out.begin(), out.end(), [](auto& a, auto& b) { return a.seen > b.seen; });
   return out;

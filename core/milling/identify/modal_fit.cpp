@@ -134,7 +134,8 @@ class Selection {
     double worstPhase = kLargestPhase;
     for (int i = 0; i < static_cast<int>(poles_.size()); ++i) {
       const ModalPole& pole = poles_[static_cast<std::size_t>(i)];
-      const double phase = std::abs(std::atan2(fit.constants[2 * i + 1], fit.constants[2 * i]));
+      const Eigen::Index at = 2 * static_cast<Eigen::Index>(i);
+      const double phase = std::abs(std::atan2(fit.constants[at + 1], fit.constants[at]));
       const bool outside = pole.frequency < 0.97 * lines_.from || pole.frequency > 1.03 * lines_.to;
       if (outside || pole.damping > kLargestDamping) return i;
       if (phase > worstPhase) {
