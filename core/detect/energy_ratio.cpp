@@ -23,6 +23,9 @@ constexpr double kHysteresis = 0.5;         // chatter ends at this part of the 
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kLineTurns = 8.0;          // window of the line finder
 constexpr double kSettleTurns = 6.0;        // after a restart the filters are not believed
+constexpr double kLeastSamples = 96.0;      // in the average of the turn difference: fewer scatter too much
+constexpr double kLeastPurity = 0.4;        // chatter is a line; chips and knocks are not
+constexpr double kLeastOffset = 0.04;       // orders; nearer to a harmonic a line is forced
 constexpr Hertz kSpindleUnknown{20.0};
 
 }  // namespace
@@ -102,6 +105,8 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   spindle_ = block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown;
   const double turn = rate_ / spindle_.value;
   hopFrames_ = std::max(1L, std::lround(turn / kHopsPerTurn));
+  windowHops_ = std::clamp(static_cast<int>(std::ceil(kLeastSamples / static_cast<double>(hopFrames_))), kHopsPerTurn,
+                           kLevelHops / 2);
   kalman_.setActive(static_cast<int>(kUsableBand * rate_ / spindle_.value));
   kalman_.setGain(fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
   const int perBand = teeth_ > 0 ? teeth_ : 4;
@@ -131,15 +136,15 @@ void EnergyRatioDetector::endChannelHop(int channel, CutPhase phase) noexcept {
   double all = 0.0;
   for (int k = 0; k < kLevelHops; ++k) {
     const Energies& e = s.hops[static_cast<std::size_t>((hopCount_ - k + kLevelHops) % kLevelHops)];
-    if (k < kHopsPerTurn) changed += e.changed;
+    if (k < windowHops_) changed += e.changed;
     all += e.all;
   }
-  all *= static_cast<double>(kHopsPerTurn) / kLevelHops;
+  all *= static_cast<double>(windowHops_) / kLevelHops;
   s.changed = all > 0.0 ? changed / all : 0.0;
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   s.ratio += rate * (energyRatio(channel) - s.ratio);
   if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns) return;
-  s.onset.update(s.changed, 1.0 / kHopsPerTurn, state_ == CutState::Stable);
+  s.onset.update(s.changed, 1.0 / windowHops_, state_ == CutState::Stable);
 }
 
 void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
@@ -162,7 +167,7 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   const bool fromEntry = highTurns_ > kEntryChatterTurns;
   if (alarming) {
     state_ = high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
-  } else if (phase == CutPhase::Steady && (onset || fromEntry)) {
+  } else if (phase == CutPhase::Steady && (onset || fromEntry) && lineStands()) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -170,6 +175,13 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   const bool now = state_ == CutState::Onset || state_ == CutState::Chatter;
   sinceOnset_ = now ? sinceOnset_ + seconds : 0.0;
   if (!now) feedSinceOnset_ = 0.0;
+}
+
+// Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.
+bool EnergyRatioDetector::lineStands() noexcept {
+  line_ = lines_.find(spindle_ * 0.5, spindle_ * (kalman_.active() + 0.5));
+  purity_ = line_.purity;
+  return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, spindle_)) >= kLeastOffset;
 }
 
 void EnergyRatioDetector::track(double seconds) noexcept {
@@ -245,8 +257,8 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
     for (int c = 0; c < channels_; ++c) frame_[static_cast<std::size_t>(c)] = block.samples[c * block.stride + f];
     kalman_.process(frame_.data(), rest_.data());
     bands_.process(rest_.data());
-    lines_.push(rest_.data());
     turns_.process(frame_.data(), difference_.data());
+    lines_.push(difference_.data());
     for (int c = 0; c < channels_; ++c) {
       const auto i = static_cast<std::size_t>(c);
       channelStates_[i].sums.all += frame_[i] * frame_[i];

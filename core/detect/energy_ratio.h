@@ -54,7 +54,7 @@ class EnergyRatioDetector final : public Detector {
 
  private:
   static constexpr int kHopsPerTurn = 8;
-  static constexpr int kLevelHops = 4 * kHopsPerTurn;
+  static constexpr int kLevelHops = 8 * kHopsPerTurn;
 
   struct Energies {
     double all = 0.0;
@@ -75,6 +75,7 @@ class EnergyRatioDetector final : public Detector {
   void endChannelHop(int channel, CutPhase phase) noexcept;
   double energyRatio(int channel) const noexcept;
   void judge(CutPhase phase, double seconds) noexcept;
+  bool lineStands() noexcept;
   void track(double seconds) noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
@@ -95,6 +96,7 @@ class EnergyRatioDetector final : public Detector {
 
   Hertz spindle_{};
   long hopFrames_ = 1;
+  int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;
   long hopCount_ = 0;
   double stepNow_ = 0.0;
@@ -109,6 +111,7 @@ class EnergyRatioDetector final : public Detector {
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double purity_ = 0.0;
+  FoundLine line_;
   double sinceOnset_ = 0.0;
   double feedSinceOnset_ = 0.0;
 };

@@ -7,8 +7,10 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kMemoryTurns = 40.0;
-constexpr double kDrift = 4.0;          // scatters a stable cut may lie above its own mean
-constexpr double kLeastScatter = 0.35;  // 1.5 dB: a short, lucky stretch must not make the test nervous
+constexpr double kFallTurns = 10.0;     // a falling floor is followed at once: growth is measured from the lowest calm
+constexpr double kDrift = 3.0;          // scatters a stable cut may lie above its own mean
+constexpr double kLeastScatter = 0.25;  // 1 dB: a short, lucky stretch must not make the test nervous
+constexpr double kMostLearned = 1.0;    // scatters by which one value may pull the mean up
 constexpr double kCalm = 3.0;           // scatters below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 20.0;
@@ -31,12 +33,7 @@ double OnsetTest::scatter() const noexcept {
 void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
   const double u = std::log(std::max(ratio, 1e-12));
   if (!learned()) {
-    if (!learn) return;
-    learnedTurns_ += turns;
-    const double rate = std::min(1.0, turns / learnedTurns_);
-    const double error = u - mean_;
-    mean_ += rate * error;
-    variance_ += rate * ((1.0 - rate) * error * error - variance_);
+    if (learn) follow(u, turns);
     return;
   }
   const double z = (u - mean_) / scatter();
@@ -54,12 +51,19 @@ void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
     }
     return;
   }
-  if (!learn || evidence_ > 0.0) return;
+  if (learn) follow(u, turns);
+}
+
+void OnsetTest::follow(double u, double turns) noexcept {
+  const bool first = learnedTurns_ == 0.0;
+  const bool known = learned();
   learnedTurns_ += turns;
-  const double rate = turns / std::min(learnedTurns_, kMemoryTurns);
-  const double error = u - mean_;
+  if (first) mean_ = u;
+  const double error = known ? std::min(u - mean_, kMostLearned * scatter()) : u - mean_;
+  const double memory = error < 0.0 ? kFallTurns : kMemoryTurns;
+  const double rate = turns / std::min(learnedTurns_, memory);
   mean_ += rate * error;
-  variance_ += rate * ((1.0 - rate) * error * error - variance_);
+  variance_ += turns / std::min(learnedTurns_, kMemoryTurns) * (error * error - variance_);
 }
 
 }  // namespace stillcut::detect

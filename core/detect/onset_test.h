@@ -2,7 +2,8 @@
 // out of what it was while the cut was stable?
 //
 // The statistic is u = ln(E_d / E_x): energy of the turn difference over the energy of the vibration. In a stable cut
-// its mean and scatter are learned (slowly forgotten, frozen while anything is suspicious). The evidence adds up the
+// its mean and scatter are learned: falling at once, rising slowly and by bounded steps, so that growth does not become
+// its own floor, and frozen while an alarm lasts. The evidence adds up the
 // excess over kDrift scatters per turn (a one-sided CUSUM, Page 1954): a burst far above the floor is believed within a
 // fraction of a turn, a small excess must last.
 // No threshold is set by hand; what an amplitude has to reach at least is the resolution at which chatter is spoken of.
@@ -33,6 +34,8 @@ class OnsetTest {
   static constexpr double kLearnTurns = 8.0;
 
  private:
+  void follow(double u, double turns) noexcept;
+
   Limits limits_;
   double mean_ = 0.0;
   double variance_ = 0.0;

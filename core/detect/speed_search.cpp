@@ -54,14 +54,16 @@ double SpeedSearch::at(const std::vector<double>& power, double position) noexce
   return (1.0 - part) * power[b] + part * power[b + 1];
 }
 
-// Sum over the comb; a full Hann line holds 3 bins' worth of its peak, times the padding.
-double SpeedSearch::score(double spindle, int harmonics) const noexcept {
-  double sum = 0.0;
+// Sums over the comb; a full Hann line holds 1.5 bins' worth of its peak, times the padding.
+SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics) const noexcept {
+  Parts sum;
   for (int h = 1; h <= harmonics; ++h) {
     const double position = h * spindle / spectrum_.binWidth();
-    sum += at(power_, position) + at(square_, position);
+    sum.vibration += at(power_, position);
+    sum.square += at(square_, position);
   }
-  return 0.5 * 1.5 * kPadding * sum / std::max(added_, 1);
+  const double scale = 1.5 * kPadding / std::max(added_, 1);
+  return {scale * sum.vibration, scale * sum.square};
 }
 
 double SpeedSearch::toothPart(double spindle) const noexcept {
@@ -74,9 +76,9 @@ double SpeedSearch::toothPart(double spindle) const noexcept {
   return on / std::max(added_, 1);
 }
 
-double SpeedSearch::partAt(Hertz spindle) const noexcept {
-  if (!(spindle.value > 0.0)) return 0.0;
-  return score(spindle.value, std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)));
+SpeedSearch::Parts SpeedSearch::partsAt(Hertz spindle) const noexcept {
+  if (!(spindle.value > 0.0)) return {};
+  return parts(spindle.value, std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)));
 }
 
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high) noexcept {
@@ -88,7 +90,8 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high) noexcept {
   std::size_t count = 0;
   std::size_t best = 0;
   for (double f = low.value; f <= high.value && count < trials_.size(); f += step, ++count) {
-    trials_[count] = score(f, harmonics);
+    const Parts p = parts(f, harmonics);
+    trials_[count] = 0.5 * (p.vibration + p.square);
     if (trials_[count] > trials_[best]) best = count;
   }
   const double peak = trials_[best];

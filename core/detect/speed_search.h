@@ -36,15 +36,19 @@ class SpeedSearch {
   void begin() noexcept;
   void add(std::span<const double> samples) noexcept;
   SpeedCandidate search(Hertz low, Hertz high) noexcept;
-  // Power on the comb of one frequency, as SpeedCandidate::part.
-  double partAt(Hertz spindle) const noexcept;
+  // Power of each spectrum on the comb of one frequency.
+  struct Parts {
+    double vibration = 0.0;
+    double square = 0.0;
+  };
+  Parts partsAt(Hertz spindle) const noexcept;
 
  private:
   static constexpr int kMostTrials = 4096;
 
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   static double at(const std::vector<double>& power, double position) noexcept;
-  double score(double spindle, int harmonics) const noexcept;
+  Parts parts(double spindle, int harmonics) const noexcept;
   double toothPart(double spindle) const noexcept;
 
   dsp::Spectrum spectrum_;

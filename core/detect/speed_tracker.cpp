@@ -20,6 +20,7 @@ constexpr double kContrast = 3.0;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
+constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
 
@@ -30,7 +31,7 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
   range_ = searchRange;
   nominal_ = toHertz(setup.nominalSpeed).value;
   channels_ = std::clamp(static_cast<int>(setup.channels.size()), 1, kSearchChannels);
-  const double slowest = nominal_ > 0.0 ? nominal_ * (1.0 - range_) : kSlowestHertz;
+  const double slowest = nominal_ > 0.0 ? nominal_ * (1.0 - kMargin * range_) : kSlowestHertz;
   const int window = std::clamp(static_cast<int>(kThoroughTurns * rate_ / slowest), 256, 1 << 19);
   thorough_.search.prepare(window, setup.rate, setup.teeth);
   quick_.search.prepare(std::max(128, static_cast<int>(window * kQuickTurns / kThoroughTurns)), setup.rate,
@@ -115,8 +116,11 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   const SpeedCandidate& now = look.last;
   if (!good(now) || !good(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
-    const bool moved = std::abs(now.spindle / spindle() - 1.0) > kMoved;
-    if (!moved || now.part < kBetter * look.search.partAt(spindle())) return;
+    if (std::abs(now.spindle / spindle() - 1.0) < kMoved) return;
+    // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only.
+    const SpeedSearch::Parts here = look.search.partsAt(spindle());
+    const SpeedSearch::Parts there = look.search.partsAt(now.spindle);
+    if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) return;
   }
   toothPart_ = now.toothPart;
   lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
@@ -134,7 +138,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
     std::copy(ring.begin(), ring.begin() + head, std::copy(ring.begin() + head, ring.end(), unrolled_.begin()));
     look.search.add(std::span<const double>(unrolled_).subspan(static_cast<std::size_t>(size - window)));
   }
-  const double range = source_ == SpeedSource::Machine ? kMachineRange : range_;
+  const double range = kMargin * (source_ == SpeedSource::Machine ? kMachineRange : range_);
   const Hertz low(told_ > 0.0 ? told_ * (1.0 - range) : kSlowestHertz);
   const Hertz high(told_ > 0.0 ? told_ * (1.0 + range) : std::min(kFastestHertz, rate_ / 16.0));
   const SpeedCandidate before = look.last;
