@@ -21,11 +21,12 @@ constexpr int kMostBands = 24;
 constexpr double kRatioTurns = 2.0;         // smoothing of the energy ratio
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
-constexpr double kLineTurns = 8.0;          // window of the line finder
-constexpr double kSettleTurns = 6.0;        // after a restart the filters are not believed
-constexpr double kLeastSamples = 96.0;      // in the average of the turn difference: fewer scatter too much
-constexpr double kLeastPurity = 0.4;        // chatter is a line; chips and knocks are not
-constexpr double kLeastOffset = 0.04;       // orders; nearer to a harmonic a line is forced
+constexpr double kEntryChatterSeconds = 0.15;
+constexpr double kLineTurns = 8.0;      // window of the line finder
+constexpr double kSettleTurns = 6.0;    // after a restart the filters are not believed
+constexpr double kLeastSamples = 96.0;  // in the average of the turn difference: fewer scatter too much
+constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not
+constexpr double kLeastOffset = 0.04;   // orders; nearer to a harmonic a line is forced
 constexpr Hertz kSpindleUnknown{20.0};
 
 }  // namespace
@@ -95,6 +96,7 @@ void EnergyRatioDetector::restart() noexcept {
 
 void EnergyRatioDetector::leaveCut() noexcept {
   for (ChannelState& s : channelStates_) s.onset.reset();
+  line_ = {};
   highTurns_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
   learned_ = false;
   frequency_ = {};
@@ -163,11 +165,10 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   }
   const bool alarming = state_ == CutState::Onset || state_ == CutState::Chatter;
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  highTurns_ = high && phase == CutPhase::Steady && steadyTurns_ > kSettleTurns ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
-  const bool fromEntry = highTurns_ > kEntryChatterTurns;
+  const bool entry = fromEntry(high && phase == CutPhase::Steady && !alarming);
   if (alarming) {
     state_ = high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
-  } else if (phase == CutPhase::Steady && (onset || fromEntry) && lineStands()) {
+  } else if (phase == CutPhase::Steady && (entry || (onset && lineStands()))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -175,6 +176,20 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   const bool now = state_ == CutState::Onset || state_ == CutState::Chatter;
   sinceOnset_ = now ? sinceOnset_ + seconds : 0.0;
   if (!now) feedSinceOnset_ = 0.0;
+}
+
+// Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
+// for one and the same line over many turns.
+bool EnergyRatioDetector::fromEntry(bool high) noexcept {
+  if (!high || steadyTurns_ < kSettleTurns) {
+    highTurns_ = 0.0;
+    return false;
+  }
+  const Hertz before = line_.frequency;
+  const bool stands = lineStands();
+  const bool same = std::abs(line_.frequency.value - before.value) < spindle_.value * 2.0 / kLineTurns;
+  highTurns_ = stands && same ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * spindle_.value);
 }
 
 // Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.

@@ -75,6 +75,7 @@ class EnergyRatioDetector final : public Detector {
   void endChannelHop(int channel, CutPhase phase) noexcept;
   double energyRatio(int channel) const noexcept;
   void judge(CutPhase phase, double seconds) noexcept;
+  bool fromEntry(bool high) noexcept;
   bool lineStands() noexcept;
   void track(double seconds) noexcept;
   void restart() noexcept;

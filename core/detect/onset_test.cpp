@@ -11,6 +11,7 @@ constexpr double kFallTurns = 10.0;     // a falling floor is followed at once: 
 constexpr double kDrift = 3.0;          // scatters a stable cut may lie above its own mean
 constexpr double kLeastScatter = 0.25;  // 1 dB: a short, lucky stretch must not make the test nervous
 constexpr double kMostLearned = 1.0;    // scatters by which one value may pull the mean up
+constexpr double kLeastGrowth = 1.386;  // nepers: twice the amplitude, or it is not worth the word
 constexpr double kCalm = 3.0;           // scatters below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 20.0;
@@ -39,7 +40,7 @@ void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
   const double z = (u - mean_) / scatter();
   const double excess = ratio >= limits_.smallestRatio ? z - kDrift : -kDrift;
   evidence_ = std::clamp(evidence_ + excess * turns, 0.0, kMostEvidence);
-  if (evidence_ > limits_.evidence) {
+  if (evidence_ > limits_.evidence && u - mean_ > kLeastGrowth) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }
