@@ -22,11 +22,13 @@ constexpr double kRatioTurns = 2.0;         // smoothing of the energy ratio
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntryChatterSeconds = 0.15;
-constexpr double kLineTurns = 8.0;      // window of the line finder
+constexpr double kLineTurns = 16.0;     // window of the line finder
 constexpr double kSettleTurns = 6.0;    // after a restart the filters are not believed
 constexpr double kLeastSamples = 96.0;  // in the average of the turn difference: fewer scatter too much
 constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not
-constexpr double kLeastOffset = 0.04;   // orders; nearer to a harmonic a line is forced
+constexpr double kLostPurity = 0.25;    // an alarm whose line sinks into the noise ...
+constexpr double kLostTurns = 32.0;     // ... for so long was none, or is over
+constexpr double kLeastOffset = 0.03;   // orders; nearer to a harmonic a line is forced
 constexpr Hertz kSpindleUnknown{20.0};
 
 }  // namespace
@@ -167,7 +169,8 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   const bool entry = fromEntry(high && phase == CutPhase::Steady && !alarming);
   if (alarming) {
-    state_ = high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
+    const bool lost = lostTurns_ > kLostTurns;
+    state_ = lost ? CutState::Stable : high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
   } else if (phase == CutPhase::Steady && (entry || (onset && lineStands()))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
@@ -187,7 +190,7 @@ bool EnergyRatioDetector::fromEntry(bool high) noexcept {
   }
   const Hertz before = line_.frequency;
   const bool stands = lineStands();
-  const bool same = std::abs(line_.frequency.value - before.value) < spindle_.value * 2.0 / kLineTurns;
+  const bool same = std::abs(line_.frequency.value - before.value) < spindle_.value * 4.0 / kLineTurns;
   highTurns_ = stands && same ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
   return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * spindle_.value);
 }
@@ -203,11 +206,12 @@ void EnergyRatioDetector::track(double seconds) noexcept {
   const bool alarming = state_ == CutState::Onset || state_ == CutState::Chatter;
   if (!alarming) {
     frequency_ = {};
-    frequencySd_ = 0.0;
+    frequencySd_ = lostTurns_ = 0.0;
     return;
   }
   const FoundLine line = lines_.find(spindle_ * 0.5, spindle_ * (kalman_.active() + 0.5));
   purity_ = line.purity;
+  lostTurns_ = purity_ < kLostPurity ? lostTurns_ + 1.0 / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
   if (!(frequency_.value > 0.0)) {
     frequencySd_ = spindle_.value / kLineTurns;

@@ -104,6 +104,7 @@ class EnergyRatioDetector final : public Detector {
   CutState state_ = CutState::Air;
   double steadyTurns_ = 0.0;
   double highTurns_ = 0.0;
+  double lostTurns_ = 0.0;
   double severity_ = 0.0;
   double changed_ = 0.0;
   double evidence_ = 0.0;

@@ -6,8 +6,9 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr int kPadding = 4;          // zero-padding: the parabola then errs by less than a thousandth of a bin width
-constexpr int kLobe = 2 * kPadding;  // half width of a Hann main lobe in padded bins
+constexpr int kPadding = 4;  // zero-padding: the parabola then errs by less than a thousandth of a bin width
+// Half width of what counts as the line: twice a Hann lobe, since a line that grows fast is broad.
+constexpr int kLobe = 4 * kPadding;  // padded bins
 
 }  // namespace
 

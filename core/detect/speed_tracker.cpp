@@ -46,7 +46,7 @@ void SpeedTracker::reset() noexcept {
   told_ = nominal_;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
-  locked_ = false;
+  locked_ = proven_ = false;
   toothPart_ = 0.0;
   angle_ = 0.0;
   restart();
@@ -104,7 +104,7 @@ void SpeedTracker::lock(Hertz spindle, Hertz sd) noexcept {
 }
 
 void SpeedTracker::beginCut() noexcept {
-  locked_ = false;
+  locked_ = proven_ = false;
   toothPart_ = 0.0;
   restart();
 }
@@ -116,13 +116,16 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   const SpeedCandidate& now = look.last;
   if (!good(now) || !good(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
-    if (std::abs(now.spindle / spindle() - 1.0) < kMoved) return;
+    // A comb that once carried half of all power was the spindle; what fits better later is chatter.
+    if (std::abs(now.spindle / spindle() - 1.0) < kMoved) proven_ = proven_ || now.part > kClearPart;
+    if (proven_ || std::abs(now.spindle / spindle() - 1.0) < kMoved) return;
     // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only.
     const SpeedSearch::Parts here = look.search.partsAt(spindle());
     const SpeedSearch::Parts there = look.search.partsAt(now.spindle);
     if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) return;
   }
   toothPart_ = now.toothPart;
+  proven_ = now.part > kClearPart;
   lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 

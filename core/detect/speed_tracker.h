@@ -65,6 +65,7 @@ class SpeedTracker {
   double ratio_ = 1.0;    // true over told
   SpeedSource source_ = SpeedSource::None;
   bool locked_ = false;
+  bool proven_ = false;  // the comb of the lock carried most of the power
   double toothPart_ = 0.0;
 
   double angle_ = 0.0;
