@@ -76,14 +76,14 @@ void RegenerativeCut::setDepth(double metres) noexcept {
     const double top = s + 1 == slices_ ? metres : below + sliceDepth_;
     const double inCut = std::max(0.0, std::min(metres, top) - below);
     const bool wasIn = edges_[at(s * teeth_)].depth > 0.0;
-    if (inCut > 0.0 && !wasIn) surface_.restartSlice(s, x_, flatFeedPerTooth());
+    if (inCut > 0.0 && !wasIn) surface_.restartSlice(s);
     for (int j = 0; j < teeth_; ++j) edges_[at(s * teeth_ + j)].depth = inCut;
     if (inCut > 0.0) liveEdges_ = (s + 1) * teeth_;
   }
 }
 
 void RegenerativeCut::setWindows(std::span<const AngularWindow> windows) noexcept {
-  surface_.setWindows(windows, x_, flatFeedPerTooth());
+  surface_.setWindows(windows);
 }
 
 void RegenerativeCut::setExternalForce(double fx, double fy) noexcept {
@@ -144,7 +144,8 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     if (!mayLeave_ || passed > heights[m]) heights[m] = passed;
     e.lastReach = reach;
   }
-  const double chip = reach - height;
+  double chip = reach - height;
+  if (SurfaceHistory::isFresh(height)) chip = reach - s * (x_ - flatFeedPerTooth());
   if (weight == 0.0 || (mayLeave_ && chip <= 0.0)) return;
   const Material& mat = model_.material;
   const double area = linearChip_ ? chip : std::copysign(std::pow(std::abs(chip), mat.exponent), chip);

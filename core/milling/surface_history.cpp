@@ -28,7 +28,7 @@ SurfaceHistory::SurfaceHistory(int cells, int slices)
   }
 }
 
-void SurfaceHistory::setWindows(std::span<const AngularWindow> windows, double xFeed, double feedPerTooth) noexcept {
+void SurfaceHistory::setWindows(std::span<const AngularWindow> windows) noexcept {
   const double perCell = kTwoPi / cells_;
   std::fill(weight_.begin(), weight_.end(), 0.0);
   for (const AngularWindow& w : windows) {
@@ -46,14 +46,14 @@ void SurfaceHistory::setWindows(std::span<const AngularWindow> windows, double x
     for (int d = -1; d <= 2; ++d) around += weight_[at((m + d + cells_) % cells_)];
     const bool now = around > 0.0;
     if (now && live_[at(m)] == 0) {
-      for (int s = 0; s < slices_; ++s) slice(s)[m] = (xFeed - feedPerTooth) * sine_[at(m)];
+      for (int s = 0; s < slices_; ++s) slice(s)[m] = kFresh;
     }
     live_[at(m)] = now ? 1 : 0;
   }
 }
 
-void SurfaceHistory::restartSlice(int s, double xFeed, double feedPerTooth) noexcept {
-  for (int m = 0; m < cells_; ++m) slice(s)[m] = (xFeed - feedPerTooth) * sine_[at(m)];
+void SurfaceHistory::restartSlice(int s) noexcept {
+  std::fill_n(slice(s), cells_, kFresh);
 }
 
 }  // namespace stillcut::milling

@@ -21,12 +21,16 @@ class SurfaceHistory {
   // `cells` angles per revolution, one surface per axial slice.
   SurfaceHistory(int cells, int slices);
 
-  // Angles in the material. Cells that come newly into it start with a flat surface one tooth's feed behind the tool:
-  // height (xFeed - feedPerTooth) sin(phi). Edges between cells weigh the cell by its share, so that the force integral
-  // over a step does not jump when an edge moves (first order in the step without it).
-  void setWindows(std::span<const AngularWindow> windows, double xFeed, double feedPerTooth) noexcept;
-  // A slice that comes newly into the cut starts flat as well.
-  void restartSlice(int slice, double xFeed, double feedPerTooth) noexcept;
+  // Angles in the material. Cells that come newly into it are fresh. Edges between cells weigh the cell by its share,
+  // so that the force integral over a step does not jump when an edge moves (first order in the step without it).
+  void setWindows(std::span<const AngularWindow> windows) noexcept;
+  // A slice that comes newly into the cut is all fresh.
+  void restartSlice(int slice) noexcept;
+
+  // The height of a cell that no tooth has passed yet lies this deep: whoever meets it cuts a flat surface, one tooth's
+  // feed behind the tool.
+  static constexpr double kFresh = -1e305;
+  static bool isFresh(double height) { return height < -1e290; }
 
   int cells() const { return cells_; }
   const double* sine() const { return sine_.data(); }
