@@ -14,7 +14,7 @@ namespace stillcut::record {
 class LineReader {
  public:
   // A line longer than this is no line of numbers.
-  static constexpr std::size_t kLongestLine = 64 * 1024;
+  static constexpr std::size_t kLongestLine = std::size_t{64} * 1024;
 
   explicit LineReader(std::string path);
   Status open();

@@ -93,7 +93,7 @@ class SessionReader final : public RecordingReader {
     Result<std::vector<RecordedChannel>> kept = keepChannels(format_.channels, options.channels, path_);
     if (!kept) return kept.error();
     format_.channels = std::move(*kept);
-    if (const Status s = applyOptions(format_.channels, options); !s) return s;
+    if (const Status s = applyOptions(format_.channels, options); !s) return s.error();
     for (const int c : picked_) {
       SampleReader samples;
       if (!samples.open(file_.get(), c)) return Error{path_, "the samples cannot be read", hdf5Cause()};

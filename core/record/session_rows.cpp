@@ -1,7 +1,7 @@
 #include "core/record/session_rows.h"
 
 #include <map>
-#include <ranges>
+#include <sstream>
 
 namespace stillcut::record {
 namespace {
@@ -58,15 +58,14 @@ std::string reasonIdentifiers() {
   }
 }
 
-ReasonCodes::ReasonCodes(std::string_view identifiers) {
-  std::map<std::string_view, ReasonCode> known;
-  const std::string mine = reasonIdentifiers();
-  std::uint16_t code = 0;
-  for (const auto id : std::views::split(std::string_view(mine), '\n')) {
-    known.emplace(std::string_view(id.begin(), id.end()), static_cast<ReasonCode>(code++));
-  }
-  for (const auto id : std::views::split(identifiers, '\n')) {
-    const auto found = known.find(std::string_view(id.begin(), id.end()));
+ReasonCodes::ReasonCodes(const std::string& identifiers) {
+  std::map<std::string, ReasonCode> known;
+  std::istringstream mine(reasonIdentifiers());
+  std::string id;
+  for (std::uint16_t code = 0; std::getline(mine, id); ++code) known.emplace(id, static_cast<ReasonCode>(code));
+  std::istringstream stored(identifiers);
+  while (std::getline(stored, id)) {
+    const auto found = known.find(id);
     codes_.push_back(found != known.end() ? found->second : ReasonCode::None);
   }
 }

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/model/step_record.h"
@@ -110,7 +109,7 @@ std::span<const Column> columnsOf();
 std::string reasonIdentifiers();  // one a line, in the order of the numbers
 class ReasonCodes {
  public:
-  explicit ReasonCodes(std::string_view identifiers);
+  explicit ReasonCodes(const std::string& identifiers);
   // The code of this program for what a file holds; None when this program does not know it.
   ReasonCode fromFile(ReasonCode stored) const;
 

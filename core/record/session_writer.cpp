@@ -227,7 +227,7 @@ Status SessionWriter::flush(bool toDisk) {
 
 Status SessionWriter::close() {
   if (impl_->closed) return Done{};
-  if (const Status s = flush(); !s) return s;
+  if (const Status s = flush(); !s) return s.error();
   if (!impl_->close()) return Error{path_, "the session file was not closed cleanly", hdf5Cause()};
   return Done{};
 }

@@ -85,7 +85,8 @@ Result<bool> TextReader::nextRow() {
   std::string_view line;
   do {
     const Result<bool> more = lines_->next(line);
-    if (!more || !*more) return more;
+    if (!more) return more.error();
+    if (!*more) return false;
   } while (isSkippedLine(line));
   splitCells(line, layout_.cells.delimiter, cells_);
   const double before = row_.time;
@@ -193,7 +194,7 @@ Status TextReader::scan(const ReadOptions& options) {
   format_.kind = layout_.kind;
   format_.channels = channels_.channels;
   format_.skipped = channels_.skipped;
-  if (const Status s = settleRate(options, evenTime, evenSteps); !s) return s;
+  if (const Status s = settleRate(options, evenTime, evenSteps); !s) return s.error();
   return rewind();
 }
 

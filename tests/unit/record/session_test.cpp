@@ -300,6 +300,34 @@ TEST(SessionCrash, ATruncatedFileNeverCrashesTheReader) {
   }
 }
 
+TEST(SessionCrash, DamagedBytesAreRefusedOrReadButNeverHarm) {
+  const TempFolder folder;
+  const std::string whole = folder / "whole.h5";
+  record(whole, 5);
+  const std::string content = contentOf(whole);
+  std::uint32_t state = 1;
+  const auto random = [&state] { return (state = state * 1664525U + 1013904223U) >> 8U; };
+  for (int round = 0; round < 150; ++round) {
+    std::string damaged = content;
+    // Half of the time where the header is, half of the time anywhere.
+    const std::size_t reach = round % 2 == 0 ? 4000 : damaged.size();
+    for (int i = 0; i < 3; ++i) damaged[random() % reach] = static_cast<char>(random());
+    const std::string path = folder.file("damaged.h5", damaged);
+    const auto reader = openRecording(path);
+    if (!reader) {
+      EXPECT_EQ(reader.error().line().find('\n'), std::string::npos);
+      continue;
+    }
+    SampleBlock block;
+    block.allocate(static_cast<int>((*reader)->format().channels.size()), (*reader)->format().blockFrames);
+    for (int i = 0; i < 6; ++i) {
+      const Result<bool> more = (*reader)->read(block);
+      if (!more || !*more) break;
+      EXPECT_LE(block.frames, block.capacityFrames);
+    }
+  }
+}
+
 TEST(SessionCrash, AFullDiskIsAnErrorAndWhatWasFlushedStaysReadable) {
   const TempFolder folder;
   const std::string path = folder / "full.h5";
