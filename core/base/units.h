@@ -17,7 +17,7 @@ struct Quantity {
   constexpr Quantity() = default;
   constexpr explicit Quantity(double v) : value(v) {}
 
-  constexpr auto operator<=>(const Quantity&) const = default;
+  constexpr auto operator<=>(const Quantity&) const = default;  // NOLINT(modernize-use-nullptr): the check misreads it
   constexpr Quantity operator-() const { return Quantity(-value); }
   constexpr Quantity& operator+=(Quantity o) {
     value += o.value;

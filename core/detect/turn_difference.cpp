@@ -27,10 +27,10 @@ void TurnDifference::make(double delay, Delay& out) noexcept {
   const double floor = std::floor(delay);
   const double part = delay - floor;
   // Taps at whole - 7 .. whole + 8 around the wanted delay.
-  out.whole = static_cast<std::size_t>(floor) - (kTaps / 2 - 1);
+  out.whole = static_cast<std::size_t>(floor) - (kHalfTaps - 1);
   double sum = 0.0;
   for (int k = 0; k < kTaps; ++k) {
-    const double t = k - (kTaps / 2 - 1) - part;
+    const double t = k - (kHalfTaps - 1) - part;
     const double window = std::cos(std::numbers::pi * t / (kTaps + 1));
     const double sinc = std::abs(t) < 1e-9 ? 1.0 : std::sin(std::numbers::pi * t) / (std::numbers::pi * t);
     out.taps[static_cast<std::size_t>(k)] = sinc * window * window;
@@ -45,8 +45,8 @@ void TurnDifference::setTurn(Hertz spindle) noexcept {
   const double turn = std::clamp(rate_ / spindle.value, 2.0, longest);
   if (turn == turn_) return;
   turn_ = turn;
-  make(turn + kTaps / 2, one_);
-  make(2.0 * turn + kTaps / 2, two_);
+  make(turn + kHalfTaps, one_);
+  make(2.0 * turn + kHalfTaps, two_);
   needed_ = static_cast<std::size_t>(2.0 * turn) + kTaps + 1;
 }
 
@@ -65,7 +65,7 @@ void TurnDifference::process(const double* x, double* out) noexcept {
     out[c] = 0.0;
     if (!known) continue;
     constexpr double kScale = 0.408248290463863;  // 1 / sqrt(6)
-    out[c] = kScale * (ring[(head_ - kTaps / 2) & mask_] - 2.0 * read(ring, one_) + read(ring, two_));
+    out[c] = kScale * (ring[(head_ - kHalfTaps) & mask_] - 2.0 * read(ring, one_) + read(ring, two_));
   }
   head_ = (head_ + 1) & mask_;
 }

@@ -30,6 +30,7 @@ class TurnDifference {
 
  private:
   static constexpr int kTaps = 16;
+  static constexpr int kHalfTaps = kTaps / 2;
   struct Delay {
     std::size_t whole = 0;
     std::array<double, kTaps> taps{};
