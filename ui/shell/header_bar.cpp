@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <QPainter>
+#include <algorithm>
 
 #include "ui/widgets/painting.h"
 #include "ui/widgets/touch_button.h"
@@ -23,7 +24,9 @@ void HeaderBar::setSession(const SessionInfo& info) {
   machine_ = QString::fromStdString(info.setup.machine);
   tool_ = QString::fromStdString(info.setup.tool);
   badge_ = info.simulatedMachine ? tr("SIMULATED MACHINE") : QString();
-  setAccessibleName(QStringList{machine_, tool_, badge_}.join(QStringLiteral(", ")));
+  const QString whole = QStringList{machine_, tool_, badge_}.join(QStringLiteral(", "));
+  setAccessibleName(whole);
+  setToolTip(whole);  // long names are cut short on the bar
   update();
 }
 
@@ -79,22 +82,28 @@ void HeaderBar::paintEvent(QPaintEvent*) {
   TextPainter text(p, theme_);
   const double gap = theme_.px(18);
   double x = theme_.px(16);
-  const double end = (pages_.empty() ? themeButton_ : pages_.front())->x() - gap;
-  const auto put = [&](const QString& what, const TextStyle& style) {
-    const double w = QFontMetricsF(theme_.font(style.size, style.bold)).horizontalAdvance(what);
-    text.centred(QRectF(x, 0, std::min(w + 1, end - x), height()), what, style);
-    x += w + gap;
+  const auto widthOf = [&](const QString& what, const TextStyle& style) {
+    return QFontMetricsF(theme_.font(style.size, style.bold)).horizontalAdvance(what) + 1;
   };
-  put(machine_, {type_size::kButton, true, theme_.colors.text});
-  put(tool_, {type_size::kBody, false, theme_.colors.secondary});
-  if (!badge_.isEmpty()) {
-    const TextStyle style{type_size::kLabel, true, theme_.colors.text, Qt::AlignHCenter};
-    const double w = QFontMetricsF(theme_.font(style.size, true)).horizontalAdvance(badge_) + theme_.px(24);
-    const QRectF box(x, (height() - theme_.px(30)) / 2.0, std::min(w, end - x), theme_.px(30));
+  // That the machine is a simulated one is never cut off: names give way.
+  const TextStyle badgeStyle{type_size::kLabel, true, theme_.colors.text, Qt::AlignHCenter};
+  const double badge = badge_.isEmpty() ? 0.0 : widthOf(badge_, badgeStyle) + theme_.px(24);
+  const double end = (pages_.empty() ? themeButton_ : pages_.front())->x() - gap;
+  const double namesEnd = end - (badge > 0 ? badge + gap : 0.0);
+  const TextStyle machineStyle{type_size::kButton, true, theme_.colors.text};
+  const TextStyle toolStyle{type_size::kBody, false, theme_.colors.secondary};
+  const double machine = std::min(widthOf(machine_, machineStyle), (namesEnd - x) * 0.5);
+  text.centred(QRectF(x, 0, machine, height()), machine_, machineStyle);
+  x += machine + gap;
+  const double tool = std::min(widthOf(tool_, toolStyle), namesEnd - x);
+  text.centred(QRectF(x, 0, tool, height()), tool_, toolStyle);
+  x += tool + gap;
+  if (badge > 0) {
+    const QRectF box(x, (height() - theme_.px(30)) / 2.0, badge, theme_.px(30));
     p.setPen(QPen(theme_.colors.text, theme_.px(1.5)));
     p.setBrush(Qt::NoBrush);
     p.drawRoundedRect(box, box.height() / 2, box.height() / 2);
-    text.centred(box.adjusted(theme_.px(8), 0, -theme_.px(8), 0), badge_, style);
+    text.centred(box.adjusted(theme_.px(8), 0, -theme_.px(8), 0), badge_, badgeStyle);
   }
   clipped_ = text.clipped();
 }
