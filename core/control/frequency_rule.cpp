@@ -9,7 +9,6 @@ namespace {
 // averaging the two would aim between them.
 constexpr double kFamilyJump = 0.25;
 constexpr double kSpeedWordShare = 1e-3;
-constexpr double kSettledShare = 0.01;
 
 Rpm presentSpeed(const MachineState& m) noexcept {
   return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
@@ -98,7 +97,6 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   view.present = present;
   view.programmed = m.programmedSpeed * m.operatorSpeed.value;
   view.level = input.perturbation >= 0.0 ? input.perturbation : input.verdict.severity.value;
-  view.settled = std::abs((present - target_).value) <= kSettledShare * present.value;
   view.reach = reachableSpeeds(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
   return view;
 }

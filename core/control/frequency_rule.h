@@ -21,10 +21,9 @@ struct RuleView {
   Seconds dt{};
   Hertz chatter{};  // low-passed; 0 when quiet
   int teeth = 0;
-  Rpm present{};         // measured, or commanded where the machine does not measure
-  Rpm programmed{};      // times the operator's knob
-  double level = 0.0;    // perturbation power, any unit (StrategyInput::perturbation, else the severity)
-  bool settled = false;  // the spindle is at the speed last asked for
+  Rpm present{};       // measured, or commanded where the machine does not measure
+  Rpm programmed{};    // times the operator's knob
+  double level = 0.0;  // perturbation power, any unit (StrategyInput::perturbation, else the severity)
   config::SpeedRange reach;
 };
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/config/nearest_word.h"
+#include "core/control/extremum.h"
 #include "core/control/lobe_center.h"
 #include "core/control/monitor.h"
 #include "core/control/quarter_phase.h"
@@ -28,6 +29,8 @@ std::span<const StrategyEntry> strategyTable() {
   static const std::vector<StrategyEntry> table{
       {"monitor", &make<Monitor>, {}},
       {"lobe-center", &make<LobeCenter>, lobeCenterParams()},
+      {"extremum-paper", &make<ExtremumPaper>, extremumParams()},
+      {"extremum-seek", &make<ExtremumSeek>, extremumParams()},
       {"quarter-phase", &make<QuarterPhase>, quarterPhaseParams()},
   };
   return table;

@@ -1,0 +1,129 @@
+#include "core/control/extremum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::control {
+namespace {
+
+using config::ParamDecl;
+
+constexpr ParamDecl kMu = config::realParam("extremum.mu", "Step size", "", 0.7, 0.01, 2.0, "mu_c of eq. 32");
+constexpr ParamDecl kLambda =
+    config::realParam("extremum.lambda", "Smoothing of the level", "", 0.3, 0.01, 1.0, "lambda_c of eq. 33");
+constexpr ParamDecl kUnit = config::realParam("extremum.unit", "Unit of a step", "%", 0.5, 0.01, 5.0,
+                                              "What a step of 1 in eq. 32 is, in percent of the programmed speed");
+constexpr ParamDecl kPeriod = config::realParam("extremum.period", "Control period", "ms", 100.0, 1.0, 5000.0,
+                                                "Time from one step of eq. 32 to the next");
+constexpr ParamDecl kSmoothing = config::realParam("extremum.smoothing", "Smoothing of the frequency", "ms", 50.0, 0.0,
+                                                   2000.0, "Time constant of the low-pass on the chatter frequency");
+constexpr ParamDecl kSeekStep =
+    config::realParam("extremum.seek-step", "Step of the search", "%", 1.0, 0.2, 5.0,
+                      "Distance of neighbouring trials, in percent of the programmed speed");
+constexpr ParamDecl kSeekDwell = config::realParam("extremum.seek-dwell", "Time per trial", "ms", 400.0, 20.0, 10000.0,
+                                                   "The vibration at each trial is averaged this long");
+constexpr const ParamDecl* kParams[] = {&kMu, &kLambda, &kUnit, &kPeriod, &kSmoothing, &kSeekStep, &kSeekDwell};
+
+constexpr double kOnHarmonic = 1e-3;      // of the frequency: closer, the sign of Delta f is noise
+constexpr double kChatterPatience = 1.0;  // [s] that chatter may take to die at the next trial
+constexpr int kMostSearches = 2;          // per programmed speed: no hunting
+
+}  // namespace
+
+config::ParamTable extremumParams() {
+  return kParams;
+}
+
+StrategyInfo Extremum::describe() const {
+  if (seek_) return {"extremum-seek", "Least vibration", "van Dijk 2010, section 4.2, then a true search", true, true};
+  return {"extremum-paper", "Toward less vibration", "van Dijk 2010, section 4.2", true, true};
+}
+
+void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  mu_ = params.real(kMu);
+  lambda_ = params.real(kLambda);
+  unit_ = params.real(kUnit) / 100.0;
+  period_ = Seconds(params.real(kPeriod) / 1000.0);
+  MinimumSearch::Options options;
+  options.step = params.real(kSeekStep) / 100.0;
+  options.dwell = Seconds(params.real(kSeekDwell) / 1000.0);
+  search_.configure(options);
+  prepareRule(setup, params, {Seconds(params.real(kSmoothing) / 1000.0), false, false});
+}
+
+void Extremum::forget() noexcept {
+  search_.forget();
+  alarmed_ = false;
+  alarmedFor_ = 0.0;
+  searches_ = 0;
+  started_ = false;
+}
+
+Aim Extremum::aim(const RuleView& view) noexcept {
+  const bool goesOn = searchGoesOn(view);
+  alarmed_ = true;
+  return goesOn ? searching(view) : law(view);
+}
+
+// Chatter came back during the search: the search is told once, and again if the next trial does not end it.
+bool Extremum::searchGoesOn(const RuleView& view) noexcept {
+  if (search_.state() == MinimumSearch::State::Idle) return false;
+  alarmedFor_ = alarmed_ ? alarmedFor_ + view.dt.value : 0.0;
+  if (alarmed_ && alarmedFor_ < kChatterPatience) return true;
+  alarmedFor_ = 0.0;
+  return search_.chattered();
+}
+
+// Eq. 31-33.
+Aim Extremum::law(const RuleView& view) noexcept {
+  if (!started_) {
+    started_ = true;
+    theta_ = view.present / view.programmed - 1.0;
+    gamma_ = 0.0;
+    sincePeriod_ = period_.value;
+  }
+  sincePeriod_ += view.dt.value;
+  if (sincePeriod_ < period_.value) return {{}, reason_};
+  sincePeriod_ = 0.0;
+
+  const double root = std::sqrt(std::max(0.0, view.level));
+  gamma_ = (1.0 - lambda_) * gamma_ + lambda_ * root;
+  const double relative = gamma_ > 0.0 ? root / gamma_ : 0.0;
+  const int waves = wavesBetweenTeeth(view.chatter, view.teeth, view.present);
+  const Hertz apart = view.chatter - toothPassing(view.present, view.teeth) * waves;
+  if (std::abs(apart.value) > kOnHarmonic * view.chatter.value) {
+    theta_ += std::copysign(2.0 * mu_ * relative * unit_, apart.value);
+  }
+  const Rpm wanted = view.programmed * (1.0 + theta_);
+  const Rpm target = std::clamp(wanted, view.reach.low, view.reach.high);
+  theta_ = target / view.programmed - 1.0;
+  if (target == wanted) {
+    reason_ = {ReasonCode::TowardLowerLevel, {target.value, apart.value, relative}};
+  } else {
+    reason_ = {ReasonCode::TargetOutOfRange, {wanted.value, view.reach.low.value, view.reach.high.value}};
+  }
+  return {target, reason_};
+}
+
+Aim Extremum::whenQuiet(const RuleView& view) noexcept {
+  alarmed_ = false;
+  started_ = false;
+  if (!seek_) return FrequencyRule::whenQuiet(view);
+  if (search_.state() == MinimumSearch::State::Idle) {
+    if (searches_ >= kMostSearches) return FrequencyRule::whenQuiet(view);
+    ++searches_;
+    search_.start(view.present, view.programmed);
+  }
+  search_.advance({view.dt.value, view.level, view.present, view.reach});
+  return searching(view);
+}
+
+Aim Extremum::searching(const RuleView& view) const noexcept {
+  const Rpm speed = search_.trying();
+  if (search_.state() == MinimumSearch::State::Done) {
+    return {speed, {ReasonCode::MinimumFound, {speed.value, search_.bestLevel()}}};
+  }
+  return {speed, {ReasonCode::SeekingMinimum, {speed.value, view.level, search_.bestLevel(), search_.best().value}}};
+}
+
+}  // namespace stillcut::control

@@ -1,0 +1,108 @@
+#include "core/control/minimum_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stillcut::control {
+namespace {
+
+constexpr double kSettledShare = 0.3;  // of a step
+
+}  // namespace
+
+void MinimumSearch::forget() STILLCUT_RT {
+  const Options options = options_;
+  *this = MinimumSearch{};
+  options_ = options;
+}
+
+void MinimumSearch::start(Rpm speed, Rpm base) STILLCUT_RT {
+  forget();
+  state_ = State::Searching;
+  base_ = base;
+  way_ = speed > base ? 1 : -1;
+  tryAt(speed);
+}
+
+void MinimumSearch::tryAt(Rpm speed) STILLCUT_RT {
+  trying_ = speed;
+  waited_ = 0.0;
+  dwelt_ = 0.0;
+  sum_ = 0.0;
+  ++trials_;
+}
+
+Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
+  if (state_ != State::Searching || !(in.dt > 0.0) || !std::isfinite(in.level)) return trying_;
+  reach_ = in.reach;
+  if (std::abs((in.present - trying_).value) > kSettledShare * options_.step * base_.value) {
+    waited_ = dwelt_ = sum_ = 0.0;
+    return trying_;
+  }
+  waited_ += in.dt;
+  if (waited_ < options_.wait.value) return trying_;
+  dwelt_ += in.dt;
+  sum_ += in.level * in.dt;
+  if (dwelt_ >= options_.dwell.value) judge({trying_, sum_ / dwelt_, true});
+  return trying_;
+}
+
+void MinimumSearch::judge(const Point& point) STILLCUT_RT {
+  if (!best_.known) {
+    best_ = point;
+  } else {
+    const bool better = point.level < best_.level * (1.0 - options_.worthIt);
+    const Point old = best_;
+    if (better) best_ = point;
+    // The worse of the two is the neighbour on its side; that side needs no further try.
+    const Point& worse = better ? old : point;
+    const bool above = worse.speed > best_.speed;
+    (above ? above_ : below_) = worse;
+    (above ? closedAbove_ : closedBelow_) = true;
+  }
+  next();
+}
+
+void MinimumSearch::next() STILLCUT_RT {
+  const Rpm step = base_ * options_.step;
+  for (int turn = 0; turn < 2; ++turn, way_ = -way_) {
+    bool& closed = way_ > 0 ? closedAbove_ : closedBelow_;
+    const Rpm candidate = best_.speed + step * way_;
+    if (!closed && !reach_.contains(candidate)) closed = true;
+    if (!closed && trials_ < kMostTrials) {
+      tryAt(candidate);
+      return;
+    }
+  }
+  state_ = State::Done;
+  trying_ = vertex();
+}
+
+bool MinimumSearch::chattered() STILLCUT_RT {
+  if (state_ == State::Idle || !best_.known || trying_ == best_.speed) {
+    forget();
+    return false;
+  }
+  // A neighbour without a level: the bracket stays open on that side.
+  (trying_ > best_.speed ? closedAbove_ : closedBelow_) = true;
+  next();
+  return true;
+}
+
+// Through three points at their own distances; inside the bracket by construction, because the middle one is lowest.
+Rpm MinimumSearch::vertex() const STILLCUT_RT {
+  if (!below_.known || !above_.known) return best_.speed;
+  const double x1 = (below_.speed - best_.speed).value;
+  const double x2 = (above_.speed - best_.speed).value;
+  const double y1 = below_.level - best_.level;
+  const double y2 = above_.level - best_.level;
+  const double determinant = x1 * x2 * (x1 - x2);
+  const double curvature = (y1 * x2 - y2 * x1) / determinant;
+  const double slope = (y2 * x1 * x1 - y1 * x2 * x2) / determinant;
+  if (!(curvature > 0.0)) return best_.speed;
+  const double shift = -slope / (2.0 * curvature);
+  return Rpm(best_.speed.value + std::clamp(shift, 0.5 * x1, 0.5 * x2));
+}
+
+}  // namespace stillcut::control

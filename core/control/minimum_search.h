@@ -1,0 +1,72 @@
+// MinimumSearch: finds the speed of least vibration by trying neighbours. At each speed it waits until the spindle has
+// settled, averages the level over the dwell, then decides: go on in the same direction while the level falls, turn
+// round once, and when both neighbours of the best speed are worse (or chattering) end at the vertex of the parabola
+// through the three. At most kMostTrials speeds. Thread: worker, real-time.
+#pragma once
+
+#include "core/base/realtime.h"
+#include "core/base/units.h"
+#include "core/config/override_limits.h"
+
+namespace stillcut::control {
+
+class MinimumSearch {
+ public:
+  static constexpr int kMostTrials = 10;
+
+  struct Options {
+    double step = 0.01;     // of the base speed
+    Seconds wait{0.2};      // after the spindle has settled, for the vibration to do so
+    Seconds dwell{0.4};     // averaged
+    double worthIt = 0.02;  // levels closer than this share are the same
+  };
+  struct Input {
+    double dt = 0.0;  // [s]
+    double level = 0.0;
+    Rpm present{};  // measured spindle speed
+    config::SpeedRange reach;
+  };
+  enum class State { Idle, Searching, Done };
+
+  void configure(const Options& options) { options_ = options; }
+  void forget() STILLCUT_RT;
+  // Starts at `speed`; `base`, the programmed one, scales the step. First goes on away from it: that is where the cut
+  // became quiet.
+  void start(Rpm speed, Rpm base) STILLCUT_RT;
+  // Quiet: one step; the speed to be at.
+  Rpm advance(const Input& in) STILLCUT_RT;
+  // Chatter at the speed being tried: that side is closed, the search goes on at the other or ends at the best. False
+  // when it was the best speed itself that chattered: the search is over and knows nothing.
+  bool chattered() STILLCUT_RT;
+
+  State state() const STILLCUT_RT { return state_; }
+  Rpm trying() const STILLCUT_RT { return trying_; }
+  Rpm best() const STILLCUT_RT { return best_.speed; }
+  double bestLevel() const STILLCUT_RT { return best_.level; }
+
+ private:
+  struct Point {
+    Rpm speed{};
+    double level = 0.0;
+    bool known = false;
+  };
+  void judge(const Point& point) STILLCUT_RT;
+  void next() STILLCUT_RT;
+  Rpm vertex() const STILLCUT_RT;
+  void tryAt(Rpm speed) STILLCUT_RT;
+
+  Options options_;
+  State state_ = State::Idle;
+  Rpm base_{};
+  config::SpeedRange reach_;
+  Rpm trying_{};
+  int way_ = -1;
+  Point best_, below_, above_;
+  bool closedBelow_ = false, closedAbove_ = false;  // worse, chattering or out of reach on that side
+  int trials_ = 0;
+  double waited_ = 0.0;
+  double dwelt_ = 0.0;
+  double sum_ = 0.0;
+};
+
+}  // namespace stillcut::control

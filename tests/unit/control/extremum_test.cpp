@@ -1,0 +1,168 @@
+// extremum-paper and extremum-seek on a plant like van Dijk's figure 7: H is least at 33 600 rpm, Delta f is zero at
+// 33 000, the cut chatters above a level of H. The spindle follows with 60 ms delay and inertia.
+#include "core/control/extremum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <vector>
+
+namespace stillcut::control {
+namespace {
+
+class Figure7 {
+ public:
+  explicit Figure7(FrequencyRule& strategy, double delay = 0.06) : strategy_(strategy) {
+    CutSetup setup;
+    setup.teeth = 2;
+    strategy_.prepare(setup, {});
+    in_.dt = Seconds(kDt);
+    in_.machine.valid = true;
+    in_.machine.programmedSpeed = in_.machine.actualSpeed = Rpm(35000.0);
+    in_.machine.programmedFeed = fromMmPerMin(14000.0);
+    in_.verdict.valid = true;
+    pipe_.assign(static_cast<std::size_t>(delay / kDt) + 1, 35000.0);
+  }
+  static double level(double rpm) { return 1.0 + std::pow((rpm - 33600.0) / 400.0, 2.0); }
+
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(seconds / kDt); ++i) {
+      in_.now += toDuration(in_.dt);
+      const double h = level(speed());
+      in_.perturbation = h;
+      in_.verdict.state = h > chatterAbove ? CutState::Chatter : CutState::Stable;
+      in_.verdict.frequency = Hertz(h > chatterAbove ? 2200.0 : 0.0);
+      last = strategy_.decide(in_);
+      if (last.kind == RequestKind::Set && (asked.empty() || asked.back() != last.speed.value)) {
+        asked.push_back(last.speed.value);
+      }
+      pipe_.push_back(last.kind == RequestKind::Set ? last.speed.value : pipe_.back());
+      in_.machine.actualSpeed += Rpm((pipe_.front() - speed()) * 0.15);
+      pipe_.pop_front();
+    }
+  }
+  double speed() const { return in_.machine.actualSpeed.value; }
+
+  double chatterAbove = 5.0;  // above 34 400 and below 32 800 rpm
+  OverrideRequest last;
+  std::vector<double> asked;
+
+ private:
+  static constexpr double kDt = 0.01;
+  FrequencyRule& strategy_;
+  StrategyInput in_;
+  std::deque<double> pipe_;
+};
+
+TEST(ExtremumPaper, GoesTheRightWay) {
+  // Delta f = 2200 - 2 * 35 000 * 2 / 60 < 0: the speed must fall, which the printed minus sign would not do.
+  ExtremumPaper strategy;
+  Figure7 plant(strategy);
+  plant.run(0.02);
+  ASSERT_EQ(plant.last.kind, RequestKind::Set);
+  EXPECT_LT(plant.last.speed.value, 35000.0);
+  // First step: sqrt(H)/gamma = 1/lambda, so 2 * 0.7 / 0.3 units of half a percent.
+  EXPECT_NEAR(plant.last.speed.value, 35000.0 * (1.0 - 2.0 * 0.7 / 0.3 * 0.005), 1e-6);
+}
+
+TEST(ExtremumPaper, StopsWhereChatterStops) {
+  ExtremumPaper strategy;
+  Figure7 plant(strategy);
+  plant.run(5.0);
+  EXPECT_LT(plant.level(plant.speed()), plant.chatterAbove);
+  EXPECT_EQ(plant.last.reason.code, ReasonCode::KeepingSpeed);
+}
+
+TEST(ExtremumPaper, SettlesAtZeroDeltaFAndNotAtTheMinimum) {
+  ExtremumPaper strategy;
+  Figure7 plant(strategy);
+  plant.chatterAbove = 0.0;  // chatter everywhere: the law is never let off
+  plant.run(20.0);
+  EXPECT_NEAR(plant.speed(), 33000.0, 0.015 * 33000.0);
+  double mean = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    plant.run(0.01);
+    mean += plant.speed() / 400.0;
+  }
+  EXPECT_NEAR(mean, 33000.0, 250.0);
+}
+
+TEST(ExtremumSeek, FindsTheMinimumOfH) {
+  ExtremumSeek strategy;
+  Figure7 plant(strategy);
+  plant.run(20.0);
+  EXPECT_EQ(plant.last.reason.code, ReasonCode::MinimumFound);
+  EXPECT_NEAR(plant.speed(), 33600.0, 60.0);
+  EXPECT_LE(plant.asked.size(), static_cast<std::size_t>(MinimumSearch::kMostTrials) + 8);
+}
+
+TEST(ExtremumSeek, EndsQuieterThanThePaperLawForEveryDelay) {
+  for (double delay = 0.0; delay <= 0.121; delay += 0.02) {
+    ExtremumPaper paper;
+    ExtremumSeek seek;
+    Figure7 a(paper, delay);
+    Figure7 b(seek, delay);
+    a.run(20.0);
+    b.run(20.0);
+    EXPECT_LT(Figure7::level(b.speed()), Figure7::level(a.speed())) << delay;
+    EXPECT_LT(Figure7::level(b.speed()), 1.05) << delay;
+  }
+}
+
+TEST(ExtremumSeek, AfterTheSearchItStays) {
+  ExtremumSeek strategy;
+  Figure7 plant(strategy);
+  plant.run(20.0);
+  const std::size_t before = plant.asked.size();
+  plant.run(20.0);
+  EXPECT_EQ(plant.asked.size(), before);
+}
+
+TEST(ExtremumSeek, ChatterDuringTheSearchClosesThatSide) {
+  // A narrow pocket: quiet only from 33 400 to 33 800, narrower than the steps of the search.
+  ExtremumSeek strategy;
+  Figure7 plant(strategy);
+  plant.chatterAbove = 1.3;
+  plant.run(30.0);
+  EXPECT_LT(Figure7::level(plant.speed()), 1.3);
+  const std::size_t before = plant.asked.size();
+  plant.run(20.0);
+  EXPECT_EQ(plant.asked.size(), before);
+}
+
+TEST(MinimumSearch, ParabolaVertexOfUnevenNeighbours) {
+  MinimumSearch search;
+  MinimumSearch::Options options;
+  options.wait = Seconds(0.0);
+  options.dwell = Seconds(0.05);
+  search.configure(options);
+  search.start(Rpm(10000.0), Rpm(10000.0));
+  const config::SpeedRange reach{Rpm(5000.0), Rpm(12000.0)};
+  const auto level = [](Rpm n) { return 2.0 + std::pow((n.value - 9930.0) / 100.0, 2.0); };
+  int steps = 0;
+  while (search.state() == MinimumSearch::State::Searching && ++steps < 1000) {
+    search.advance({0.01, level(search.trying()), search.trying(), reach});
+  }
+  EXPECT_EQ(search.state(), MinimumSearch::State::Done);
+  EXPECT_NEAR(search.trying().value, 9930.0, 1e-6);
+}
+
+TEST(MinimumSearch, StaysInReach) {
+  MinimumSearch search;
+  MinimumSearch::Options options;
+  options.wait = Seconds(0.0);
+  options.dwell = Seconds(0.05);
+  search.configure(options);
+  search.start(Rpm(10000.0), Rpm(10000.0));
+  const config::SpeedRange reach{Rpm(9850.0), Rpm(10050.0)};
+  for (int i = 0; i < 500; ++i) {
+    const Rpm n = search.advance({0.01, std::pow(search.trying().value / 1e4, 10.0), search.trying(), reach});
+    EXPECT_TRUE(reach.contains(n));
+  }
+  EXPECT_EQ(search.state(), MinimumSearch::State::Done);
+  EXPECT_NEAR(search.trying().value, 9900.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace stillcut::control

@@ -1,0 +1,70 @@
+// Every strategy between hostile verdicts and the gate: nothing that it asks for makes the gate breach its rules, an
+// unusable input is never answered with a Set, and deciding never allocates.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/control/registry.h"
+#include "core/safety/override_gate.h"
+#include "tests/unit/safety/allocation_count.h"
+#include "tests/unit/safety/gate_oracle.h"
+#include "tests/unit/safety/hostile_world.h"
+
+namespace stillcut::control {
+namespace {
+
+class HostileStrategies : public ::testing::TestWithParam<std::string_view> {};
+
+TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
+  constexpr long kSteps = 1'000'000;
+  auto strategy = makeStrategy(GetParam());
+  ASSERT_TRUE(strategy.ok());
+  CutSetup setup;
+  setup.teeth = 4;
+  (*strategy)->prepare(setup, {});
+  safety::testing::HostileWorld world(7);
+  safety::testing::GateOracle oracle;
+  safety::OverrideGate gate;
+  long allocations = 0;
+  for (long i = 0; i < kSteps; ++i) {
+    if (i == 0 || world.chance(0.0003)) {
+      const safety::GateLimits limits = world.limits();
+      gate.prepare(limits);
+      oracle.prepared(limits);
+      (*strategy)->reset();
+    }
+    world.advance();
+    const StrategyInput in{world.in.now, world.in.dt, world.in.verdict, world.in.machine,
+                           world.chance(0.1) ? world.nonsense() : 1.0};
+    const long before = safety::testing::allocationCount();
+    world.in.request = (*strategy)->decide(in);
+    const safety::GateOutput out = gate.step(world.in);
+    allocations += safety::testing::allocationCount() - before;
+    if (!in.verdict.valid || !in.machine.valid) {
+      ASSERT_NE(world.in.request.kind, RequestKind::Set);
+    }
+    const std::string breach = oracle.breach(world.in, out);
+    ASSERT_TRUE(breach.empty()) << "step " << i << ": " << breach;
+    world.answered(out);
+  }
+  EXPECT_EQ(allocations, 0);
+  if ((*strategy)->describe().drivesSpeed) {
+    EXPECT_GT(oracle.sets, kSteps / 50);
+  } else {
+    EXPECT_EQ(oracle.sets, 0);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HostileStrategies, ::testing::ValuesIn([] {
+                           std::vector<std::string_view> ids;
+                           for (const StrategyEntry& entry : strategyTable()) ids.push_back(entry.id);
+                           return ids;
+                         }()),
+                         [](const auto& test) {
+                           std::string name(test.param);
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace stillcut::control
