@@ -3,6 +3,7 @@
 // Thread: values, no state. Real-time safe.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -54,6 +55,16 @@ class SteadyClock final : public Clock {
   Instant now() const noexcept override {
     return Instant(std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch()));
   }
+};
+
+// Time that is told: of a deterministic run, which sets it to the end of each block, and of tests.
+class ManualClock final : public Clock {
+ public:
+  Instant now() const noexcept override { return instantFromNs(ns_.load(std::memory_order_acquire)); }
+  void set(Instant t) noexcept { ns_.store(toNs(t), std::memory_order_release); }
+
+ private:
+  std::atomic<std::int64_t> ns_{0};
 };
 
 }  // namespace stillcut

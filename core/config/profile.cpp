@@ -159,6 +159,16 @@ void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog
 
 }  // namespace
 
+Result<ParamSet> loadParameters(const std::string& path, const ParamCatalog& catalog) {
+  const TomlReader in = TomlReader::file(path);
+  if (const auto unreadable = in.error()) return *unreadable;
+  ParamReading parameters{catalog, {}, kProfileVersion, {}, std::nullopt};
+  parameters.read(in.root(), "");
+  if (const Status finished = in.finish(); !finished) return finished.error();
+  if (parameters.error) return *parameters.error;
+  return std::move(parameters.params);
+}
+
 Result<Profile> loadProfile(const std::string& path, const ParamCatalog& catalog, const KnownIds& known,
                             std::span<const ParamRename> renames) {
   return profileFrom(TomlReader::file(path), catalog, known, renames);

@@ -67,6 +67,9 @@ Result<Profile> parseProfile(std::string_view content, const std::string& name, 
 std::string profileText(const Profile& profile, const ParamCatalog& catalog);
 Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const std::string& path);
 
+// Parameters alone, a table a part: [energy-ratio] threshold = 0.2. The `--config` of the command line.
+Result<ParamSet> loadParameters(const std::string& path, const ParamCatalog& catalog);
+
 // "KEY=VALUE" of the command line; `where` names the option for the error. Nothing changes on error.
 Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting,
                     std::string_view where = "--set");

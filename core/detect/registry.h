@@ -19,6 +19,7 @@ struct DetectorRow {
 };
 
 std::span<const DetectorRow> detectorTable();
+inline constexpr std::string_view kDefaultDetector = "energy-ratio";
 
 // Error: names the unknown id and the nearest known one.
 Result<std::unique_ptr<Detector>> makeDetector(std::string_view id);

@@ -35,7 +35,7 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   } else {
     act(in, out);
   }
-  emit(in, out);
+  issue(in, out);
   return out;
 }
 
@@ -127,7 +127,7 @@ void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOu
 }
 
 // The one place where commands are made. The finite check is the last thing that happens to a number.
-void OverrideGate::emit(const GateInput& in, GateOutput& out) STILLCUT_RT {
+void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const Factors& now = ramp_.now();
   if (commanding_ && !(std::isfinite(now.speed) && std::isfinite(now.feed) && now.speed > 0.0 && now.feed >= 0.0)) {
     drop({ReasonCode::GateNotFinite, {}}, EventLevel::Fault, in.now, out);

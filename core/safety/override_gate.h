@@ -56,7 +56,7 @@ class OverrideGate {
   Reason inForce(const MachineState& machine) const STILLCUT_RT;
 
   void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
-  void emit(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void issue(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT;
 
   GateLimits limits_;

@@ -1,0 +1,27 @@
+// What every command of stillcut-cli shares: it registers itself as a CLI11 subcommand and leaves its exit code.
+// Exit codes: 0 done, 2 wrong usage or unreadable input (one line on stderr), 3 a device or machine failed.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "core/base/result.h"
+
+namespace stillcut::app {
+
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitInput = 2;
+inline constexpr int kExitDevice = 3;
+
+// Prints the error's one line and gives `code` back.
+int fail(const Error& error, int code = kExitInput);
+
+// Each adds its subcommand; the callback sets `exitCode`.
+void addSimulate(CLI::App& app, int& exitCode);
+void addAnalyze(CLI::App& app, int& exitCode);
+void addInfo(CLI::App& app, int& exitCode);
+void addRun(CLI::App& app, int& exitCode);
+void addModal(CLI::App& app, int& exitCode);
+void addCoefficients(CLI::App& app, int& exitCode);
+
+}  // namespace stillcut::app

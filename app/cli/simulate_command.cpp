@@ -1,0 +1,147 @@
+// stillcut-cli simulate SCENARIO.toml [--strategy ID] [--seed N] [--out FILE.h5|.wav] [--json]
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
+
+#include "app/cli/command.h"
+#include "app/cli/setting_options.h"
+#include "app/compose/scenario_rig.h"
+#include "app/compose/simulation_report.h"
+#include "core/milling/scenario.h"
+#include "core/record/wav_reader.h"
+
+namespace stillcut::app {
+namespace {
+
+struct SimulateOptions {
+  std::string scenario, strategy, out;
+  std::uint64_t seed = 0;
+  bool json = false;
+  SettingOptions settings;
+};
+
+// What `--out` names: a session (.h5) takes everything and the truth, a sound file (.wav) the samples in SI.
+class OutFile {
+ public:
+  static Result<OutFile> open(const std::string& path, Rig& rig, const std::string& configuration) {
+    OutFile out;
+    if (path.empty()) return out;
+    if (path.ends_with(".wav")) {
+      const CutSetup& setup = rig.setup();
+      auto wav = record::WavWriter::create(path, static_cast<int>(setup.channels.size()), setup.rate);
+      if (!wav) return wav.error();
+      out.wav_ = std::move(wav).value();
+      for (const ChannelInfo& channel : setup.channels) out.scale_.push_back(channel.scale);
+    } else if (path.ends_with(".h5")) {
+      if (const Status s = rig.recordTo(path, configuration); !s) return s.error();
+      out.session_ = rig.recorder();
+    } else {
+      return Error{path, "is neither .h5 nor .wav", ""};
+    }
+    return out;
+  }
+  void add(const SampleBlock& block, const milling::SimulatedCut& plant) {
+    if (wav_ && status_) status_ = wav_->write(block, scale_);
+    if (session_ != nullptr && session_->writer() != nullptr && status_) {
+      status_ = session_->writer()->addTruth("chatter_ratio", block.end(), plant.truth().ratio());
+    }
+  }
+  Status close(const milling::SimulatedCut& plant, int teeth) {
+    if (wav_ && status_) status_ = wav_->finish();
+    if (session_ != nullptr && status_) status_ = addTruth(plant, teeth);
+    if (session_ != nullptr && status_) status_ = session_->finish();
+    return status_;
+  }
+
+ private:
+  Status addTruth(const milling::SimulatedCut& plant, int teeth) {
+    record::SessionWriter* writer = session_->writer();
+    if (writer == nullptr) return Error{session_->status().path, session_->status().fault, ""};
+    const milling::ChatterOnset onset = plant.truth().onset();
+    const std::pair<const char*, double> known[] = {{"onset_1pct_s", onset.at1},
+                                                    {"onset_20pct_s", onset.at20},
+                                                    {"onset_50pct_s", onset.at50},
+                                                    {"chatter_hz", plant.truth().chatterFrequency().value},
+                                                    {"chatter_kind", static_cast<double>(plant.truth().kind(teeth))},
+                                                    {"peak_ratio", plant.truth().peakRatio()},
+                                                    {"marked_m", plant.truth().marked().value}};
+    for (const auto& [name, value] : known) {
+      if (const Status s = writer->addTruth(name, value); !s) return s;
+    }
+    return Done{};
+  }
+
+  std::unique_ptr<record::WavWriter> wav_;
+  std::vector<double> scale_;
+  record::Recorder* session_ = nullptr;
+  Status status_{Done{}};
+};
+
+struct FinishedRun {
+  ScenarioRig built;
+  RunHistory history;
+};
+
+Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOptions& options, const std::string& out) {
+  auto built = buildScenarioRig(scenario, options);
+  if (!built) return built.error();
+  FinishedRun run{std::move(built).value(), {}};
+  const milling::SimulatedCut& plant = run.built.source->plant();
+  auto file = OutFile::open(out, *run.built.rig, milling::scenarioText(scenario));
+  if (!file) return file.error();
+  // The machine exists only in this program: what is tried on it can be left to the strategy.
+  run.built.rig->send({OperatorAction::SetAuthority, Authority::Auto});
+  run.built.rig->runToEnd([&](const StepInput& input, const StepOutput& output) {
+    run.history.observe(input, output, plant);
+    file->add(input.block, plant);
+  });
+  if (const Status closed = file->close(plant, scenario.model.tool.teeth); !closed) return closed.error();
+  return run;
+}
+
+int simulate(const SimulateOptions& options) {
+  auto scenario = milling::loadScenario(options.scenario);
+  if (!scenario) return fail(scenario.error());
+  scenario->grantsAuto = true;
+  const auto params = options.settings.params();
+  if (!params) return fail(params.error());
+
+  ScenarioOptions run;
+  run.seed = options.seed;
+  run.params = *params;
+  run.methods.strategy = "monitor";
+  const auto alone = runOnce(*scenario, run, "");
+  if (!alone) return fail(alone.error());
+
+  run.methods.strategy = options.strategy.empty() ? scenario->strategy : options.strategy;
+  const auto controlled = runOnce(*scenario, run, options.out);
+  if (!controlled) return fail(controlled.error());
+  SimulationReport result = report(controlled->history, alone->history, controlled->built.source->plant());
+  result.strategy = run.methods.strategy;
+  if (options.json) {
+    std::printf("%s\n", toJson(result).dump(2).c_str());
+  } else {
+    std::printf("%s", toText(result).c_str());
+    std::printf("(Auto is granted because this machine is simulated.)\n");
+  }
+  return kExitDone;
+}
+
+}  // namespace
+
+void addSimulate(CLI::App& app, int& exitCode) {
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = app.add_subcommand("simulate", "Run a simulated cut and say what became of it");
+  command->add_option("SCENARIO", options->scenario, "Scenario (.toml)")->required();
+  command->add_option("--strategy", options->strategy, "Strategy in charge; left out: the scenario's own");
+  command->add_option("--seed", options->seed, "Seed of the noise; left out: the scenario's own");
+  command->add_option("--out", options->out, "Record to FILE.h5 (everything) or FILE.wav (samples)");
+  command->add_flag("--json", options->json, "Print one JSON object");
+  options->settings.add(*command);
+  command->callback([options, &exitCode] { exitCode = simulate(*options); });
+}
+
+}  // namespace stillcut::app

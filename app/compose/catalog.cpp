@@ -1,0 +1,19 @@
+#include "app/compose/catalog.h"
+
+#include "core/control/registry.h"
+#include "core/detect/conditioner.h"
+#include "core/detect/registry.h"
+#include "core/safety/gate_limits.h"
+
+namespace stillcut::app {
+
+config::ParamCatalog fullCatalog() {
+  config::ParamCatalog catalog;
+  catalog.add(detect::conditionerParams());
+  for (const auto& entry : detect::detectorTable()) catalog.add(entry.params());
+  for (const auto& entry : control::strategyTable()) catalog.add(entry.params);
+  catalog.add(safety::gateParams());
+  return catalog;
+}
+
+}  // namespace stillcut::app

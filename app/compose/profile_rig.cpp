@@ -1,0 +1,72 @@
+#include "app/compose/profile_rig.h"
+
+#include <filesystem>
+#include <optional>
+#include <utility>
+
+#include "core/cnc/registry.h"
+#include "core/control/registry.h"
+#include "core/daq/registry.h"
+#include "core/detect/registry.h"
+#include "core/milling/scenario.h"
+
+namespace stillcut::app {
+namespace {
+
+// Files a profile names are looked for beside the profile.
+std::string besideProfile(const std::string& file, const std::string& profilePath) {
+  const std::filesystem::path given(file);
+  if (given.is_absolute()) return file;
+  return (std::filesystem::path(profilePath).parent_path() / given).string();
+}
+
+Result<std::optional<milling::Scenario>> scenarioOf(const config::Profile& profile, const std::string& path) {
+  const auto setting = profile.source.settings.find("scenario");
+  if (setting == profile.source.settings.end()) return std::optional<milling::Scenario>();
+  auto scenario = milling::loadScenario(besideProfile(setting->second, path));
+  if (!scenario) return scenario.error();
+  return std::optional(std::move(scenario).value());
+}
+
+}  // namespace
+
+config::KnownIds knownIds() {
+  config::KnownIds known;
+  for (const auto& row : daq::sourceTable()) known.sources.push_back(row.id);
+  for (const auto& row : cnc::linkTable()) known.links.push_back(row.id);
+  for (const auto& row : detect::detectorTable()) known.detectors.push_back(row.id);
+  for (const auto& row : control::strategyTable()) known.strategies.push_back(row.id);
+  return known;
+}
+
+Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path) {
+  if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
+  auto scenario = scenarioOf(profile, path);
+  if (!scenario) return scenario.error();
+  const milling::Scenario* simulated = *scenario ? &**scenario : nullptr;
+  auto port = std::make_shared<milling::PlantPort>();
+
+  RigSpec spec;
+  daq::SourceRequest source;
+  source.scenario = simulated;
+  source.port = port;
+  source.pace.realTime = true;
+  auto device = daq::makeSource(profile.source.id, source);
+  if (!device) return device.error();
+  spec.device = std::move(device).value();
+  if (!profile.link.id.empty()) {
+    auto link = cnc::makeLink(profile.link.id, {simulated, port});
+    if (!link) return link.error();
+    spec.link = std::move(link).value();
+  }
+  spec.setup = profile.cut;
+  spec.params = profile.params;
+  spec.autoAllowed = profile.allowAuto;
+  spec.methods.detectors = {profile.detector};
+  if (!profile.fallback.empty()) spec.methods.detectors.push_back(profile.fallback);
+  spec.methods.strategy = profile.strategy;
+  spec.watched = true;
+  return Rig::build(std::move(spec));
+}
+
+}  // namespace stillcut::app

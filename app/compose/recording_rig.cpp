@@ -1,0 +1,64 @@
+#include "app/compose/recording_rig.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/daq/replay_source.h"
+#include "core/record/open_recording.h"
+
+namespace stillcut::app {
+namespace {
+
+constexpr double kBlock_s = 0.005;  // of imported files: how fine their verdicts are in time
+
+// A session: machine state and operator inputs come with each block, as they were.
+class SessionStepSource final : public pipeline::StepSource {
+ public:
+  explicit SessionStepSource(daq::ReplaySource& source) : source_(source) {}
+  bool read(StepInput& step) noexcept override {
+    if (!source_.read(step.block)) return false;
+    const StepInput* recorded = source_.recordedStep();
+    step.machine = recorded != nullptr ? recorded->machine : MachineState{};
+    step.inputCount = recorded != nullptr ? recorded->inputCount : 0;
+    if (recorded != nullptr) step.inputs = recorded->inputs;
+    return true;
+  }
+  void stop() noexcept override { source_.stop(); }
+
+ private:
+  daq::ReplaySource& source_;
+};
+
+}  // namespace
+
+Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
+  auto reader = record::openRecording(path, options.read);
+  if (!reader) return reader.error();
+  const record::RecordingFormat format = (*reader)->format();
+
+  daq::ReplayOptions replay;
+  replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlock_s));
+  auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), replay);
+
+  RigSpec spec;
+  if (format.setup) spec.setup = *format.setup;
+  if (options.teeth > 0) spec.setup.teeth = options.teeth;
+  if (options.speed.value > 0.0) spec.setup.nominalSpeed = options.speed;
+  const bool isSession = format.blocks > 0;
+  const bool toldSpeed = options.speed.value > 0.0 || !options.log.empty();
+  if (isSession && !toldSpeed) {
+    spec.steps = std::make_unique<SessionStepSource>(*source);
+    spec.feed = std::make_unique<pipeline::RecordedMachineFeed>();
+  } else {
+    spec.feed = std::make_unique<pipeline::SpeedLogFeed>(options.log);
+  }
+  spec.device = std::move(source);
+  spec.params = options.params;
+  spec.methods = options.methods;
+  spec.deterministic = true;
+  auto rig = Rig::build(std::move(spec));
+  if (!rig) return rig.error();
+  return RecordingRig{std::move(rig).value(), format};
+}
+
+}  // namespace stillcut::app

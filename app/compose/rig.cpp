@@ -1,0 +1,141 @@
+#include "app/compose/rig.h"
+
+#include <utility>
+
+#include "core/control/registry.h"
+#include "core/detect/registry.h"
+#include "generated/version.h"
+
+namespace stillcut::app {
+namespace {
+
+Result<pipeline::ChainParts> makeParts(const Methods& methods) {
+  pipeline::ChainParts parts;
+  for (const std::string& id : methods.detectors) {
+    auto detector = detect::makeDetector(id);
+    if (!detector) return detector.error();
+    parts.detectors.push_back(std::move(detector).value());
+  }
+  if (parts.detectors.size() > 1) parts.fallback = 1;
+  auto strategy = control::makeStrategy(methods.strategy);
+  if (!strategy) return strategy.error();
+  parts.strategy = std::move(strategy).value();
+  return parts;
+}
+
+class RecorderTap final : public pipeline::StepTap {
+ public:
+  explicit RecorderTap(record::Recorder& recorder) : recorder_(recorder) {}
+  bool push(const StepInput& input, const StepOutput& output) noexcept override {
+    return recorder_.push(input, output);
+  }
+
+ private:
+  record::Recorder& recorder_;
+};
+
+config::MachineOverrides reach(const cnc::LinkInfo& info) {
+  return {info.lowestSpeed, info.highestSpeed, info.lowestFeed, info.highestFeed};
+}
+
+}  // namespace
+
+Rig::Rig(RigSpec spec) : spec_(std::move(spec)) {}
+
+Rig::~Rig() {
+  stop();
+  if (linkRunner_) linkRunner_->finish();
+}
+
+Result<std::unique_ptr<Rig>> Rig::build(RigSpec spec) {
+  std::unique_ptr<Rig> rig(new Rig(std::move(spec)));
+  try {
+    if (const Status ready = rig->prepare(); !ready) return ready.error();
+  } catch (const std::exception& e) {
+    return Error{"set-up", e.what(), ""};
+  }
+  return rig;
+}
+
+Status Rig::prepare() {
+  const auto opened = spec_.device->open();
+  if (!opened) return opened.error();
+  format_ = *opened;
+  spec_.setup.rate = format_.rate;
+  spec_.setup.blockFrames = format_.blockFrames;
+  spec_.setup.channels = format_.channels;
+  if (spec_.link) {
+    if (const Status linked = spec_.link->open(); !linked) return linked.error();
+    const Status narrowed = config::narrowToMachine(spec_.params, reach(spec_.link->describe()), "machine");
+    if (!narrowed) return narrowed.error();
+  }
+  auto limits = safety::gateLimits(spec_.params, spec_.setup, "settings");
+  if (!limits) return limits.error();
+  limits->autoAllowed = spec_.autoAllowed;
+
+  auto parts = makeParts(spec_.methods);
+  if (!parts) return parts.error();
+  chain_ = std::make_unique<pipeline::Chain>(std::move(parts).value());
+  chain_->prepare(spec_.setup, spec_.params, *limits);
+  publisher_.prepare(spec_.setup, spec_.link && spec_.link->describe().simulated, spec_.autoAllowed);
+  if (!spec_.steps) spec_.steps = std::make_unique<pipeline::DeviceStepSource>(*spec_.device);
+  if (!spec_.feed) spec_.feed = std::make_unique<pipeline::LiveMachineFeed>(states_, inputs_);
+  if (spec_.link) linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_);
+  makeLoop();
+  return Done{};
+}
+
+void Rig::makeLoop() {
+  loop_ = std::make_unique<pipeline::StepLoop>(
+      pipeline::StepLoopParts{*chain_, *spec_.feed, commands_, spec_.watched ? &publisher_ : nullptr, tap_.get(),
+                              spec_.deterministic ? static_cast<const Clock&>(manualClock_) : steadyClock_});
+}
+
+cnc::LinkInfo Rig::linkInfo() const {
+  return spec_.link ? spec_.link->describe() : cnc::LinkInfo{};
+}
+
+Status Rig::recordTo(const std::string& path, const std::string& configuration) {
+  auto recorder = record::Recorder::create(
+      path, {spec_.setup, configuration, STILLCUT_VERSION, spec_.link && spec_.link->describe().simulated});
+  if (!recorder) return recorder.error();
+  recorder_ = std::move(recorder).value();
+  tap_ = std::make_unique<RecorderTap>(*recorder_);
+  makeLoop();
+  return Done{};
+}
+
+bool Rig::send(const OperatorInput& input) {
+  return inputs_.push(input);
+}
+
+void Rig::start(const pipeline::EngineOptions& options) {
+  if (recorder_) recorder_->startThread();
+  engine_ = std::make_unique<pipeline::Engine>(
+      pipeline::EngineParts{*spec_.steps, format_, *loop_, linkRunner_.get(), steadyClock_}, options);
+  engine_->start();
+}
+
+void Rig::stop() {
+  if (engine_) engine_->stop();
+}
+
+bool Rig::advance(const After& after) {
+  if (!serial_) {
+    serial_ = std::make_unique<pipeline::SerialRun>(
+        pipeline::SerialParts{*spec_.steps, format_, *loop_, linkRunner_.get(), &manualClock_});
+  }
+  const pipeline::Chain::Step* done = serial_->next();
+  if (done == nullptr) return false;
+  if (recorder_) recorder_->drain();
+  if (after) after(serial_->input(), done->output);
+  return true;
+}
+
+void Rig::runToEnd(const After& after) {
+  while (advance(after)) {
+  }
+  if (linkRunner_) linkRunner_->finish();
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,90 @@
+// Rig: one run, wired. The only place where rooms meet: source, chain, gate, link, screen and recorder of a simulated
+// machine, a recording, or a profile's real hardware are put together here and nowhere else.
+// Thread: construction and destruction on one set-up thread. Live: start() and stop(). Deterministic: runToEnd().
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/config/param_set.h"
+#include "core/pipeline/engine.h"
+#include "core/pipeline/serial_run.h"
+#include "core/record/recorder.h"
+
+namespace stillcut::app {
+
+// Which methods run and who is in charge.
+struct Methods {
+  std::vector<std::string> detectors{"energy-ratio"};  // the first is in charge
+  std::string strategy = "lobe-center";
+};
+
+struct RigSpec {
+  std::unique_ptr<daq::DaqSource> device;       // what the steps come from
+  std::unique_ptr<pipeline::StepSource> steps;  // empty: `device`, live
+  std::unique_ptr<pipeline::MachineFeed> feed;  // empty: the link's mailbox and the operator's ring
+  std::unique_ptr<cnc::CncLink> link;           // empty: no machine
+  CutSetup setup;                               // rate, channels and block size are overwritten by the source's format
+  config::ParamSet params;
+  bool autoAllowed = false;  // Auto may be chosen at all
+  Methods methods;
+  bool watched = false;        // a screen reads snapshots
+  bool deterministic = false;  // advance() and runToEnd() instead of start()
+};
+
+class Rig {
+ public:
+  // Opens source and link and prepares every part. One line on failure; nothing is left open.
+  static Result<std::unique_ptr<Rig>> build(RigSpec spec);
+  ~Rig();
+
+  const CutSetup& setup() const { return spec_.setup; }
+  const pipeline::Chain& chain() const { return *chain_; }
+  const daq::DaqSource& device() const { return *spec_.device; }
+  cnc::LinkInfo linkInfo() const;
+  bool hasLink() const { return spec_.link != nullptr; }
+
+  // Before the first step: everything goes to the session file `path` as well.
+  Status recordTo(const std::string& path, const std::string& configuration);
+  // Null: nothing is recorded.
+  record::Recorder* recorder() { return recorder_.get(); }
+
+  // Live, threaded.
+  void start(const pipeline::EngineOptions& options);
+  void stop();
+  bool finished() const { return engine_ && engine_->finished(); }
+  // One thread only (the screen's).
+  const Snapshot* read() { return publisher_.read(); }
+  bool send(const OperatorInput& input);
+
+  // Deterministic, in the caller's thread: one block. False: the source has ended.
+  using After = std::function<void(const StepInput&, const StepOutput&)>;
+  bool advance(const After& after = {});
+  // To the end; the machine is released.
+  void runToEnd(const After& after);
+
+ private:
+  explicit Rig(RigSpec spec);
+  Status prepare();
+  void makeLoop();
+
+  RigSpec spec_;
+  daq::SourceFormat format_;
+  rt::Mailbox<OverrideCommand> commands_;
+  rt::Mailbox<MachineState> states_;
+  rt::SpscRing<OperatorInput> inputs_{32};
+  SteadyClock steadyClock_;
+  ManualClock manualClock_;
+  std::unique_ptr<pipeline::Chain> chain_;
+  pipeline::SnapshotPublisher publisher_;
+  std::unique_ptr<record::Recorder> recorder_;
+  std::unique_ptr<pipeline::StepTap> tap_;
+  std::unique_ptr<pipeline::StepLoop> loop_;
+  std::unique_ptr<pipeline::LinkRunner> linkRunner_;
+  std::unique_ptr<pipeline::Engine> engine_;
+  std::unique_ptr<pipeline::SerialRun> serial_;
+};
+
+}  // namespace stillcut::app

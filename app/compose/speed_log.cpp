@@ -1,0 +1,44 @@
+#include <charconv>
+#include <cmath>
+#include <fstream>
+
+#include "app/compose/recording_rig.h"
+
+namespace stillcut::app {
+namespace {
+
+bool parseRow(const std::string& line, double& t, double& rpm) {
+  const char* end = line.data() + line.size();
+  const auto first = std::from_chars(line.data(), end, t);
+  if (first.ec != std::errc{} || first.ptr == end || *first.ptr != ',') return false;
+  const auto second = std::from_chars(first.ptr + 1, end, rpm);
+  return second.ec == std::errc{} && second.ptr == end && std::isfinite(t) && std::isfinite(rpm);
+}
+
+}  // namespace
+
+Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return Error{path, "cannot be read", ""};
+  std::vector<pipeline::SpeedLogFeed::Point> log;
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const std::string place = path + ":" + std::to_string(number);
+    if (number == 1) {
+      if (line != "t,rpm") return Error{place, "the header is not 't,rpm'", ""};
+      continue;
+    }
+    if (line.empty()) continue;
+    double t = 0.0;
+    double rpm = 0.0;
+    if (!parseRow(line, t, rpm)) return Error{place, "'" + line + "' is not a time and a speed", ""};
+    if (rpm <= 0.0) return Error{place, "the speed must be above zero", ""};
+    if (!log.empty() && t <= log.back().time.value) return Error{place, "the time does not rise", ""};
+    log.push_back({Seconds(t), Rpm(rpm)});
+  }
+  if (log.empty()) return Error{path, "holds no speeds", ""};
+  return log;
+}
+
+}  // namespace stillcut::app

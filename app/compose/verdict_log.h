@@ -1,0 +1,52 @@
+// VerdictLog: the changes of every detector's verdict as the `--events` file has them (README, command line), and the
+// figures of a run that a summary prints.
+// Thread: one; not the sample path.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::app {
+
+class VerdictLog {
+ public:
+  // `begin`: stream time of the first sample, from which "t" counts.
+  VerdictLog(std::string_view detector, Instant begin) : detector_(detector), begin_(begin) {}
+
+  // Keeps the verdict when state, phase, validity, reason or warning changed since the last one.
+  void observe(const Verdict& verdict);
+
+  // Appends one object per change.
+  void appendEvents(nlohmann::json& array) const;
+
+  struct Summary {
+    std::string detector;
+    int alarms = 0;              // times the state became onset or chatter from neither
+    double firstAlarm_s = -1.0;  // -1: none
+    double alarmTime_s = 0.0;    // in onset or chatter
+    double chatterTime_s = 0.0;
+    double validTime_s = 0.0;
+    double frequency_Hz = 0.0;  // severity-weighted mean while alarming
+    double worstSeverity = 0.0;
+    std::string lastReason;  // of the last invalid verdict
+  };
+  Summary summary() const;
+
+ private:
+  std::string detector_;
+  Instant begin_;
+  bool started_ = false;
+  Verdict last_;
+  std::vector<Verdict> changes_;
+  Summary sums_;
+  double weight_ = 0.0;
+};
+
+void toJson(nlohmann::json& object, const VerdictLog::Summary& summary);
+
+}  // namespace stillcut::app

@@ -1,0 +1,121 @@
+// stillcut: the desktop program.
+//   stillcut [--scenario FILE] [--theme light|dark|contrast] [--size WxH]
+//   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFontDatabase>
+#include <cstdio>
+
+#include "app/session/session.h"
+#include "generated/version.h"
+#include "ui/shell/apply_theme.h"
+#include "ui/shell/main_window.h"
+
+namespace stillcut::app {
+namespace {
+
+constexpr int kInputError = 2;
+constexpr double kPictureAfter_s = 12.0;  // the demo has met chatter and answered it by then
+
+struct Options {
+  QString scenario;
+  QString screenshot;
+  double after_s = kPictureAfter_s;
+  QSize size{1280, 800};
+  std::optional<ui::ThemeKind> theme;
+};
+
+int fail(const std::string& line) {
+  std::fprintf(stderr, "stillcut: %s\n", line.c_str());
+  return kInputError;
+}
+
+std::optional<QSize> sizeFrom(const QString& text) {
+  const QStringList parts = text.split(u'x');
+  const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
+  return size.width() >= 640 && size.height() >= 480 ? std::optional(size) : std::nullopt;
+}
+
+Result<Options> parse(const QStringList& arguments) {
+  QCommandLineParser parser;
+  parser.setApplicationDescription(QStringLiteral("Tells chatter before it marks the part, and what to do about it."));
+  const QCommandLineOption scenario(QStringLiteral("scenario"), QStringLiteral("Simulated cut to run."),
+                                    QStringLiteral("FILE"));
+  const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                      QStringLiteral("Write a picture of the operator page and end."),
+                                      QStringLiteral("FILE.png"));
+  const QCommandLineOption after(QStringLiteral("after"), QStringLiteral("Seconds of the cut before the picture."),
+                                 QStringLiteral("SECONDS"));
+  const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Window size."), QStringLiteral("WxH"));
+  const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or contrast."),
+                                 QStringLiteral("NAME"));
+  parser.addOptions({scenario, screenshot, after, size, theme});
+  parser.addHelpOption();
+  parser.addVersionOption();
+  parser.process(arguments);
+
+  Options options;
+  options.scenario = parser.value(scenario);
+  options.screenshot = parser.value(screenshot);
+  if (parser.isSet(after)) options.after_s = parser.value(after).toDouble();
+  if (parser.isSet(size)) {
+    const auto wanted = sizeFrom(parser.value(size));
+    if (!wanted) return Error{"--size", "'" + parser.value(size).toStdString() + "' is no size", "as 1280x800"};
+    options.size = *wanted;
+  }
+  if (parser.isSet(theme)) {
+    const QStringList names{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
+    const qsizetype index = names.indexOf(parser.value(theme));
+    if (index < 0)
+      return Error{"--theme", "'" + parser.value(theme).toStdString() + "' is no theme", "light, dark or contrast"};
+    options.theme = static_cast<ui::ThemeKind>(index);
+  }
+  if (options.scenario.isEmpty()) return Error{"command line", "--scenario is missing", ""};
+  return options;
+}
+
+// Runs the session without waiting, ticking the window as the display would, and saves what it shows then.
+int takePicture(Session& session, ui::MainWindow& window, const Options& options) {
+  window.show();
+  qint64 shown_ms = -1;
+  double t = 0.0;
+  while (t < options.after_s && session.advance()) {
+    const Snapshot* snapshot = session.pull();
+    if (snapshot == nullptr) continue;
+    t = sinceEpoch(snapshot->time).value;
+    const auto now_ms = static_cast<qint64>(t * 1e3);
+    if (now_ms - shown_ms < ui::kDisplayTickMs) continue;
+    shown_ms = now_ms;
+    window.tick(now_ms);
+  }
+  QApplication::processEvents();
+  if (window.grab().save(options.screenshot)) return 0;
+  return fail(options.screenshot.toStdString() + ": cannot be written");
+}
+
+int run(int argc, char** argv) {
+  QApplication app(argc, argv);
+  QApplication::setApplicationName(QStringLiteral("Stillcut"));
+  QApplication::setApplicationVersion(QStringLiteral(STILLCUT_VERSION));
+  const auto options = parse(QApplication::arguments());
+  if (!options) return fail(options.error().line());
+  const bool live = options->screenshot.isEmpty();
+  auto session = openScenarioSession(options->scenario.toStdString(), live);
+  if (!session) return fail(session.error().line());
+
+  ui::MainWindow window(**session, options->theme.value_or(ui::desktopTheme()));
+  window.resize(options->size);
+  if (!live) return takePicture(**session, window, *options);
+  (*session)->start();
+  window.start();
+  window.show();
+  return QApplication::exec();
+}
+
+}  // namespace
+}  // namespace stillcut::app
+
+int main(int argc, char** argv) {
+  return stillcut::app::run(argc, argv);
+}

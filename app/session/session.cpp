@@ -1,0 +1,82 @@
+#include "app/session/session.h"
+
+#include <QDateTime>
+#include <utility>
+
+#include "app/compose/scenario_rig.h"
+#include "core/milling/scenario.h"
+
+namespace stillcut::app {
+namespace {
+
+QString text(std::string_view s) {
+  return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+ui::SessionInfo makeInfo(const Rig& rig) {
+  ui::SessionInfo info;
+  info.setup = rig.setup();
+  for (const auto& detector : rig.chain().parts().detectors) {
+    const detect::DetectorInfo d = detector->describe();
+    ui::DetectorInfo shown{text(d.id), text(d.label), {}};
+    for (std::string_view indicator : d.indicators) shown.indicators.push_back(text(indicator));
+    info.detectors.push_back(std::move(shown));
+  }
+  if (rig.hasLink()) {
+    const cnc::LinkInfo link = rig.linkInfo();
+    info.linkLabel = text(link.label);
+    info.simulatedMachine = link.simulated;
+    info.machineWatchdog = link.machineWatchdog;
+  }
+  const CutSetup& cut = info.setup;
+  if (cut.teeth > 0 && cut.nominalSpeed.value > 0.0) {
+    info.feedPerTooth = Metres(cut.nominalFeed.value / toothPassing(cut.nominalSpeed, cut.teeth).value);
+  }
+  return info;
+}
+
+}  // namespace
+
+Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info) : rig_(std::move(rig)), info_(std::move(info)) {}
+
+Session::~Session() {
+  rig_->stop();
+}
+
+void Session::start() {
+  rig_->start({});
+}
+
+ui::RecorderStatus Session::recorder() const {
+  record::Recorder* recorder = rig_->recorder();
+  if (recorder == nullptr) return {};
+  const record::RecorderStatus status = recorder->status();
+  ui::RecorderStatus shown;
+  shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;
+  shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
+  shown.problem = QString::fromStdString(status.fault);
+  return shown;
+}
+
+Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live) {
+  const auto scenario = milling::loadScenario(path);
+  if (!scenario) return scenario.error();
+  ScenarioOptions options;
+  options.methods.strategy = scenario->strategy;
+  options.live = live;
+  options.watched = true;
+  auto built = buildScenarioRig(*scenario, options);
+  if (!built) return built.error();
+
+  ui::SessionInfo info = makeInfo(*built->rig);
+  info.sourceLabel = QStringLiteral("%1 (%2)").arg(text("simulated cut"), text(scenario->name));
+  if (live) {
+    // Live stream time is the steady clock's.
+    info.wallMsAtStreamZero = QDateTime::currentMSecsSinceEpoch() - toNs(SteadyClock().now()) / 1'000'000;
+  }
+  auto session = std::make_unique<Session>(std::move(built->rig), std::move(info));
+  if (scenario->grantsAuto) session->send({OperatorAction::SetAuthority, Authority::Auto});
+  return session;
+}
+
+}  // namespace stillcut::app

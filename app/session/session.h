@@ -1,0 +1,39 @@
+// Session: what the desktop shows, behind the facade the screens know. One rig, live on its threads or advanced block
+// by block for a picture without waiting. Thread: GUI.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/compose/rig.h"
+#include "ui/shell/session_facade.h"
+
+namespace stillcut::app {
+
+class Session final : public ui::SessionFacade {
+ public:
+  // `rig` built with spec.watched; `info` as makeInfo() gives it, labels added.
+  Session(std::unique_ptr<Rig> rig, ui::SessionInfo info);
+  ~Session() override;
+
+  // Threads on.
+  void start();
+  // Instead of start(): one block at once. False: the source has ended.
+  bool advance() { return rig_->advance(); }
+
+  const ui::SessionInfo& info() const override { return info_; }
+  const Snapshot* pull() override { return rig_->read(); }
+  void send(const OperatorInput& input) override { rig_->send(input); }
+  ui::RecorderStatus recorder() const override;
+  ui::LinkStatus link() const override { return {}; }
+
+ private:
+  std::unique_ptr<Rig> rig_;
+  ui::SessionInfo info_;
+};
+
+// A session on a scenario's simulated machine: live (paced to the clock, on threads) or for advance(). Auto is chosen
+// at the start where the scenario grants it.
+Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live);
+
+}  // namespace stillcut::app

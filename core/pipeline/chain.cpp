@@ -1,0 +1,120 @@
+#include "core/pipeline/chain.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace stillcut::pipeline {
+namespace {
+
+double rms(std::span<const double> x) {
+  double sum = 0.0;
+  for (double v : x) sum += v * v;
+  return x.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(x.size()));
+}
+
+// A verdict with a number that is not one must not reach the strategy, whatever it claims.
+bool sound(const Verdict& v) {
+  return isFinite(v.frequency) && isFinite(v.frequencySd) && isFinite(v.severity) && isFinite(v.spindle) &&
+         isFinite(v.sinceOnset) && isFinite(v.feedSinceOnset);
+}
+
+Verdict faultVerdict(const detect::ConditionedBlock& block, int detector) {
+  Verdict v;
+  v.time = block.end();
+  v.blockSequence = block.sequence;
+  v.phase = block.phase;
+  v.reason = {ReasonCode::DetectorFault, {static_cast<double>(detector), 0.0, 0.0, 0.0}};
+  return v;
+}
+
+}  // namespace
+
+Chain::Chain(ChainParts parts) : parts_(std::move(parts)), inCharge_(parts_.inCharge) {
+  const auto count = static_cast<int>(parts_.detectors.size());
+  if (count < 1 || count > kMaxDetectors) throw std::runtime_error("a chain needs 1 to 6 detectors");
+  if (parts_.inCharge < 0 || parts_.inCharge >= count || parts_.fallback >= count) {
+    throw std::runtime_error("the detector in charge or its fallback is not among the enabled ones");
+  }
+  if (!parts_.strategy) throw std::runtime_error("a chain needs a strategy");
+}
+
+void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const safety::GateLimits& limits) {
+  conditioner_.prepare(setup, params);
+  for (auto& detector : parts_.detectors) detector->prepare(setup, params);
+  parts_.strategy->prepare(setup, params);
+  gate_.prepare(limits);
+  flights_.prepare(Seconds(setup.blockFrames / setup.rate.value));
+  inCharge_ = parts_.inCharge;
+  started_ = false;
+}
+
+const Chain::Step& Chain::process(const StepInput& input) noexcept {
+  step_ = Step{};
+  dt_ = started_ ? secondsBetween(previous_, input.block.end()) : Seconds(input.block.frames / input.block.rate.value);
+  previous_ = input.block.end();
+  started_ = true;
+
+  const detect::ConditionedBlock& block = conditioner_.process(input.block, input.machine);
+  step_.vibrationRms = rms(block.channel(0));
+  runDetectors(block);
+  step_.output.request = askStrategy(input);
+  runGate(input);
+  return step_;
+}
+
+void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
+  StepOutput& out = step_.output;
+  out.verdictCount = static_cast<int>(parts_.detectors.size());
+  for (int i = 0; i < out.verdictCount; ++i) {
+    Verdict& verdict = out.verdicts[static_cast<std::size_t>(i)];
+    bool good = true;
+    try {
+      verdict = parts_.detectors[static_cast<std::size_t>(i)]->process(block);
+      good = sound(verdict);
+    } catch (...) {
+      good = false;
+    }
+    if (good) continue;
+    verdict = faultVerdict(block, i);
+    step_.detectorFailed = true;
+    parts_.detectors[static_cast<std::size_t>(i)]->reset();
+    if (i == inCharge_ && parts_.fallback >= 0 && parts_.fallback != i) inCharge_ = parts_.fallback;
+  }
+  out.inCharge = inCharge_;
+}
+
+OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
+  const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
+  try {
+    return parts_.strategy->decide({input.block.end(), dt_, verdict, input.machine});
+  } catch (...) {
+    // Falls back to monitoring: the request asks to let go, the gate brings the programmed values back.
+    step_.strategyFailed = true;
+    parts_.strategy->reset();
+    OverrideRequest release;
+    release.time = input.block.end();
+    release.kind = RequestKind::Release;
+    release.reason = {ReasonCode::Monitoring, {}};
+    return release;
+  }
+}
+
+void Chain::runGate(const StepInput& input) noexcept {
+  StepOutput& out = step_.output;
+  const std::span<const OperatorInput> inputs(input.inputs.data(), static_cast<std::size_t>(input.inputCount));
+  const safety::GateInput in{input.block.end(), dt_,   out.request, out.verdicts[static_cast<std::size_t>(inCharge_)],
+                             input.machine,     inputs};
+  step_.gate = gate_.step(in);
+  const safety::GateOutput& gate = step_.gate;
+  flights_.push(safety::flightEntry(in, gate));
+  if (gate.flight) flights_.capture(gate.reason, in.now);
+  out.authority = gate.authority;
+  out.hasCommand = gate.command.has_value();
+  if (gate.command) out.command = gate.command->record();
+  for (int i = 0; i < gate.eventCount && out.eventCount < kMaxEventsPerStep; ++i) {
+    out.events[static_cast<std::size_t>(out.eventCount++)] = gate.events[static_cast<std::size_t>(i)];
+  }
+}
+
+}  // namespace stillcut::pipeline

@@ -1,0 +1,66 @@
+// Chain: hops 2 to 5 of the way of one block, one call after another on the worker thread:
+// conditioner, every enabled detector, the strategy in charge, the gate.
+// Thread: prepare() and the constructor on the set-up thread; process() on the worker, real-time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/config/param_set.h"
+#include "core/control/strategy.h"
+#include "core/detect/conditioner.h"
+#include "core/detect/detector.h"
+#include "core/model/cut_setup.h"
+#include "core/model/step_record.h"
+#include "core/safety/flight_recorder.h"
+#include "core/safety/override_gate.h"
+
+namespace stillcut::pipeline {
+
+struct ChainParts {
+  std::vector<std::unique_ptr<detect::Detector>> detectors;  // 1 .. kMaxDetectors
+  int inCharge = 0;                                          // whose verdict the strategy follows
+  int fallback = -1;  // who follows when it fails; -1: nobody, verdicts become invalid
+  std::unique_ptr<control::Strategy> strategy;
+};
+
+class Chain {
+ public:
+  explicit Chain(ChainParts parts);
+
+  // Sizes everything. May allocate and throw std::runtime_error with one clear line.
+  void prepare(const CutSetup& setup, const config::ParamSet& params, const safety::GateLimits& limits);
+
+  struct Step {
+    StepOutput output;
+    safety::GateOutput gate;    // authority, advice, holds
+    double vibrationRms = 0.0;  // first channel, SI
+    bool strategyFailed = false;
+    bool detectorFailed = false;
+  };
+  // One block with its machine state and operator inputs. The result is good until the next call.
+  const Step& process(const StepInput& input) noexcept;
+
+  const ChainParts& parts() const { return parts_; }
+  int inCharge() const { return inCharge_; }
+  // The last seconds before each fault, refusal and change of authority; one other thread takes and writes them.
+  safety::FlightRecorder& flights() { return flights_; }
+
+ private:
+  void runDetectors(const detect::ConditionedBlock& block) noexcept;
+  OverrideRequest askStrategy(const StepInput& input) noexcept;
+  void runGate(const StepInput& input) noexcept;
+
+  ChainParts parts_;
+  detect::Conditioner conditioner_;
+  safety::OverrideGate gate_;
+  safety::FlightRecorder flights_;
+  int inCharge_ = 0;
+  bool started_ = false;
+  Instant previous_{};  // end of the previous block
+  Seconds dt_{};
+  Step step_;
+};
+
+}  // namespace stillcut::pipeline

@@ -1,0 +1,77 @@
+#include "core/pipeline/intervention_log.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::pipeline {
+namespace {
+
+// A cut counts as quiet again when no alarm came back for this long; shorter pauses are the beat of the same chatter.
+constexpr Seconds kQuietFor{0.25};
+// A factor nearer to 1 than this is the programmed value.
+constexpr double kMoved = 1e-3;
+
+bool moves(const CommandRecord& c) {
+  return c.kind == CommandKind::Set &&
+         (std::abs(c.speed.value - 1.0) > kMoved || std::abs(c.feed.value - 1.0) > kMoved);
+}
+
+void append(StepOutput& output, std::uint64_t& number, EventLevel level, Instant time, Reason reason) {
+  if (output.eventCount >= kMaxEventsPerStep) return;
+  output.events[static_cast<std::size_t>(output.eventCount++)] = Event{time, number++, level, reason};
+}
+
+}  // namespace
+
+void InterventionLog::follow(const StepInput& input, StepOutput& output, double vibrationRms, Seconds dt) noexcept {
+  const Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.inCharge)];
+  alarming_ = verdict.alarming();
+  if (alarming_) {
+    lastAlarm_ = verdict.time;
+    chatterTime_ += dt;
+    chatterLength_ += Metres(input.machine.actualFeed.value * dt.value);
+    if (!open_) begin(input, output, verdict, vibrationRms);
+  }
+  if (open_) update(input, output, verdict, vibrationRms, dt);
+}
+
+void InterventionLog::begin(const StepInput& input, StepOutput& output, const Verdict& verdict,
+                            double vibrationRms) noexcept {
+  Intervention& card = cards_[count_ % kInterventionsShown];
+  card = Intervention{};
+  card.number = count_++;
+  card.began = verdict.time;
+  card.frequency = verdict.frequency;
+  card.speedBefore = card.speedAfter = input.machine.actualSpeed;
+  card.feedBefore = card.feedAfter = input.machine.actualFeed;
+  card.vibrationBefore = vibrationRms;
+  open_ = true;
+  append(output, eventNumber_, EventLevel::Warning, verdict.time,
+         {ReasonCode::ChatterBegan, {verdict.frequency.value, verdict.severity.value, 0.0, 0.0}});
+}
+
+void InterventionLog::update(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms,
+                             Seconds dt) noexcept {
+  Intervention& card = cards_[(count_ - 1) % kInterventionsShown];
+  if (output.hasCommand && moves(output.command) && card.commanded == Instant{}) card.commanded = output.command.time;
+  if (alarming_) {
+    card.severityBefore = std::max(card.severityBefore, verdict.severity);
+    card.vibrationBefore = std::max(card.vibrationBefore, vibrationRms);
+    card.marked += Metres(input.machine.actualFeed.value * dt.value);
+    if (verdict.state == CutState::Chatter || card.frequency.value <= 0.0) card.frequency = verdict.frequency;
+    return;
+  }
+  card.speedAfter = input.machine.actualSpeed;
+  card.feedAfter = input.machine.actualFeed;
+  card.vibrationAfter = vibrationRms;
+  if (verdict.valid) card.severityAfter = verdict.severity;
+  if (secondsBetween(lastAlarm_, input.block.end()) < kQuietFor) return;
+  card.finished = true;
+  card.quiet = verdict.valid;
+  card.timeToQuiet = secondsBetween(card.began, lastAlarm_);
+  open_ = false;
+  append(output, eventNumber_, EventLevel::Info, input.block.end(),
+         {ReasonCode::ChatterEnded, {card.timeToQuiet.value, card.marked.value * 1e3, 0.0, 0.0}});
+}
+
+}  // namespace stillcut::pipeline

@@ -1,0 +1,42 @@
+// InterventionLog: follows alarms and commands and keeps one card per alarm: what was before, what we did, what came of
+// it (issue: proof on screen that the advice worked). Also the totals of time and path in chatter.
+// Thread: worker, real-time. Fixed size.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/model/event.h"
+#include "core/model/snapshot.h"
+#include "core/model/step_record.h"
+
+namespace stillcut::pipeline {
+
+class InterventionLog {
+ public:
+  // `vibrationRms` of the block in SI. Appends "chatter began / ended" to the output's events.
+  void follow(const StepInput& input, StepOutput& output, double vibrationRms, Seconds dt) noexcept;
+  void reset() noexcept { *this = InterventionLog(); }
+
+  std::uint64_t count() const { return count_; }
+  // Card `number`, good for the newest kInterventionsShown.
+  const Intervention& card(std::uint64_t number) const { return cards_[number % kInterventionsShown]; }
+  Seconds chatterTime() const { return chatterTime_; }
+  Metres chatterLength() const { return chatterLength_; }
+
+ private:
+  void begin(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms) noexcept;
+  void update(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms,
+              Seconds dt) noexcept;
+
+  std::array<Intervention, kInterventionsShown> cards_{};
+  std::uint64_t count_ = 0;
+  bool open_ = false;
+  bool alarming_ = false;
+  Instant lastAlarm_{};
+  Seconds chatterTime_{};
+  Metres chatterLength_{};
+  std::uint64_t eventNumber_ = 0;
+};
+
+}  // namespace stillcut::pipeline

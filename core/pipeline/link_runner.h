@@ -1,0 +1,45 @@
+// LinkRunner: hop 6, everything the link thread does in one tick: take the newest command, check its lease, send it,
+// read the machine back. The lease is measured on the link thread's own clock, so that a worker that stalls or dies
+// cannot keep an override in force.
+// Thread: link thread only (or the one thread of a deterministic run).
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "core/base/time.h"
+#include "core/cnc/cnc_link.h"
+#include "core/model/machine_state.h"
+#include "core/model/override_command.h"
+#include "core/rt/mailbox.h"
+#include "core/safety/lease_watch.h"
+
+namespace stillcut::pipeline {
+
+class LinkRunner {
+ public:
+  LinkRunner(cnc::CncLink& link, rt::Mailbox<OverrideCommand>& commands, rt::Mailbox<MachineState>& states)
+      : link_(link), commands_(commands), states_(states) {}
+  // Whatever ends the run, the programmed values come back.
+  ~LinkRunner() { finish(); }
+  LinkRunner(const LinkRunner&) = delete;
+  LinkRunner& operator=(const LinkRunner&) = delete;
+
+  void tick(Instant now) noexcept;
+  // Releases if anything is in force. Later ticks only read.
+  void finish() noexcept;
+
+  // Any thread.
+  std::uint64_t leasesExpired() const { return leasesExpired_.load(std::memory_order_relaxed); }
+
+ private:
+  cnc::CncLink& link_;
+  rt::Mailbox<OverrideCommand>& commands_;
+  rt::Mailbox<MachineState>& states_;
+  safety::LeaseWatch lease_;
+  Instant lastTick_{};
+  bool finished_ = false;
+  std::atomic<std::uint64_t> leasesExpired_{0};
+};
+
+}  // namespace stillcut::pipeline

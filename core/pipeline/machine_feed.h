@@ -1,0 +1,58 @@
+// MachineFeed: completes a step's input with what is not in the samples: the machine's state and what the operator
+// asked. Live it comes from the link thread and the screen; a recording carries it with the block. The worker does not
+// know which (house rule 4).
+// Thread: complete() on the worker, real-time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/model/machine_state.h"
+#include "core/model/operator_input.h"
+#include "core/model/step_record.h"
+#include "core/rt/mailbox.h"
+#include "core/rt/spsc_ring.h"
+
+namespace stillcut::pipeline {
+
+class MachineFeed {
+ public:
+  virtual ~MachineFeed() = default;
+  virtual void complete(StepInput& step) noexcept = 0;
+};
+
+// The machine's newest state as the link thread left it, and the operator's inputs in the order they came.
+class LiveMachineFeed final : public MachineFeed {
+ public:
+  LiveMachineFeed(rt::Mailbox<MachineState>& states, rt::SpscRing<OperatorInput>& inputs)
+      : states_(states), inputs_(inputs) {}
+  void complete(StepInput& step) noexcept override;
+
+ private:
+  rt::Mailbox<MachineState>& states_;
+  rt::SpscRing<OperatorInput>& inputs_;
+};
+
+// The source has already filled everything in (a session being replayed).
+class RecordedMachineFeed final : public MachineFeed {
+ public:
+  void complete(StepInput& /*step*/) noexcept override {}
+};
+
+// A recording without a machine: only the told or logged spindle speed is known.
+class SpeedLogFeed final : public MachineFeed {
+ public:
+  struct Point {
+    Seconds time;  // from the first sample
+    Rpm speed;
+  };
+  // `log` sorted by time; between points the speed is interpolated, outside it is the nearest point's.
+  // Empty: no machine at all, the state stays invalid and the nominal speed counts.
+  explicit SpeedLogFeed(std::vector<Point> log) : log_(std::move(log)) {}
+  void complete(StepInput& step) noexcept override;
+
+ private:
+  std::vector<Point> log_;
+};
+
+}  // namespace stillcut::pipeline

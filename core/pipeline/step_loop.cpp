@@ -1,0 +1,40 @@
+#include "core/pipeline/step_loop.h"
+
+#include <algorithm>
+
+namespace stillcut::pipeline {
+
+const Chain::Step& StepLoop::step(StepInput& input) noexcept {
+  const Instant began = parts_.clock.now();
+  parts_.feed.complete(input);
+
+  const Chain::Step& done = parts_.chain.process(input);
+  // No command: the last one stays, and its lease runs.
+  if (done.gate.command) parts_.commands.post(*done.gate.command);
+
+  const Seconds length(input.block.frames / input.block.rate.value);
+  output_ = done.output;
+  log_.follow(input, output_, done.vibrationRms, started_ ? secondsBetween(previous_, input.block.end()) : length);
+  previous_ = input.block.end();
+  started_ = true;
+
+  if (parts_.tap != nullptr && !parts_.tap->push(input, output_)) ++health_.tapDropped;
+  measure(input, done, began);
+  if (parts_.publisher != nullptr) parts_.publisher->publish(input, output_, done, log_, health_);
+  return done;
+}
+
+void StepLoop::measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept {
+  const Instant now = parts_.clock.now();
+  ++health_.blocks;
+  if (input.block.has(kBlockGap)) ++health_.gaps;
+  if (done.detectorFailed) ++health_.detectorFaults;
+  health_.blockLength = Seconds(input.block.frames / input.block.rate.value);
+  health_.processing = secondsBetween(began, now);
+  health_.worstProcessing = std::max(health_.worstProcessing, health_.processing);
+  if (health_.processing > health_.blockLength) ++health_.overruns;
+  health_.blockAge = std::max(Seconds(), secondsBetween(input.block.end(), now));
+  health_.worstBlockAge = std::max(health_.worstBlockAge, health_.blockAge);
+}
+
+}  // namespace stillcut::pipeline

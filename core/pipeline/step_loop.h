@@ -1,0 +1,56 @@
+// StepLoop: everything the worker does with one step, hops 2 to 5 and the hand-over of what came out: the command to
+// the link's mailbox, the picture to the screen, the step to the recorder. The threaded engine and the deterministic
+// run both consist of calls of step().
+// Thread: worker, real-time. The parts it refers to must outlive it.
+#pragma once
+
+#include "core/base/time.h"
+#include "core/model/step_record.h"
+#include "core/pipeline/chain.h"
+#include "core/pipeline/intervention_log.h"
+#include "core/pipeline/machine_feed.h"
+#include "core/pipeline/snapshot_publisher.h"
+#include "core/rt/mailbox.h"
+
+namespace stillcut::pipeline {
+
+// Where finished steps go besides the link: the recorder's ring. False: it had no room.
+class StepTap {
+ public:
+  virtual ~StepTap() = default;
+  virtual bool push(const StepInput& input, const StepOutput& output) noexcept = 0;
+};
+
+struct StepLoopParts {
+  Chain& chain;
+  MachineFeed& feed;
+  rt::Mailbox<OverrideCommand>& commands;
+  SnapshotPublisher* publisher = nullptr;  // may be absent: nobody watches
+  StepTap* tap = nullptr;                  // may be absent: nothing is recorded
+  const Clock& clock;                      // measures ages and processing times only; decides nothing
+};
+
+class StepLoop {
+ public:
+  explicit StepLoop(const StepLoopParts& parts) : parts_(parts) {}
+
+  // Completes, processes and hands on one step.
+  const Chain::Step& step(StepInput& input) noexcept;
+
+  // Set by the driver side of the ring before the step that follows a loss.
+  void countDropped(std::uint64_t total) noexcept { health_.droppedBlocks = total; }
+  const PathHealth& health() const { return health_; }
+  const InterventionLog& interventions() const { return log_; }
+
+ private:
+  void measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept;
+
+  StepLoopParts parts_;
+  InterventionLog log_;
+  StepOutput output_;
+  PathHealth health_;
+  bool started_ = false;
+  Instant previous_{};
+};
+
+}  // namespace stillcut::pipeline

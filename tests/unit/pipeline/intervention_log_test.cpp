@@ -1,0 +1,96 @@
+#include "core/pipeline/intervention_log.h"
+
+#include <gtest/gtest.h>
+
+namespace stillcut::pipeline {
+namespace {
+
+constexpr double kBlock = 0.01;
+
+// Plays blocks of 10 ms with a given verdict into a log.
+class Story {
+ public:
+  StepOutput block(CutState state, double severity, double speed, double vibration, bool command = false) {
+    StepInput in;
+    in.block.rate = Hertz(10000.0);
+    in.block.frames = 100;
+    in.block.firstSample = Instant(toDuration(Seconds(kBlock * static_cast<double>(n_++))));
+    in.machine.actualSpeed = Rpm(speed);
+    in.machine.actualFeed = fromMmPerMin(600.0);  // 10 mm/s
+    StepOutput out;
+    out.verdictCount = 1;
+    Verdict& v = out.verdicts[0];
+    v.valid = true;
+    v.state = state;
+    v.time = in.block.end();
+    v.frequency = Hertz(state == CutState::Stable ? 0.0 : 850.0);
+    v.severity = Ratio(severity);
+    if (command) {
+      out.hasCommand = true;
+      out.command.kind = CommandKind::Set;
+      out.command.speed = Ratio(0.97);
+      out.command.time = in.block.end();
+    }
+    log.follow(in, out, vibration, Seconds(kBlock));
+    return out;
+  }
+  InterventionLog log;
+
+ private:
+  int n_ = 0;
+};
+
+TEST(InterventionLog, TellsBeforeAndAfterOfOneAlarm) {
+  Story s;
+  for (int i = 0; i < 10; ++i) s.block(CutState::Stable, 0.01, 8000.0, 1.0);
+  const StepOutput first = s.block(CutState::Onset, 0.1, 8000.0, 2.0);
+  ASSERT_EQ(first.eventCount, 1);
+  EXPECT_EQ(first.events[0].reason.code, ReasonCode::ChatterBegan);
+  s.block(CutState::Chatter, 0.6, 8000.0, 9.0, true);
+  for (int i = 0; i < 8; ++i) s.block(CutState::Chatter, 0.5, 7900.0, 7.0);
+  StepOutput last;
+  for (int i = 0; i < 30 && last.eventCount == 0; ++i) last = s.block(CutState::Stable, 0.02, 7760.0, 1.1);
+
+  ASSERT_EQ(s.log.count(), 1U);
+  const Intervention& card = s.log.card(0);
+  EXPECT_TRUE(card.finished);
+  EXPECT_TRUE(card.quiet);
+  EXPECT_DOUBLE_EQ(card.frequency.value, 850.0);
+  EXPECT_DOUBLE_EQ(card.speedBefore.value, 8000.0);
+  EXPECT_DOUBLE_EQ(card.speedAfter.value, 7760.0);
+  EXPECT_DOUBLE_EQ(card.severityBefore.value, 0.6);
+  EXPECT_DOUBLE_EQ(card.severityAfter.value, 0.02);
+  EXPECT_DOUBLE_EQ(card.vibrationBefore, 9.0);
+  EXPECT_DOUBLE_EQ(card.vibrationAfter, 1.1);
+  EXPECT_NEAR(card.timeToQuiet.value, 9 * kBlock, 1e-9);  // from the first to the last alarming block
+  EXPECT_NEAR(card.marked.value * 1e3, 10 * kBlock * 10.0, 1e-9);
+  EXPECT_NEAR(secondsBetween(card.began, card.commanded).value, kBlock, 1e-9);
+  ASSERT_EQ(last.eventCount, 1);
+  EXPECT_EQ(last.events[0].reason.code, ReasonCode::ChatterEnded);
+  EXPECT_NEAR(s.log.chatterTime().value, 10 * kBlock, 1e-9);
+}
+
+TEST(InterventionLog, AShortPauseIsTheSameChatter) {
+  Story s;
+  for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
+  for (int i = 0; i < 10; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0);
+  for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
+  EXPECT_EQ(s.log.count(), 1U);
+  for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0);
+  s.block(CutState::Onset, 0.1, 8000.0, 2.0);
+  EXPECT_EQ(s.log.count(), 2U);
+}
+
+TEST(InterventionLog, KeepsTheNewestCardsOnly) {
+  Story s;
+  for (int n = 0; n < kInterventionsShown + 3; ++n) {
+    s.block(CutState::Chatter, 0.5, 8000.0 + n, 5.0);
+    for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0);
+  }
+  const std::uint64_t newest = s.log.count() - 1;
+  EXPECT_EQ(s.log.card(newest).number, newest);
+  EXPECT_DOUBLE_EQ(s.log.card(newest).speedBefore.value, 8000.0 + static_cast<double>(newest));
+}
+
+}  // namespace
+}  // namespace stillcut::pipeline

@@ -1,0 +1,105 @@
+// Hop 6 in virtual time: a command is sent while its lease lives, and however the run ends the machine is left with its
+// programmed values.
+
+#include "core/pipeline/link_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "tests/component/scripted_parts.h"
+#include "tests/unit/safety/gate_harness.h"
+
+namespace stillcut::pipeline {
+namespace {
+
+// A gate that has been driven to a Set in force; every step gives a fresh one.
+class CommandMaker {
+ public:
+  CommandMaker() { harness_.settleAt(9700.0, 970.0); }
+  OverrideCommand next() { return *harness_.step().command; }
+  OverrideCommand release() { return *harness_.act(OperatorAction::BackToProgrammed).command; }
+
+ private:
+  safety::testing::GateHarness harness_;
+};
+
+class LinkRunnerTest : public ::testing::Test {
+ protected:
+  Instant at(double ms) const { return Instant(toDuration(Seconds(ms * 1e-3))); }
+  void tickUntil(double ms) {
+    for (; now_ <= ms; now_ += 5.0) runner_->tick(at(now_));
+  }
+
+  rt::Mailbox<OverrideCommand> commands_;
+  rt::Mailbox<MachineState> states_;
+  test::CountingLink link_;
+  std::optional<LinkRunner> runner_{std::in_place, link_, commands_, states_};
+  CommandMaker maker_;
+  double now_ = 0.0;
+};
+
+TEST_F(LinkRunnerTest, SendsEachCommandOnceAndReadsEveryTick) {
+  tickUntil(10.0);
+  commands_.post(maker_.next());
+  tickUntil(50.0);
+  EXPECT_EQ(link_.applied(), 1);
+  EXPECT_EQ(link_.reads(), 11);
+  EXPECT_EQ(link_.released(), 0);
+  EXPECT_TRUE(states_.latest().has_value());
+}
+
+TEST_F(LinkRunnerTest, AStalledWorkerLosesTheMachineWhenTheLeaseRunsOut) {
+  tickUntil(10.0);
+  const OverrideCommand command = maker_.next();
+  const double lease = toSeconds(command.lease()).value * 1e3;
+  commands_.post(command);
+  tickUntil(10.0 + lease - 10.0);
+  EXPECT_EQ(link_.released(), 0);
+  tickUntil(10.0 + lease + 10.0);  // no renewal came
+  EXPECT_EQ(link_.released(), 1);
+  EXPECT_EQ(runner_->leasesExpired(), 1U);
+  const int applied = link_.applied();
+  commands_.post(maker_.next());  // the worker wakes up and goes on where it was
+  tickUntil(10.0 + lease + 100.0);
+  EXPECT_EQ(link_.applied(), applied);  // that engagement is over
+}
+
+TEST_F(LinkRunnerTest, RenewedLeasesStayInForce) {
+  tickUntil(10.0);
+  for (int i = 0; i < 100; ++i) {
+    commands_.post(maker_.next());
+    tickUntil(now_ + 10.0);
+  }
+  EXPECT_EQ(link_.released(), 0);
+  EXPECT_EQ(link_.applied(), 100);
+}
+
+TEST_F(LinkRunnerTest, TheEndOfTheRunReleases) {
+  tickUntil(10.0);
+  commands_.post(maker_.next());
+  tickUntil(20.0);
+  runner_.reset();
+  EXPECT_EQ(link_.released(), 1);
+}
+
+TEST_F(LinkRunnerTest, TheEndOfAnIdleRunSendsNothing) {
+  tickUntil(20.0);
+  runner_.reset();
+  EXPECT_EQ(link_.released(), 0);
+  EXPECT_EQ(link_.applied(), 0);
+}
+
+TEST_F(LinkRunnerTest, AReleaseReachesTheMachine) {
+  tickUntil(10.0);
+  commands_.post(maker_.next());
+  tickUntil(20.0);
+  commands_.post(maker_.release());
+  tickUntil(30.0);
+  EXPECT_EQ(link_.released(), 1);
+  runner_.reset();
+  EXPECT_EQ(link_.released(), 1);
+}
+
+}  // namespace
+}  // namespace stillcut::pipeline

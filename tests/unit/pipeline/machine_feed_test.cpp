@@ -1,0 +1,67 @@
+#include "core/pipeline/machine_feed.h"
+
+#include <gtest/gtest.h>
+
+namespace stillcut::pipeline {
+namespace {
+
+StepInput blockAt(double end_s) {
+  StepInput in;
+  in.block.rate = Hertz(1000.0);
+  in.block.frames = 10;
+  in.block.firstSample = Instant(toDuration(Seconds(end_s - 0.01)));
+  return in;
+}
+
+TEST(LiveMachineFeed, GivesTheNewestStateAndInputsInOrder) {
+  rt::Mailbox<MachineState> states;
+  rt::SpscRing<OperatorInput> inputs(8);
+  LiveMachineFeed feed(states, inputs);
+
+  StepInput step = blockAt(1.0);
+  step.machine.valid = true;  // left over from an older use of the slot
+  feed.complete(step);
+  EXPECT_FALSE(step.machine.valid);
+  EXPECT_EQ(step.inputCount, 0);
+
+  MachineState state;
+  state.valid = true;
+  state.actualSpeed = Rpm(5000.0);
+  states.post(state);
+  state.actualSpeed = Rpm(5100.0);
+  states.post(state);
+  for (int i = 0; i < 6; ++i) {
+    inputs.push({i % 2 == 0 ? OperatorAction::Hold : OperatorAction::EndHold, Authority::Off});
+  }
+  feed.complete(step);
+  EXPECT_DOUBLE_EQ(step.machine.actualSpeed.value, 5100.0);
+  ASSERT_EQ(step.inputCount, kMaxInputsPerStep);
+  EXPECT_EQ(step.inputs[0].action, OperatorAction::Hold);
+  EXPECT_EQ(step.inputs[1].action, OperatorAction::EndHold);
+  feed.complete(step);  // the rest comes with the next block; the state stays the newest there is
+  EXPECT_EQ(step.inputCount, 2);
+  EXPECT_DOUBLE_EQ(step.machine.actualSpeed.value, 5100.0);
+}
+
+TEST(SpeedLogFeed, InterpolatesAndHoldsTheEnds) {
+  SpeedLogFeed feed({{Seconds(1.0), Rpm(6000.0)}, {Seconds(2.0), Rpm(7000.0)}});
+  const auto speedAt = [&](double t) {
+    StepInput step = blockAt(t);
+    feed.complete(step);
+    EXPECT_TRUE(step.machine.valid);
+    return step.machine.actualSpeed.value;
+  };
+  EXPECT_DOUBLE_EQ(speedAt(0.5), 6000.0);
+  EXPECT_NEAR(speedAt(1.25), 6250.0, 1e-3);
+  EXPECT_DOUBLE_EQ(speedAt(9.0), 7000.0);
+}
+
+TEST(SpeedLogFeed, WithoutALogTheMachineIsUnknown) {
+  SpeedLogFeed feed({});
+  StepInput step = blockAt(1.0);
+  feed.complete(step);
+  EXPECT_FALSE(step.machine.valid);
+}
+
+}  // namespace
+}  // namespace stillcut::pipeline
