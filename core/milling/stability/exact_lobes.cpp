@@ -1,0 +1,64 @@
+#include "core/milling/stability/exact_lobes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "core/milling/stability/limit_search.h"
+
+namespace stillcut::milling {
+
+namespace {
+
+constexpr double kHighestSpeed = 1e6;  // [rpm]
+constexpr double kMostWaves = 1000.0;  // vibration periods of the fastest mode between two teeth
+
+std::string number(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", v);
+  return text;
+}
+
+}  // namespace
+
+const char* crossingName(CrossingKind kind) {
+  return kind == CrossingKind::Flip ? "flip" : "hopf";
+}
+
+int SpeedLimits::outsideAt(Metres depth) const {
+  int outside = 0;
+  for (const StabilityLimit& l : crossings) {
+    if (l.depth > depth) break;
+    outside = l.after;
+  }
+  return outside;
+}
+
+Result<ExactLobes> ExactLobes::make(const CutModel& model, const std::string& where) {
+  Result<RegenerativeSystem> system = makeRegenerativeSystem(model, where);
+  if (!system) return system.error();
+  return ExactLobes(std::move(system.value()), neglectedEffects(model));
+}
+
+Status ExactLobes::checkSpeed(Rpm speed) const {
+  if (!isFinite(speed) || !(speed.value > 0.0) || speed.value > kHighestSpeed) {
+    return Error{"spindle speed", number(speed.value) + " rpm is no speed", "above 0 and up to 1e6 rpm"};
+  }
+  const double waves = system_.highestOmega() / kTwoPi * system_.toothPeriod(speed);
+  if (waves > kMostWaves) {
+    return Error{"spindle speed", number(speed.value) + " rpm is too low for these modes",
+                 "the fastest mode swings " + number(std::round(waves)) + " times between two teeth"};
+  }
+  return Done{};
+}
+
+Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop) const {
+  if (Status ok = checkSpeed(speed); !ok) return ok.error();
+  const double depth = options.maxDepth.value;
+  if (!std::isfinite(depth) || !(depth > 0.0) || depth > 1.0) {
+    return Error{"largest depth", number(1e3 * depth) + " mm is no depth", "above 0 and up to 1000 mm"};
+  }
+  return LimitSearch(system_, speed, options, stop).run();
+}
+
+}  // namespace stillcut::milling

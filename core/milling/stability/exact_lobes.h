@@ -1,0 +1,80 @@
+// Exact stability of a milling cut: every depth at which a Floquet multiplier crosses the unit circle, islands and
+// lenses included. Method: for a multiplier mu the delayed motion is x(t)/mu, which leaves an ordinary periodic equation
+// (transition_matrix.h); its characteristic function is expanded once per speed (characteristic.h), all zeros on the
+// circle are found without scanning the depth (crossing_finder.h), the argument principle checks their number, and
+// Newton on the accurate transition matrix refines each. With a regular pitch no multiplier can cross at +1: there the
+// delayed force vanishes and the free structure decays.
+//
+// Thread: const members may be called from any number of threads. Allocates; not for the sample path.
+#pragma once
+
+#include <complex>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/units.h"
+#include "core/milling/stability/regenerative_system.h"
+
+namespace stillcut::milling {
+
+enum class CrossingKind {
+  Hopf,  // a pair leaves at exp(+-i theta): quasi-periodic chatter
+  Flip,  // one leaves at -1: period doubling
+};
+const char* crossingName(CrossingKind kind);  // "hopf", "flip"
+
+struct StabilityLimit {
+  Rpm speed{};
+  int crossing = 0;  // counted from 0 upwards in depth; 0 is the stability limit
+  Metres depth{};
+  int before = 0;  // multipliers outside the unit circle below this depth
+  int after = 0;   // and above it; 0: stable again
+  CrossingKind kind = CrossingKind::Hopf;
+  Radians angle{};    // of the multiplier, (0, pi]
+  Hertz frequency{};  // largest harmonic of the motion at the tool tip: the chatter frequency; 0 when not asked for
+};
+
+struct LimitOptions {
+  Metres maxDepth{0.010};
+  bool firstOnly = false;    // only crossing 0: several times faster
+  bool frequencies = true;   // fill in `frequency`
+  Metres hint{};             // firstOnly: where the limit is expected, 0 unknown; affects the time only
+};
+
+struct SpeedLimits {
+  Rpm speed{};
+  std::vector<StabilityLimit> crossings;  // by depth
+  Metres searchedTo{};                    // below maxDepth where the cut is so unstable that double precision ends
+  bool verified = false;                  // the argument principle counts the same number of multipliers at the top
+
+  bool hasLimit() const { return !crossings.empty(); }
+  // Multipliers outside at a depth within searchedTo; beyond it the last known number.
+  int outsideAt(Metres depth) const;
+  bool stableAt(Metres depth) const { return outsideAt(depth) == 0; }
+};
+
+class ExactLobes {
+ public:
+  static Result<ExactLobes> make(const CutModel& model, const std::string& where);
+
+  // One clear line for a speed that is not positive, or absurd for these modes.
+  Status checkSpeed(Rpm speed) const;
+  Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
+  // The multiplier of largest modulus at one depth, |mu| > 1 is unstable.
+  Result<std::complex<double>> dominantMultiplier(Rpm speed, Metres depth) const;
+
+  const RegenerativeSystem& system() const { return system_; }
+  // Effects of the model that the linear cut leaves out, for the reader of the result.
+  const std::vector<std::string>& neglected() const { return neglected_; }
+
+ private:
+  ExactLobes(RegenerativeSystem system, std::vector<std::string> neglected)
+      : system_(std::move(system)), neglected_(std::move(neglected)) {}
+
+  RegenerativeSystem system_;
+  std::vector<std::string> neglected_;
+};
+
+}  // namespace stillcut::milling

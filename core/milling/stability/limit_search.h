@@ -1,0 +1,45 @@
+// The work of ExactLobes at one speed: bands of depth, panels of (theta, depth) small enough for one expansion,
+// verification by the argument principle, refinement on the accurate transition matrix.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "core/milling/stability/crossing_finder.h"
+#include "core/milling/stability/exact_lobes.h"
+
+namespace stillcut::milling {
+
+class LimitSearch {
+ public:
+  LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options, const std::stop_token& stop);
+  SpeedLimits run();
+
+ private:
+  struct Band {
+    std::vector<CircleCrossing> crossings;
+    double change = 0.0;  // of arg f along the top of the band
+    bool complete = true;
+  };
+
+  // All crossings between two depths, checked against the count at the top; appends to limits_. `whole` is the
+  // expansion that holds s of every depth up to `to`; where none converges the band is covered by smaller ones.
+  void addBand(double from, double to, const std::optional<Characteristic>& whole);
+  void searchPanel(const Characteristic& expansion, const ThetaDepthBox& box, double caution, Band& band);
+  void cover(const ThetaDepthBox& box, double caution, int level, Band& band);
+  void refine(std::vector<CircleCrossing>& crossings) const;
+  void append(std::vector<CircleCrossing>& crossings);
+  Hertz chatterFrequency(double angle, double depth) const;
+
+  const RegenerativeSystem& system_;
+  LimitOptions options_;
+  std::stop_token stop_;
+  TransitionMatrix rough_;  // for the expansions
+  TransitionMatrix fine_;   // for the refinement
+  SpeedLimits limits_;
+  int outside_ = 0;  // at the depth reached
+  int panels_ = 0;
+};
+
+}  // namespace stillcut::milling

@@ -1,0 +1,161 @@
+#include "core/milling/stability/lobe_sweep.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/milling/stability/zeroth_order.h"
+
+namespace stillcut::milling {
+
+namespace {
+
+constexpr std::size_t kChunk = 8;  // neighbouring speeds share a hint; the chunks, not the threads, fix the numbers
+constexpr std::size_t kMostSpeeds = 1'000'000;
+
+using SolveOne = std::function<Result<SpeedLimits>(Rpm, Metres hint)>;
+
+class Sweeper {
+ public:
+  Sweeper(std::span<const Rpm> speeds, const SweepOptions& options, const SolveOne& solve, std::stop_token stop)
+      : speeds_(speeds), options_(options), solve_(solve), stop_(std::move(stop)), results_(speeds.size()) {}
+
+  Result<LobeSweep> run() {
+    const std::size_t chunks = (speeds_.size() + kChunk - 1) / kChunk;
+    const auto wanted = static_cast<std::size_t>(std::clamp(options_.threads, 1, 64));
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < std::min(wanted, chunks); ++i) others.emplace_back([this] { work(); });
+      work();
+    }
+    if (error_) return *error_;
+    LobeSweep sweep;
+    sweep.speeds = std::move(results_);
+    sweep.finished = done_ == speeds_.size() && !stop_.stop_requested();
+    return sweep;
+  }
+
+ private:
+  void work() {
+    for (;;) {
+      const std::size_t first = kChunk * next_.fetch_add(1);
+      if (first >= speeds_.size()) return;
+      Metres hint{};
+      for (std::size_t i = first; i < std::min(first + kChunk, speeds_.size()); ++i) {
+        if (stop_.stop_requested() || failed_) return;
+        Result<SpeedLimits> one = solve_(speeds_[i], hint);
+        if (!one) {
+          fail(one.error());
+          return;
+        }
+        hint = one->hasLimit() ? one->crossings.front().depth : options_.limits.maxDepth;
+        results_[i] = std::move(one.value());
+        report();
+      }
+    }
+  }
+
+  void fail(const Error& error) {
+    const std::lock_guard lock(mutex_);
+    failed_ = true;
+    if (!error_) error_ = error;
+  }
+
+  void report() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    if (options_.progress) options_.progress(static_cast<double>(done_) / static_cast<double>(speeds_.size()));
+  }
+
+  std::span<const Rpm> speeds_;
+  const SweepOptions& options_;
+  const SolveOne& solve_;
+  std::stop_token stop_;
+  std::vector<SpeedLimits> results_;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> failed_{false};
+  std::mutex mutex_;
+  std::size_t done_ = 0;        // guarded by mutex_
+  std::optional<Error> error_;  // guarded by mutex_
+};
+
+Result<LobeSweep> sweepWith(const SolveOne& solve, std::span<const Rpm> speeds, const SweepOptions& options,
+                            const std::stop_token& stop, std::vector<std::string> warnings) {
+  Result<LobeSweep> sweep = Sweeper(speeds, options, solve, stop).run();
+  if (sweep) sweep.value().warnings = std::move(warnings);
+  return sweep;
+}
+
+std::string neglectedWarning(const CutModel& model) {
+  std::string text;
+  for (const std::string& effect : neglectedEffects(model)) text += (text.empty() ? "" : ", ") + effect;
+  return text.empty() ? text : "left out: " + text;
+}
+
+}  // namespace
+
+Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
+                             const std::string& where, const std::stop_token& stop) {
+  if (speeds.empty()) return Error{where, "no spindle speed is given", ""};
+  const double depth = options.limits.maxDepth.value;
+  if (!std::isfinite(depth) || !(depth > 0.0) || depth > 1.0) {
+    return Error{where, "the largest depth must lie above 0 and up to 1000 mm", ""};
+  }
+  std::vector<std::string> warnings;
+  if (std::string text = neglectedWarning(model); !text.empty()) warnings.push_back(std::move(text));
+  switch (options.method) {
+    case LobeMethod::Exact: {
+      const Result<ExactLobes> lobes = ExactLobes::make(model, where);
+      if (!lobes) return lobes.error();
+      const SolveOne solve = [&](Rpm speed, Metres hint) {
+        LimitOptions one = options.limits;
+        one.hint = hint;
+        return lobes->limits(speed, one, stop);
+      };
+      return sweepWith(solve, speeds, options, stop, std::move(warnings));
+    }
+    case LobeMethod::SemiDiscretization: {
+      const Result<SemiDiscretization> sdm = SemiDiscretization::make(model, options.sdm, where);
+      if (!sdm) return sdm.error();
+      const SolveOne solve = [&](Rpm speed, Metres) { return sdm->limit(speed, options.limits.maxDepth, 80, stop); };
+      return sweepWith(solve, speeds, options, stop, std::move(warnings));
+    }
+    case LobeMethod::ZerothOrder: break;
+  }
+  const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
+  if (!zoa) return zoa.error();
+  warnings.push_back(zoa->warning());
+  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxDepth); };
+  return sweepWith(solve, speeds, options, stop, std::move(warnings));
+}
+
+Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::string& where) {
+  const bool sensible = isFinite(from) && isFinite(to) && isFinite(step) && from.value > 0.0 && to >= from;
+  if (!sensible) return Error{where, "speeds must be FROM:TO:STEP with 0 < FROM <= TO", ""};
+  if (!(step.value > 0.0)) return Error{where, "the step between speeds must be above zero", ""};
+  const double steps = std::floor((to - from) / step + 1e-6);
+  if (steps >= static_cast<double>(kMostSpeeds)) return Error{where, "more than a million speeds", "take a larger step"};
+  std::vector<Rpm> speeds;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i) {
+    speeds.push_back(from + static_cast<double>(i) * step);
+  }
+  if (std::abs((speeds.back() - to).value) < 1e-6 * step.value) speeds.back() = to;
+  return speeds;
+}
+
+StabilityChart makeChart(const LobeSweep& sweep, std::span<const Metres> depths) {
+  StabilityChart chart;
+  chart.depths.assign(depths.begin(), depths.end());
+  chart.stable.reserve(sweep.speeds.size() * depths.size());
+  for (const SpeedLimits& limits : sweep.speeds) {
+    chart.speeds.push_back(limits.speed);
+    for (Metres depth : depths) chart.stable.push_back(limits.stableAt(depth) ? 1 : 0);
+  }
+  return chart;
+}
+
+}  // namespace stillcut::milling

@@ -1,0 +1,51 @@
+// Limits over many speeds, in parallel, and the chart made of them. The same numbers come out whatever the number of
+// threads. Progress is reported from the working threads, one call at a time; a stop request ends the work within one
+// expansion (a few milliseconds), and what is then returned is marked unfinished.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/milling/stability/exact_lobes.h"
+#include "core/milling/stability/semi_discretization.h"
+
+namespace stillcut::milling {
+
+enum class LobeMethod { Exact, SemiDiscretization, ZerothOrder };
+
+struct SweepOptions {
+  LobeMethod method = LobeMethod::Exact;
+  LimitOptions limits;  // maxDepth counts for every method
+  SdmOptions sdm;
+  int threads = 2;
+  std::function<void(double)> progress;  // share done, 0..1
+};
+
+struct LobeSweep {
+  std::vector<SpeedLimits> speeds;    // in the order asked for; entries not reached have searchedTo 0
+  std::vector<std::string> warnings;  // of the method and of what the model leaves out
+  bool finished = false;              // false: stopped
+};
+
+// Refuses a bad model, no speeds, a bad speed or depth with one line.
+Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
+                             const std::string& where, const std::stop_token& stop = {});
+
+// from, from + step, ... with `to` included where a step meets it to a millionth of a step.
+Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::string& where);
+
+struct StabilityChart {
+  std::vector<Rpm> speeds;
+  std::vector<Metres> depths;
+  std::vector<std::uint8_t> stable;  // [speed][depth], 1 stable
+  bool at(std::size_t speed, std::size_t depth) const { return stable[speed * depths.size() + depth] != 0; }
+};
+
+// Every crossing of a full sweep (limits.firstOnly false) decides: islands are stable or not as they are.
+StabilityChart makeChart(const LobeSweep& sweep, std::span<const Metres> depths);
+
+}  // namespace stillcut::milling

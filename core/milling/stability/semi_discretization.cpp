@@ -1,0 +1,175 @@
+#include "core/milling/stability/semi_discretization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/milling/stability/argument_principle.h"
+#include "core/milling/stability/cell_map.h"
+#include "core/milling/stability/dominant_line.h"
+
+namespace stillcut::milling {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+// Calls `use` with the cell map of the right size.
+template <class Use>
+auto withMap(const RegenerativeSystem& system, Rpm speed, double depth, const SdmOptions& options, const Use& use) {
+  const auto run = [&]<int N, int A>() {
+    return use(CellMap<N, A>(system, speed, depth, options.cells, options.order));
+  };
+  if (system.states() == 2) return run.template operator()<2, 1>();
+  if (system.states() == 4 && system.axes == 2) return run.template operator()<4, 2>();
+  return run.template operator()<Eigen::Dynamic, 2>();
+}
+
+template <class Map>
+std::optional<int> countBeyond(const Map& map, double radius) {
+  const auto n = static_cast<int>(map.states());
+  const auto value = [&](double angle) { return map.characteristic(std::polar(radius, angle)); };
+  const double change = argumentChange(value, 0.0, kPi, 3 + n);
+  if (!std::isfinite(change)) return std::nullopt;
+  return n - static_cast<int>(std::lround(change / kPi));
+}
+
+struct CirclePoint {
+  double angle;
+  double depth;
+};
+
+class SdmRoot {
+ public:
+  SdmRoot(const RegenerativeSystem& system, Rpm speed, const SdmOptions& options)
+      : system_(system), speed_(speed), options_(options) {}
+
+  // Narrows [stable, unstable] to a thousandth, then Newton in (theta, w); bisection to the end where that leaves the
+  // bracket.
+  CirclePoint find(double stable, double unstable) const {
+    double low = stable;
+    double high = unstable;
+    for (double width = 1e-3; high - low > 1e-10 * high; width *= 1e-2) {
+      while (high - low > width * high) halve(low, high);
+      const double middle = 0.5 * (low + high);
+      if (const auto root = newton({closestAngle(middle), middle}); root && root->depth >= low && root->depth <= high) {
+        return *root;
+      }
+      if (width < 1e-9) break;
+    }
+    return {closestAngle(high), high};
+  }
+
+ private:
+  std::complex<double> value(double angle, double depth) const {
+    return withMap(system_, speed_, depth, options_,
+                   [&](const auto& map) { return map.characteristic(std::polar(1.0, angle)); });
+  }
+
+  void halve(double& low, double& high) const {
+    const double middle = 0.5 * (low + high);
+    const auto outside =
+        withMap(system_, speed_, middle, options_, [](const auto& map) { return countBeyond(map, 1.0); });
+    (outside.value_or(1) > 0 ? high : low) = middle;
+  }
+
+  double closestAngle(double depth) const {
+    return withMap(system_, speed_, depth, options_, [](const auto& map) {
+      double best = 0.0;
+      double smallest = std::numeric_limits<double>::infinity();
+      for (int i = 0; i <= 180; ++i) {
+        const double angle = kPi * i / 180;
+        const double size = std::abs(map.characteristic(std::polar(1.0, angle)));
+        if (size >= smallest) continue;
+        smallest = size;
+        best = angle;
+      }
+      return best;
+    });
+  }
+
+  std::optional<CirclePoint> newton(CirclePoint at) const {
+    for (int i = 0; i < 15; ++i) {
+      const double ha = 1e-5;
+      const double hw = 1e-5 * at.depth;
+      const auto f = value(at.angle, at.depth);
+      const auto fa = (value(at.angle + ha, at.depth) - value(at.angle - ha, at.depth)) / (2 * ha);
+      const auto fw = (value(at.angle, at.depth + hw) - value(at.angle, at.depth - hw)) / (2 * hw);
+      const double det = fa.real() * fw.imag() - fa.imag() * fw.real();
+      const double da = (-f.real() * fw.imag() + f.imag() * fw.real()) / det;
+      const double dw = (-fa.real() * f.imag() + fa.imag() * f.real()) / det;
+      if (!std::isfinite(da) || !std::isfinite(dw) || std::abs(da) > 0.5 || std::abs(dw) > 0.2 * at.depth) break;
+      at.angle += da;
+      at.depth += dw;
+      if (std::abs(da) < 1e-9 && std::abs(dw) < 1e-11 * at.depth) return at;
+    }
+    return std::nullopt;
+  }
+
+  const RegenerativeSystem& system_;
+  Rpm speed_;
+  SdmOptions options_;
+};
+
+}  // namespace
+
+Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const SdmOptions& options,
+                                                    const std::string& where) {
+  if (options.order != 0 && options.order != 1) {
+    return Error{where, "the order of semi-discretization must be 0 or 1", ""};
+  }
+  if (options.cells < 1 || options.cells > 2000) {
+    return Error{where, "semi-discretization needs 1 to 2000 cells a tooth period", ""};
+  }
+  Result<ExactLobes> lobes = ExactLobes::make(model, where);
+  if (!lobes) return lobes.error();
+  return SemiDiscretization(std::move(lobes.value()), options);
+}
+
+std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
+  return withMap(lobes_.system(), speed, depth.value, options_,
+                 [](const auto& map) { return countBeyond(map, 1.0); });
+}
+
+double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
+  return withMap(lobes_.system(), speed, depth.value, options_, [](const auto& map) {
+    double inner = 1e-3;
+    double outer = 1e3;
+    while (outer / inner > 1.0 + 1e-9) {
+      const double middle = std::sqrt(inner * outer);
+      (countBeyond(map, middle).value_or(1) > 0 ? inner : outer) = middle;
+    }
+    return inner;
+  });
+}
+
+Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, const std::stop_token& stop) const {
+  if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
+  SpeedLimits result;
+  result.speed = speed;
+  for (int i = 1; i <= scan && !stop.stop_requested(); ++i) {
+    const double depth = maxDepth.value * i / scan;
+    const std::optional<int> count = outside(speed, Metres(depth));
+    result.searchedTo = Metres(depth);
+    if (count && *count == 0) continue;
+    const double below = maxDepth.value * (i - 1) / scan;
+    const CirclePoint root = SdmRoot(lobes_.system(), speed, options_).find(below, depth);
+    StabilityLimit limit;
+    limit.speed = speed;
+    limit.depth = Metres(root.depth);
+    const double angle = std::abs(std::remainder(root.angle, kTwoPi));
+    limit.kind = kPi - angle < 1e-6 ? CrossingKind::Flip : CrossingKind::Hopf;
+    limit.angle = Radians(angle);
+    limit.after = limit.kind == CrossingKind::Flip ? 1 : 2;
+    limit.frequency = withMap(lobes_.system(), speed, root.depth, options_, [&](const auto& map) {
+      return dominantLine(map.tipMotion(std::polar(1.0, angle)), angle, lobes_.system().toothPeriod(speed),
+                          std::max(1, options_.cells / 2 - 1));
+    });
+    result.crossings.push_back(limit);
+    break;
+  }
+  result.verified = !stop.stop_requested();
+  return result;
+}
+
+}  // namespace stillcut::milling

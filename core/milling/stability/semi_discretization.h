@@ -1,0 +1,44 @@
+// Semi-discretization (Insperger and Stepan; first order as in Insperger, J. Sound Vib. 313, 2008): the tooth period is
+// cut into k cells; in each the force coefficients are their exact mean and the delayed motion is constant (order 0:
+// mean of its two end values) or linear (order 1).
+// The usual map of size states + k is not formed: over one period its multipliers mu satisfy x_(i-k) = x_i/mu, so that
+// they are the zeros of det(Psi(mu) - mu) with a product of k small matrices, counted by the argument principle.
+//
+// Thread: const members from any thread. Allocates.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/milling/stability/exact_lobes.h"
+
+namespace stillcut::milling {
+
+struct SdmOptions {
+  int cells = 40;  // k, 1 .. 2000
+  int order = 1;   // 0 or 1
+};
+
+class SemiDiscretization {
+ public:
+  static Result<SemiDiscretization> make(const CutModel& model, const SdmOptions& options, const std::string& where);
+
+  // Multipliers of the discretized cut outside the unit circle; empty when one sits on it. 0 is stable.
+  std::optional<int> outside(Rpm speed, Metres depth) const;
+  // Largest |mu| of the discretized cut, by bisection on the circle's radius.
+  double largestMultiplier(Rpm speed, Metres depth) const;
+  // The first depth up to maxDepth at which a multiplier leaves, found on a scan of `scan` depths and refined to
+  // 1e-9; an island thinner than a scan step may be stepped over, unlike in ExactLobes. crossings holds 0 or 1 entry.
+  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, int scan = 80, const std::stop_token& stop = {}) const;
+
+ private:
+  SemiDiscretization(ExactLobes lobes, const SdmOptions& options) : lobes_(std::move(lobes)), options_(options) {}
+
+  ExactLobes lobes_;  // the checked system and its limits on speed
+  SdmOptions options_;
+};
+
+}  // namespace stillcut::milling

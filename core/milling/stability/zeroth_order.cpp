@@ -1,0 +1,151 @@
+#include "core/milling/stability/zeroth_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+#include <numbers>
+
+namespace stillcut::milling {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+// Eigenvalues of H0 G(i omega) of the two (or one) axes; `branch` 0 or 1 by the sign of the root.
+Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, double omega, int branch) {
+  std::array<Complex, 4> g{};
+  for (const auto& o : system.oscillators) {
+    const Complex r = 1.0 / (o.mass * Complex(o.omega * o.omega - omega * omega, 2.0 * o.zeta * o.omega * omega));
+    g[0] += r * (o.toTip[0] * o.toTip[0]);
+    g[1] += r * (o.toTip[0] * o.toTip[1]);
+    g[3] += r * (o.toTip[1] * o.toTip[1]);
+  }
+  g[2] = g[1];
+  if (system.axes == 1) return branch == 0 ? h[0] * g[0] : 0.0;
+  const Complex a = h[0] * g[0] + h[1] * g[2];
+  const Complex b = h[0] * g[1] + h[1] * g[3];
+  const Complex c = h[2] * g[0] + h[3] * g[2];
+  const Complex d = h[2] * g[1] + h[3] * g[3];
+  const Complex half = 0.5 * (a + d);
+  const Complex root = std::sqrt(half * half - (a * d - b * c));
+  return branch == 0 ? half + root : half - root;
+}
+
+}  // namespace
+
+double cuttingShare(const RegenerativeSystem& system) {
+  double cutting = 0.0;
+  for (const ForceArc& arc : system.arcs) {
+    if (arc.cutting) cutting += arc.to - arc.from;
+  }
+  return cutting / system.toothAngle;
+}
+
+// A depth at which the mean cut is on the border at a frequency, were the speed right; `turn` is exp(i(omega tau +
+// arg(1 - s/w))), 1 where the speed is right.
+struct ZerothOrder::BorderPoint {
+  double omega = 0.0;
+  Complex eigenvalue;
+  double depth = 0.0;
+  Complex turn;
+  bool onBorder = false;
+};
+
+Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& where) {
+  Result<ExactLobes> lobes = ExactLobes::make(model, where);
+  if (!lobes) return lobes.error();
+  return ZerothOrder(std::move(lobes.value()));
+}
+
+ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
+  mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
+  const double share = cuttingShare(lobes_.system());
+  char text[240];
+  std::snprintf(text, sizeof text,
+                share < 0.75 ? "zeroth order averages the force although a tooth cuts only %.0f %% of the time: limits can "
+                               "be far too high, flip lobes and islands are missing; use the exact method"
+                             : "zeroth order averages the force (a tooth cuts %.0f %% of the time): expect errors of "
+                               "tens of percent between the lobes; the exact method has none",
+                100.0 * share);
+  warning_ = text;
+}
+
+ZerothOrder::BorderPoint ZerothOrder::at(double omega, double period, int branch) const {
+  BorderPoint p;
+  p.omega = omega;
+  p.eigenvalue = orientedEigenvalue(lobes_.system(), mean_, omega, branch);
+  if (p.eigenvalue == 0.0) return p;
+  const Complex s = -1.0 / p.eigenvalue;
+  if (!(s.real() > 0.0)) return p;
+  p.depth = std::norm(s) / (2.0 * s.real());
+  p.turn = std::polar(1.0, omega * period) * (1.0 - s / p.depth);
+  p.onBorder = std::isfinite(p.depth);
+  return p;
+}
+
+// Even steps that follow the delay's phase, and close ones around every resonance.
+std::vector<double> ZerothOrder::frequencies(double period) const {
+  const RegenerativeSystem& system = lobes_.system();
+  const double highest = 2.5 * system.highestOmega();
+  const int steps = std::max(3000, static_cast<int>(highest * period / 0.3));
+  std::vector<double> list;
+  for (int i = 1; i <= steps; ++i) list.push_back(highest * i / steps);
+  for (const auto& o : system.oscillators) {
+    for (int i = -150; i <= 150; ++i) {
+      const double offset = o.zeta * std::sinh(6.0 * i / 150.0) / 4.0;
+      if (offset > -1.0 && o.omega * (1.0 + offset) < highest) list.push_back(o.omega * (1.0 + offset));
+    }
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth) const {
+  if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
+  const double period = lobes_.system().toothPeriod(speed);
+  SpeedLimits result;
+  result.speed = speed;
+  result.searchedTo = maxDepth;
+  double best = maxDepth.value;
+  double bestOmega = 0.0;
+  const std::vector<double> omegas = frequencies(period);
+  for (int branch = 0; branch < lobes_.system().axes; ++branch) {
+    BorderPoint before;
+    for (double omega : omegas) {
+      BorderPoint now = at(omega, period, branch);
+      // The square root may change its sheet between two frequencies: follow the nearer eigenvalue.
+      const bool swapped = lobes_.system().axes == 2 && before.onBorder &&
+                           std::abs(at(omega, period, 1 - branch).eigenvalue - before.eigenvalue) <
+                               std::abs(now.eigenvalue - before.eigenvalue);
+      const bool turns = before.onBorder && now.onBorder && !swapped && before.turn.imag() * now.turn.imag() <= 0.0 &&
+                         before.turn.real() > 0.0 && now.turn.real() > 0.0;
+      if (turns && std::min(before.depth, now.depth) < 1.1 * best) {
+        double low = before.omega;
+        double high = omega;
+        for (int i = 0; i < 50 && high - low > 1e-13 * high; ++i) {
+          const double middle = 0.5 * (low + high);
+          (at(middle, period, branch).turn.imag() * before.turn.imag() > 0.0 ? low : high) = middle;
+        }
+        const BorderPoint found = at(0.5 * (low + high), period, branch);
+        if (found.onBorder && found.depth < best) {
+          best = found.depth;
+          bestOmega = found.omega;
+        }
+      }
+      before = now;
+    }
+  }
+  if (bestOmega > 0.0) {
+    StabilityLimit limit;
+    limit.speed = speed;
+    limit.depth = Metres(best);
+    limit.after = 2;
+    limit.angle = Radians(std::abs(std::remainder(bestOmega * period, kTwoPi)));
+    limit.frequency = Hertz(bestOmega / kTwoPi);
+    result.crossings.push_back(limit);
+  }
+  return result;
+}
+
+}  // namespace stillcut::milling

@@ -1,0 +1,38 @@
+// Zeroth-order approximation (Altintas and Budak, CIRP Ann. 44, 1995): the force coefficients are replaced by their
+// mean over the tooth period. With s = w (1 - exp(-i omega tau)) the border of stability is
+//   det(I + s H0 G(i omega)) = 0,  so  s = -1/eigenvalue(H0 G),  w = |s|^2/(2 Re s),  exp(-i omega tau) = 1 - s/w.
+// Fast, and wrong where the cut is interrupted: it knows no flip lobes and no islands, and at low immersion it can
+// allow more than twice the true depth. Every result carries that warning.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/milling/stability/exact_lobes.h"
+
+namespace stillcut::milling {
+
+class ZerothOrder {
+ public:
+  static Result<ZerothOrder> make(const CutModel& model, const std::string& where);
+
+  // crossings holds 0 or 1 entry; `frequency` is the chatter frequency, omega/2 pi.
+  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth) const;
+  // One sentence that belongs beside every result; stronger where teeth cut only part of the time.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  struct BorderPoint;
+  explicit ZerothOrder(ExactLobes lobes);
+  std::vector<double> frequencies(double period) const;  // [rad/s]
+  BorderPoint at(double omega, double period, int branch) const;
+
+  ExactLobes lobes_;
+  Planar mean_{};
+  std::string warning_;
+};
+
+// Share of the tooth period during which at least one tooth cuts, 0..1.
+double cuttingShare(const RegenerativeSystem& system);
+
+}  // namespace stillcut::milling
