@@ -10,9 +10,9 @@ namespace stillcut::milling {
 namespace {
 
 constexpr std::size_t kMostTerms = 128;
-constexpr double kTailTolerance = 1e-8;  // last terms, against the smallest size of f on the circle
-constexpr double kNoiseTolerance = 1e-6; // the same where a large Psi leaves a floor of rounding noise
-constexpr double kRangeLimit = 1e8;      // largest against smallest f: beyond, rounding reaches the small values
+constexpr double kTailTolerance = 1e-8;   // last terms, against the smallest size of f on the circle
+constexpr double kNoiseTolerance = 1e-6;  // the same where a large Psi leaves a floor of rounding noise
+constexpr double kRangeLimit = 1e8;       // largest against smallest f: beyond, rounding reaches the small values
 
 // det(H - mu I) for an upper Hessenberg matrix: elimination with a pivot from two neighbouring rows.
 Complex hessenbergDeterminant(const Eigen::MatrixXcd& h, Complex mu, Eigen::MatrixXcd& work) {
@@ -75,8 +75,8 @@ class CircleNodes {
       const std::size_t lanes = std::min<std::size_t>(8, fresh.size() - first);
       s.clear();
       for (std::size_t b = 0; b < lanes; ++b) {
-        s.push_back(centre_ + std::polar(radius_, kTwoPi * static_cast<double>(fresh[first + b]) /
-                                                      static_cast<double>(count_)));
+        s.push_back(centre_ +
+                    std::polar(radius_, kTwoPi * static_cast<double>(fresh[first + b]) / static_cast<double>(count_)));
       }
       transition_.evaluate(s, psi);
       for (std::size_t b = 0; b < lanes; ++b) {
@@ -122,8 +122,8 @@ std::vector<Complex> expand(const CircleNodes& nodes) {
       const Complex w = turn[(j * l) % m] / double(m);
       for (std::size_t k = 0; k < inner; ++k) {
         const Complex v = nodes.value(l, k);
-        c[j * inner + k] += Complex(w.real() * v.real() - w.imag() * v.imag(),
-                                    w.real() * v.imag() + w.imag() * v.real());
+        c[j * inner + k] +=
+            Complex(w.real() * v.real() - w.imag() * v.imag(), w.real() * v.imag() + w.imag() * v.real());
       }
     }
   }

@@ -33,9 +33,9 @@ class Characteristic {
   Complex centre_;
   double radius_ = 1.0;
   int states_ = 0;
-  std::size_t inner_ = 0;         // coefficients of mu^1 .. mu^(states-1) depend on s
-  double constant_ = 0.0;         // coefficient of mu^0: det Psi
-  std::vector<double> re_, im_;   // [power of s][power of mu - 1]
+  std::size_t inner_ = 0;        // coefficients of mu^1 .. mu^(states-1) depend on s
+  double constant_ = 0.0;        // coefficient of mu^0: det Psi
+  std::vector<double> re_, im_;  // [power of s][power of mu - 1]
 };
 
 // Coefficients c_0 .. c_(n-1) of det(Psi - mu I) = sum c_k mu^k + (-mu)^n, from its values at the n-th roots of unity,

@@ -79,8 +79,8 @@ class Search {
       for (int j = 0; j < nw; ++j) {
         const double a = cell.a / na;
         const double w = cell.w / nw;
-        cells_.push_back({cell.angle - cell.a + (2 * i + 1) * a, cell.depth - cell.w + (2 * j + 1) * w, a, w,
-                          cell.level + 1});
+        cells_.push_back(
+            {cell.angle - cell.a + (2 * i + 1) * a, cell.depth - cell.w + (2 * j + 1) * w, a, w, cell.level + 1});
       }
     }
   }

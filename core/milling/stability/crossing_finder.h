@@ -1,5 +1,5 @@
-// Every point (theta, w) of a rectangle where mu = exp(i theta) is a Floquet multiplier: det(Psi(w (1 - 1/mu)) - mu) = 0,
-// two real equations for two real unknowns. No depth is scanned: the rectangle is split until in every cell either a
+// Every point (theta, w) of a rectangle where mu = exp(i theta) is a Floquet multiplier: det(Psi(w (1 - 1/mu)) - mu) =
+// 0, two real equations for two real unknowns. No depth is scanned: the rectangle is split until in every cell either a
 // second-order Taylor bound excludes a zero or the map is one-to-one and Newton decides. So islands and lenses cannot
 // be stepped over, however thin.
 #pragma once
@@ -12,9 +12,9 @@
 namespace stillcut::milling {
 
 struct CircleCrossing {
-  double angle = 0.0;    // theta in (0, pi] [rad]
-  double depth = 0.0;    // w [m]
-  double outward = 0.0;  // d|mu|/dw there [1/m]: above zero when the multiplier leaves the circle
+  double angle = 0.0;        // theta in (0, pi] [rad]
+  double depth = 0.0;        // w [m]
+  double outward = 0.0;      // d|mu|/dw there [1/m]: above zero when the multiplier leaves the circle
   Complex byAngle, byDepth;  // derivatives of f there
 };
 

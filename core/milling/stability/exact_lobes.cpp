@@ -52,12 +52,14 @@ Status ExactLobes::checkSpeed(Rpm speed) const {
   return Done{};
 }
 
+Status ExactLobes::checkDepth(Metres largest) {
+  if (isFinite(largest) && largest.value > 0.0 && largest.value <= 1.0) return Done{};
+  return Error{"largest depth", number(1e3 * largest.value) + " mm is no depth", "above 0 and up to 1000 mm"};
+}
+
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
-  const double depth = options.maxDepth.value;
-  if (!std::isfinite(depth) || !(depth > 0.0) || depth > 1.0) {
-    return Error{"largest depth", number(1e3 * depth) + " mm is no depth", "above 0 and up to 1000 mm"};
-  }
+  if (Status ok = checkDepth(options.maxDepth); !ok) return ok.error();
   return LimitSearch(system_, speed, options, stop).run();
 }
 

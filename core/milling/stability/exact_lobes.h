@@ -1,9 +1,9 @@
 // Exact stability of a milling cut: every depth at which a Floquet multiplier crosses the unit circle, islands and
-// lenses included. Method: for a multiplier mu the delayed motion is x(t)/mu, which leaves an ordinary periodic equation
-// (transition_matrix.h); its characteristic function is expanded once per speed (characteristic.h), all zeros on the
-// circle are found without scanning the depth (crossing_finder.h), the argument principle checks their number, and
-// Newton on the accurate transition matrix refines each. With a regular pitch no multiplier can cross at +1: there the
-// delayed force vanishes and the free structure decays.
+// lenses included. Method: for a multiplier mu the delayed motion is x(t)/mu, which leaves an ordinary periodic
+// equation (transition_matrix.h); its characteristic function is expanded once per speed (characteristic.h), all zeros
+// on the circle are found without scanning the depth (crossing_finder.h), the argument principle checks their number,
+// and Newton on the accurate transition matrix refines each. With a regular pitch no multiplier can cross at +1: there
+// the delayed force vanishes and the free structure decays.
 //
 // Thread: const members may be called from any number of threads. Allocates; not for the sample path.
 #pragma once
@@ -38,9 +38,9 @@ struct StabilityLimit {
 
 struct LimitOptions {
   Metres maxDepth{0.010};
-  bool firstOnly = false;    // only crossing 0: several times faster
-  bool frequencies = true;   // fill in `frequency`
-  Metres hint{};             // firstOnly: where the limit is expected, 0 unknown; affects the time only
+  bool firstOnly = false;   // only crossing 0: several times faster
+  bool frequencies = true;  // fill in `frequency`
+  Metres hint{};            // firstOnly: where the limit is expected, 0 unknown; affects the time only
 };
 
 struct SpeedLimits {
@@ -61,6 +61,7 @@ class ExactLobes {
 
   // One clear line for a speed that is not positive, or absurd for these modes.
   Status checkSpeed(Rpm speed) const;
+  static Status checkDepth(Metres largest);  // above 0 and up to 1 m
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
   // The multiplier of largest modulus at one depth, |mu| > 1 is unstable.
   Result<std::complex<double>> dominantMultiplier(Rpm speed, Metres depth) const;

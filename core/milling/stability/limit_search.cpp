@@ -13,12 +13,14 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoughPhase = 1.0;  // six to seven digits: the place of a crossing
-constexpr double kFinePhase = 0.35;  // ten digits: its value
+constexpr double kFinePhase = 0.25;  // ten digits: its value
 constexpr double kFlipAngle = 1e-6;  // closer to pi than this is a flip; a pair merging with pi is one within 1e-12
 constexpr double kThinBand = 1.2;    // top over bottom of a band that is split by angle
-constexpr int kMostPanels = 400;     // expansions split by angle, per speed
+constexpr double kNodesPerPanel = 48.0;
+constexpr double kMostEffort = 4e8;       // arithmetic spent on bands split by angle, per speed: about a second
+constexpr double kHopelessGrowth = 80.0;  // e-foldings no expansion survives
 constexpr int kMostSplits = 8;
-constexpr int kHopeless = 6;       // with so many multipliers outside and digits running short: not searched deeper
+constexpr int kHopeless = 6;  // with so many multipliers outside and digits running short: not searched deeper
 
 struct Disc {
   Complex centre;
@@ -49,13 +51,25 @@ Disc enclose(const ThetaDepthBox& box) {
 
 LimitSearch::LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options,
                          const std::stop_token& stop)
-    : system_(system),
-      options_(options),
-      stop_(stop),
-      rough_(system, speed, 2.0 * options.maxDepth.value, kRoughPhase),
-      fine_(system, speed, 2.0 * options.maxDepth.value, kFinePhase) {
+    : system_(system), options_(options), stop_(stop), cutting_(cuttingShare(system) * system.toothPeriod(speed)) {
   limits_.speed = speed;
   limits_.verified = true;
+}
+
+// How many e-foldings a mode can gain over the time in the cut at a depth; an upper estimate, from the imaginary part
+// of the stiffened natural frequency.
+double LimitSearch::growthAt(double depth) const {
+  double fastest = 0.0;
+  for (const auto& o : system_.oscillators) {
+    fastest = std::max(fastest, std::sqrt(Complex(o.omega * o.omega, depth * system_.stiffening())).imag());
+  }
+  return fastest * cutting_;
+}
+
+std::optional<Characteristic> LimitSearch::expandTo(double depth) {
+  rough_.emplace(system_, limits_.speed, 2.0 * depth, kRoughPhase);
+  fine_.emplace(system_, limits_.speed, 2.0 * depth, kFinePhase);
+  return Characteristic::build(*rough_, depth, depth, stop_);
 }
 
 SpeedLimits LimitSearch::run() {
@@ -63,9 +77,10 @@ SpeedLimits LimitSearch::run() {
   double from = 0.0;
   double to = top;
   if (options_.firstOnly) to = options_.hint.value > 0.0 ? std::min(top, 1.2 * options_.hint.value) : top / 8;
+  while (growthAt(to) > kHopelessGrowth) to *= 0.5;
   double growth = 2.0;
   while (from < top && !stop_.stop_requested()) {
-    std::optional<Characteristic> whole = Characteristic::build(rough_, to, to, stop_);
+    std::optional<Characteristic> whole = expandTo(to);
     if (!whole && to > kThinBand * from) {
       to = std::max(0.5 * (from + to), 0.999 * kThinBand * from);
       growth = 1.5;
@@ -101,7 +116,7 @@ void LimitSearch::addBand(double from, double to, const std::optional<Characteri
     for (const CircleCrossing& c : band.crossings) {
       outside += (c.outward > 0.0 ? 1 : -1) * (kPi - c.angle < kFlipAngle ? 1 : 2);
     }
-    const bool agrees = std::isnan(band.change) || outside == rough_.states() - std::lround(band.change / kPi);
+    const bool agrees = std::isnan(band.change) || outside == rough_->states() - std::lround(band.change / kPi);
     if (!agrees && caution < 16.0) continue;
     if (!agrees) limits_.verified = false;
     append(band.crossings);
@@ -123,13 +138,14 @@ void LimitSearch::searchPanel(const Characteristic& expansion, const ThetaDepthB
 // The whole half circle does not fit one expansion: split it by angle.
 void LimitSearch::cover(const ThetaDepthBox& box, double caution, int level, Band& band) {
   if (!band.complete) return;
-  if (stop_.stop_requested() || ++panels_ > kMostPanels || level > kMostSplits) {
+  if (stop_.stop_requested() || effort_ > kMostEffort || level > kMostSplits) {
     band.complete = false;
     return;
   }
   if (level > 0) {
     const Disc disc = enclose(box);
-    if (const auto expansion = Characteristic::build(rough_, disc.centre, disc.radius, stop_)) {
+    effort_ += kNodesPerPanel * rough_->effort();
+    if (const auto expansion = Characteristic::build(*rough_, disc.centre, disc.radius, stop_)) {
       searchPanel(*expansion, box, caution, band);
       return;
     }
@@ -141,7 +157,7 @@ void LimitSearch::cover(const ThetaDepthBox& box, double caution, int level, Ban
 
 // Newton in (theta, w) on det(Psi - mu I) of the accurate transition matrix, with the derivatives of the expansion.
 void LimitSearch::refine(std::vector<CircleCrossing>& crossings) const {
-  const int n = fine_.states();
+  const int n = fine_->states();
   std::vector<Complex> psi(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
   std::vector<Complex> c(static_cast<std::size_t>(n));
   for (CircleCrossing& x : crossings) {
@@ -149,8 +165,8 @@ void LimitSearch::refine(std::vector<CircleCrossing>& crossings) const {
     for (int i = 0; i < 8 && det != 0.0; ++i) {
       const Complex mu = std::polar(1.0, x.angle);
       const Complex s = x.depth * (1.0 - std::conj(mu));
-      fine_.evaluate(std::span(&s, 1), psi);
-      characteristicCoefficients(psi, n, fine_.determinant(), c);
+      fine_->evaluate(std::span(&s, 1), psi);
+      characteristicCoefficients(psi, n, fine_->determinant(), c);
       Complex f = 1.0;
       for (std::size_t k = c.size(); k > 0; --k) f = f * mu + c[k - 1];
       const double da = (-f.real() * x.byDepth.imag() + f.imag() * x.byDepth.real()) / det;
@@ -181,20 +197,20 @@ void LimitSearch::append(std::vector<CircleCrossing>& crossings) {
 
 // The motion on the circle is exp(i theta t/tau) times a periodic function; its largest Fourier line is what is heard.
 Hertz LimitSearch::chatterFrequency(double angle, double depth) const {
-  const int n = fine_.states();
+  const int n = fine_->states();
   const Complex mu = std::polar(1.0, angle);
   const Complex s = depth * (1.0 - std::conj(mu));
   Eigen::MatrixXcd psi(n, n);
-  rough_.evaluate(std::span(&s, 1), std::span(psi.data(), static_cast<std::size_t>(psi.size())));
+  rough_->evaluate(std::span(&s, 1), std::span(psi.data(), static_cast<std::size_t>(psi.size())));
   psi.diagonal().array() -= mu * (1.0 + 1e-9);
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(psi);
   Eigen::VectorXcd state = Eigen::VectorXcd::Ones(n);
   for (int i = 0; i < 3; ++i) state = lu.solve(state).normalized();
   if (!state.allFinite()) return Hertz(0.0);
 
-  const double period = rough_.toothPeriod();
+  const double period = rough_->toothPeriod();
   const int lines = 2 + static_cast<int>(1.5 * system_.highestOmega() / kTwoPi * period);
-  return dominantLine(rough_.tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), 8 * lines), angle,
+  return dominantLine(rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), 8 * lines), angle,
                       period, lines);
 }
 

@@ -30,16 +30,19 @@ class LimitSearch {
   void cover(const ThetaDepthBox& box, double caution, int level, Band& band);
   void refine(std::vector<CircleCrossing>& crossings) const;
   void append(std::vector<CircleCrossing>& crossings);
+  double growthAt(double depth) const;
+  std::optional<Characteristic> expandTo(double depth);
   Hertz chatterFrequency(double angle, double depth) const;
 
   const RegenerativeSystem& system_;
   LimitOptions options_;
   std::stop_token stop_;
-  TransitionMatrix rough_;  // for the expansions
-  TransitionMatrix fine_;   // for the refinement
+  double cutting_;                         // time in the cut per tooth period [s]
+  std::optional<TransitionMatrix> rough_;  // for the expansions
+  std::optional<TransitionMatrix> fine_;   // for the refinement
   SpeedLimits limits_;
   int outside_ = 0;  // at the depth reached
-  int panels_ = 0;
+  double effort_ = 0.0;
 };
 
 }  // namespace stillcut::milling

@@ -101,10 +101,7 @@ std::string neglectedWarning(const CutModel& model) {
 Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
                              const std::string& where, const std::stop_token& stop) {
   if (speeds.empty()) return Error{where, "no spindle speed is given", ""};
-  const double depth = options.limits.maxDepth.value;
-  if (!std::isfinite(depth) || !(depth > 0.0) || depth > 1.0) {
-    return Error{where, "the largest depth must lie above 0 and up to 1000 mm", ""};
-  }
+  if (Status ok = ExactLobes::checkDepth(options.limits.maxDepth); !ok) return ok.error();
   std::vector<std::string> warnings;
   if (std::string text = neglectedWarning(model); !text.empty()) warnings.push_back(std::move(text));
   switch (options.method) {
@@ -124,7 +121,8 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
       const SolveOne solve = [&](Rpm speed, Metres) { return sdm->limit(speed, options.limits.maxDepth, 80, stop); };
       return sweepWith(solve, speeds, options, stop, std::move(warnings));
     }
-    case LobeMethod::ZerothOrder: break;
+    case LobeMethod::ZerothOrder:
+      break;
   }
   const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
@@ -138,7 +136,8 @@ Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::strin
   if (!sensible) return Error{where, "speeds must be FROM:TO:STEP with 0 < FROM <= TO", ""};
   if (!(step.value > 0.0)) return Error{where, "the step between speeds must be above zero", ""};
   const double steps = std::floor((to - from) / step + 1e-6);
-  if (steps >= static_cast<double>(kMostSpeeds)) return Error{where, "more than a million speeds", "take a larger step"};
+  if (steps >= static_cast<double>(kMostSpeeds))
+    return Error{where, "more than a million speeds", "take a larger step"};
   std::vector<Rpm> speeds;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i) {
     speeds.push_back(from + static_cast<double>(i) * step);

@@ -139,6 +139,14 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
   return system;
 }
 
+double cuttingShare(const RegenerativeSystem& system) {
+  double cutting = 0.0;
+  for (const ForceArc& arc : system.arcs) {
+    if (arc.cutting) cutting += arc.to - arc.from;
+  }
+  return cutting / system.toothAngle;
+}
+
 std::vector<std::string> neglectedEffects(const CutModel& model) {
   std::vector<std::string> list;
   if (model.tool.helix != 0.0) list.emplace_back("helix angle (straight teeth assumed)");

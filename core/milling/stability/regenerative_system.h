@@ -35,8 +35,8 @@ struct RegenerativeSystem {
   struct Oscillator {
     double omega = 0.0;  // undamped [rad/s]
     double zeta = 0.0;
-    double mass = 0.0;                // [kg]
-    std::array<double, 2> toTip{};    // a_i, on the projected axes
+    double mass = 0.0;              // [kg]
+    std::array<double, 2> toTip{};  // a_i, on the projected axes
   };
   int axes = 2;                          // 1 or 2
   std::array<double, 2> direction{1.0};  // of the single axis, when axes is 1
@@ -58,6 +58,9 @@ struct RegenerativeSystem {
 // proportional to the chip thickness. Helix, runout, edge forces and process damping are left out of the linear cut;
 // `neglected` of the result of a method names them.
 Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const std::string& where);
+
+// Share of the tooth period during which at least one tooth cuts, 0..1.
+double cuttingShare(const RegenerativeSystem& system);
 
 // What of the model the linear cut leaves out, in words; empty when nothing.
 std::vector<std::string> neglectedEffects(const CutModel& model);

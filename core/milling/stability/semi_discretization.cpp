@@ -127,8 +127,7 @@ Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const
 }
 
 std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
-  return withMap(lobes_.system(), speed, depth.value, options_,
-                 [](const auto& map) { return countBeyond(map, 1.0); });
+  return withMap(lobes_.system(), speed, depth.value, options_, [](const auto& map) { return countBeyond(map, 1.0); });
 }
 
 double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
@@ -145,6 +144,7 @@ double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
 
 Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, const std::stop_token& stop) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
+  if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
   SpeedLimits result;
   result.speed = speed;
   for (int i = 1; i <= scan && !stop.stop_requested(); ++i) {

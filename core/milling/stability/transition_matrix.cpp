@@ -44,6 +44,10 @@ TransitionMatrix::TransitionMatrix(const RegenerativeSystem& system, Rpm speed, 
   determinant_ = std::exp(-2.0 * damping * period_);
 }
 
+double TransitionMatrix::effort() const {
+  return static_cast<double>(stages_.size()) * states_ * (8.0 * states_ + 16.0);
+}
+
 std::size_t TransitionMatrix::addDrift(double time) {
   const std::size_t row = drifts_.size();
   for (const auto& o : system_.oscillators) {

@@ -27,6 +27,7 @@ class TransitionMatrix {
 
   int states() const { return states_; }
   double toothPeriod() const { return period_; }
+  double effort() const;                               // arithmetic operations of one evaluation, roughly
   double determinant() const { return determinant_; }  // of Psi: the same for every s
 
   // Writes count matrices of states x states, column major, one after another. Any thread; allocates scratch.

@@ -34,14 +34,6 @@ Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, do
 
 }  // namespace
 
-double cuttingShare(const RegenerativeSystem& system) {
-  double cutting = 0.0;
-  for (const ForceArc& arc : system.arcs) {
-    if (arc.cutting) cutting += arc.to - arc.from;
-  }
-  return cutting / system.toothAngle;
-}
-
 // A depth at which the mean cut is on the border at a frequency, were the speed right; `turn` is exp(i(omega tau +
 // arg(1 - s/w))), 1 where the speed is right.
 struct ZerothOrder::BorderPoint {
@@ -63,10 +55,11 @@ ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   const double share = cuttingShare(lobes_.system());
   char text[240];
   std::snprintf(text, sizeof text,
-                share < 0.75 ? "zeroth order averages the force although a tooth cuts only %.0f %% of the time: limits can "
-                               "be far too high, flip lobes and islands are missing; use the exact method"
-                             : "zeroth order averages the force (a tooth cuts %.0f %% of the time): expect errors of "
-                               "tens of percent between the lobes; the exact method has none",
+                share < 0.75
+                    ? "zeroth order averages the force although a tooth cuts only %.0f %% of the time: limits can "
+                      "be far too high, flip lobes and islands are missing; use the exact method"
+                    : "zeroth order averages the force (a tooth cuts %.0f %% of the time): expect errors of "
+                      "tens of percent between the lobes; the exact method has none",
                 100.0 * share);
   warning_ = text;
 }
@@ -103,6 +96,7 @@ std::vector<double> ZerothOrder::frequencies(double period) const {
 
 Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
+  if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
   const double period = lobes_.system().toothPeriod(speed);
   SpeedLimits result;
   result.speed = speed;

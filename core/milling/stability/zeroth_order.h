@@ -32,7 +32,4 @@ class ZerothOrder {
   std::string warning_;
 };
 
-// Share of the tooth period during which at least one tooth cuts, 0..1.
-double cuttingShare(const RegenerativeSystem& system);
-
 }  // namespace stillcut::milling
