@@ -105,7 +105,10 @@ TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {
   s.snapshot.command.speed = Ratio(0.973);
   const AdviceView view = makeAdviceView(s.picture());
   EXPECT_EQ(view.mode, AdviceView::Mode::InForce);
+  EXPECT_EQ(view.title, "IN FORCE");
   EXPECT_FALSE(view.canAnswer());
+  s.snapshot.machine.linkUp = false;
+  EXPECT_TRUE(makeAdviceView(s.picture()).title.contains("NOT CONFIRMED"));
 }
 
 TEST(AdviceView, StaleAdviceCannotBeAccepted) {

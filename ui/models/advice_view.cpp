@@ -92,7 +92,9 @@ AdviceView commandInForce(const Picture& picture) {
   const Snapshot& s = *picture.snapshot;
   AdviceView view;
   view.mode = AdviceView::Mode::InForce;
-  view.title = s.operatorHold ? say("IN FORCE, HELD BY YOU") : say("IN FORCE");
+  view.title = !s.machine.linkUp ? say("ASKED FOR, NOT CONFIRMED BY THE MACHINE")
+               : s.operatorHold  ? say("IN FORCE, HELD BY YOU")
+                                 : say("IN FORCE");
   fillMove(view, {s.machine.programmedSpeed * s.command.speed.value, s.machine.programmedFeed * s.command.feed.value},
            picture);
   // The gate's own word comes first: it says what still happens to the move.

@@ -63,7 +63,8 @@ QString duration(Seconds s) {
   if (s.value < 60) return join(number(s.value, s.value < 9.95 ? 1 : 0), QStringLiteral("s"));
   const auto whole = static_cast<qint64>(s.value);
   const QString seconds = QStringLiteral("%1").arg(whole % 60, 2, 10, QChar(u'0'));
-  return join(number(static_cast<double>(whole / 60)), QStringLiteral("min")) + kNoBreakSpace +
+  const qint64 minutes = whole / 60;
+  return join(number(static_cast<double>(minutes)), QStringLiteral("min")) + kNoBreakSpace +
          join(seconds, QStringLiteral("s"));
 }
 

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "core/base/units.h"
+#include "core/model/verdict.h"
 
 namespace stillcut::ui {
 

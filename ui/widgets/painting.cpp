@@ -29,8 +29,9 @@ double capHeight(const Theme& theme, double size, bool bold) {
 }
 
 QFont TextPainter::fit(double width, const QString& text, const TextStyle& style) {
-  for (double share = 1.0; share > style.smallest; share -= 0.02) {
-    const QFont font = theme_.font(style.size * share, style.bold);
+  const int smallest = static_cast<int>(std::lround(style.smallest * 100));
+  for (int percent = 100; percent > smallest; percent -= 2) {
+    const QFont font = theme_.font(style.size * percent / 100.0, style.bold);
     if (QFontMetricsF(font).horizontalAdvance(text) <= width) return font;
   }
   const QFont font = theme_.font(style.size * style.smallest, style.bold);
