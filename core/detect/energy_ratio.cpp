@@ -22,13 +22,16 @@ constexpr double kRatioTurns = 2.0;         // smoothing of the energy ratio
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntryChatterSeconds = 0.15;
-constexpr double kLineTurns = 16.0;     // window of the line finder
-constexpr double kSettleTurns = 6.0;    // after a restart the filters are not believed
-constexpr double kLeastSamples = 96.0;  // in the average of the turn difference: fewer scatter too much
-constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not
-constexpr double kLostPurity = 0.25;    // an alarm whose line sinks into the noise ...
-constexpr double kLostTurns = 32.0;     // ... for so long was none, or is over
-constexpr double kLeastOffset = 0.03;   // orders; nearer to a harmonic a line is forced
+constexpr double kLineTurns = 16.0;      // window of the line finder
+constexpr double kSettleTurns = 6.0;     // after a restart the filters are not believed
+constexpr double kLeastSamples = 96.0;   // in the average of the turn difference: fewer scatter too much
+constexpr double kLeastPurity = 0.4;     // chatter is a line; chips and knocks are not
+constexpr double kLostPurity = 0.25;     // an alarm whose line sinks into the noise ...
+constexpr double kLostTurns = 32.0;      // ... for so long was none, or is over
+constexpr double kRisingEvidence = 8.0;  // growth that needs no spectrum is asked for twice the evidence
+constexpr double kFastGrowth = 2.0;      // of energy from half turn to half turn
+constexpr double kSlowGrowth = 1.5;      // from turn to turn
+constexpr double kLeastOffset = 0.03;    // orders; nearer to a harmonic a line is forced
 constexpr Hertz kSpindleUnknown{20.0};
 
 }  // namespace
@@ -171,7 +174,7 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   if (alarming) {
     const bool lost = lostTurns_ > kLostTurns;
     state_ = lost ? CutState::Stable : high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
-  } else if (phase == CutPhase::Steady && (entry || (onset && lineStands()))) {
+  } else if (phase == CutPhase::Steady && (entry || (onset && (rising() || lineStands())))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -193,6 +196,27 @@ bool EnergyRatioDetector::fromEntry(bool high) noexcept {
   const bool same = std::abs(line_.frequency.value - before.value) < spindle_.value * 4.0 / kLineTurns;
   highTurns_ = stands && same ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
   return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * spindle_.value);
+}
+
+// Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
+// rises once and decays.
+bool EnergyRatioDetector::rising() const noexcept {
+  const auto sum = [this](const ChannelState& s, int from, int count) {
+    double e = 0.0;
+    for (int k = from; k < from + count; ++k) {
+      e += s.hops[static_cast<std::size_t>((hopCount_ - k + kLevelHops) % kLevelHops)].changed;
+    }
+    return e;
+  };
+  const auto grows = [&](const ChannelState& s, int hops, double factor) {
+    const double now = sum(s, 0, hops);
+    const double before = sum(s, hops, hops);
+    return now > factor * before && before > factor * sum(s, 2 * hops, hops);
+  };
+  return std::any_of(channelStates_.begin(), channelStates_.end(), [&](const ChannelState& s) {
+    return s.onset.alarm() && s.onset.evidence() > kRisingEvidence &&
+           (grows(s, kHopsPerTurn / 2, kFastGrowth) || grows(s, kHopsPerTurn, kSlowGrowth));
+  });
 }
 
 // Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.

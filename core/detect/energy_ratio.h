@@ -77,6 +77,7 @@ class EnergyRatioDetector final : public Detector {
   void judge(CutPhase phase, double seconds) noexcept;
   bool fromEntry(bool high) noexcept;
   bool lineStands() noexcept;
+  bool rising() const noexcept;
   void track(double seconds) noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;

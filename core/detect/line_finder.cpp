@@ -15,7 +15,7 @@ constexpr int kLobe = 4 * kPadding;  // padded bins
 void LineFinder::prepare(int channels, int window, Hertz rate) {
   channels_ = channels;
   window_ = static_cast<std::size_t>(window);
-  spectrum_.prepare(window, rate, dsp::WindowKind::Hann, kPadding * window);
+  spectrum_.prepare(window, rate, dsp::WindowKind::Recent, kPadding * window);
   ring_.assign(static_cast<std::size_t>(channels) * window_, 0.0);
   unrolled_.assign(window_, 0.0);
   power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);

@@ -42,7 +42,7 @@ class SpeedTracker {
   double scatter() const noexcept { return tracker_.scatter(); }
 
  private:
-  static constexpr double kForcedPart = 0.3;
+  static constexpr double kForcedPart = 0.1;
 
   void remember(const double* const* samples, int frames) noexcept;
   struct Look {  // one search and what it said last

@@ -14,6 +14,11 @@ double windowValue(WindowKind kind, double phase) {
     case WindowKind::FlatTop:  // ISO 18431-2
       return 0.21557895 - 0.41663158 * std::cos(phase) + 0.277263158 * std::cos(2 * phase) -
              0.083578947 * std::cos(3 * phase) + 0.006947368 * std::cos(4 * phase);
+    case WindowKind::Recent: {
+      constexpr double kTop = 0.9 * kTwoPi;
+      const double part = phase < kTop ? phase / kTop : (kTwoPi - phase) / (kTwoPi - kTop);
+      return 0.5 - 0.5 * std::cos(0.5 * kTwoPi * part);
+    }
     case WindowKind::Rectangular:
       break;
   }

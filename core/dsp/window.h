@@ -5,7 +5,12 @@
 
 namespace stillcut::dsp {
 
-enum class WindowKind { Rectangular, Hann, FlatTop };
+enum class WindowKind {
+  Rectangular,
+  Hann,
+  FlatTop,
+  Recent,  // rises as a Hann window over nine tenths of its length, falls over the last tenth: sees what just began
+};
 
 struct WindowSums {
   double sum = 0.0;      // of w: calibrates the amplitude of a line

@@ -1,0 +1,50 @@
+// Exponential growth on a realistic stable signal, told speed 1 % wrong.
+#include "tests/unit/detect/signals.h"
+
+namespace stillcut::detect::testing {
+namespace {
+
+RunOptions told(const CutSignal& s, double error) {
+  RunOptions o;
+  o.teeth = s.teeth;
+  o.rpm = 60.0 * s.spindle * (1.0 + error);
+  o.blockFrames = 32;
+  return o;
+}
+
+class Growth : public ::testing::TestWithParam<double> {};
+
+TEST_P(Growth, AlarmsBeforeTheIdealFixedRule) {
+  const double constant = GetParam();
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    for (const double error : {0.01, -0.01}) {
+      CutSignal s;
+      s.seed = seed;
+      s.growthStart = 2.0;
+      s.growthConstant = constant;
+      s.chatterHertz = 1100.0 + 37.0 * seed;
+      s.seconds = 2.6;
+      const RunResult r = run(makeCut(s), told(s, error));
+      ASSERT_GT(r.firstAlarm, s.growthStart) << "seed " << seed;
+      // Chatter that starts at 2 % reaches 20 % of the energy after about 4.4 growth constants.
+      EXPECT_LE(r.firstAlarm - s.growthStart, 4.4 * constant) << "seed " << seed << " error " << error;
+      EXPECT_NEAR(r.at(r.firstAlarm + 0.05).frequency.value, s.chatterHertz, 0.005 * s.chatterHertz);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Constants, Growth, ::testing::Values(0.005, 0.010, 0.020, 0.050));
+
+TEST(NoGrowth, SilentForAMinute) {
+  CutSignal s;
+  s.rate = 10240.0;  // less to compute; 32 harmonics reach 3.2 kHz
+  s.seconds = 60.0;
+  s.seed = 7;
+  const RunResult r = run(makeCut(s), told(s, 0.01));
+  EXPECT_LT(r.firstAlarm, 0.0);
+  EXPECT_EQ(r.verdicts.back().phase, CutPhase::Steady);
+  EXPECT_NEAR(r.verdicts.back().spindle.value, s.spindle, 5e-3 * s.spindle);
+}
+
+}  // namespace
+}  // namespace stillcut::detect::testing
