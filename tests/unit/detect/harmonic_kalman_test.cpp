@@ -1,0 +1,103 @@
+// The kernel against the paper's own recursion (Caliskan 2018 eq. 17-20) with its full covariance.
+#include "core/detect/harmonic_kalman.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+namespace {
+
+// Equation by equation, O(N^2) per sample.
+class Oracle {
+ public:
+  Oracle(int harmonics, double step, double lambda)
+      : q_(Eigen::VectorXd::Zero(2 * harmonics)),
+        p_(Eigen::MatrixXd::Identity(2 * harmonics, 2 * harmonics)),
+        phi_(Eigen::MatrixXd::Zero(2 * harmonics, 2 * harmonics)),
+        h_(Eigen::VectorXd::Zero(2 * harmonics)),
+        lambda_(lambda) {
+    for (int n = 0; n < harmonics; ++n) {
+      const double a = (n + 1) * step;
+      phi_.block<2, 2>(2 * n, 2 * n) << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
+      h_(2 * n) = 1.0;
+    }
+  }
+  double process(double x) {
+    q_ = phi_ * q_;
+    p_ = phi_ * p_ * phi_.transpose();
+    p_.diagonal().array() += lambda_;  // R = 1: only the ratio matters
+    const Eigen::VectorXd k = p_ * h_ / (h_.dot(p_ * h_) + 1.0);
+    q_ += k * (x - h_.dot(q_));
+    p_ -= k * (h_.transpose() * p_);
+    return x - h_.dot(q_);
+  }
+  double power(int n) const { return q_.segment<2>(2 * (n - 1)).squaredNorm(); }
+
+ private:
+  Eigen::VectorXd q_;
+  Eigen::MatrixXd p_, phi_;
+  Eigen::VectorXd h_;
+  double lambda_;
+};
+
+TEST(HarmonicKalman, GainAndLambdaAreInverse) {
+  for (const double lambda : {1e-7, 1e-6, 1e-4}) {
+    for (const int n : {1, 8, 32}) EXPECT_NEAR(lambdaForGain(harmonicGain(lambda, n), n) / lambda, 1.0, 1e-9);
+  }
+}
+
+TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
+  constexpr int kHarmonics = 8;
+  const double step = kTwoPi * 100.0 / 10000.0;
+  const double lambda = 1e-5;
+  Oracle oracle(kHarmonics, step, lambda);
+  HarmonicKalman kalman;
+  kalman.prepare(1, kHarmonics);
+  kalman.setGain(harmonicGain(lambda, kHarmonics));
+  kalman.align(0.0, step);
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  double difference = 0.0;
+  double reference = 0.0;
+  for (int k = 0; k < 20000; ++k) {
+    const double x =
+        std::cos(step * k + 0.3) + 0.5 * std::sin(3.0 * step * k) + 0.4 * std::sin(0.21 * k) + 0.2 * normal(engine);
+    double rest = 0.0;
+    kalman.process(&x, &rest);
+    const double truth = oracle.process(x);
+    if (k < 10000) continue;
+    difference += (rest - truth) * (rest - truth);
+    reference += truth * truth;
+  }
+  // The settled covariance is p I up to the coupling of neighbouring harmonics, of the order of the gain.
+  EXPECT_LT(std::sqrt(difference / reference), 0.02);
+  for (int n = 1; n <= kHarmonics; ++n) EXPECT_NEAR(kalman.power(0, n), oracle.power(n), 0.02) << n;
+  EXPECT_NEAR(kalman.power(0, 1), 1.0, 0.05);
+  EXPECT_NEAR(kalman.power(0, 3), 0.25, 0.03);
+}
+
+TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
+  HarmonicKalman kalman;
+  kalman.prepare(1, 16);
+  kalman.setGain(harmonicGain(1e-6, 16));
+  double angle = 0.0;
+  double worst = 0.0;
+  for (int k = 0; k < 40000; ++k) {
+    const double step = kTwoPi * (100.0 + (k > 20000 ? 5.0 * (k - 20000) / 20000.0 : 0.0)) / 10000.0;
+    kalman.align(angle, step);
+    const double x = std::cos(angle) + 0.5 * std::cos(2.0 * angle + 1.0);
+    double rest = 0.0;
+    kalman.process(&x, &rest);
+    if (k > 19000) worst = std::max(worst, std::abs(rest));
+    angle += step;
+  }
+  EXPECT_LT(worst, 1e-3);
+}
+
+}  // namespace
+}  // namespace stillcut::detect

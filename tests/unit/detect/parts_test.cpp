@@ -1,0 +1,158 @@
+// The detector's parts, one at a time: energy separation, turn difference, onset test, line finder, input check.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/detect/energy_separation.h"
+#include "core/detect/input_check.h"
+#include "core/detect/line_finder.h"
+#include "core/detect/onset_test.h"
+#include "core/detect/turn_difference.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kRate = 25600.0;
+
+double tone(double hertz, int k) {
+  return std::sin(kTwoPi * hertz * k / kRate);
+}
+
+TEST(EnergySeparation, FindsAmplitudeAndFrequencyOfATone) {
+  EnergySeparation bands;
+  bands.prepare(1, 6, Hertz(kRate), Hertz(200.0));
+  bands.tune(Hertz(366.7), Hertz(90.0));
+  for (int k = 0; k < 12800; ++k) {
+    if (k == 12000) bands.estimate();
+    const double x = 3.0 * tone(935.0, k);  // band 3: 733..1100 Hz, flat there
+    bands.process(&x);
+  }
+  bands.estimate();
+  const BandEstimate& b = bands.band(0, 2);
+  EXPECT_TRUE(b.valid);
+  EXPECT_NEAR(b.frequency.value, 935.0, 1.0);
+  EXPECT_NEAR(std::sqrt(b.power), 3.0, 0.1);
+}
+
+TEST(EnergySeparation, SilenceGivesNoEstimateAndNoNan) {
+  EnergySeparation bands;
+  bands.prepare(1, 3, Hertz(kRate), Hertz(200.0));
+  bands.tune(Hertz(366.7), Hertz(90.0));
+  const double zero = 0.0;
+  for (int k = 0; k < 1000; ++k) bands.process(&zero);
+  bands.estimate();
+  for (int m = 0; m < 3; ++m) {
+    EXPECT_FALSE(bands.band(0, m).valid);
+    EXPECT_TRUE(std::isfinite(bands.band(0, m).power));
+  }
+}
+
+double meanSquareOfDifference(double f, double spindle, double growthPerTurn) {
+  TurnDifference turns;
+  turns.prepare(1, Hertz(kRate), Hertz(50.0));
+  turns.setTurn(Hertz(spindle));
+  double sum = 0.0;
+  int count = 0;
+  for (int k = 0; k < 12800; ++k) {
+    const double x = (1.0 + growthPerTurn * k * spindle / kRate) * tone(f, k);
+    double d = 0.0;
+    turns.process(&x, &d);
+    if (k > 6400) sum += d * d;
+    if (k > 6400) ++count;
+  }
+  return sum / count;
+}
+
+TEST(TurnDifference, RemovesEveryOrderAlsoWhileItGrows) {
+  for (const int order : {1, 2, 7, 32}) {
+    EXPECT_LT(meanSquareOfDifference(order * 183.33, 183.33, 0.0), 1e-5) << order;
+    EXPECT_LT(meanSquareOfDifference(order * 183.33, 183.33, 0.05), 1e-3) << order;
+  }
+}
+
+TEST(TurnDifference, PassesLinesBetweenTheOrdersWithItsStatedGain) {
+  for (const double part : {0.1, 0.25, 0.5}) {
+    const double gain = std::pow(2.0 * std::sin(0.5 * kTwoPi * part), 2.0) / std::sqrt(6.0);
+    EXPECT_NEAR(meanSquareOfDifference((5.0 + part) * 183.33, 183.33, 0.0), 0.5 * gain * gain, 0.02) << part;
+  }
+}
+
+TEST(OnsetTest, StaysCalmOnItsOwnScatterAndSeesGrowth) {
+  OnsetTest test;
+  test.prepare({1e-4, 4.0});
+  std::mt19937 engine(3);
+  std::normal_distribution<double> normal;
+  for (int k = 0; k < 80000; ++k) {
+    test.update(1e-3 * std::exp(0.2 * normal(engine)), 0.125, true);
+    ASSERT_FALSE(test.alarm()) << k;
+  }
+  EXPECT_NEAR(std::log(test.floor() / 1e-3), 0.0, 0.15);
+  int steps = 0;
+  while (!test.alarm() && steps < 1000) test.update(1e-3 * std::exp(0.1 * ++steps), 0.125, true);
+  // Doubled amplitude is at step 14; a few turns of evidence later it must be out.
+  EXPECT_GT(steps, 13);
+  EXPECT_LT(steps, 40);
+  for (int k = 0; k < 64; ++k) test.update(1e-3, 0.125, true);
+  EXPECT_FALSE(test.alarm());
+}
+
+TEST(OnsetTest, NothingBelowTheResolutionIsGrowth) {
+  OnsetTest test;
+  test.prepare({1e-4, 4.0});
+  for (int k = 0; k < 800; ++k) test.update(1e-7, 0.125, true);
+  for (int k = 0; k < 800; ++k) test.update(9e-5, 0.125, true);
+  EXPECT_FALSE(test.alarm());
+}
+
+TEST(LineFinder, FindsALineAndItsPurity) {
+  LineFinder lines;
+  lines.prepare(1, 2048, Hertz(kRate));
+  for (int k = 0; k < 4096; ++k) {
+    const double x = tone(935.5, k) + 0.05 * tone(2200.0, k);
+    lines.push(&x);
+  }
+  const FoundLine line = lines.find(Hertz(50.0), Hertz(5000.0));
+  EXPECT_NEAR(line.frequency.value, 935.5, 0.5);
+  EXPECT_GT(line.purity, 0.95);
+}
+
+class InputCheckTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    CutSetup setup;
+    setup.rate = Hertz(1000.0);
+    setup.channels.resize(1);
+    check_.prepare(setup);
+    block_.allocate(1, 100);
+    block_.frames = 100;
+    for (int k = 0; k < 100; ++k)
+      block_.channel(0)[static_cast<std::size_t>(k)] = std::sin(0.3F * static_cast<float>(k));
+  }
+  InputCheck check_;
+  SampleBlock block_;
+};
+
+TEST_F(InputCheckTest, GoodInputPasses) {
+  EXPECT_EQ(check_.check(block_).code, ReasonCode::None);
+}
+
+TEST_F(InputCheckTest, NotFiniteDeadAndClippedAreRefused) {
+  SampleBlock bad = block_;
+  bad.channel(0)[50] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputNotFinite);
+  check_.reset();
+  for (float& v : bad.channel(0)) v = 0.25F;
+  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputDead);
+  check_.reset();
+  for (std::size_t k = 0; k < 100; ++k) bad.channel(0)[k] = std::clamp(3.0F * block_.channel(0)[k], -1.0F, 1.0F);
+  check_.check(bad);
+  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputClipped);
+  check_.reset();
+  block_.flags = kBlockClipped;
+  EXPECT_EQ(check_.check(block_).code, ReasonCode::InputClipped);
+}
+
+}  // namespace
+}  // namespace stillcut::detect
