@@ -10,6 +10,7 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kEventRatio = 0.2;
+constexpr double kSureRatio = 0.35;  // noise and transients of a stable cut do not reach it for long
 constexpr double kMarkRatio = 0.5;
 constexpr double kOverRatio = 0.1;  // below it chatter has ended
 constexpr double kLeastDivisor = 0.3;
@@ -20,10 +21,12 @@ double divisor(double chatterHz, double spindleHz) {
   return std::max(s * s, kLeastDivisor);
 }
 
-double ratioOf(double chatterRms, double totalRms) {
+// `strongest`: the largest vibration of the run so far. As a cut fades out, what is left is noise: a twentieth of the
+// strongest counts as forced in any case.
+double ratioOf(double chatterRms, double totalRms, double strongest) {
   const double rest = totalRms * totalRms - chatterRms * chatterRms;
   // Where nearly everything is chatter the difference of squares means little: 1/50 is the least that counts as forced.
-  const double forced = std::sqrt(std::max(rest, totalRms * totalRms * 4e-4));
+  const double forced = std::sqrt(std::max({rest, totalRms * totalRms * 4e-4, strongest * strongest * 25e-4}));
   return forced > 0.0 ? chatterRms / forced : 0.0;
 }
 
@@ -92,15 +95,18 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
   totalRms_ = std::sqrt(std::max(0.0, totalSum_) / static_cast<double>(window_));
   liveHz_ = den_ > 0.0 ? std::acos(std::clamp(num_ / den_, -1.0, 1.0)) * rate / kTwoPi : 0.0;
   const bool settled = s.time >= unsteadyUntil_;
-  ratio_ = s.cutting ? ratioOf(std::min(raw / divisor(liveHz_, s.spindleHz), totalRms_), totalRms_) : 0.0;
+  if (settled) strongest_ = std::max(strongest_, totalRms_);
+  ratio_ = s.cutting ? ratioOf(std::min(raw / divisor(liveHz_, s.spindleHz), totalRms_), totalRms_, strongest_) : 0.0;
   if (settled) peak_ = std::max(peak_, ratio_);
   if (ratio_ > kMarkRatio && settled) marked_ += s.path - lastPath_;
   lastPath_ = s.path;
   if (settled && ratio_ >= (sustained_ ? kOverRatio : kEventRatio)) {
     if (aboveSince_ < 0.0) aboveSince_ = s.time;
-    sustained_ = s.time - aboveSince_ >= std::max(0.020, 3.0 / s.spindleHz);
+    highest_ = std::max(highest_, ratio_);
+    sustained_ = highest_ >= kSureRatio && s.time - aboveSince_ >= std::max(0.05, 6.0 / s.spindleHz);
   } else {
     aboveSince_ = -1.0;
+    highest_ = 0.0;
     sustained_ = false;
   }
   if (sustained_ && eventTime_ < 0.0) {
@@ -123,7 +129,7 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
 double ChatterTruth::ratioAt(const LogEntry& e, Hertz chatter) const {
   const double total = static_cast<double>(e.forcedAndChatterRms);
   const double part = static_cast<double>(e.chatterRms) / divisor(chatter.value, static_cast<double>(e.spindleHz));
-  return ratioOf(std::min(part, total), total);
+  return ratioOf(std::min(part, total), total, 0.0);
 }
 
 ChatterOnset ChatterTruth::onset() const {

@@ -52,7 +52,7 @@ class ChatterTruth {
 
   // Now.
   double ratio() const { return ratio_; }            // amplitude, chatter to forced
-  bool chattering() const { return sustained_; }     // ratio above 0.2 for three revolutions and 20 ms
+  bool chattering() const { return sustained_; }     // ratio above 0.2 for six revolutions and 50 ms
   Metres marked() const { return Metres(marked_); }  // path cut with a ratio above 0.5 (an energy ratio of 20 %)
   double vibration() const { return totalRms_; }     // rms of the tip's acceleration [m/s^2]
   Hertz liveFrequency() const { return Hertz(liveHz_); }
@@ -85,8 +85,8 @@ class ChatterTruth {
   double chatterSum_ = 0.0, totalSum_ = 0.0;
   std::size_t seen_ = 0, sinceCut_ = 0;
   double unsteadyUntil_ = 0.0, lastTime_ = 0.0, lastPath_ = 0.0, lastLog_ = -1.0;
-  double ratio_ = 0.0, totalRms_ = 0.0, peak_ = 0.0, marked_ = 0.0;
-  double aboveSince_ = -1.0;
+  double ratio_ = 0.0, totalRms_ = 0.0, strongest_ = 0.0, peak_ = 0.0, marked_ = 0.0;
+  double aboveSince_ = -1.0, highest_ = 0.0;
   bool sustained_ = false;
   // Frequency now: neighbours' correlation of the displacement's difference, in which the mode stands out most.
   double d1_ = 0.0, d2_ = 0.0, num_ = 0.0, den_ = 0.0, liveHz_ = 0.0;
