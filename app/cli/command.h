@@ -23,5 +23,6 @@ void addInfo(CLI::App& app, int& exitCode);
 void addRun(CLI::App& app, int& exitCode);
 void addModal(CLI::App& app, int& exitCode);
 void addCoefficients(CLI::App& app, int& exitCode);
+void addLobes(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

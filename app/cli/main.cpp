@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   addRun(app, exitCode);
   addModal(app, exitCode);
   addCoefficients(app, exitCode);
+  addLobes(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

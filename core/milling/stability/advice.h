@@ -1,0 +1,60 @@
+// Which speeds to take: the stable pockets of a speed range at one depth, from the exact lobes; and where there is
+// none, the largest stable depth of the range. What screens show and strategies choose from. Thread: any; a second or
+// less for a usual range. Allocates; not for the sample path.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/milling/stability/exact_lobes.h"
+
+namespace stillcut::milling {
+
+struct AdviceRequest {
+  Metres depth{};                      // axial depth of the cut
+  Rpm lowest{}, highest{};             // what the machine allows
+  Metres feedPerTooth{};               // for the removal rate; 0: none is given
+  std::optional<double> cuttingSpeed;  // largest of the tool [m/min]; speeds above it are no advice
+  int steps = 200;                     // speeds looked at before the edges are refined, 8 .. 5000
+  int threads = 2;
+};
+
+struct PocketEdge {
+  Rpm speed{};
+  Hertz frequency{};  // chatter frequency met there; 0 where the range ends before the pocket does
+};
+
+struct SpeedPocket {
+  PocketEdge from, to;
+  Rpm best{};            // the speed with the largest limiting depth inside
+  Metres limit{};        // limiting depth there; the largest one searched (4 x depth) where nothing limits it
+  double margin = 0.0;   // limit/depth - 1 at `best`
+  double width = 0.0;    // how far the speed may be off at `best`, smaller side, as a share of it
+  double removal = 0.0;  // at `best`: depth x width of cut x feed [m^3/s]; 0 without a feed
+};
+
+struct DeepestCut {
+  Rpm speed{};
+  Metres depth{};
+  Hertz frequency{};  // chatter frequency just above it
+};
+
+struct SpeedAdvice {
+  std::vector<SpeedPocket> pockets;   // by speed; empty: no stable speed at this depth
+  std::optional<DeepestCut> deepest;  // where there is no pocket
+  Rpm highest{};                      // of the range after the tool's cutting speed
+  bool cappedByTool = false;
+  std::vector<std::string> warnings;  // what the linear cut leaves out
+  bool finished = false;              // false: stopped
+};
+
+Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,
+                                 const std::stop_token& stop = {});
+
+// Spindle speed at which the tool's edge runs at `cuttingSpeed` [m/min].
+Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed);
+
+}  // namespace stillcut::milling
