@@ -111,6 +111,26 @@ TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {
   EXPECT_TRUE(makeAdviceView(s.picture()).title.contains("NOT CONFIRMED"));
 }
 
+TEST(AdviceView, TheReasonOfAMoveStaysUnlessTheGateHoldsSomethingBack) {
+  Scene s = stableScene();
+  MoveReason why;
+  s.snapshot.commanding = true;
+  s.snapshot.command.kind = CommandKind::Set;
+  s.snapshot.command.speed = Ratio(0.973);
+  s.snapshot.command.reason = {ReasonCode::GateInForce, {97.3, 97.3, 97.3, 97.3}};
+  s.snapshot.request.kind = RequestKind::Set;
+  s.snapshot.request.reason = {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}};
+  why.see(s.snapshot);
+  s.snapshot.request = OverrideRequest{};
+  why.see(s.snapshot);
+  EXPECT_TRUE(makeAdviceView(s.picture(), why.reason()).reason.contains("chatter waves"));
+  s.snapshot.command.reason = {ReasonCode::GateSettling, {8700, 8565}};
+  EXPECT_TRUE(makeAdviceView(s.picture(), why.reason()).reason.contains("Waiting for the spindle"));
+  s.snapshot.commanding = false;
+  why.see(s.snapshot);
+  EXPECT_EQ(why.reason().code, ReasonCode::None);
+}
+
 TEST(AdviceView, StaleAdviceCannotBeAccepted) {
   Scene s = chatterScene();
   s.snapshot.adviceOpen = true;

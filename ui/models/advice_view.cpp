@@ -27,6 +27,11 @@ bool moves(const CommandRecord& command) {
   return set && (std::abs(command.speed.value - 1.0) > 0.004 || std::abs(command.feed.value - 1.0) > 0.004);
 }
 
+// The gate only repeats the numbers: it holds nothing back.
+bool repeatsNumbers(ReasonCode code) {
+  return code == ReasonCode::None || code == ReasonCode::GateInForce || code == ReasonCode::GateMoving;
+}
+
 QString deltaText(const Move& move, const MachineState& machine) {
   if (!(machine.programmedSpeed.value > 0)) return {};
   const double change = move.speed.value - machine.programmedSpeed.value;
@@ -88,7 +93,7 @@ AdviceView openAdvice(const Picture& picture) {
   return view;
 }
 
-AdviceView commandInForce(const Picture& picture) {
+AdviceView commandInForce(const Picture& picture, const Reason& moveReason) {
   const Snapshot& s = *picture.snapshot;
   AdviceView view;
   view.mode = AdviceView::Mode::InForce;
@@ -97,8 +102,9 @@ AdviceView commandInForce(const Picture& picture) {
                                  : say("IN FORCE");
   fillMove(view, {s.machine.programmedSpeed * s.command.speed.value, s.machine.programmedFeed * s.command.feed.value},
            picture);
-  // The gate's own word comes first: it says what still happens to the move.
-  view.reason = reasonText(s.command.reason.code == ReasonCode::None ? s.request.reason : s.command.reason);
+  // What the gate keeps back comes first; otherwise the strategy has the word.
+  const bool strategySays = moveReason.code != ReasonCode::None && repeatsNumbers(s.command.reason.code);
+  view.reason = reasonText(strategySays ? moveReason : s.command.reason);
   return view;
 }
 
@@ -130,12 +136,12 @@ QString AdviceView::spoken() const {
   return parts.join(QStringLiteral(". "));
 }
 
-AdviceView makeAdviceView(const Picture& picture) {
+AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason) {
   if (!picture.snapshot || picture.stale) return nothing(picture);
   const Snapshot& s = *picture.snapshot;
   const bool isMove = s.request.kind == RequestKind::Set || s.request.kind == RequestKind::Release;
   if (s.adviceOpen && isMove) return openAdvice(picture);
-  if (s.commanding && moves(s.command)) return commandInForce(picture);
+  if (s.commanding && moves(s.command)) return commandInForce(picture, moveReason);
   return nothing(picture);
 }
 

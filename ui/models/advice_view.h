@@ -23,6 +23,21 @@ struct AdviceView {
   bool operator==(const AdviceView&) const = default;
 };
 
-AdviceView makeAdviceView(const Picture& picture);
+// Why the move in force was asked for: the reason of the newest request that moved something. The strategy says it
+// once, the command stays.
+class MoveReason {
+ public:
+  // Call at every display tick.
+  void see(const Snapshot& snapshot) {
+    if (snapshot.request.kind == RequestKind::Set) reason_ = snapshot.request.reason;
+    if (!snapshot.commanding && !snapshot.adviceOpen && snapshot.request.kind != RequestKind::Set) reason_ = {};
+  }
+  const Reason& reason() const { return reason_; }
+
+ private:
+  Reason reason_;
+};
+
+AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason = {});
 
 }  // namespace stillcut::ui

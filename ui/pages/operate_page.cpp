@@ -52,9 +52,12 @@ OperatePage::OperatePage(QWidget* parent)
 }
 
 void OperatePage::display(const Picture& picture) {
-  if (picture.snapshot) trend_.add(picture.verdict());
+  if (picture.snapshot) {
+    trend_.add(picture.verdict());
+    moveReason_.see(*picture.snapshot);
+  }
   verdict_->display(makeVerdictView(picture, trend_.trend()));
-  advice_->display(makeAdviceView(picture));
+  advice_->display(makeAdviceView(picture, moveReason_.reason()));
   overrides_->display(makeMachineView(picture));
   const bool alarming = picture.snapshot && !picture.stale && picture.verdict().alarming();
   interventions_->display(makeCards(picture), makeEventLine(picture), alarming);

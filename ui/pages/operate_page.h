@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/operator_input.h"
+#include "ui/models/advice_view.h"
 #include "ui/models/column_reader.h"
 #include "ui/models/machine_view.h"
 #include "ui/models/session_info.h"
@@ -57,6 +58,7 @@ class OperatePage : public QWidget, public Themed {
   Theme theme_;
   ColumnReader columns_;
   SeverityTrend trend_;
+  MoveReason moveReason_;
   VibrationScale vibrationScale_;
 };
 
