@@ -122,7 +122,8 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
   if (s.time - lastLog_ >= 0.001 && log_.size() < log_.capacity()) {
     lastLog_ = s.time;
     log_.push_back({static_cast<float>(s.time), static_cast<float>(raw), static_cast<float>(totalRms_),
-                    static_cast<float>(s.spindleHz), static_cast<float>(s.path), settled && s.cutting});
+                    static_cast<float>(s.spindleHz), static_cast<float>(s.path), static_cast<float>(ratio_),
+                    settled && s.cutting});
   }
 }
 
@@ -136,12 +137,13 @@ ChatterOnset ChatterTruth::onset() const {
   ChatterOnset result;
   if (eventTime_ < 0.0) return result;
   const Hertz chatter = chatterFrequency();
-  // From the event backwards, until the ratio is below the mark.
+  // From the event backwards, until the ratio is below the mark, or what was seen then far below it: with a frequency
+  // near a spindle harmonic the one divisor for all times makes much of little.
   const auto lastBelow = [&](double mark) {
     double from = eventTime_;
     for (auto it = log_.rbegin(); it != log_.rend(); ++it) {
       if (static_cast<double>(it->time) > eventTime_ + 0.02) continue;
-      if (!it->settled || ratioAt(*it, chatter) < mark) break;
+      if (!it->settled || ratioAt(*it, chatter) < mark || static_cast<double>(it->ratio) < 0.5 * mark) break;
       from = static_cast<double>(it->time);
     }
     return from;

@@ -64,7 +64,7 @@ class ChatterTruth {
   double peakRatio() const { return peak_; }
 
   struct LogEntry {
-    float time, chatterRms, forcedAndChatterRms, spindleHz, path;
+    float time, chatterRms, forcedAndChatterRms, spindleHz, path, ratio;
     bool settled;
   };
   const std::vector<LogEntry>& log() const { return log_; }  // every millisecond; chatterRms before division
