@@ -257,6 +257,14 @@ void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
   inHop_ = 0;
 }
 
+// Period doubling sits half way between the tooth-passing harmonics, whatever the speed; Hopf chatter anywhere else.
+ChatterKind EnergyRatioDetector::kind() const noexcept {
+  if (teeth_ < 1 || !(frequency_.value > 0.0)) return ChatterKind::Unknown;
+  const double offset = std::abs(dsp::orderOffset(frequency_, spindle_ * teeth_));
+  const double doubt = 0.02 + 2.0 * frequencySd_ / (spindle_.value * teeth_);
+  return 0.5 - offset < doubt ? ChatterKind::Flip : ChatterKind::Hopf;
+}
+
 Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v;
   v.time = block.end();
@@ -282,7 +290,7 @@ Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexce
   } else if (block.phase == CutPhase::Steady && !learned_) {
     v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle_.value}};
   }
-  if (v.alarming()) v.kind = ChatterKind::Hopf;
+  if (v.alarming()) v.kind = kind();
   return v;
 }
 

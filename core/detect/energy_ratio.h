@@ -11,6 +11,9 @@
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
+// Known limits: period doubling with an even number of teeth lies on spindle harmonics, is removed with them, and is
+// not seen; chatter nearer than 0.03 orders to a harmonic neither. Where chatter fills the cut from the entry and the
+// told speed is off, the comb takes about two seconds on a slow face mill to be found.
 // Thread: worker. See detector.h.
 #pragma once
 
@@ -81,6 +84,7 @@ class EnergyRatioDetector final : public Detector {
   void track(double seconds) noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
+  ChatterKind kind() const noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
   double rate_ = 0.0;

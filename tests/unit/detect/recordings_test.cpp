@@ -1,0 +1,46 @@
+// Real recordings (microphone at a face mill; TRUTH.csv beside them). Not part of the repository.
+#include "tests/unit/detect/recording_runner.h"
+
+namespace stillcut::detect::testing {
+namespace {
+
+std::filesystem::path audio(const char* name) {
+  return sharedDir() / "recordings/face_mill_audio" / name;
+}
+
+RunOptions faceMill(double rpm) {
+  RunOptions o;
+  o.teeth = 6;
+  o.rpm = rpm;
+  o.quantity = SensorQuantity::Sound;
+  o.blockFrames = 120;
+  o.channels = {0};  // both are the same
+  return o;
+}
+
+TEST(Recordings, StableFaceMillAndItsRunUpAreSilent) {
+  STILLCUT_NEEDS(audio("Stable.wav"));
+  const Recording recording = readWav(audio("Stable.wav"));
+  // 74.81 Hz measured; 898 Hz is twice tooth passing here.
+  for (const double rpm : {4489.0 * 0.98, 4489.0, 4489.0 * 1.02}) {
+    EXPECT_LT(run(recording, faceMill(rpm)).firstAlarm, 0.0) << rpm;
+  }
+}
+
+TEST(Recordings, IdleMachineNoiseIsSilent) {
+  STILLCUT_NEEDS(audio("Idle Sound.wav"));
+  const Recording recording = readWav(audio("Idle Sound.wav"));
+  for (const double rpm : {1655.0, 4489.0}) EXPECT_LT(run(recording, faceMill(rpm)).firstAlarm, 0.0) << rpm;
+}
+
+TEST(Recordings, ChatterFromTheEntryIsFoundAndHeld) {
+  STILLCUT_NEEDS(audio("Chatter.wav"));
+  const RunResult r = run(readWav(audio("Chatter.wav")), faceMill(1656.0));
+  EXPECT_LT(r.firstAlarmAfter(16.5), 0.0);
+  EXPECT_GT(r.firstAlarm, 1.0);
+  EXPECT_GT(r.alarmTimeIn(1.8, 15.5), 0.9 * (15.5 - 1.8));
+  EXPECT_NEAR(r.at(8.0).frequency.value, 898.5, 0.005 * 898.5);
+}
+
+}  // namespace
+}  // namespace stillcut::detect::testing
