@@ -210,7 +210,7 @@ Hertz LimitSearch::chatterFrequency(double angle, double depth) const {
 
   const double period = rough_->toothPeriod();
   const int lines = 2 + static_cast<int>(1.5 * system_.highestOmega() / kTwoPi * period);
-  return dominantLine(rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), 8 * lines), angle,
+  return dominantLine(rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), 32 * lines), angle,
                       period, lines);
 }
 
