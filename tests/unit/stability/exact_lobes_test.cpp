@@ -86,8 +86,9 @@ TEST(ExactLobes, FlipChatterSitsHalfwayBetweenToothHarmonics) {
       const double tooth = toothPassing(Rpm(rpm), 2).value;
       const double order = l.frequency.value / tooth;
       EXPECT_NEAR(order - std::floor(order), 0.5, 1e-9) << rpm;
-      EXPECT_GT(l.frequency.value, 0.7 * 922.0) << rpm;
-      EXPECT_LT(l.frequency.value, 2.0 * 922.0) << rpm;  // the cut stiffens the mode at such depths
+      // At such depths the cut stiffens the mode over one half of the pass and softens it over the other.
+      EXPECT_GT(l.frequency.value, 0.3 * 922.0) << rpm;
+      EXPECT_LT(l.frequency.value, 2.0 * 922.0) << rpm;
     }
   }
 }
