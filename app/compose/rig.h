@@ -41,6 +41,7 @@ class Rig {
   ~Rig();
 
   const CutSetup& setup() const { return spec_.setup; }
+  const config::ParamSet& params() const { return spec_.params; }
   const pipeline::Chain& chain() const { return *chain_; }
   const daq::DaqSource& device() const { return *spec_.device; }
   cnc::LinkInfo linkInfo() const;

@@ -1,11 +1,13 @@
 // stillcut: the desktop program.
-//   stillcut [--scenario FILE] [--theme light|dark|contrast] [--size WxH]
+//   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5] [--theme light|dark|contrast] [--size WxH]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
+// Without a scenario or a profile it opens the demonstration: a first start ends in a picture that moves.
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QFontDatabase>
+#include <QSettings>
 #include <cstdio>
+#include <optional>
 
 #include "app/session/session.h"
 #include "generated/version.h"
@@ -19,10 +21,11 @@ constexpr int kInputError = 2;
 constexpr double kPictureAfter_s = 12.0;  // the demo has met chatter and answered it by then
 
 struct Options {
-  QString scenario;
+  QString scenario, profile, record;
   QString screenshot;
   double after_s = kPictureAfter_s;
   QSize size{1280, 800};
+  bool sizeGiven = false;
   std::optional<ui::ThemeKind> theme;
 };
 
@@ -42,6 +45,10 @@ Result<Options> parse(const QStringList& arguments) {
   parser.setApplicationDescription(QStringLiteral("Tells chatter before it marks the part, and what to do about it."));
   const QCommandLineOption scenario(QStringLiteral("scenario"), QStringLiteral("Simulated cut to run."),
                                     QStringLiteral("FILE"));
+  const QCommandLineOption profile(QStringLiteral("profile"), QStringLiteral("Machine to monitor."),
+                                   QStringLiteral("FILE"));
+  const QCommandLineOption record(QStringLiteral("record"), QStringLiteral("Record the session."),
+                                  QStringLiteral("FILE.h5"));
   const QCommandLineOption screenshot(QStringLiteral("screenshot"),
                                       QStringLiteral("Write a picture of the operator page and end."),
                                       QStringLiteral("FILE.png"));
@@ -50,19 +57,22 @@ Result<Options> parse(const QStringList& arguments) {
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Window size."), QStringLiteral("WxH"));
   const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or contrast."),
                                  QStringLiteral("NAME"));
-  parser.addOptions({scenario, screenshot, after, size, theme});
+  parser.addOptions({scenario, profile, record, screenshot, after, size, theme});
   parser.addHelpOption();
   parser.addVersionOption();
   parser.process(arguments);
 
   Options options;
   options.scenario = parser.value(scenario);
+  options.profile = parser.value(profile);
+  options.record = parser.value(record);
   options.screenshot = parser.value(screenshot);
   if (parser.isSet(after)) options.after_s = parser.value(after).toDouble();
   if (parser.isSet(size)) {
     const auto wanted = sizeFrom(parser.value(size));
     if (!wanted) return Error{"--size", "'" + parser.value(size).toStdString() + "' is no size", "as 1280x800"};
     options.size = *wanted;
+    options.sizeGiven = true;
   }
   if (parser.isSet(theme)) {
     const QStringList names{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
@@ -71,7 +81,12 @@ Result<Options> parse(const QStringList& arguments) {
       return Error{"--theme", "'" + parser.value(theme).toStdString() + "' is no theme", "light, dark or contrast"};
     options.theme = static_cast<ui::ThemeKind>(index);
   }
-  if (options.scenario.isEmpty()) return Error{"command line", "--scenario is missing", ""};
+  if (!options.scenario.isEmpty() && !options.profile.isEmpty()) {
+    return Error{"command line", "--scenario and --profile exclude each other", ""};
+  }
+  if (options.scenario.isEmpty() && options.profile.isEmpty()) {
+    options.scenario = QStringLiteral(STILLCUT_RESOURCE_DIR "/scenarios/demo.toml");
+  }
   return options;
 }
 
@@ -94,19 +109,46 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
   return fail(options.screenshot.toStdString() + ": cannot be written");
 }
 
+// Theme and place of the window are kept over restarts; what the command line says goes first.
+void restoreWindow(ui::MainWindow& window, const Options& options) {
+  const QSettings settings;
+  if (!options.sizeGiven) window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
+  QObject::connect(&window, &ui::MainWindow::closed,
+                   [&window] { QSettings().setValue(QStringLiteral("window/geometry"), window.saveGeometry()); });
+  QObject::connect(&window, &ui::MainWindow::themeChanged, [](ui::ThemeKind kind) {
+    QSettings().setValue(QStringLiteral("window/theme"), static_cast<int>(kind));
+  });
+}
+
+ui::ThemeKind wantedTheme(const Options& options) {
+  if (options.theme) return *options.theme;
+  const QVariant kept = QSettings().value(QStringLiteral("window/theme"));
+  const int kind = kept.toInt();
+  const bool known = kept.isValid() && kind >= 0 && kind <= static_cast<int>(ui::ThemeKind::HighContrast);
+  return known ? static_cast<ui::ThemeKind>(kind) : ui::desktopTheme();
+}
+
 int run(int argc, char** argv) {
   QApplication app(argc, argv);
+  QApplication::setOrganizationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationVersion(QStringLiteral(STILLCUT_VERSION));
   const auto options = parse(QApplication::arguments());
   if (!options) return fail(options.error().line());
   const bool live = options->screenshot.isEmpty();
-  auto session = openScenarioSession(options->scenario.toStdString(), live);
+  auto session = options->profile.isEmpty() ? openScenarioSession(options->scenario.toStdString(), live)
+                                            : openProfileSession(options->profile.toStdString());
   if (!session) return fail(session.error().line());
+  if (!options->record.isEmpty()) {
+    const Status recording = (*session)->recordTo(options->record.toStdString());
+    if (!recording) return fail(recording.error().line());
+  }
 
-  ui::MainWindow window(**session, options->theme.value_or(ui::desktopTheme()));
+  ui::MainWindow window(**session, wantedTheme(*options));
   window.resize(options->size);
   if (!live) return takePicture(**session, window, *options);
+  QObject::connect(&window, &ui::MainWindow::closed, [&] { (*session)->stop(); });
+  restoreWindow(window, *options);
   (*session)->start();
   window.start();
   window.show();

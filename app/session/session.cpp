@@ -3,7 +3,10 @@
 #include <QDateTime>
 #include <utility>
 
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
+#include "core/detect/energy_ratio.h"
 #include "core/milling/scenario.h"
 
 namespace stillcut::app {
@@ -28,6 +31,7 @@ ui::SessionInfo makeInfo(const Rig& rig) {
     info.simulatedMachine = link.simulated;
     info.machineWatchdog = link.machineWatchdog;
   }
+  info.limits.energyRatio = rig.params().real(detect::kErChatter);
   const CutSetup& cut = info.setup;
   if (cut.teeth > 0 && cut.nominalSpeed.value > 0.0) {
     info.feedPerTooth = Metres(cut.nominalFeed.value / toothPassing(cut.nominalSpeed, cut.teeth).value);
@@ -35,9 +39,15 @@ ui::SessionInfo makeInfo(const Rig& rig) {
   return info;
 }
 
+// Live stream time is the steady clock's.
+qint64 wallAtLiveZero() {
+  return QDateTime::currentMSecsSinceEpoch() - toNs(SteadyClock().now()) / 1'000'000;
+}
+
 }  // namespace
 
-Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info) : rig_(std::move(rig)), info_(std::move(info)) {}
+Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string configuration)
+    : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {}
 
 Session::~Session() {
   rig_->stop();
@@ -70,13 +80,22 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
 
   ui::SessionInfo info = makeInfo(*built->rig);
   info.sourceLabel = QStringLiteral("%1 (%2)").arg(text("simulated cut"), text(scenario->name));
-  if (live) {
-    // Live stream time is the steady clock's.
-    info.wallMsAtStreamZero = QDateTime::currentMSecsSinceEpoch() - toNs(SteadyClock().now()) / 1'000'000;
-  }
-  auto session = std::make_unique<Session>(std::move(built->rig), std::move(info));
+  info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
+  auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   if (scenario->grantsAuto) session->send({OperatorAction::SetAuthority, Authority::Auto});
   return session;
+}
+
+Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
+  const config::ParamCatalog catalog = fullCatalog();
+  const auto profile = config::loadProfile(path, catalog, knownIds());
+  if (!profile) return profile.error();
+  auto rig = buildProfileRig(*profile, path);
+  if (!rig) return rig.error();
+  ui::SessionInfo info = makeInfo(**rig);
+  info.sourceLabel = QString::fromStdString(profile->source.id);
+  info.wallMsAtStreamZero = wallAtLiveZero();
+  return std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));
 }
 
 }  // namespace stillcut::app

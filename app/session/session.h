@@ -12,12 +12,16 @@ namespace stillcut::app {
 
 class Session final : public ui::SessionFacade {
  public:
-  // `rig` built with spec.watched; `info` as makeInfo() gives it, labels added.
-  Session(std::unique_ptr<Rig> rig, ui::SessionInfo info);
+  // `rig` built with spec.watched; `configuration` is what a recording keeps as the text in force.
+  Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string configuration);
   ~Session() override;
 
+  // Before start(): everything goes to the session file as well.
+  Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
   // Threads on.
   void start();
+  // Threads off; the machine has its programmed values back.
+  void stop() { rig_->stop(); }
   // Instead of start(): one block at once. False: the source has ended.
   bool advance() { return rig_->advance(); }
 
@@ -30,10 +34,14 @@ class Session final : public ui::SessionFacade {
  private:
   std::unique_ptr<Rig> rig_;
   ui::SessionInfo info_;
+  std::string configuration_;
 };
 
 // A session on a scenario's simulated machine: live (paced to the clock, on threads) or for advance(). Auto is chosen
 // at the start where the scenario grants it.
 Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live);
+
+// A live session on the device and the machine of a profile. Authority starts Off.
+Result<std::unique_ptr<Session>> openProfileSession(const std::string& path);
 
 }  // namespace stillcut::app

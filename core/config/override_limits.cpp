@@ -16,6 +16,11 @@ FactorRange withKnob(double low, double high, double knob) noexcept {
   return {std::min(1.0, std::max(low, low / knob)), std::max(1.0, std::min(high, high / knob))};
 }
 
+// A range of 100 % alone is a machine without that override; any other range that does not extend is a mistake.
+bool isEmpty(double low, double high, double whole) {
+  return low > high || (low == high && low != whole);
+}
+
 }  // namespace
 
 Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetup& setup, std::string_view where) {
@@ -26,11 +31,11 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
   limits.lowestFeed = share(kLowestFeedOverride);
   limits.highestFeed = share(kHighestFeedOverride);
   limits.feedPerTooth = share(kHighestFeedPerTooth).value;
-  if (limits.lowestSpeed >= limits.highestSpeed) {
+  if (isEmpty(limits.lowestSpeed.value, limits.highestSpeed.value, 1.0)) {
     return refuse(where, kLowestSpeedOverride, "the range of the speed override is empty",
                   "it must be below " + std::string(kHighestSpeedOverride.key));
   }
-  if (limits.lowestFeed >= limits.highestFeed) {
+  if (isEmpty(limits.lowestFeed.value, limits.highestFeed.value, 1.0)) {
     return refuse(where, kLowestFeedOverride, "the range of the feed override is empty",
                   "it must be below " + std::string(kHighestFeedOverride.key));
   }
@@ -55,7 +60,7 @@ Status narrowToMachine(ParamSet& params, const MachineOverrides& machine, std::s
   const auto narrow = [&](const ParamDecl& low, const ParamDecl& high, Ratio from, Ratio to) -> Status {
     const double newLow = std::max(params.real(low), 100.0 * from.value);
     const double newHigh = std::min(params.real(high), 100.0 * to.value);
-    if (!(newLow < newHigh)) {
+    if (isEmpty(newLow, newHigh, 100.0)) {
       return refuse(where, low, "the machine's override cannot reach the allowed range", "check the machine's profile");
     }
     Status status = params.set(low, newLow, where);

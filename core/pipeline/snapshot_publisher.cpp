@@ -29,7 +29,7 @@ void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output
   Snapshot& s = buffer_.back();
   s.number = ++number_;
   s.time = input.block.end();
-  s.running = true;
+  s.running = !input.block.has(kBlockEnd);
   s.simulated = simulated_;
   s.autoAllowed = autoAllowed_;
   s.detectorCount = output.verdictCount;
