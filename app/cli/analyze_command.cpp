@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/command.h"
+#include "app/cli/out_path.h"
+#include "app/cli/reading_options.h"
 #include "app/cli/setting_options.h"
 #include "app/compose/recording_rig.h"
 #include "app/compose/series_log.h"
@@ -14,62 +16,83 @@
 namespace stillcut::app {
 namespace {
 
+constexpr int kMostTeeth = 64;
+constexpr double kHighestSpeed_rpm = 1e6;
+
 struct AnalyzeOptions {
-  std::string recording, speedLog, quantity, detector, events, series;
+  std::string recording, speedLog, detector, events, series;
   int teeth = 0;
-  double speed = 0.0, rate = 0.0, scale = 0.0;
-  std::vector<int> channels;
-  bool json = false, teethGiven = false, speedGiven = false, rateGiven = false, scaleGiven = false;
+  double speed = 0.0;
+  bool json = false, teethGiven = false, speedGiven = false;
+  ReadingOptions reading;
   SettingOptions settings;
 };
 
-std::vector<std::string> detectorsFor(const std::string& wanted) {
-  if (wanted.empty()) return {std::string(detect::kDefaultDetector)};
+std::vector<std::string> detectorsFor(const std::string& wanted, const std::string& configured) {
+  const std::string inCharge = configured.empty() ? std::string(detect::kDefaultDetector) : configured;
+  if (wanted.empty()) return {inCharge};
   if (wanted != "all") return {wanted};
-  std::vector<std::string> all{std::string(detect::kDefaultDetector)};
+  std::vector<std::string> all{inCharge};
   for (const auto& row : detect::detectorTable()) {
-    if (row.id != detect::kDefaultDetector) all.emplace_back(row.id);
+    if (row.id != inCharge) all.emplace_back(row.id);
   }
   return all;
 }
 
+Status checkOptions(const AnalyzeOptions& given) {
+  if (given.teethGiven && (given.teeth < 1 || given.teeth > kMostTeeth)) {
+    return Error{"--teeth", std::to_string(given.teeth) + " is out of range",
+                 "allowed: 1 to " + std::to_string(kMostTeeth)};
+  }
+  if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed_rpm)) {
+    return Error{"--speed", "the speed must be above zero and at most 1e6 rpm", ""};
+  }
+  if (const Status events = checkOutPath(given.events, given.recording); !events) return events;
+  if (const Status series = checkOutPath(given.series, given.recording); !series) return series;
+  if (!given.events.empty() && given.events == given.series) {
+    return Error{given.events, "cannot be written", "--events and --series name the same file"};
+  }
+  return Done{};
+}
+
 Result<RecordingOptions> understand(const AnalyzeOptions& given) {
+  if (const Status usable = checkOptions(given); !usable) return usable.error();
   RecordingOptions options;
-  if (given.teethGiven && (given.teeth < 1 || given.teeth > 64)) {
-    return Error{"--teeth", std::to_string(given.teeth) + " is out of range", "allowed: 1 to 64"};
-  }
-  if (given.speedGiven && !(given.speed > 0.0)) return Error{"--speed", "the speed must be above zero", ""};
-  if (given.rateGiven && !(given.rate > 0.0)) return Error{"--rate", "the rate must be above zero", ""};
-  if (given.scaleGiven && !(std::isfinite(given.scale) && given.scale != 0.0)) {
-    return Error{"--scale", "the scale must be a number other than zero", ""};
-  }
   options.teeth = given.teeth;
   options.speed = Rpm(given.speed);
-  if (given.rateGiven) options.read.rate = Hertz(given.rate);
-  if (given.scaleGiven) options.read.scale = given.scale;
-  options.read.channels = given.channels;
-  if (!given.quantity.empty()) {
-    options.read.quantity = sensorQuantityFromName(given.quantity);
-    if (!options.read.quantity) {
-      return Error{"--quantity", "'" + given.quantity + "' is unknown",
-                   "choices: acceleration, velocity, displacement, sound, force, current, speed"};
-    }
-  }
+  auto reading = given.reading.understand();
+  if (!reading) return reading.error();
+  options.read = std::move(reading).value();
   if (!given.speedLog.empty()) {
     auto log = readSpeedLog(given.speedLog);
     if (!log) return log.error();
     options.log = std::move(log).value();
   }
-  auto params = given.settings.params();
-  if (!params) return params.error();
-  options.params = std::move(params).value();
-  options.methods.detectors = detectorsFor(given.detector);
+  auto settings = given.settings.read();
+  if (!settings) return settings.error();
+  options.methods.detectors = detectorsFor(given.detector, settings->detector);
+  options.params = std::move(settings->params);
   return options;
 }
 
-void printTable(const record::RecordingFormat& format, const std::vector<VerdictLog>& logs) {
+// What the answer rests on that nobody has told.
+std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed, const std::vector<VerdictLog>& logs) {
+  std::vector<std::string> lines;
+  if (setup.teeth <= 0) lines.emplace_back("teeth not told (--teeth): judged by spindle harmonics alone");
+  if (setup.nominalSpeed.value > 0.0 || measuredSpeed) return lines;
+  const double found_Hz = logs.empty() ? 0.0 : logs.front().summary().spindle_Hz;
+  char text[96];
+  std::snprintf(text, sizeof text, "taken from the signal, on average %.0f rpm", 60.0 * found_Hz);
+  lines.push_back("speed not told (--speed, --speed-log): " +
+                  std::string(found_Hz > 0.0 ? text : "none found in the signal, nothing can be judged against it"));
+  return lines;
+}
+
+void printTable(const record::RecordingFormat& format, const std::vector<VerdictLog>& logs,
+                const std::vector<std::string>& remarks) {
   std::printf("%s, %zu channel(s) at %.6g Hz, %.3f s\n", format.kind.c_str(), format.channels.size(), format.rate.value,
               format.length().value);
+  for (const std::string& remark : remarks) std::printf("%s\n", remark.c_str());
   std::printf("%-14s %7s %12s %12s %14s %12s %10s\n", "detector", "alarms", "first alarm", "in alarm", "in chatter",
               "frequency", "worst ER");
   for (const VerdictLog& log : logs) {
@@ -86,19 +109,39 @@ void printTable(const record::RecordingFormat& format, const std::vector<Verdict
   }
 }
 
-void printJson(const std::string& path, const record::RecordingFormat& format, const std::vector<VerdictLog>& logs) {
+void printJson(const std::string& path, const record::RecordingFormat& format, const std::vector<VerdictLog>& logs,
+               const std::vector<std::string>& remarks) {
   nlohmann::json object{{"recording", path},
                         {"kind", format.kind},
                         {"rate_hz", format.rate.value},
                         {"channels", format.channels.size()},
                         {"length_s", format.length().value},
+                        {"remarks", remarks},
                         {"detectors", nlohmann::json::array()}};
   for (const VerdictLog& log : logs) {
     nlohmann::json row;
     toJson(row, log.summary());
     object["detectors"].push_back(row);
   }
-  std::printf("%s\n", object.dump(2).c_str());
+  // A file name may hold bytes that are no UTF-8.
+  std::printf("%s\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+// Both or neither.
+Status writeFiles(const AnalyzeOptions& given, const std::vector<VerdictLog>& logs,
+                  const std::optional<SeriesLog>& series) {
+  if (!given.events.empty()) {
+    nlohmann::json array = nlohmann::json::array();
+    for (const VerdictLog& log : logs) log.appendEvents(array);
+    if (const Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return s;
+  }
+  if (series) {
+    if (const Status s = series->write(given.series); !s) {
+      if (!given.events.empty()) std::remove(given.events.c_str());
+      return s;
+    }
+  }
+  return Done{};
 }
 
 int analyze(const AnalyzeOptions& given) {
@@ -122,18 +165,12 @@ int analyze(const AnalyzeOptions& given) {
   });
   if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({fault, "", ""});
 
-  if (!given.events.empty()) {
-    nlohmann::json array = nlohmann::json::array();
-    for (const VerdictLog& log : logs) log.appendEvents(array);
-    if (const Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return fail(s.error());
-  }
-  if (series) {
-    if (const Status s = series->write(given.series); !s) return fail(s.error());
-  }
+  if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
+  const auto said = remarks(rig.setup(), !options->log.empty(), logs);
   if (given.json) {
-    printJson(given.recording, built->format, logs);
+    printJson(given.recording, built->format, logs, said);
   } else {
-    printTable(built->format, logs);
+    printTable(built->format, logs, said);
   }
   return kExitDone;
 }
@@ -147,21 +184,15 @@ void addAnalyze(CLI::App& app, int& exitCode) {
   auto* teeth = command->add_option("--teeth", o->teeth, "Number of teeth");
   auto* speed = command->add_option("--speed", o->speed, "Spindle speed as programmed [rpm]");
   command->add_option("--speed-log", o->speedLog, "Measured spindle speed: CSV with the header t,rpm")->excludes(speed);
-  command->add_option("--quantity", o->quantity,
-                      "acceleration, velocity, displacement, sound, force, current or speed");
-  command->add_option("--channel", o->channels, "Channels, counted from 0: N[,N]")->delimiter(',');
-  auto* rate = command->add_option("--rate", o->rate, "Sampling rate of a text file without times [Hz]");
-  auto* scale = command->add_option("--scale", o->scale, "SI units per full scale or per unit of the file");
+  o->reading.add(*command);
   command->add_option("--detector", o->detector, "Detector id, or all");
   command->add_option("--events", o->events, "Write every change of state to OUT.json");
   command->add_option("--series", o->series, "Write the indicators of every block to OUT.csv");
   command->add_flag("--json", o->json, "Print one JSON object");
   o->settings.add(*command);
-  command->callback([o, teeth, speed, rate, scale, &exitCode] {
+  command->callback([o, teeth, speed, &exitCode] {
     o->teethGiven = teeth->count() > 0;
     o->speedGiven = speed->count() > 0;
-    o->rateGiven = rate->count() > 0;
-    o->scaleGiven = scale->count() > 0;
     exitCode = analyze(*o);
   });
 }

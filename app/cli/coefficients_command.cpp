@@ -5,6 +5,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/force_file.h"
+#include "app/cli/out_path.h"
 #include "core/milling/identify/coefficients.h"
 #include "core/milling/identify/model_files.h"
 
@@ -73,6 +74,7 @@ void print(const ForceTest& test, const CoefficientsCommand& c, const CuttingCoe
 }
 
 int run(const CoefficientsCommand& c) {
+  if (const Status usable = checkOutPath(c.out); !usable) return fail(usable.error());
   const auto feeds = feedsOf(c);
   if (!feeds) return fail(feeds.error());
   ForceTest test;

@@ -13,7 +13,7 @@ inline constexpr int kExitDone = 0;
 inline constexpr int kExitInput = 2;
 inline constexpr int kExitDevice = 3;
 
-// Prints the error's one line and gives `code` back.
+// Prints the error as one line, whatever a file name or a library put into it, and gives `code` back.
 int fail(const Error& error, int code = kExitInput);
 
 // Each adds its subcommand; the callback sets `exitCode`.
@@ -24,5 +24,7 @@ void addRun(CLI::App& app, int& exitCode);
 void addModal(CLI::App& app, int& exitCode);
 void addCoefficients(CLI::App& app, int& exitCode);
 void addLobes(CLI::App& app, int& exitCode);
+void addConvert(CLI::App& app, int& exitCode);
+void addDevices(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

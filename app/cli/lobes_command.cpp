@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/out_path.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_csv.h"
 #include "core/milling/stability/lobe_sweep.h"
@@ -53,6 +54,7 @@ Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
 }
 
 int run(const LobesCommand& c) {
+  if (const Status usable = checkOutPath(c.out, c.file); !usable) return fail(usable.error());
   const auto lobeCase = loadLobeCase(c.file);
   if (!lobeCase) return fail(lobeCase.error());
   const auto speeds = c.speeds.empty() ? usualSpeeds(lobeCase->model) : readSpeeds(c.speeds);

@@ -1,19 +1,60 @@
 // stillcut-cli: the program without a screen. One subcommand per file; see README, "Command line".
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <string_view>
+#include <vector>
 
 #include "app/cli/command.h"
+#include "core/config/nearest_word.h"
 #include "generated/version.h"
 
 namespace stillcut::app {
 
 int fail(const Error& error, int code) {
-  std::fprintf(stderr, "stillcut-cli: %s\n", error.line().c_str());
+  std::string line = error.line();
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+  std::fprintf(stderr, "stillcut-cli: %s\n", line.c_str());
   return code;
 }
 
 namespace {
+
+std::string hint(std::string_view word, const std::vector<std::string>& known) {
+  const std::vector<std::string_view> words(known.begin(), known.end());
+  const std::string near = config::didYouMean(word, words);
+  return near.empty() ? "see --help" : near;
+}
+
+std::vector<std::string> commandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+// What the parser makes of wrong usage says which rule was broken; the user wants to know which word was wrong.
+Error usageError(const CLI::App& app, const CLI::ParseError& wrong, std::string_view first) {
+  const std::vector<CLI::App*> parsed = app.get_subcommands();
+  if (parsed.empty()) {
+    if (first.empty() || first.starts_with("-")) return {"command line", "a command is needed", "see --help"};
+    return {"command line", "'" + std::string(first) + "' is no command", hint(first, commandNames(app))};
+  }
+  const CLI::App& command = *parsed.front();
+  for (const std::string& word : app.remaining(true)) {
+    if (!word.starts_with("--")) continue;
+    std::vector<std::string> options;
+    for (const CLI::Option* option : command.get_options()) {
+      for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    }
+    const std::string name = word.substr(0, word.find('='));
+    return {command.get_name(), "'" + name + "' is no option", hint(name, options)};
+  }
+  return {command.get_name(), wrong.what(), "see stillcut-cli " + command.get_name() + " --help"};
+}
 
 int run(int argc, char** argv) {
   CLI::App app{"Stillcut tells chatter before it marks the part, and what to do about it."};
@@ -27,12 +68,14 @@ int run(int argc, char** argv) {
   addModal(app, exitCode);
   addCoefficients(app, exitCode);
   addLobes(app, exitCode);
+  addConvert(app, exitCode);
+  addDevices(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {
     return app.exit(done);  // --help, --version
   } catch (const CLI::ParseError& wrong) {
-    return fail({"command line", wrong.what(), "see --help"});
+    return fail(usageError(app, wrong, argc > 1 ? argv[1] : ""));
   }
   return exitCode;
 }
@@ -44,7 +87,6 @@ int main(int argc, char** argv) {
   try {
     return stillcut::app::run(argc, argv);
   } catch (const std::exception& e) {
-    std::fprintf(stderr, "stillcut-cli: %s\n", e.what());
-    return stillcut::app::kExitInput;
+    return stillcut::app::fail({"", e.what(), ""});
   }
 }

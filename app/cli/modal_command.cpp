@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/cli/command.h"
+#include "app/cli/out_path.h"
 #include "core/milling/identify/modal_measurement.h"
 #include "core/milling/identify/model_files.h"
 
@@ -55,6 +56,7 @@ void print(const ModalAnswer& answer) {
 }
 
 int run(ModalCommand command) {
+  if (const Status usable = checkOutPath(command.out, command.file); !usable) return fail(usable.error());
   if (const Status band = readBand(command.band, command.request.fit); !band) return fail(band.error());
   ModalRequest& request = command.request;
   request.import.kind = command.kind;

@@ -2,10 +2,12 @@
 // happens, one line an event, until the source ends or somebody interrupts; then the machine has its programmed values
 // back.
 
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 
 #include "app/cli/command.h"
+#include "app/cli/out_path.h"
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/rt/wakeup.h"
@@ -34,7 +36,18 @@ void printEvents(const Snapshot& snapshot, std::uint64_t& printed, Instant begin
   std::fflush(stdout);
 }
 
+Status checkOptions(const RunOptions& options) {
+  if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
+    return Error{"--seconds", "must be a number from 0 up", "0: to the end"};
+  }
+  if (!options.record.empty() && !options.record.ends_with(".h5")) {
+    return Error{options.record, "is no name for a session", "the suffix must be .h5"};
+  }
+  return checkOutPath(options.record);
+}
+
 int run(const RunOptions& options) {
+  if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
   const config::ParamCatalog catalog = fullCatalog();
   const auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());

@@ -1,7 +1,11 @@
 #include "app/cli/setting_options.h"
 
+#include <utility>
+
 #include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
 #include "core/config/profile.h"
+#include "core/config/toml_reader.h"
 
 namespace stillcut::app {
 
@@ -10,18 +14,33 @@ void SettingOptions::add(CLI::App& command) {
   command.add_option("--config", config, "Read parameters from FILE (.toml)");
 }
 
-Result<config::ParamSet> SettingOptions::params() const {
+namespace {
+
+Result<Settings> readConfig(const std::string& path, const config::ParamCatalog& catalog) {
+  if (!config::TomlReader::file(path).root().has("version")) {
+    auto params = config::loadParameters(path, catalog);
+    if (!params) return params.error();
+    return Settings{std::move(params).value(), ""};
+  }
+  const auto profile = config::loadProfile(path, catalog, knownIds());
+  if (!profile) return profile.error();
+  return Settings{profile->params, profile->detector};
+}
+
+}  // namespace
+
+Result<Settings> SettingOptions::read() const {
   const config::ParamCatalog catalog = fullCatalog();
-  config::ParamSet params;
+  Settings result;
   if (!config.empty()) {
-    auto loaded = config::loadParameters(config, catalog);
+    auto loaded = readConfig(config, catalog);
     if (!loaded) return loaded.error();
-    params = std::move(loaded).value();
+    result = std::move(loaded).value();
   }
   for (const std::string& setting : settings) {
-    if (const Status set = config::applySetting(params, catalog, setting); !set) return set.error();
+    if (const Status set = config::applySetting(result.params, catalog, setting); !set) return set.error();
   }
-  return params;
+  return result;
 }
 
 }  // namespace stillcut::app

@@ -1,4 +1,6 @@
-// --set KEY=VALUE and --config FILE, which every command takes that runs a method.
+// --set KEY=VALUE and --config FILE, which every command takes that runs a method. The file holds parameters alone, a
+// table a part ([energy-ratio] chatter = 0.2), or is a whole profile (it has a `version`): then its parameters count,
+// and the detector it puts in charge.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,13 +11,18 @@
 
 namespace stillcut::app {
 
+struct Settings {
+  config::ParamSet params;
+  std::string detector;  // in charge; empty: nothing said
+};
+
 struct SettingOptions {
   std::vector<std::string> settings;
   std::string config;
 
   void add(CLI::App& command);
   // Defaults, then the file, then --set.
-  Result<config::ParamSet> params() const;
+  Result<Settings> read() const;
 };
 
 }  // namespace stillcut::app

@@ -7,9 +7,11 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/out_path.h"
 #include "app/cli/setting_options.h"
 #include "app/compose/scenario_rig.h"
 #include "app/compose/simulation_report.h"
+#include "core/control/registry.h"
 #include "core/milling/scenario.h"
 #include "core/record/wav_reader.h"
 
@@ -38,8 +40,6 @@ class OutFile {
     } else if (path.ends_with(".h5")) {
       if (const Status s = rig.recordTo(path, configuration); !s) return s.error();
       out.session_ = rig.recorder();
-    } else {
-      return Error{path, "is neither .h5 nor .wav", ""};
     }
     return out;
   }
@@ -98,20 +98,36 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
     run.history.observe(input, output, plant);
     file->add(input.block, plant);
   });
-  if (const Status closed = file->close(plant, scenario.model.tool.teeth); !closed) return closed.error();
+  if (const Status closed = file->close(plant, scenario.model.tool.teeth); !closed) {
+    std::remove(out.c_str());  // a session grows in place, and half of one is not what was asked for
+    return closed.error();
+  }
   return run;
+}
+
+// What can be known to be wrong before the cut is run.
+Status checkOptions(const SimulateOptions& options) {
+  if (!options.strategy.empty()) {
+    if (const auto strategy = control::makeStrategy(options.strategy); !strategy) return strategy.error();
+  }
+  if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
+    return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
+  }
+  return checkOutPath(options.out);
 }
 
 int simulate(const SimulateOptions& options) {
   auto scenario = milling::loadScenario(options.scenario);
   if (!scenario) return fail(scenario.error());
   scenario->grantsAuto = true;
-  const auto params = options.settings.params();
-  if (!params) return fail(params.error());
+  const auto settings = options.settings.read();
+  if (!settings) return fail(settings.error());
+  if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
 
   ScenarioOptions run;
   run.seed = options.seed;
-  run.params = *params;
+  run.params = settings->params;
+  if (!settings->detector.empty()) run.methods.detectors = {settings->detector};
   run.methods.strategy = "monitor";
   const auto alone = runOnce(*scenario, run, "");
   if (!alone) return fail(alone.error());

@@ -16,6 +16,10 @@ bool differs(const Verdict& a, const Verdict& b) {
 void VerdictLog::observe(const Verdict& verdict) {
   const double dt = started_ ? secondsBetween(last_.time, verdict.time).value : 0.0;
   if (verdict.valid) sums_.validTime_s += dt;
+  if (verdict.spindle.value > 0.0) {
+    sums_.spindle_Hz += verdict.spindle.value * dt;
+    spindleTime_s_ += dt;
+  }
   if (verdict.alarming()) {
     if (!started_ || !last_.alarming()) ++sums_.alarms;
     if (sums_.firstAlarm_s < 0.0) sums_.firstAlarm_s = secondsBetween(begin_, verdict.time).value;
@@ -51,6 +55,7 @@ VerdictLog::Summary VerdictLog::summary() const {
   Summary s = sums_;
   s.detector = detector_;
   s.frequency_Hz = weight_ > 0.0 ? sums_.frequency_Hz / weight_ : 0.0;
+  s.spindle_Hz = spindleTime_s_ > 0.0 ? sums_.spindle_Hz / spindleTime_s_ : 0.0;
   return s;
 }
 
@@ -63,6 +68,7 @@ void toJson(nlohmann::json& object, const VerdictLog::Summary& s) {
             {"valid_time_s", s.validTime_s},
             {"frequency_hz", s.frequency_Hz},
             {"worst_severity", s.worstSeverity},
+            {"spindle_hz", s.spindle_Hz > 0.0 ? nlohmann::json(s.spindle_Hz) : nlohmann::json()},
             {"last_invalid_reason", s.lastReason}};
 }
 

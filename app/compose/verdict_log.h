@@ -33,7 +33,8 @@ class VerdictLog {
     double validTime_s = 0.0;
     double frequency_Hz = 0.0;  // severity-weighted mean while alarming
     double worstSeverity = 0.0;
-    std::string lastReason;  // of the last invalid verdict
+    double spindle_Hz = 0.0;  // mean of the spindle frequency used where one was; 0: never one
+    std::string lastReason;   // of the last invalid verdict
   };
   Summary summary() const;
 
@@ -45,6 +46,7 @@ class VerdictLog {
   std::vector<Verdict> changes_;
   Summary sums_;
   double weight_ = 0.0;
+  double spindleTime_s_ = 0.0;
 };
 
 void toJson(nlohmann::json& object, const VerdictLog::Summary& summary);

@@ -1,0 +1,68 @@
+// stillcut-cli convert IN OUT: recordings to .wav or .csv, shared cases from JSON to .toml.
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/command.h"
+#include "app/cli/out_path.h"
+#include "app/cli/reading_options.h"
+#include "core/milling/case_json.h"
+#include "core/milling/stability/lobe_case.h"
+#include "core/record/convert_recording.h"
+
+namespace stillcut::app {
+namespace {
+
+struct ConvertOptions {
+  std::string in, out;
+  ReadingOptions reading;
+};
+
+// A cut to simulate tells what happens over time; a case for the lobes does not.
+Result<bool> tellsProcess(const std::string& path) {
+  std::ifstream in(path);
+  if (!in) return Error{path, "cannot be opened", ""};
+  const nlohmann::json parsed = nlohmann::json::parse(in, nullptr, false);
+  if (parsed.is_discarded() || !parsed.is_object()) return Error{path, "is no case", "not an object in JSON"};
+  return parsed.contains("process");
+}
+
+Status convertCase(const std::string& from, const std::string& to) {
+  const auto isCut = tellsProcess(from);
+  if (!isCut) return isCut.error();
+  if (*isCut) {
+    const auto scenario = milling::loadCaseJson(from);
+    return scenario ? milling::saveScenario(*scenario, to) : Status(scenario.error());
+  }
+  const auto lobes = milling::importLobeJson(from);
+  return lobes ? milling::saveLobeCase(*lobes, to) : Status(lobes.error());
+}
+
+Status convert(const ConvertOptions& options) {
+  const auto reading = options.reading.understand();
+  if (!reading) return reading.error();
+  if (Status free = checkOutPath(options.out, options.in); !free) return free;
+  const auto suffix = [](const std::string& path) { return std::filesystem::path(path).extension().string(); };
+  if (suffix(options.in) != ".json") return record::convertRecording(options.in, options.out, *reading);
+  if (suffix(options.out) != ".toml") return Error{options.out, "cannot be written", "a case becomes a .toml file"};
+  return convertCase(options.in, options.out);
+}
+
+}  // namespace
+
+void addConvert(CLI::App& app, int& exitCode) {
+  auto o = std::make_shared<ConvertOptions>();
+  CLI::App* command = app.add_subcommand("convert", "Convert a recording, or a case from JSON to TOML");
+  command->add_option("IN", o->in, "Recording, or CASE.json")->required();
+  command->add_option("OUT", o->out, "FILE.wav, FILE.csv, or CASE.toml")->required();
+  o->reading.add(*command);
+  command->callback([o, &exitCode] {
+    const Status done = convert(*o);
+    exitCode = done ? kExitDone : fail(done.error());
+  });
+}
+
+}  // namespace stillcut::app

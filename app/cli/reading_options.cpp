@@ -1,0 +1,62 @@
+#include "app/cli/reading_options.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/config/nearest_word.h"
+
+namespace stillcut::app {
+namespace {
+
+constexpr double kHighestRate_Hz = 1e7;
+
+constexpr auto kQuantities =
+    std::to_array<std::string_view>({"acceleration", "velocity", "displacement", "sound", "force", "current", "speed"});
+
+Result<SensorQuantity> quantityFrom(const std::string& text) {
+  if (const auto quantity = sensorQuantityFromName(text)) return *quantity;
+  const std::string near = config::didYouMean(text, kQuantities);
+  std::string all;
+  for (const std::string_view q : kQuantities) all += (all.empty() ? "choices: " : ", ") + std::string(q);
+  return Error{"--quantity", "'" + text + "' is unknown", near.empty() ? all : near};
+}
+
+}  // namespace
+
+void ReadingOptions::add(CLI::App& command) {
+  command.add_option("--quantity", quantity_, "acceleration, velocity, displacement, sound, force, current or speed");
+  command.add_option("--channel", channels_, "Channels, counted from 0: N[,N]")->delimiter(',');
+  rateGiven_ = command.add_option("--rate", rate_, "Sampling rate of a text file without times [Hz]");
+  scaleGiven_ = command.add_option("--scale", scale_, "SI units per full scale or per unit of the file");
+}
+
+Result<record::ReadOptions> ReadingOptions::understand() const {
+  record::ReadOptions options;
+  if (rateGiven_->count() > 0) {
+    if (!(rate_ > 0.0 && rate_ <= kHighestRate_Hz)) {
+      return Error{"--rate", "the rate must be above zero and at most 1e7 Hz", ""};
+    }
+    options.rate = Hertz(rate_);
+  }
+  if (scaleGiven_->count() > 0) {
+    if (!std::isfinite(scale_) || scale_ == 0.0) {
+      return Error{"--scale", "the scale must be a number other than zero", ""};
+    }
+    options.scale = scale_;
+  }
+  if (!quantity_.empty()) {
+    const auto quantity = quantityFrom(quantity_);
+    if (!quantity) return quantity.error();
+    options.quantity = *quantity;
+  }
+  for (auto c = channels_.begin(); c != channels_.end(); ++c) {
+    if (std::find(channels_.begin(), c, *c) != c) {
+      return Error{"--channel", "channel " + std::to_string(*c) + " is named twice", ""};
+    }
+  }
+  options.channels = channels_;
+  return options;
+}
+
+}  // namespace stillcut::app
