@@ -86,8 +86,8 @@ TEST(ExactLobes, FlipChatterSitsHalfwayBetweenToothHarmonics) {
       const double tooth = toothPassing(Rpm(rpm), 2).value;
       const double order = l.frequency.value / tooth;
       EXPECT_NEAR(order - std::floor(order), 0.5, 1e-9) << rpm;
-      // At such depths the cut stiffens the mode over one half of the pass and softens it over the other.
-      EXPECT_GT(l.frequency.value, 0.3 * 922.0) << rpm;
+      // So deep the cut stiffens the mode over one half of the pass and overcomes its stiffness over the other, where
+      // the tool is driven off in one burst a tooth: half the tooth frequency itself may be the largest line.
       EXPECT_LT(l.frequency.value, 2.0 * 922.0) << rpm;
     }
   }
