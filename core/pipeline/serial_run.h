@@ -15,8 +15,8 @@ struct SerialParts {
   StepSource& source;
   daq::SourceFormat format;
   StepLoop& loop;
-  LinkRunner* link = nullptr;     // nullptr: no machine
-  ManualClock* clock = nullptr;   // set to the end of each block
+  LinkRunner* link = nullptr;    // nullptr: no machine
+  ManualClock* clock = nullptr;  // set to the end of each block
 };
 
 class SerialRun {

@@ -1,6 +1,7 @@
 #include "core/base/atomic_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +24,7 @@ class AtomicFile : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
   auto filesLeft() const { return std::distance(fs::directory_iterator(folder_), {}); }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / "stillcut-atomic-file";
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("stillcut-atomic-file-" + std::to_string(::getpid()));
 };
 
 TEST_F(AtomicFile, CreatesAndReplacesAndLeavesNothingElse) {

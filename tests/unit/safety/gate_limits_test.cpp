@@ -51,18 +51,19 @@ TEST(GateLimits, EveryKeyIsDeclaredOnceAndItsDefaultIsInRange) {
   }
 }
 
-TEST(GateLimits, EmptyAndCrossedRangesAreRefused) {
+TEST(GateLimits, ARangeOfOneHundredPercentAloneIsAnOverrideThatIsNotDriven) {
   config::ParamSet params;
   ASSERT_TRUE(params.set(config::kLowestSpeedOverride, 100, "t"));
   ASSERT_TRUE(params.set(config::kHighestSpeedOverride, 100, "t"));
-  expectRefused(params, {}, "gate.lowest-speed-override");
+  const auto limits = gateLimits(params, {}, "test");
+  ASSERT_TRUE(limits.ok());
+  const auto range = config::speedFactors(limits->overrides, Rpm(8000.0), Ratio(1.0), Ratio(1.0));
+  EXPECT_EQ(range.low, 1.0);
+  EXPECT_EQ(range.high, 1.0);
+}
 
-  params = {};
-  ASSERT_TRUE(params.set(config::kLowestFeedOverride, 100, "t"));
-  ASSERT_TRUE(params.set(config::kHighestFeedOverride, 100, "t"));
-  expectRefused(params, {}, "gate.lowest-feed-override");
-
-  params = {};
+TEST(GateLimits, EmptyAndCrossedRangesAreRefused) {
+  config::ParamSet params;
   ASSERT_TRUE(params.set(config::kLowestSpeed, 12000, "t"));
   ASSERT_TRUE(params.set(config::kHighestSpeed, 10000, "t"));
   expectRefused(params, {}, "gate.lowest-speed");
@@ -95,7 +96,9 @@ TEST(GateLimits, TheMachinesOwnOverrideNarrows) {
   EXPECT_NEAR(limits->overrides.lowestSpeed.value, 0.8, 1e-12);
   EXPECT_NEAR(limits->overrides.highestFeed.value, 1.0, 1e-12);
   EXPECT_NEAR(limits->overrides.lowestFeed.value, 0.5, 1e-12);
-  EXPECT_FALSE(config::narrowToMachine(params, {Ratio(1.0), Ratio(1.0), Ratio(0.0), Ratio(1.0)}, "Mill 3").ok());
+  EXPECT_TRUE(config::narrowToMachine(params, {Ratio(1.0), Ratio(1.0), Ratio(0.0), Ratio(1.0)}, "Mill 3").ok());
+  EXPECT_EQ(gateLimits(params, {}, "test")->overrides.lowestSpeed.value, 1.0);  // a machine without that override
+  EXPECT_FALSE(config::narrowToMachine(params, {Ratio(0.5), Ratio(0.9), Ratio(0.0), Ratio(1.0)}, "Mill 3").ok());
 }
 
 TEST(OverrideRanges, OneHundredPercentIsAlwaysInside) {
