@@ -43,6 +43,8 @@ class Rig {
   const CutSetup& setup() const { return spec_.setup; }
   const config::ParamSet& params() const { return spec_.params; }
   const pipeline::Chain& chain() const { return *chain_; }
+  // Taken by one thread, not the worker.
+  safety::FlightRecorder& flights() { return chain_->flights(); }
   const daq::DaqSource& device() const { return *spec_.device; }
   cnc::LinkInfo linkInfo() const;
   bool hasLink() const { return spec_.link != nullptr; }

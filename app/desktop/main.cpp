@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
+#include <QStandardPaths>
 #include <cstdio>
 #include <optional>
 
@@ -149,7 +150,8 @@ int run(int argc, char** argv) {
   if (!live) return takePicture(**session, window, *options);
   QObject::connect(&window, &ui::MainWindow::closed, [&] { (*session)->stop(); });
   restoreWindow(window, *options);
-  (*session)->start();
+  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+  (*session)->start(std::filesystem::path(data.toStdString()) / "flights");
   window.start();
   window.show();
   return QApplication::exec();

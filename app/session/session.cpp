@@ -53,13 +53,25 @@ Session::~Session() {
   rig_->stop();
 }
 
-void Session::start() {
+void Session::start(const std::filesystem::path& flights) {
+  flightLog_.emplace(flights);
   rig_->start({});
 }
 
+const Snapshot* Session::pull() {
+  if (flightLog_) {
+    const Status written = flightLog_->poll(rig_->flights());
+    flightProblem_ = written ? "" : written.error().line();
+  }
+  return rig_->read();
+}
+
 ui::RecorderStatus Session::recorder() const {
-  record::Recorder* recorder = rig_->recorder();
-  if (recorder == nullptr) return {};
+  const record::Recorder* recorder = rig_->recorder();
+  if (recorder == nullptr && flightProblem_.empty()) return {};
+  if (recorder == nullptr) {
+    return {ui::RecorderStatus::State::Failed, {}, QString::fromStdString(flightProblem_)};
+  }
   const record::RecorderStatus status = recorder->status();
   ui::RecorderStatus shown;
   shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;

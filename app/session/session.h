@@ -2,9 +2,12 @@
 // by block for a picture without waiting. Thread: GUI.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
 #include "ui/shell/session_facade.h"
 
@@ -18,15 +21,15 @@ class Session final : public ui::SessionFacade {
 
   // Before start(): everything goes to the session file as well.
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
-  // Threads on.
-  void start();
+  // Threads on. Flight recordings go to `flights`.
+  void start(const std::filesystem::path& flights);
   // Threads off; the machine has its programmed values back.
   void stop() { rig_->stop(); }
   // Instead of start(): one block at once. False: the source has ended.
   bool advance() { return rig_->advance(); }
 
   const ui::SessionInfo& info() const override { return info_; }
-  const Snapshot* pull() override { return rig_->read(); }
+  const Snapshot* pull() override;
   void send(const OperatorInput& input) override { rig_->send(input); }
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override { return {}; }
@@ -35,6 +38,8 @@ class Session final : public ui::SessionFacade {
   std::unique_ptr<Rig> rig_;
   ui::SessionInfo info_;
   std::string configuration_;
+  std::optional<FlightLog> flightLog_;
+  std::string flightProblem_;  // the disk's last complaint
 };
 
 // A session on a scenario's simulated machine: live (paced to the clock, on threads) or for advance(). Auto is chosen
