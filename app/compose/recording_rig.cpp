@@ -29,6 +29,14 @@ class SessionStepSource final : public pipeline::StepSource {
   daq::ReplaySource& source_;
 };
 
+// What filters and windows are sized for before the first block.
+Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
+  const auto middle = log.begin() + static_cast<std::ptrdiff_t>(log.size() / 2);
+  std::nth_element(log.begin(), middle, log.end(),
+                   [](const auto& a, const auto& b) { return a.speed.value < b.speed.value; });
+  return middle->speed;
+}
+
 }  // namespace
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
@@ -44,6 +52,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   if (format.setup) spec.setup = *format.setup;
   if (options.teeth > 0) spec.setup.teeth = options.teeth;
   if (options.speed.value > 0.0) spec.setup.nominalSpeed = options.speed;
+  if (!options.log.empty()) spec.setup.nominalSpeed = middleSpeed(options.log);
   const bool isSession = format.blocks > 0;
   const bool toldSpeed = options.speed.value > 0.0 || !options.log.empty();
   if (isSession && !toldSpeed) {

@@ -34,6 +34,7 @@ void SpeedLogFeed::complete(StepInput& step) noexcept {
   }
   step.machine.time = step.block.end();
   step.machine.valid = true;
+  step.machine.linkUp = true;  // the log stands for the machine; without a link nobody would believe its speed
   step.machine.programmedSpeed = Rpm(speed);
   step.machine.actualSpeed = Rpm(speed);
 }

@@ -49,6 +49,7 @@ TEST(SpeedLogFeed, InterpolatesAndHoldsTheEnds) {
     StepInput step = blockAt(t);
     feed.complete(step);
     EXPECT_TRUE(step.machine.valid);
+    EXPECT_TRUE(step.machine.linkUp);  // otherwise the speed is not believed
     return step.machine.actualSpeed.value;
   };
   EXPECT_DOUBLE_EQ(speedAt(0.5), 6000.0);
