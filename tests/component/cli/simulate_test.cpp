@@ -1,0 +1,116 @@
+// simulate, and what it records: the same cut again from its files.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/component/cli/made_files.h"
+#include "tests/component/cli/program.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::cli_test {
+namespace {
+
+using nlohmann::json;
+using Arguments = std::vector<std::string>;
+
+class Simulate : public testing::Test {
+ protected:
+  void SetUp() override { writeScenario(folder_ / "cut.toml"); }
+  std::string run(const Arguments& arguments) {
+    const Outcome outcome = runCli(folder_ / "", arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << spelled(arguments) << "\n" << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    return outcome.out;
+  }
+  json simulate(Arguments more = {}) {
+    Arguments arguments{"simulate", "cut.toml", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return json::parse(run(arguments), nullptr, false);
+  }
+  record::TempFolder folder_;
+};
+
+TEST_F(Simulate, GivesOneObjectWithTheNamedFields) {
+  const json answer = simulate();
+  std::vector<std::string> keys;
+  for (const auto& item : answer.items()) keys.push_back(item.key());
+  EXPECT_THAT(keys, testing::IsSupersetOf({"scenario", "strategy", "outcome", "alarm_delay_s", "command_delay_s",
+                                           "quiet_delay_s", "marked_mm", "peak_ratio", "final_ratio", "final_speed_rpm",
+                                           "final_feed_mm_min", "mrr_ratio", "speed_changes"}));
+  EXPECT_EQ(answer["scenario"], "demo");
+  EXPECT_EQ(answer["strategy"], "lobe-center");
+  EXPECT_THAT(answer["outcome"].get<std::string>(), testing::AnyOf("stable", "no-stable-speed", "hold", "chatter"));
+}
+
+TEST_F(Simulate, ALoneCutIsItsOwnMeasure) {
+  const json alone = simulate({"--strategy", "monitor"});
+  EXPECT_EQ(alone["strategy"], "monitor");
+  EXPECT_EQ(alone["outcome"], "chatter");
+  EXPECT_EQ(alone["speed_changes"], 0);
+  EXPECT_DOUBLE_EQ(alone["peak_ratio"], 1.0);
+  EXPECT_DOUBLE_EQ(alone["mrr_ratio"], 1.0);
+}
+
+TEST_F(Simulate, TheSameSeedGivesTheSameCut) {
+  const json first = simulate({"--seed", "5"});
+  EXPECT_EQ(first, simulate({"--seed", "5"}));
+  EXPECT_NE(first, simulate({"--seed", "6"}));
+}
+
+TEST_F(Simulate, EveryStrategyOfTheTableRuns) {
+  for (const char* id : {"monitor", "lobe-center", "extremum-paper", "extremum-seek", "quarter-phase"}) {
+    SCOPED_TRACE(id);
+    EXPECT_EQ(simulate({"--strategy", id})["strategy"], id);
+  }
+}
+
+TEST_F(Simulate, WritesASessionThatCanBeReadAnalysedAndConverted) {
+  simulate({"--out", "cut.h5"});
+  const json info = json::parse(run({"info", "cut.h5", "--json"}), nullptr, false);
+  EXPECT_EQ(info["rate_hz"], 25600.0);
+  EXPECT_EQ(info["frames"], 51200);
+  EXPECT_TRUE(info["session"]["simulated"]);
+  EXPECT_TRUE(info["session"]["truth"].contains("onset_20pct_s"));
+  EXPECT_THAT(run({"info", "cut.h5", "--repair"}), testing::HasSubstr("nothing to repair"));
+
+  const json again = json::parse(run({"analyze", "cut.h5", "--json"}), nullptr, false);
+  EXPECT_GE(again["detectors"][0]["alarms"], 1);
+  EXPECT_THAT(again["remarks"], testing::IsEmpty());  // the session knows teeth and speed
+
+  run({"convert", "cut.h5", "converted.wav"});
+  run({"convert", "cut.h5", "converted.csv"});
+  EXPECT_EQ(json::parse(run({"info", "converted.wav", "--json"}))["frames"], 51200);
+  EXPECT_EQ(json::parse(run({"info", "converted.csv", "--json"}))["frames"], 51200);
+}
+
+TEST_F(Simulate, WritesASoundFileInSi) {
+  simulate({"--out", "cut.wav"});
+  const json info = json::parse(run({"info", "cut.wav", "--json"}), nullptr, false);
+  EXPECT_EQ(info["rate_hz"], 25600.0);
+  EXPECT_EQ(info["frames"], 51200);
+  EXPECT_EQ(info["channels"].size(), 2U);
+  EXPECT_EQ(folder_.files(), 2U);  // nothing else beside the scenario
+}
+
+TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
+  folder_.file("machine.toml",
+               "version = 1\nmachine = \"M\"\n[tool]\nteeth = 4\ndiameter_mm = 12.0\n[cut]\nspeed_rpm = 8500.0\n"
+               "feed_mm_min = 2720.0\n[source]\nid = \"simulated\"\n[source.settings]\nscenario = \"cut.toml\"\n"
+               "[link]\nid = \"simulated\"\n[control]\ndetector = \"energy-ratio\"\nstrategy = \"lobe-center\"\n");
+  const std::string said = run({"run", "--profile", "machine.toml", "--seconds", "1", "--record", "run.h5"});
+  EXPECT_THAT(said, testing::HasSubstr("authority is off"));
+  const json info = json::parse(run({"info", "run.h5", "--json"}), nullptr, false);
+  EXPECT_TRUE(info["session"]["closed_cleanly"]);
+  EXPECT_GE(info["length_s"], 0.9);
+  EXPECT_EQ(info["session"]["commands"], 0);  // off: nothing is commanded
+}
+
+TEST_F(Simulate, TheProfileThatComesWithTheProgramRuns) {
+  const std::string profile = STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml";
+  EXPECT_THAT(run({"run", "--profile", profile, "--seconds", "1"}), testing::HasSubstr("authority is off"));
+}
+
+}  // namespace
+}  // namespace stillcut::cli_test
