@@ -22,6 +22,7 @@ struct SimulateOptions {
   std::string scenario, strategy, out;
   std::uint64_t seed = 0;
   bool json = false;
+  bool modesKnown = false;
   SettingOptions settings;
 };
 
@@ -132,6 +133,7 @@ int simulate(const SimulateOptions& options) {
   const auto alone = runOnce(*scenario, run, "");
   if (!alone) return fail(alone.error());
 
+  run.modesKnown = options.modesKnown;
   run.methods.strategy = options.strategy.empty() ? scenario->strategy : options.strategy;
   const auto controlled = runOnce(*scenario, run, options.out);
   if (!controlled) return fail(controlled.error());
@@ -155,6 +157,8 @@ void addSimulate(CLI::App& app, int& exitCode) {
   command->add_option("--strategy", options->strategy, "Strategy in charge; left out: the scenario's own");
   command->add_option("--seed", options->seed, "Seed of the noise; left out: the scenario's own");
   command->add_option("--out", options->out, "Record to FILE.h5 (everything) or FILE.wav (samples)");
+  command->add_flag("--modes-known", options->modesKnown,
+                    "The strategy knows the scenario's modes: it checks its targets against the stability lobes");
   command->add_flag("--json", options->json, "Print one JSON object");
   options->settings.add(*command);
   command->callback([options, &exitCode] { exitCode = simulate(*options); });

@@ -18,7 +18,7 @@ namespace stillcut::app {
 // Which methods run and who is in charge.
 struct Methods {
   std::vector<std::string> detectors{"energy-ratio"};  // the first is in charge
-  std::string strategy = "lobe-center";
+  std::string strategy = "stable-pocket";
 };
 
 struct RigSpec {

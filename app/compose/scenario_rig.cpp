@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/compose/known_lobes.h"
 #include "core/cnc/simulated_machine.h"
 
 namespace stillcut::app {
@@ -16,6 +17,7 @@ Result<ScenarioRig> buildScenarioRig(const milling::Scenario& scenario, const Sc
   spec.device = std::move(source);
   spec.link = std::make_unique<cnc::SimulatedMachine>(scenario, port);
   spec.setup = scenario.cutSetup();
+  if (options.modesKnown) spec.setup.stableSpeeds = stableSpeeds(scenario);
   spec.params = options.params;
   spec.methods = options.methods;
   if (spec.methods.strategy.empty()) spec.methods.strategy = scenario.strategy;

@@ -14,9 +14,10 @@ namespace stillcut::app {
 struct ScenarioOptions {
   Methods methods;  // strategy empty: the scenario's own
   config::ParamSet params;
-  std::uint64_t seed = 0;  // 0: the scenario's own
-  bool live = false;       // paced to the steady clock, on threads; otherwise deterministic
-  bool watched = false;    // a screen reads snapshots
+  std::uint64_t seed = 0;   // 0: the scenario's own
+  bool modesKnown = false;  // strategies get the stability lobes of the scenario's own model
+  bool live = false;        // paced to the steady clock, on threads; otherwise deterministic
+  bool watched = false;     // a screen reads snapshots
 };
 
 struct ScenarioRig {

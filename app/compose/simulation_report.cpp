@@ -53,7 +53,10 @@ std::string outcomeOf(const RunHistory& run) {
                [](const Point& p) { return p.cutting; });
   if (!inCut.empty() && share(inCut, &Point::usable) < 0.5) return "hold";
   if (share(finalPoints(run.points()), &Point::chattering) < 0.5) return "stable";
-  return run.lastRequestReason() == ReasonCode::TargetOutOfRange ? "no-stable-speed" : "chatter";
+  const ReasonCode why = run.lastRequestReason();
+  const bool resigned =
+      why == ReasonCode::TargetOutOfRange || why == ReasonCode::NoStableSpeed || why == ReasonCode::NoStableSpeedTried;
+  return resigned ? "no-stable-speed" : "chatter";
 }
 
 int countMoves(const std::vector<Point>& points) {

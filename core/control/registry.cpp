@@ -8,6 +8,7 @@
 #include "core/control/lobe_center.h"
 #include "core/control/monitor.h"
 #include "core/control/quarter_phase.h"
+#include "core/control/stable_pocket.h"
 
 namespace stillcut::control {
 namespace {
@@ -28,6 +29,7 @@ std::string allIds() {
 std::span<const StrategyEntry> strategyTable() {
   static const std::vector<StrategyEntry> table{
       {"monitor", &make<Monitor>, {}},
+      {"stable-pocket", &make<StablePocket>, stablePocketParams()},
       {"lobe-center", &make<LobeCenter>, lobeCenterParams()},
       {"extremum-paper", &make<ExtremumPaper>, extremumParams()},
       {"extremum-seek", &make<ExtremumSeek>, extremumParams()},

@@ -18,7 +18,7 @@ struct StrategyEntry {
 };
 
 std::span<const StrategyEntry> strategyTable();
-inline constexpr std::string_view kDefaultStrategy = "lobe-center";
+inline constexpr std::string_view kDefaultStrategy = "stable-pocket";
 
 // Not prepared yet. An unknown id names the nearest one.
 Result<std::unique_ptr<Strategy>> makeStrategy(std::string_view id);

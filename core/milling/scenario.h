@@ -58,7 +58,7 @@ struct Scenario {
   std::uint64_t seed = 1;
   Expectation expect = Expectation::Hold;
   bool grantsAuto = false;               // on its own simulated machine only
-  std::string strategy = "lobe-center";  // default one
+  std::string strategy = "stable-pocket";  // default one
   int stepsPerRevolution = 0;            // 0: chosen from modes, speed and rate
   int helixSlices = 8;
 

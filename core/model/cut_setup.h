@@ -1,6 +1,7 @@
 // What is known about the cut before it starts: the tool, the programmed values, the channels.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,18 @@
 #include "core/model/channel.h"
 
 namespace stillcut {
+
+// Stable speeds at the cut's depth, worked out at set-up where modes and material are known.
+struct StableSpeeds {
+  struct Range {
+    Rpm from{}, to{};
+    Rpm best{};  // carries the largest depth
+  };
+  Metres depth{};             // that they were worked out for
+  std::vector<Range> ranges;  // by speed; empty: no speed in reach carries this depth
+  Rpm deepestSpeed{};         // where `ranges` is empty: the speed that carries most,
+  Metres deepestDepth{};      // and how much
+};
 
 struct CutSetup {
   std::string machine;            // "Mill 3"
@@ -19,6 +32,7 @@ struct CutSetup {
   Hertz rate{};                   // of every channel
   int blockFrames = 0;            // frames per block, largest
   std::vector<ChannelInfo> channels;
+  std::optional<StableSpeeds> stableSpeeds;  // empty: the modes are not known
 };
 
 }  // namespace stillcut

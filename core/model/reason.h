@@ -40,6 +40,9 @@ enum class ReasonCode : std::uint16_t {
   TowardLowerLevel,    // target rpm, chatter Hz minus the harmonic, level over its mean
   SeekingMinimum,      // target rpm, level there, lowest level so far, its rpm
   MinimumFound,        // target rpm, level
+  PocketByLobes,       // target rpm, lowest and highest stable rpm around it, chatter Hz
+  NoStableSpeed,       // depth mm of the cut, depth mm that would do, its rpm, chatter Hz
+  NoStableSpeedTried,  // speeds tried, chatter Hz
   // gate
   AuthorityOff,          // -
   AdviceOnly,            // -

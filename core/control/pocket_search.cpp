@@ -1,0 +1,110 @@
+#include "core/control/pocket_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::control {
+namespace {
+
+// Pocket p and p + 1 lie Omega/(p + 1) apart. A speed within an eighth of that of one that chattered is in the same
+// place of the same pocket; less than 1 % is within what spindle and frequency are known to.
+constexpr double kSamePlace = 0.125;
+constexpr double kSmallestMove = 0.01;
+// Distance kept from a stability limit, as a share of the stable range.
+constexpr double kInside = 0.2;
+
+}  // namespace
+
+void PocketSearch::prepare(const CutSetup& setup) {
+  teeth_ = setup.teeth;
+  lobesKnown_ = setup.stableSpeeds.has_value();
+  ranges_ = 0;
+  if (lobesKnown_) {
+    const StableSpeeds& known = *setup.stableSpeeds;
+    for (const StableSpeeds::Range& range : known.ranges) {
+      if (ranges_ < kRanges) range_[ranges_++] = range;
+    }
+    depth_ = known.depth;
+    deepestDepth_ = known.deepestDepth;
+    deepestSpeed_ = known.deepestSpeed;
+  }
+  forget();
+}
+
+NextSpeed PocketSearch::next(const SearchView& view) STILLCUT_RT {
+  remember(view);
+  if (lobesKnown_ && ranges_ == 0) {
+    return {{},
+            {ReasonCode::NoStableSpeed,
+             {1e3 * depth_.value, 1e3 * deepestDepth_.value, deepestSpeed_.value, view.chatter.value}}};
+  }
+  const NextSpeed known = fromLobes(view);
+  return known.speed.value > 0.0 ? known : fromRule(view);
+}
+
+void PocketSearch::remember(const SearchView& view) STILLCUT_RT {
+  const bool again =
+      tried_ > 0 && std::abs((failure_[tried_ - 1].speed - view.present).value) < kSmallestMove * view.present.value;
+  if (again) {
+    failure_[tried_ - 1] = {view.present, view.chatter};
+  } else if (tried_ < kTried) {
+    failure_[tried_++] = {view.present, view.chatter};
+  }
+}
+
+bool PocketSearch::wasTried(Rpm speed, int waves) const STILLCUT_RT {
+  const double near = std::max(kSmallestMove, kSamePlace / (waves + 1)) * speed.value;
+  return std::any_of(failure_.begin(), failure_.begin() + static_cast<std::ptrdiff_t>(tried_),
+                     [&](const Failure& f) { return std::abs((f.speed - speed).value) < near; });
+}
+
+NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
+  const Rpm rule = speedForWaves(view.chatter, teeth_, wavesBetweenTeeth(view.chatter, teeth_, view.present));
+  NextSpeed best;
+  double nearest = 0.0;
+  for (std::size_t i = 0; i < ranges_; ++i) {
+    const StableSpeeds::Range& range = range_[i];
+    const Rpm low = std::max(range.from, view.reach.low);
+    const Rpm high = std::min(range.to, view.reach.high);
+    const Rpm room = (high - low) * kInside;
+    if (!(room.value > 0.0)) continue;
+    // The rule's target where it is well inside, the place that carries most where it is not.
+    const bool inside = rule > low + room && rule < high - room;
+    const Rpm speed = inside ? rule : std::clamp(range.best, low + room, high - room);
+    if (wasTried(speed, wavesBetweenTeeth(view.chatter, teeth_, speed))) continue;
+    const double distance = std::abs((speed - view.present).value);
+    if (best.speed.value > 0.0 && distance >= nearest) continue;
+    nearest = distance;
+    best = {speed, {ReasonCode::PocketByLobes, {speed.value, low.value, high.value, view.chatter.value}}};
+  }
+  return best;
+}
+
+NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
+  const int here = wavesBetweenTeeth(view.chatter, teeth_, view.present);
+  const Rpm first = speedForWaves(view.chatter, teeth_, here);
+  const auto waves = static_cast<double>(here);
+  if (view.reach.contains(first) && !wasTried(first, here)) {
+    return {first, {ReasonCode::CentreOfNextPocket, {first.value, waves, view.chatter.value, view.present.value}}};
+  }
+  NextSpeed best{{}, {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value}}};
+  for (std::size_t i = tried_; i-- > 0;) {
+    const Hertz heard = failure_[i].chatter;
+    const int p = wavesBetweenTeeth(heard, teeth_, view.present);
+    for (const int candidate : {p, p - 1, p + 1, p - 2, p + 2}) {
+      if (candidate < 1) continue;
+      const Rpm speed = speedForWaves(heard, teeth_, candidate);
+      if (!view.reach.contains(speed) || wasTried(speed, candidate)) continue;
+      const bool nearer = best.speed.value <= 0.0 ||
+                          std::abs((speed - view.present).value) < std::abs((best.speed - view.present).value);
+      if (!nearer) continue;
+      best = {speed,
+              {ReasonCode::NextPocketInRange,
+               {speed.value, static_cast<double>(candidate), first.value, view.chatter.value}}};
+    }
+    if (best.speed.value > 0.0) break;  // the newest frequency decides; older ones only where it leaves nothing
+  }
+  return best;
+}
+
+}  // namespace stillcut::control

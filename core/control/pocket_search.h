@@ -1,0 +1,61 @@
+// PocketSearch: which speed to try next. First the lobes, where they are known: the stable range nearest to where the
+// frequency rule points. Without lobes, or where a speed that they promised was heard to chatter: the rule itself
+// (van Dijk 2010 eq. 29, 30) and then its neighbouring pockets, nearest first, for every frequency heard so far;
+// never again near a speed that has been tried.
+// Thread: prepare() at set-up, the rest on the worker, real-time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/control/target_speed.h"
+#include "core/model/cut_setup.h"
+#include "core/model/reason.h"
+
+namespace stillcut::control {
+
+struct SearchView {
+  Hertz chatter{};
+  Rpm present{};
+  config::SpeedRange reach;
+};
+
+struct NextSpeed {
+  Rpm speed{};  // 0: nothing is left to try
+  Reason reason;
+};
+
+class PocketSearch {
+ public:
+  static constexpr std::size_t kRanges = 32;  // stable ranges kept
+  static constexpr std::size_t kTried = 8;
+
+  void prepare(const CutSetup& setup);
+  void forget() STILLCUT_RT { tried_ = 0; }
+
+  // The present speed chatters: it counts as tried from now on.
+  NextSpeed next(const SearchView& view) STILLCUT_RT;
+  int tried() const STILLCUT_RT { return static_cast<int>(tried_); }
+
+ private:
+  struct Failure {
+    Rpm speed{};
+    Hertz chatter{};
+  };
+
+  void remember(const SearchView& view) STILLCUT_RT;
+  bool wasTried(Rpm speed, int waves) const STILLCUT_RT;
+  NextSpeed fromLobes(const SearchView& view) const STILLCUT_RT;
+  NextSpeed fromRule(const SearchView& view) const STILLCUT_RT;
+
+  int teeth_ = 0;
+  bool lobesKnown_ = false;
+  std::size_t ranges_ = 0;
+  std::array<StableSpeeds::Range, kRanges> range_{};
+  Metres depth_{}, deepestDepth_{};
+  Rpm deepestSpeed_{};
+  std::size_t tried_ = 0;
+  std::array<Failure, kTried> failure_{};
+};
+
+}  // namespace stillcut::control

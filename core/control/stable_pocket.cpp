@@ -1,0 +1,200 @@
+#include "core/control/stable_pocket.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace stillcut::control {
+namespace {
+
+using config::ParamDecl;
+
+constexpr ParamDecl kConfirm = config::realParam("stable-pocket.confirm", "Confirmation", "ms", 30.0, 0.0, 2000.0,
+                                                 "How long an alarm stands at one frequency before the first move");
+constexpr ParamDecl kConfirmAgain =
+    config::realParam("stable-pocket.confirm-again", "Confirmation after a move", "ms", 250.0, 20.0, 5000.0,
+                      "How long chatter stands at the new speed before that speed is given up");
+constexpr ParamDecl kSettle = config::realParam("stable-pocket.settle", "Settling", "ms", 400.0, 0.0, 10000.0,
+                                                "After the spindle has reached a new speed it is judged no sooner");
+constexpr ParamDecl kMoves = config::integerParam("stable-pocket.moves", "Speeds to try", 3, 1, 6,
+                                                  "After so many speeds without quiet it goes back and advises only");
+constexpr ParamDecl kForget = config::realParam("stable-pocket.forget", "Memory of tried speeds", "s", 10.0, 1.0, 600.0,
+                                                "After so long without an alarm the tried speeds are forgotten");
+constexpr ParamDecl kPause = config::realParam("stable-pocket.pause", "Pause after giving up", "s", 60.0, 5.0, 3600.0,
+                                               "So long nothing is tried again after no speed was quiet");
+constexpr const ParamDecl* kParams[] = {&kConfirm, &kConfirmAgain, &kSettle, &kMoves, &kForget, &kPause};
+
+constexpr double kSpeedWordShare = 1e-3;
+constexpr double kAtTarget = 0.01;   // the spindle is there
+constexpr double kNotMoved = 0.003;  // the spindle has not begun to move
+constexpr double kAskAnew = 1.0;     // [s] a wish that nobody carries out is made up anew
+
+Rpm presentSpeed(const MachineState& m) noexcept {
+  return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
+}
+
+bool positive(double v) noexcept {
+  return std::isfinite(v) && v > 0.0;
+}
+
+bool usable(const MachineState& m) noexcept {
+  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
+         positive(presentSpeed(m).value);
+}
+
+bool near(Rpm a, Rpm b, double share) noexcept {
+  return std::abs((a - b).value) <= share * b.value;
+}
+
+}  // namespace
+
+config::ParamTable stablePocketParams() {
+  return kParams;
+}
+
+StrategyInfo StablePocket::describe() const {
+  return {"stable-pocket", "Next stable pocket, checked", "van Dijk 2010, eq. 29 and 30; stability lobes", true, true};
+}
+
+void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  const auto limits = config::checkOverrideLimits(params, setup, describe().id);
+  if (!limits) throw std::runtime_error(limits.error().line());
+  limits_ = *limits;
+  teeth_ = setup.teeth;
+  mostMoves_ = params.integer(kMoves);
+  settle_ = Seconds(params.real(kSettle) / 1000.0);
+  forget_ = Seconds(params.real(kForget));
+  pause_ = Seconds(params.real(kPause));
+  judge_.prepare({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
+  search_.prepare(setup);
+  reset();
+}
+
+void StablePocket::reset() noexcept {
+  judge_.forget();
+  search_.forget();
+  phase_ = Phase::Watch;
+  programmed_ = target_ = from_ = {};
+  moves_ = 0;
+  inPhase_ = waiting_ = quiet_ = 0.0;
+  reason_ = {ReasonCode::NothingToDo, {}};
+}
+
+OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
+  const MachineState& m = input.machine;
+  const Verdict& v = input.verdict;
+  if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
+    OverrideRequest hold;
+    hold.time = input.now;
+    hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
+    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    judge_.forget();
+    return hold;
+  }
+  // Another S word is another cut: what was found for the old one says nothing.
+  if (std::abs((m.programmedSpeed - programmed_).value) > kSpeedWordShare * m.programmedSpeed.value) {
+    reset();
+    programmed_ = m.programmedSpeed;
+  }
+  if (teeth_ <= 0) {
+    reason_ = {ReasonCode::NoTeeth, {}};
+    return answer(input);
+  }
+  const Rpm present = presentSpeed(m);
+  if (phase_ == Phase::Settle) {
+    settle(input, present);
+  } else {
+    listen(input, present);
+  }
+  return answer(input);
+}
+
+void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
+  const double dt = input.dt.value;
+  judge_.hear(input.verdict, input.dt, toothPassing(present, teeth_), moves_ > 0);
+  quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
+  if (phase_ == Phase::Resigned) {
+    inPhase_ += dt;
+    if (inPhase_ > pause_.value || quiet_ > forget_.value) {
+      const Rpm programmed = programmed_;
+      reset();
+      programmed_ = programmed;
+    }
+    return;
+  }
+  if (quiet_ > forget_.value) {
+    moves_ = 0;
+    search_.forget();
+  }
+  if (judge_.confirmed()) {
+    choose(input.machine, present);
+  } else if (target_.value > 0.0) {
+    reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
+  }
+}
+
+// The target stands; nothing is judged until the spindle is there and has been for a while.
+void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
+  if (near(present, target_, kAtTarget)) {
+    inPhase_ += input.dt.value;
+    if (inPhase_ < settle_.value) return;
+    phase_ = Phase::Watch;
+    quiet_ = 0.0;
+    judge_.forget();
+    reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
+    return;
+  }
+  inPhase_ = 0.0;
+  // Nobody carries it out (advice that waits for its answer, a pause of the gate): it is no move yet, and the chatter
+  // may have changed meanwhile.
+  waiting_ = near(present, from_, kNotMoved) ? waiting_ + input.dt.value : 0.0;
+  if (waiting_ < kAskAnew) return;
+  waiting_ = 0.0;
+  --moves_;
+  phase_ = Phase::Watch;
+  judge_.forget();
+}
+
+void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
+  const config::SpeedRange reach = reachableSpeeds(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  const Hertz chatter = judge_.frequency();
+  if (moves_ >= mostMoves_) {
+    resign({ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value}});
+    return;
+  }
+  const NextSpeed next = search_.next({chatter, present, reach});
+  if (!positive(next.speed.value)) {
+    const Reason tried{ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value}};
+    resign(moves_ > 0 && next.reason.code == ReasonCode::TargetOutOfRange ? tried : next.reason);
+    return;
+  }
+  ++moves_;
+  target_ = next.speed;
+  from_ = present;
+  reason_ = next.reason;
+  phase_ = Phase::Settle;
+  inPhase_ = waiting_ = 0.0;
+  judge_.forget();
+}
+
+void StablePocket::resign(const Reason& why) noexcept {
+  phase_ = Phase::Resigned;
+  inPhase_ = 0.0;
+  target_ = {};
+  reason_ = why;
+}
+
+OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept {
+  OverrideRequest request;
+  request.time = input.now;
+  request.claimsSpeed = true;
+  request.claimsFeed = true;
+  request.reason = reason_;
+  if (phase_ == Phase::Resigned) request.kind = RequestKind::Release;
+  if (target_.value <= 0.0) return request;
+  request.kind = RequestKind::Set;
+  request.speed = target_;
+  request.feed = feedFollowing(target_, input.machine);
+  return request;
+}
+
+}  // namespace stillcut::control

@@ -1,0 +1,55 @@
+// stable-pocket: the default strategy. van Dijk 2010, section 4.1 chooses where to go (eq. 29, 30); this is what it
+// takes to leave the rule on without watching it:
+//   watch   the cut; an alarm must stand for a moment at one frequency (chatter_judge.h)
+//   move    once, to a target that no longer changes; where modes are known it is checked against the lobes
+//   settle  until the spindle is there and what chattered has had time to ring down
+//   judge   with fresh verdicts: quiet, or an onset that does not grow: stay. Chatter again: the next pocket
+//   resign  after a few speeds, or where none is left: back to the programmed values, saying which depth would do
+// Ours are the waiting, the memory of speeds that chattered, the lobes and the resigning; the paper recomputes its
+// target while chatter is marked, which on a spindle that takes longer to move than the chatter to change hunts.
+#pragma once
+
+#include "core/control/chatter_judge.h"
+#include "core/control/pocket_search.h"
+#include "core/control/strategy.h"
+
+namespace stillcut::control {
+
+config::ParamTable stablePocketParams();
+
+class StablePocket final : public Strategy {
+ public:
+  StrategyInfo describe() const override;
+  // Throws std::runtime_error where the override limits contradict each other.
+  void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  OverrideRequest decide(const StrategyInput& input) noexcept override;
+  void reset() noexcept override;
+
+ private:
+  enum class Phase { Watch, Settle, Resigned };
+
+  void listen(const StrategyInput& input, Rpm present) noexcept;
+  void settle(const StrategyInput& input, Rpm present) noexcept;
+  void choose(const MachineState& machine, Rpm present) noexcept;
+  void resign(const Reason& why) noexcept;
+  OverrideRequest answer(const StrategyInput& input) const noexcept;
+
+  config::OverrideLimits limits_;
+  int teeth_ = 0;
+  int mostMoves_ = 0;
+  Seconds settle_{}, forget_{}, pause_{};
+
+  ChatterJudge judge_;
+  PocketSearch search_;
+  Phase phase_ = Phase::Watch;
+  Rpm programmed_{};
+  Rpm target_{};  // 0: none
+  Rpm from_{};    // where the move began
+  int moves_ = 0;
+  double inPhase_ = 0.0;  // [s] in Settle at speed, or in Resigned
+  double waiting_ = 0.0;  // [s] that the spindle has not begun to move
+  double quiet_ = 0.0;    // [s] without an alarm
+  Reason reason_;
+};
+
+}  // namespace stillcut::control
