@@ -5,9 +5,8 @@
 namespace stillcut::control {
 namespace {
 
-// A sixth of the tooth-passing frequency: noise of a real line is far below it, random lines exceed it two times in
-// three.
-constexpr double kStill = 1.0 / 6.0;
+// Of a spindle frequency: noise of a real line is far below it, random lines exceed it seven times in ten.
+constexpr double kStill = 0.15;
 // A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise.
 constexpr double kFamilyJump = 0.25;
 constexpr double kFast = 0.04, kSlow = 0.3;  // [s] time constants that tell growth from decay
@@ -15,8 +14,15 @@ constexpr double kGrowing = 1.15, kFalling = 0.9;
 // A gap in the alarm this long ends it; a single missed verdict does not.
 constexpr double kGap = 0.05;  // [s]
 
+// Detectors themselves do not see chatter nearer to a harmonic; a measured speed is good for 0.1 % of the order.
+constexpr double kHarmonic = 0.025;
+
 double wrapped(double fraction) noexcept {
   return fraction - std::round(fraction);
+}
+
+bool onHarmonic(Hertz frequency, Hertz spindle) noexcept {
+  return std::abs(wrapped(frequency / spindle)) < kHarmonic;
 }
 
 }  // namespace
@@ -27,17 +33,18 @@ void ChatterJudge::forget() STILLCUT_RT {
   confirmed_ = false;
 }
 
-void ChatterJudge::hear(const Verdict& verdict, Seconds dt, Hertz toothPass, bool moved) STILLCUT_RT {
+void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spindle) STILLCUT_RT {
   const double step = std::isfinite(dt.value) && dt.value > 0.0 ? dt.value : 0.0;
-  if (!verdict.alarming() || !(verdict.frequency.value > 0.0) || !(toothPass.value > 0.0)) {
+  const bool heard = verdict.alarming() && verdict.frequency.value > 0.0 && spindle.measured.value > 0.0;
+  if (!heard || (spindle.moved && onHarmonic(verdict.frequency, spindle.measured))) {
     quiet_ += step;
     confirmed_ = false;
     if (quiet_ > kGap) forget();
     return;
   }
   quiet_ = 0.0;
-  follow(verdict, step, toothPass.value);
-  if (!moved) {
+  follow(verdict, step, spindle);
+  if (!spindle.moved) {
     confirmed_ = standing_ >= options_.first.value;
     return;
   }
@@ -47,9 +54,9 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, Hertz toothPass, boo
   confirmed_ = lasting && (full || growing);
 }
 
-void ChatterJudge::follow(const Verdict& verdict, double dt, double toothPass) STILLCUT_RT {
+void ChatterJudge::follow(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT {
   const double severity = std::isfinite(verdict.severity.value) ? verdict.severity.value : 0.0;
-  const double now = wrapped(verdict.frequency.value / toothPass);
+  const double now = wrapped(verdict.frequency / spindle.measured);
   if (frequency_.value <= 0.0 || std::abs(wrapped(now - fraction_)) > kStill) {
     standing_ = 0.0;
     frequency_ = verdict.frequency;
@@ -60,6 +67,7 @@ void ChatterJudge::follow(const Verdict& verdict, double dt, double toothPass) S
   standing_ += dt;
   const double share = dt > 0.0 ? dt / (dt + options_.smoothing.value) : 0.0;
   fraction_ = wrapped(fraction_ + share * wrapped(now - fraction_));
+  const double toothPass = spindle.measured.value * spindle.teeth;
   const double step = (verdict.frequency - frequency_).value;
   frequency_ = std::abs(step) > kFamilyJump * toothPass ? verdict.frequency : frequency_ + Hertz(share * step);
   fast_ += (severity - fast_) * dt / (dt + kFast);

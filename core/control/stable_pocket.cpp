@@ -8,7 +8,7 @@ namespace {
 
 using config::ParamDecl;
 
-constexpr ParamDecl kConfirm = config::realParam("stable-pocket.confirm", "Confirmation", "ms", 30.0, 0.0, 2000.0,
+constexpr ParamDecl kConfirm = config::realParam("stable-pocket.confirm", "Confirmation", "ms", 50.0, 0.0, 2000.0,
                                                  "How long an alarm stands at one frequency before the first move");
 constexpr ParamDecl kConfirmAgain =
     config::realParam("stable-pocket.confirm-again", "Confirmation after a move", "ms", 250.0, 20.0, 5000.0,
@@ -110,7 +110,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
 
 void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
   const double dt = input.dt.value;
-  judge_.hear(input.verdict, input.dt, toothPassing(present, teeth_), moves_ > 0);
+  judge_.hear(input.verdict, input.dt, {toHertz(present), teeth_, moves_ > 0});
   quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
   if (phase_ == Phase::Resigned) {
     inPhase_ += dt;
