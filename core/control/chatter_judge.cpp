@@ -1,5 +1,6 @@
 #include "core/control/chatter_judge.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillcut::control {
@@ -9,8 +10,12 @@ namespace {
 constexpr double kStill = 0.15;
 // A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise.
 constexpr double kFamilyJump = 0.25;
-constexpr double kFast = 0.04, kSlow = 0.3;  // [s] time constants that tell growth from decay
-constexpr double kGrowing = 1.15, kFalling = 0.9;
+// Time constants that tell growth from decay: [s], but at least so many turns, because a detector needs turns to
+// answer.
+constexpr double kFast = 0.04, kSlow = 0.3;
+constexpr double kFastTurns = 0.5, kSlowTurns = 5.0;
+constexpr double kGrowing = 1.15, kFalling = 0.95;
+constexpr double kLastingTurns = 5.0;
 // A gap in the alarm this long ends it; a single missed verdict does not.
 constexpr double kGap = 0.05;  // [s]
 
@@ -48,7 +53,8 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
     confirmed_ = standing_ >= options_.first.value;
     return;
   }
-  const bool lasting = standing_ >= options_.after.value;
+  const double turn = 1.0 / spindle.measured.value;
+  const bool lasting = standing_ >= std::max(options_.after.value, kLastingTurns * turn);
   const bool full = verdict.state == CutState::Chatter && fast_ > kFalling * slow_;
   const bool growing = fast_ > kGrowing * slow_;
   confirmed_ = lasting && (full || growing);
@@ -70,8 +76,9 @@ void ChatterJudge::follow(const Verdict& verdict, double dt, const Spindle& spin
   const double toothPass = spindle.measured.value * spindle.teeth;
   const double step = (verdict.frequency - frequency_).value;
   frequency_ = std::abs(step) > kFamilyJump * toothPass ? verdict.frequency : frequency_ + Hertz(share * step);
-  fast_ += (severity - fast_) * dt / (dt + kFast);
-  slow_ += (severity - slow_) * dt / (dt + kSlow);
+  const double turn = 1.0 / spindle.measured.value;
+  fast_ += (severity - fast_) * dt / (dt + std::max(kFast, kFastTurns * turn));
+  slow_ += (severity - slow_) * dt / (dt + std::max(kSlow, kSlowTurns * turn));
 }
 
 }  // namespace stillcut::control

@@ -1,5 +1,6 @@
 #include "core/control/stable_pocket.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -24,9 +25,10 @@ constexpr ParamDecl kPause = config::realParam("stable-pocket.pause", "Pause aft
 constexpr const ParamDecl* kParams[] = {&kConfirm, &kConfirmAgain, &kSettle, &kMoves, &kForget, &kPause};
 
 constexpr double kSpeedWordShare = 1e-3;
-constexpr double kAtTarget = 0.01;   // the spindle is there
-constexpr double kNotMoved = 0.003;  // the spindle has not begun to move
-constexpr double kAskAnew = 1.0;     // [s] a wish that nobody carries out is made up anew
+constexpr double kAtTarget = 0.01;     // the spindle is there
+constexpr double kSettleTurns = 15.0;  // on slow machines the ringing down takes turns, not milliseconds
+constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
+constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
 
 Rpm presentSpeed(const MachineState& m) noexcept {
   return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
@@ -136,7 +138,7 @@ void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
 void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
   if (near(present, target_, kAtTarget)) {
     inPhase_ += input.dt.value;
-    if (inPhase_ < settle_.value) return;
+    if (inPhase_ < std::max(settle_.value, kSettleTurns / toHertz(present).value)) return;
     phase_ = Phase::Watch;
     quiet_ = 0.0;
     judge_.forget();

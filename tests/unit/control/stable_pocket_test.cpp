@@ -1,0 +1,198 @@
+// stable-pocket behind the gate on a plant that knows only pockets: chatter sits at a fixed frequency and is quiet
+// where the speed is near 60 f / (p Z). What is asserted is the conduct: few moves, no reaction to what is not chatter,
+// a speed that chattered is not tried again, giving up with the reason.
+#include "core/control/stable_pocket.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/control/registry.h"
+
+namespace stillcut::control {
+namespace {
+
+constexpr Seconds kBlock{0.01};
+
+// 8500 rpm, four teeth, a mode whose chatter is heard at 936 Hz; pockets at 7020 (p = 2) and 4680 rpm (p = 3).
+class StablePocketTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    setup_.teeth = 4;
+    in_.dt = kBlock;
+    in_.machine.valid = true;
+    in_.machine.programmedSpeed = in_.machine.actualSpeed = Rpm(8500.0);
+    in_.machine.programmedFeed = fromMmPerMin(2720.0);
+    in_.verdict.valid = true;
+    in_.verdict.state = CutState::Stable;
+    strategy_.prepare(setup_, {});
+  }
+  // One block; the spindle follows within about 0.2 s. Counts the targets.
+  OverrideRequest step() {
+    in_.now += toDuration(kBlock);
+    const OverrideRequest r = strategy_.decide(in_);
+    const Rpm goal = r.kind == RequestKind::Set ? r.speed : in_.machine.programmedSpeed;
+    if (r.kind == RequestKind::Set && (targets_.empty() || std::abs((targets_.back() - goal).value) > 1.0)) {
+      targets_.push_back(goal);
+    }
+    if (r.kind != RequestKind::Hold) in_.machine.actualSpeed += 0.2 * (goal - in_.machine.actualSpeed);
+    return r;
+  }
+  OverrideRequest run(double seconds) {
+    OverrideRequest last;
+    for (double t = 0.0; t < seconds; t += kBlock.value) last = step();
+    return last;
+  }
+  void chatter(double hz, double severity = 0.5, CutState state = CutState::Chatter) {
+    in_.verdict.state = state;
+    in_.verdict.frequency = Hertz(hz);
+    in_.verdict.severity = Ratio(severity);
+  }
+  void quiet() { chatter(0.0, 0.0, CutState::Stable); }
+
+  CutSetup setup_;
+  StrategyInput in_;
+  StablePocket strategy_;
+  std::vector<Rpm> targets_;
+};
+
+TEST_F(StablePocketTest, GoesToTheRulesSpeedAndStaysThereWhenQuiet) {
+  chatter(936.0);
+  run(0.3);
+  quiet();
+  const OverrideRequest r = run(20.0);
+  ASSERT_EQ(targets_.size(), 1u);
+  EXPECT_NEAR(targets_[0].value, 60.0 * 936.0 / 8.0, 1e-6);  // van Dijk 2010 eq. 29, 30: p = 2
+  EXPECT_EQ(r.reason.code, ReasonCode::KeepingSpeed);
+  EXPECT_NEAR(toMmPerMin(r.feed) / r.speed.value, 2720.0 / 8500.0, 1e-9);
+}
+
+TEST_F(StablePocketTest, AShortAlarmIsNotWorthAMove) {
+  chatter(936.0);
+  run(0.03);
+  quiet();
+  run(2.0);
+  EXPECT_TRUE(targets_.empty());
+}
+
+TEST_F(StablePocketTest, ALineThatNeverStandsStillIsNoChatter) {
+  // A rattling sensor: each verdict names a line a third of a spindle frequency further.
+  for (int i = 0; i < 500; ++i) {
+    chatter(2200.0 + 47.0 * (i % 3), 0.4);
+    step();
+  }
+  EXPECT_TRUE(targets_.empty());
+}
+
+TEST_F(StablePocketTest, FrequencyJitterDoesNotMoveTheTarget) {
+  for (int i = 0; i < 60; ++i) {
+    chatter(936.0 + (i % 2 == 0 ? 2.0 : -2.0));
+    step();
+  }
+  EXPECT_EQ(targets_.size(), 1u);
+}
+
+TEST_F(StablePocketTest, AnOnsetThatDoesNotGrowAfterTheMoveIsLeftAlone) {
+  chatter(936.0);
+  run(0.3);
+  chatter(986.0, 0.05, CutState::Onset);
+  run(30.0);
+  EXPECT_EQ(targets_.size(), 1u);
+}
+
+TEST_F(StablePocketTest, AnOnsetThatGrowsAfterTheMoveIsChatter) {
+  chatter(936.0);
+  run(1.5);
+  const std::size_t before = targets_.size();
+  for (int i = 0; i < 100; ++i) {
+    chatter(910.0, std::min(0.9, 0.02 * std::exp(0.06 * i)), CutState::Onset);
+    step();
+  }
+  EXPECT_GT(targets_.size(), before);
+}
+
+TEST_F(StablePocketTest, WhatRingsDownIsNotJudged) {
+  chatter(936.0);
+  run(0.3);
+  for (int i = 0; i < 300; ++i) {
+    chatter(930.0, 0.8 * std::exp(-0.02 * i));
+    step();
+  }
+  EXPECT_EQ(targets_.size(), 1u);
+}
+
+TEST_F(StablePocketTest, AToothHarmonicLeftByALaggingCombIsNotChatter) {
+  chatter(936.0);
+  run(0.3);
+  for (int i = 0; i < 500; ++i) {
+    chatter(2.0 * toothPassing(in_.machine.actualSpeed, 4).value, 0.6);
+    step();
+  }
+  EXPECT_EQ(targets_.size(), 1u);
+}
+
+TEST_F(StablePocketTest, GivesUpAfterAFewSpeedsAndSaysSo) {
+  for (int i = 0; i < 3000; ++i) {
+    chatter(2.3 * toothPassing(in_.machine.actualSpeed, 4).value);  // wherever it goes, it chatters
+    const OverrideRequest r = step();
+    if (r.reason.code == ReasonCode::NoStableSpeedTried) {
+      EXPECT_EQ(r.kind, RequestKind::Release);
+    }
+  }
+  EXPECT_GE(targets_.size(), 2u);
+  EXPECT_LE(targets_.size(), 3u);
+  EXPECT_NEAR(in_.machine.actualSpeed.value, 8500.0, 1.0);
+  EXPECT_EQ(step().reason.code, ReasonCode::NoStableSpeedTried);
+  for (std::size_t i = 1; i < targets_.size(); ++i) {
+    EXPECT_GT(std::abs((targets_[i] - targets_[i - 1]).value), 0.01 * targets_[i].value);
+  }
+}
+
+TEST_F(StablePocketTest, KnownLobesMoveTheTargetInside) {
+  // The rule's 7020 rpm lies outside the stable range: the range's own best place is taken.
+  setup_.stableSpeeds = StableSpeeds{Metres(1.5e-3), {{Rpm(6500.0), Rpm(6950.0), Rpm(6800.0)}}, {}, {}};
+  strategy_.prepare(setup_, {});
+  chatter(936.0);
+  const OverrideRequest r = run(0.2);
+  EXPECT_EQ(r.reason.code, ReasonCode::PocketByLobes);
+  EXPECT_NEAR(r.speed.value, 6800.0, 1e-6);
+  setup_.stableSpeeds->ranges[0] = {Rpm(6500.0), Rpm(7600.0), Rpm(7200.0)};
+  strategy_.prepare(setup_, {});
+  in_.machine.actualSpeed = Rpm(8500.0);
+  EXPECT_NEAR(run(0.2).speed.value, 7020.0, 1e-6);
+}
+
+TEST_F(StablePocketTest, WhereTheLobesHaveNoSpeedItNamesTheDepthAndDoesNotMove) {
+  setup_.stableSpeeds = StableSpeeds{Metres(1.5e-3), {}, Rpm(7100.0), Metres(1.1e-3)};
+  strategy_.prepare(setup_, {});
+  chatter(936.0);
+  const OverrideRequest r = run(2.0);
+  EXPECT_TRUE(targets_.empty());
+  EXPECT_EQ(r.reason.code, ReasonCode::NoStableSpeed);
+  EXPECT_NEAR(r.reason.n[1], 1.1, 1e-9);
+  EXPECT_NEAR(r.reason.n[2], 7100.0, 1e-9);
+}
+
+TEST_F(StablePocketTest, UnusableVerdictsAreNeverASet) {
+  in_.verdict.valid = false;
+  EXPECT_EQ(step().kind, RequestKind::None);
+  in_.verdict.valid = true;
+  chatter(936.0);
+  run(0.2);
+  in_.verdict.valid = false;
+  EXPECT_EQ(step().kind, RequestKind::Hold);
+}
+
+TEST_F(StablePocketTest, AdviceThatNobodyTakesIsMadeUpAnewAndCostsNoTry) {
+  chatter(936.0);
+  for (int i = 0; i < 1500; ++i) {
+    in_.now += toDuration(kBlock);
+    const OverrideRequest r = strategy_.decide(in_);  // the spindle stays where it is
+    ASSERT_NE(r.kind, RequestKind::Release);
+  }
+  EXPECT_EQ(strategy_.decide(in_).reason.code, ReasonCode::CentreOfNextPocket);
+}
+
+}  // namespace
+}  // namespace stillcut::control
