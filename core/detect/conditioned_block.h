@@ -27,6 +27,8 @@ struct ConditionedBlock {
   CutPhase phase = CutPhase::Air;
   Hertz spindle{};                  // best estimate at the end of the block; 0: unknown
   Hertz spindleSd{};                // its doubt
+  bool speedMoving = false;         // the angle follows a machine that changes its speed
+  bool turnsCompare = true;         // false: its speed changes too fast to compare one turn with the next
   const double* samples = nullptr;  // [channel * stride + frame], SI units, high-passed
   std::ptrdiff_t stride = 0;
   const double* angle = nullptr;      // [frame], integrated spindle angle in rad, wrapped to 0..2 pi

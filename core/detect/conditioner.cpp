@@ -150,6 +150,8 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   speed_.advance(pointers_.data(), block.frames, angle_.data(), angleStep_.data());
   out_.spindle = speed_.spindle();
   out_.spindleSd = speed_.sd();
+  out_.speedMoving = speed_.riding();
+  out_.turnsCompare = !speed_.moving();
   advanceGate();
   out_.phase = gate_.phase();
   return out_;

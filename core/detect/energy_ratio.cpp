@@ -28,9 +28,16 @@ constexpr double kLeastSamples = 96.0;   // in the average of the turn differenc
 constexpr double kLeastPurity = 0.4;     // chatter is a line; chips and knocks are not
 constexpr double kLostPurity = 0.25;     // an alarm whose line sinks into the noise ...
 constexpr double kLostTurns = 32.0;      // ... for so long was none, or is over
-constexpr double kRisingEvidence = 8.0;  // growth that needs no spectrum is asked for twice the evidence
+constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is asked for more evidence
 constexpr double kFastGrowth = 2.0;      // of energy from half turn to half turn
 constexpr double kSlowGrowth = 1.5;      // from turn to turn
+constexpr double kCalmTurns = 4.0;       // what is left of an alarm has not grown for this many turns ...
+constexpr double kCalmSeconds = 0.1;     // ... and so long, where the speed has changed since,
+constexpr double kLongCalm = 0.25;       // ... and so long, where it has not
+constexpr double kLittle = 2.5e-3;       // 5 % of the amplitude
+constexpr double kCalmGrowth = 3.0;      // in energy: more is growth, not scatter of noise
+constexpr double kOtherLine = 4.0;       // a line this much stronger than the one followed takes its place
+constexpr double kLineReach = 0.25;      // orders within which a line is the same
 constexpr double kLeastOffset = 0.03;    // orders; nearer to a harmonic a line is forced
 constexpr Hertz kSpindleUnknown{20.0};
 
@@ -97,15 +104,23 @@ void EnergyRatioDetector::restart() noexcept {
   }
   inHop_ = hopCount_ = 0;
   steadyTurns_ = 0.0;
+  marks_ = {};
+  frameCount_ = angleCount_ = 0.0;
 }
 
 void EnergyRatioDetector::leaveCut() noexcept {
-  for (ChannelState& s : channelStates_) s.onset.reset();
+  relearn();
   line_ = {};
-  highTurns_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
+  highTurns_ = severity_ = evidence_ = floor_ = changed_ = changedSlow_ = 0.0;
   learned_ = false;
   frequency_ = {};
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
+}
+
+void EnergyRatioDetector::relearn() noexcept {
+  for (ChannelState& s : channelStates_) s.onset.reset();
+  floorGone_ = false;
+  calmSeconds_ = calmLevel_ = 0.0;
 }
 
 void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
@@ -118,7 +133,31 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   kalman_.setGain(fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
   const int perBand = teeth_ > 0 ? teeth_ : 4;
   bands_.tune(spindle_ * perBand, spindle_ * 0.5);
-  turns_.setTurn(spindle_);
+  if (!block.speedMoving) turns_.setTurn(spindle_);
+  if (turnsCompare_ && !block.turnsCompare) {
+    for (ChannelState& s : channelStates_) s.onset.reset();
+    floorGone_ = true;
+  }
+  turnsCompare_ = block.turnsCompare;
+}
+
+// While the speed changes, one turn ago is where the angle was one turn less.
+void EnergyRatioDetector::followTurns() noexcept {
+  const auto ago = [this](double turns) {
+    const double wanted = angleCount_ - kTwoPi * turns;
+    AngleMark after{frameCount_, angleCount_};
+    for (int k = 1; k < kAngleHops; ++k) {
+      const AngleMark& m = marks_[static_cast<std::size_t>((hopCount_ - k + kAngleHops) % kAngleHops)];
+      if (m.angle > wanted) {
+        after = m;
+        continue;
+      }
+      if (!(after.angle > m.angle)) break;
+      return frameCount_ - m.frame - (after.frame - m.frame) * (wanted - m.angle) / (after.angle - m.angle);
+    }
+    return turns * rate_ / spindle_.value;
+  };
+  turns_.setTurns(ago(1.0), ago(2.0));
 }
 
 double EnergyRatioDetector::energyRatio(int channel) const noexcept {
@@ -150,7 +189,7 @@ void EnergyRatioDetector::endChannelHop(int channel, CutPhase phase) noexcept {
   s.changed = all > 0.0 ? changed / all : 0.0;
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   s.ratio += rate * (energyRatio(channel) - s.ratio);
-  if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns) return;
+  if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns || !turnsCompare_) return;
   s.onset.update(s.changed, 1.0 / windowHops_, state_ == CutState::Stable);
 }
 
@@ -170,11 +209,16 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   }
   const bool alarming = state_ == CutState::Onset || state_ == CutState::Chatter;
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
+  watchCalm(alarming ? seconds : 0.0);
   const bool entry = fromEntry(high && phase == CutPhase::Steady && !alarming);
   if (alarming) {
     const bool lost = lostTurns_ > kLostTurns;
-    state_ = lost ? CutState::Stable : high ? CutState::Chatter : onset ? CutState::Onset : CutState::Stable;
-  } else if (phase == CutPhase::Steady && (entry || (onset && (rising() || lineStands())))) {
+    const bool over = lost || calm() || !(high || onset || floorGone_);
+    // A ratio that rises while the speed changes may be forced vibration that changes with it.
+    const bool full = high && (turnsCompare_ || state_ == CutState::Chatter);
+    state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
+    if (over) relearn();
+  } else if (phase == CutPhase::Steady && turnsCompare_ && (entry || (onset && (rising() || lineStands())))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -182,6 +226,24 @@ void EnergyRatioDetector::judge(CutPhase phase, double seconds) noexcept {
   const bool now = state_ == CutState::Onset || state_ == CutState::Chatter;
   sinceOnset_ = now ? sinceOnset_ + seconds : 0.0;
   if (!now) feedSinceOnset_ = 0.0;
+}
+
+// An alarm whose speed was changed cannot fall below its old floor, for the floor has changed as well: it is over when
+// little is left and does not grow.
+void EnergyRatioDetector::watchCalm(double seconds) noexcept {
+  changedSlow_ += (1.0 - std::exp(-1.0 / (kCalmTurns * kHopsPerTurn))) * (changed_ - changedSlow_);
+  const bool little = severity_ < kHysteresis * chatterRatio_ && (floorGone_ || changed_ < kLittle);
+  if (!(seconds > 0.0) || !little || changedSlow_ > kCalmGrowth * calmLevel_) {
+    calmSeconds_ = 0.0;
+    calmLevel_ = changedSlow_;
+    return;
+  }
+  calmSeconds_ += seconds;
+  calmLevel_ = std::min(calmLevel_, changedSlow_);
+}
+
+bool EnergyRatioDetector::calm() const noexcept {
+  return calmSeconds_ > std::max(floorGone_ ? kCalmSeconds : kLongCalm, kCalmTurns / spindle_.value);
 }
 
 // Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
@@ -214,7 +276,7 @@ bool EnergyRatioDetector::rising() const noexcept {
     return now > factor * before && before > factor * sum(s, 2 * hops, hops);
   };
   return std::any_of(channelStates_.begin(), channelStates_.end(), [&](const ChannelState& s) {
-    return s.onset.alarm() && s.onset.evidence() > kRisingEvidence &&
+    return s.onset.alarm() && s.onset.evidence() > kRisingEvidence * s.onset.evidenceLimit() &&
            (grows(s, kHopsPerTurn / 2, kFastGrowth) || grows(s, kHopsPerTurn, kSlowGrowth));
   });
 }
@@ -237,19 +299,29 @@ void EnergyRatioDetector::track(double seconds) noexcept {
   purity_ = line.purity;
   lostTurns_ = purity_ < kLostPurity ? lostTurns_ + 1.0 / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
+  // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
+  // frequency: the chatter's is the one from before.
+  if (frequency_.value > 0.0 && (!turnsCompare_ || (floorGone_ && severity_ < chatterRatio_))) return;
+  Hertz next = line.frequency;
+  if (frequency_.value > 0.0 && std::abs(next.value - frequency_.value) > kLineReach * spindle_.value) {
+    const LineFinder::Peak held = lines_.near(frequency_, spindle_ * kLineReach);
+    const LineFinder::Peak strongest = lines_.near(next, spindle_ * kLineReach);
+    if (strongest.power < kOtherLine * held.power) next = held.frequency;
+  }
   if (!(frequency_.value > 0.0)) {
     frequencySd_ = spindle_.value / kLineTurns;
   } else {
-    const double jump = std::abs(line.frequency.value - frequency_.value);
+    const double jump = std::abs(next.value - frequency_.value);
     frequencySd_ += (1.0 - std::exp(-seconds * spindle_.value)) * (jump - frequencySd_);
   }
-  frequency_ = line.frequency;
+  frequency_ = next;
 }
 
 void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
   const double seconds = static_cast<double>(inHop_) / rate_;
   bands_.estimate();
-  steadyTurns_ = phase == CutPhase::Steady ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  marks_[static_cast<std::size_t>(hopCount_ % kAngleHops)] = {frameCount_, angleCount_};
+  steadyTurns_ = phase == CutPhase::Steady && turnsCompare_ ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
   for (int c = 0; c < channels_; ++c) endChannelHop(c, phase);
   judge(phase, seconds);
   track(seconds);
@@ -315,7 +387,11 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
       channelStates_[i].sums.all += frame_[i] * frame_[i];
       channelStates_[i].sums.changed += difference_[i] * difference_[i];
     }
-    if (++inHop_ >= hopFrames_) endHop(block.phase);
+    frameCount_ += 1.0;
+    angleCount_ += step;
+    if (++inHop_ < hopFrames_) continue;
+    endHop(block.phase);
+    if (block.speedMoving) followTurns();
   }
   if (block.phase == CutPhase::Air) {
     state_ = CutState::Air;

@@ -43,8 +43,9 @@ inline constexpr config::ParamDecl kErOnsetAmplitude = config::realParam(
     "energy-ratio.onset-amplitude", "Smallest onset", "", 0.0125, 0.001, 1.0,
     "Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset");
 inline constexpr config::ParamDecl kErEvidence =
-    config::realParam("energy-ratio.evidence", "Evidence for onset", "", 4.0, 0.5, 50.0,
-                      "Excess over the learned floor, summed over turns in its own scatters, that makes an onset");
+    config::realParam("energy-ratio.evidence", "Evidence for onset", "", 12.0, 2.0, 100.0,
+                      "Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut "
+                      "lasts e to this power turns, on average, without a false alarm");
 
 config::ParamTable energyRatioParams();
 
@@ -58,6 +59,7 @@ class EnergyRatioDetector final : public Detector {
  private:
   static constexpr int kHopsPerTurn = 8;
   static constexpr int kLevelHops = 8 * kHopsPerTurn;
+  static constexpr int kAngleHops = 4 * kHopsPerTurn;
 
   struct Energies {
     double all = 0.0;
@@ -74,11 +76,15 @@ class EnergyRatioDetector final : public Detector {
 
   void sizeFor(const CutSetup& setup, const config::ParamSet& params);
   void tune(const ConditionedBlock& block) noexcept;
+  void followTurns() noexcept;
   void endHop(CutPhase phase) noexcept;
   void endChannelHop(int channel, CutPhase phase) noexcept;
   double energyRatio(int channel) const noexcept;
   void judge(CutPhase phase, double seconds) noexcept;
   bool fromEntry(bool high) noexcept;
+  void watchCalm(double seconds) noexcept;
+  bool calm() const noexcept;
+  void relearn() noexcept;
   bool lineStands() noexcept;
   bool rising() const noexcept;
   void track(double seconds) noexcept;
@@ -105,11 +111,22 @@ class EnergyRatioDetector final : public Detector {
   int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;
   long hopCount_ = 0;
-  double stepNow_ = 0.0;
+  struct AngleMark {
+    double frame = 0.0;
+    double angle = 0.0;  // unwrapped
+  };
+  std::array<AngleMark, kAngleHops> marks_{};  // newest kAngleHops hop ends
+  double frameCount_ = 0.0;
+  double angleCount_ = 0.0;
+  bool turnsCompare_ = true;
   CutState state_ = CutState::Air;
   double steadyTurns_ = 0.0;
   double highTurns_ = 0.0;
   double lostTurns_ = 0.0;
+  bool floorGone_ = false;    // the speed changed during an alarm: its floor means nothing any more
+  double calmSeconds_ = 0.0;  // a small rest has not grown for so long
+  double calmLevel_ = 0.0;    // what it was then
+  double changedSlow_ = 0.0;  // changed_, over a few turns
   double severity_ = 0.0;
   double changed_ = 0.0;
   double evidence_ = 0.0;

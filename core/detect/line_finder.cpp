@@ -62,14 +62,34 @@ FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
     if (b + kLobe >= peak && b <= peak + kLobe) lobe += power_[b];
   }
   if (!(all > 0.0)) return found;
+  found.frequency = refined(peak);
+  found.purity = lobe / all;
+  return found;
+}
+
+// The top of the parabola through the logarithms of the peak and its neighbours.
+Hertz LineFinder::refined(std::size_t peak) const noexcept {
   const double left = std::log(power_[peak - 1] + 1e-300);
   const double mid = std::log(power_[peak] + 1e-300);
   const double right = std::log(power_[peak + 1] + 1e-300);
   const double curve = left - 2.0 * mid + right;
   const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
-  found.frequency = Hertz((static_cast<double>(peak) + shift) * width);
-  found.purity = lobe / all;
-  return found;
+  return Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth());
+}
+
+LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const noexcept {
+  const double width = spectrum_.binWidth();
+  const double low = std::max(1.0, std::ceil((middle.value - reach.value) / width));
+  const double high = std::min((middle.value + reach.value) / width, static_cast<double>(power_.size()) - 2.0);
+  if (!(low < high)) return {};
+  const auto first = static_cast<std::size_t>(low);
+  const auto last = static_cast<std::size_t>(high);
+  std::size_t peak = first;
+  for (std::size_t b = first; b <= last; ++b) {
+    if (power_[b] > power_[peak]) peak = b;
+  }
+  if (power_[peak] < power_[peak - 1] || power_[peak] < power_[peak + 1]) return {};
+  return {refined(peak), power_[peak]};
 }
 
 }  // namespace stillcut::detect

@@ -22,8 +22,16 @@ class LineFinder {
   void push(const double* rest) noexcept;
   // Strongest line over all channels, each normalised to its own power; nothing until the window is half full.
   FoundLine find(Hertz low, Hertz high) noexcept;
+  // In the spectrum of the last find(): the strongest within `reach` of `middle`. Empty where there is no peak.
+  struct Peak {
+    Hertz frequency{};
+    double power = 0.0;  // in find()'s units, comparable with each other
+  };
+  Peak near(Hertz middle, Hertz reach) const noexcept;
 
  private:
+  Hertz refined(std::size_t peak) const noexcept;
+
   int channels_ = 0;
   std::size_t window_ = 0;
   std::size_t head_ = 0;

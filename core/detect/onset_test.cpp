@@ -7,64 +7,84 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kMemoryTurns = 40.0;
-constexpr double kFallTurns = 10.0;     // a falling floor is followed at once: growth is measured from the lowest calm
-constexpr double kDrift = 3.0;          // scatters a stable cut may lie above its own mean
-constexpr double kLeastScatter = 0.25;  // 1 dB: a short, lucky stretch must not make the test nervous
-constexpr double kMostLearned = 1.0;    // scatters by which one value may pull the mean up
-constexpr double kLeastGrowth = 1.386;  // nepers: twice the amplitude, or it is not worth the word
-constexpr double kCalm = 3.0;           // scatters below which an alarm starts to clear
+constexpr double kShortTurns = 10.0;  // a floor that falls is followed this fast
+constexpr double kPriorTurns = 8.0;   // weight of "k = 1" before anything is learned
+constexpr double kMostShape = 16.0;   // 1 dB of scatter: a lucky stretch must not make the test nervous
+constexpr double kMostCorrelation = 4.0;
+constexpr double kSure = 2.0;       // standard deviations of a learned mean
+constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pull the mean up
+constexpr double kGrowth = 4.0;     // in energy: twice the amplitude, or it is not worth the word
+constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
-constexpr double kMostEvidence = 20.0;
+constexpr double kMostEvidence = 5.0;  // times the limit
 
 }  // namespace
 
 void OnsetTest::reset() noexcept {
-  mean_ = variance_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
+  mean_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
+  variance_ = 1.0;
+  shortVariance_ = 0.0;
   alarm_ = false;
 }
 
-double OnsetTest::floor() const noexcept {
-  return std::exp(mean_);
+double OnsetTest::shape() const noexcept {
+  return std::clamp(1.0 / std::max(variance_, 1e-6), 0.5, kMostShape);
 }
 
-double OnsetTest::scatter() const noexcept {
-  return std::max(std::sqrt(variance_), kLeastScatter);
+// The mean over kShortTurns of a process with the integral correlation time c has the variance c / (2 kShortTurns).
+double OnsetTest::correlation() const noexcept {
+  return std::clamp(2.0 * kShortTurns * shortVariance_ * shape(), 1.0, kMostCorrelation);
+}
+
+// Relative standard deviation of a mean over so many turns.
+double OnsetTest::doubt(double turns) const noexcept {
+  return std::sqrt(correlation() / (shape() * std::max(turns, 1.0)));
 }
 
 void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
-  const double u = std::log(std::max(ratio, 1e-12));
   if (!learned()) {
-    if (learn) follow(u, turns);
+    if (learn) follow(ratio, turns);
     return;
   }
-  const double z = (u - mean_) / scatter();
-  const double excess = ratio >= limits_.smallestRatio ? z - kDrift : -kDrift;
-  evidence_ = std::clamp(evidence_ + excess * turns, 0.0, kMostEvidence);
-  if (evidence_ > limits_.evidence && u - mean_ > kLeastGrowth) {
+  const double k = shape();
+  const double x = ratio / std::max(mean_ * (1.0 + kSure * doubt(learnedTurns_)), 1e-30);
+  const double seen = ratio >= limits_.smallestRatio ? x : 0.0;
+  const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
+  evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
+  if (evidence_ > limits_.evidence && x > kGrowth) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }
   if (alarm_) {
-    calmTurns_ = z < kCalm || ratio < limits_.smallestRatio ? calmTurns_ + turns : 0.0;
+    const bool calm = x < 1.0 + kCalmScale / std::sqrt(k) || ratio < limits_.smallestRatio;
+    calmTurns_ = calm ? calmTurns_ + turns : 0.0;
     if (calmTurns_ > kCalmTurns) {
       alarm_ = false;
       evidence_ = 0.0;
     }
     return;
   }
-  if (learn) follow(u, turns);
+  if (learn) follow(ratio, turns);
 }
 
-void OnsetTest::follow(double u, double turns) noexcept {
-  const bool first = learnedTurns_ == 0.0;
+void OnsetTest::follow(double ratio, double turns) noexcept {
+  if (learnedTurns_ == 0.0) mean_ = shortMean_ = ratio;
   const bool known = learned();
-  learnedTurns_ += turns;
-  if (first) mean_ = u;
-  const double error = known ? std::min(u - mean_, kMostLearned * scatter()) : u - mean_;
-  const double memory = error < 0.0 ? kFallTurns : kMemoryTurns;
-  const double rate = turns / std::min(learnedTurns_, memory);
-  mean_ += rate * error;
-  variance_ += turns / std::min(learnedTurns_, kMemoryTurns) * (error * error - variance_);
+  learnedTurns_ = std::min(learnedTurns_ + turns, kMemoryTurns);
+  const double most = mean_ * (1.0 + kOrdinary / std::sqrt(shape()));
+  const double r = known ? std::min(ratio, most) : ratio;
+  shortMean_ += turns / std::min(learnedTurns_, kShortTurns) * (r - shortMean_);
+  mean_ += turns / learnedTurns_ * (r - mean_);
+  if (!(mean_ > 0.0)) return;
+  const double error = r / mean_ - 1.0;
+  const double shortError = shortMean_ / mean_ - 1.0;
+  const double rate = turns / std::min(learnedTurns_ + kPriorTurns, kMemoryTurns);
+  variance_ += rate * (error * error - variance_);
+  shortVariance_ += rate * (shortError * shortError - shortVariance_);
+  if (known && shortMean_ * (1.0 + kSure * doubt(kShortTurns)) < mean_) {
+    mean_ = shortMean_;
+    learnedTurns_ = kShortTurns;
+  }
 }
 
 }  // namespace stillcut::detect

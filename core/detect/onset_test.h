@@ -1,12 +1,16 @@
 // Growth above a learned floor, as a sequential test: is the vibration that does not repeat from turn to turn growing
 // out of what it was while the cut was stable?
 //
-// The statistic is u = ln(E_d / E_x): energy of the turn difference over the energy of the vibration. In a stable cut
-// its mean and scatter are learned: falling at once, rising slowly and by bounded steps, so that growth does not become
-// its own floor, and frozen while an alarm lasts. The evidence adds up the
-// excess over kDrift scatters per turn (a one-sided CUSUM, Page 1954): a burst far above the floor is believed within a
-// fraction of a turn, a small excess must last.
-// No threshold is set by hand; what an amplitude has to reach at least is the resolution at which chatter is spoken of.
+// The statistic is r = E_d / E_x, energy of the turn difference over the energy of the vibration, one turn at a time.
+// In a stable cut it is the energy of noise, and noise in a narrow band (a lightly damped mode shaken by the chips) has
+// few degrees of freedom: bursts of five times the mean are ordinary there, and unheard of in broad noise. So r is
+// taken as Gamma-distributed, and mean, shape k = mean^2 / variance and correlation time are learned. The evidence is
+// the CUSUM (Page 1954) of the log-likelihood ratio of kGrowth times the learned mean against the mean itself,
+//   k (r / mean (1 - 1 / a) - ln a)  per correlation time, a = kGrowth;
+// by Lorden (1971) a limit h lets a stable cut pass at least e^h correlation times on average before a false alarm:
+// h = 12 is 160 000, and growth must show as a line between the harmonics as well. Until much is learned, k counts as 1
+// and the mean as high as its own doubt allows. The floor falls as soon as the short mean lies below it for certain,
+// rises slowly and by bounded steps so that growth does not become its own floor, and is frozen while an alarm lasts.
 // Thread: worker; real-time.
 #pragma once
 
@@ -16,7 +20,7 @@ class OnsetTest {
  public:
   struct Limits {
     double smallestRatio = 0.0;  // E_d / E_x below which nothing is called growth
-    double evidence = 4.0;       // sum of excess scatters at which growth is believed
+    double evidence = 12.0;      // log-likelihood ratio [nepers] at which growth is believed
   };
 
   void prepare(const Limits& limits) noexcept { limits_ = limits; }
@@ -27,18 +31,23 @@ class OnsetTest {
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }
   double evidence() const noexcept { return evidence_; }
-  // Learned floor of E_d / E_x (geometric mean) and its scatter in nepers of energy.
-  double floor() const noexcept;
-  double scatter() const noexcept;
+  double evidenceLimit() const noexcept { return limits_.evidence; }
+  // Learned floor of E_d / E_x (mean), the shape k of its distribution, and its correlation time in turns.
+  double floor() const noexcept { return mean_; }
+  double shape() const noexcept;
+  double correlation() const noexcept;
   double learnedTurns() const noexcept { return learnedTurns_; }
   static constexpr double kLearnTurns = 8.0;
 
  private:
-  void follow(double u, double turns) noexcept;
+  void follow(double ratio, double turns) noexcept;
+  double doubt(double turns) const noexcept;
 
   Limits limits_;
   double mean_ = 0.0;
-  double variance_ = 0.0;
+  double shortMean_ = 0.0;
+  double variance_ = 1.0;       // relative, of the ratio
+  double shortVariance_ = 0.0;  // relative, of the short mean
   double learnedTurns_ = 0.0;
   double evidence_ = 0.0;
   double calmTurns_ = 0.0;

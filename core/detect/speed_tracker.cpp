@@ -23,6 +23,12 @@ constexpr double kBetter = 2.0;         // ... if that comb carries so much more
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
+constexpr double kRecentSeconds = 0.05;
+constexpr double kRide = 2e-3;    // from the mean of the recent past: faster than the phases can be followed
+constexpr double kMoving = 1e-2;  // ... than turns can be compared
+constexpr double kArrived = 1e-3;
+constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
+constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
 
 }  // namespace
 
@@ -43,7 +49,8 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
 }
 
 void SpeedTracker::reset() noexcept {
-  told_ = nominal_;
+  told_ = before_ = recent_ = nominal_;
+  measured_ = riding_ = moving_ = false;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
   locked_ = proven_ = false;
@@ -55,18 +62,14 @@ void SpeedTracker::reset() noexcept {
 
 void SpeedTracker::restart() noexcept {
   catchUp_ = 0.0;
-  inCut_ = 0;
-  for (Look* look : {&quick_, &thorough_}) {
-    look->last = {};
-    look->since = 0;
-  }
-  head_ = 0;
+  forget();
   if (locked_) tracker_.start(spindle(), sd());
 }
 
 void SpeedTracker::listen(const MachineState& machine) noexcept {
   double told = nominal_;
   bool measured = false;
+  before_ = told_;
   if (machine.valid && machine.linkUp) {
     if (machine.actualSpeed.value > 0.0) {
       told = toHertz(machine.actualSpeed).value;
@@ -75,8 +78,10 @@ void SpeedTracker::listen(const MachineState& machine) noexcept {
       told = toHertz(machine.targetSpeed()).value;
     }
   }
+  if (measured != measured_ || !(before_ > 0.0)) before_ = recent_ = told;  // another kind of word, no change of speed
+  measured_ = measured;
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
-  if (told_ > 0.0 && told > 0.0 && locked_) tracker_.nudge(Hertz(told * ratio_));
+  if (told_ > 0.0 && told > 0.0 && locked_ && !riding_) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
   if (!locked_) source_ = told > 0.0 ? (measured ? SpeedSource::Machine : SpeedSource::Told) : SpeedSource::None;
 }
@@ -149,7 +154,51 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   judge(look, before);
 }
 
+void SpeedTracker::followMachine(double seconds) noexcept {
+  if (!(told_ > 0.0) || !measured_) {
+    riding_ = moving_ = false;
+    return;
+  }
+  recent_ += (1.0 - std::exp(-seconds / kRecentSeconds)) * (told_ - recent_);
+  const double away = std::abs(told_ / recent_ - 1.0);
+  moving_ = away > (moving_ ? kArrived : kMoving);
+  const bool rode = riding_;
+  riding_ = away > (riding_ ? kArrived : kRide);
+  if (rode && !riding_ && locked_) tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
+}
+
+void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
+  catchUp_ = 0.0;
+  for (int f = 0; f < frames; ++f) {
+    if (f % kRideFrames == 0) {
+      const double share = std::min(1.0, (f + 0.5 * kRideFrames) / frames);
+      step[f] = kTwoPi * ratio_ * (before_ + share * (told_ - before_)) / rate_;
+    } else {
+      step[f] = step[f - 1];
+    }
+    angle[f] = angle_;
+    angle_ += step[f];
+    if (angle_ >= kTwoPi) angle_ -= kTwoPi;
+  }
+}
+
+// A search over a speed that changes finds nothing.
+void SpeedTracker::forget() noexcept {
+  inCut_ = 0;
+  head_ = 0;
+  for (Look* look : {&quick_, &thorough_}) {
+    look->last = {};
+    look->since = 0;
+  }
+}
+
 void SpeedTracker::advance(const double* const* samples, int frames, double* angle, double* step) noexcept {
+  followMachine(frames / rate_);
+  if (riding_) {
+    ride(frames, angle, step);
+    forget();
+    return;
+  }
   remember(samples, frames);
   inCut_ += frames;
   quick_.since += frames;

@@ -1,5 +1,6 @@
 // The true spindle speed and angle: told speed (machine or setup), corrected by a comb search on the cut, then held on
-// the forced vibration turn by turn. Reports its doubt.
+// the forced vibration turn by turn. While a machine that measures its speed changes it, the angle follows the
+// machine's word, times the ratio of true to told speed found before. Reports its doubt.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
@@ -37,6 +38,10 @@ class SpeedTracker {
   Hertz sd() const noexcept;
   SpeedSource source() const noexcept { return source_; }
   bool locked() const noexcept { return locked_; }
+  // The machine changes its speed, and the angle follows its word.
+  bool riding() const noexcept { return riding_; }
+  // ... faster than vibration can be compared from turn to turn.
+  bool moving() const noexcept { return moving_; }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
   bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
   double scatter() const noexcept { return tracker_.scatter(); }
@@ -44,12 +49,15 @@ class SpeedTracker {
  private:
   static constexpr double kForcedPart = 0.1;
 
+  void forget() noexcept;
   void remember(const double* const* samples, int frames) noexcept;
   struct Look {  // one search and what it said last
     SpeedSearch search;
     SpeedCandidate last;
     long since = 0;  // frames since the last search
   };
+  void followMachine(double seconds) noexcept;
+  void ride(int frames, double* angle, double* step) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
   void lock(Hertz spindle, Hertz sd) noexcept;
@@ -63,6 +71,11 @@ class SpeedTracker {
   double nominal_ = 0.0;  // Hz, from the setup
   double told_ = 0.0;     // Hz, now
   double ratio_ = 1.0;    // true over told
+  double before_ = 0.0;   // Hz, told with the block before
+  double recent_ = 0.0;   // Hz, told over the last while
+  bool measured_ = false;
+  bool riding_ = false;  // angle and speed come from the machine, since its speed changes
+  bool moving_ = false;
   SpeedSource source_ = SpeedSource::None;
   bool locked_ = false;
   bool proven_ = false;  // the comb of the lock carried most of the power

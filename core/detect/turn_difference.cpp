@@ -19,7 +19,7 @@ void TurnDifference::prepare(int channels, Hertz rate, Hertz slowest) {
 void TurnDifference::reset() noexcept {
   std::fill(ring_.begin(), ring_.end(), 0.0);
   head_ = seen_ = 0;
-  turn_ = 0.0;
+  turn_ = twoTurns_ = 0.0;
   needed_ = mask_;
 }
 
@@ -41,13 +41,19 @@ void TurnDifference::make(double delay, Delay& out) noexcept {
 
 void TurnDifference::setTurn(Hertz spindle) noexcept {
   if (!(spindle.value > 0.0)) return;
-  const double longest = (static_cast<double>(mask_) - 2.0 * kTaps) / 2.0;
-  const double turn = std::clamp(rate_ / spindle.value, 2.0, longest);
-  if (turn == turn_) return;
+  setTurns(rate_ / spindle.value, 2.0 * rate_ / spindle.value);
+}
+
+void TurnDifference::setTurns(double one, double two) noexcept {
+  const double longest = static_cast<double>(mask_) - 2.0 * kTaps;
+  const double turn = std::clamp(one, 2.0, 0.5 * longest);
+  const double twoTurns = std::clamp(two, turn, longest);
+  if (turn == turn_ && twoTurns == twoTurns_) return;
   turn_ = turn;
+  twoTurns_ = twoTurns;
   make(turn + kHalfTaps, one_);
-  make(2.0 * turn + kHalfTaps, two_);
-  needed_ = static_cast<std::size_t>(2.0 * turn) + kTaps + 1;
+  make(twoTurns + kHalfTaps, two_);
+  needed_ = static_cast<std::size_t>(twoTurns) + kTaps + 1;
 }
 
 double TurnDifference::read(const double* ring, const Delay& delay) const noexcept {

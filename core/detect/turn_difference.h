@@ -23,6 +23,8 @@ class TurnDifference {
   void prepare(int channels, Hertz rate, Hertz slowest);
   void reset() noexcept;
   void setTurn(Hertz spindle) noexcept;
+  // While the speed changes: how many samples ago the spindle stood one and two turns back.
+  void setTurns(double one, double two) noexcept;
 
   // One frame; one value per channel in and out. out is 0 until two turns are known.
   void process(const double* x, double* out) noexcept;
@@ -41,6 +43,7 @@ class TurnDifference {
   int channels_ = 0;
   double rate_ = 0.0;
   double turn_ = 0.0;
+  double twoTurns_ = 0.0;
   std::size_t mask_ = 0;
   std::size_t head_ = 0;
   std::size_t seen_ = 0;

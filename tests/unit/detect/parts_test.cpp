@@ -81,7 +81,7 @@ TEST(TurnDifference, PassesLinesBetweenTheOrdersWithItsStatedGain) {
 
 TEST(OnsetTest, StaysCalmOnItsOwnScatterAndSeesGrowth) {
   OnsetTest test;
-  test.prepare({1e-4, 4.0});
+  test.prepare({1e-4, 16.0});
   std::mt19937 engine(3);
   std::normal_distribution<double> normal;
   for (int k = 0; k < 80000; ++k) {
@@ -100,7 +100,7 @@ TEST(OnsetTest, StaysCalmOnItsOwnScatterAndSeesGrowth) {
 
 TEST(OnsetTest, NothingBelowTheResolutionIsGrowth) {
   OnsetTest test;
-  test.prepare({1e-4, 4.0});
+  test.prepare({1e-4, 16.0});
   for (int k = 0; k < 800; ++k) test.update(1e-7, 0.125, true);
   for (int k = 0; k < 800; ++k) test.update(9e-5, 0.125, true);
   EXPECT_FALSE(test.alarm());
