@@ -17,7 +17,7 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kMostTeeth = 64;
-constexpr double kHighestSpeed_rpm = 1e6;
+constexpr double kHighestSpeed = 1e6;  // [rpm]
 
 struct AnalyzeOptions {
   std::string recording, speedLog, detector, events, series;
@@ -44,11 +44,11 @@ Status checkOptions(const AnalyzeOptions& given) {
     return Error{"--teeth", std::to_string(given.teeth) + " is out of range",
                  "allowed: 1 to " + std::to_string(kMostTeeth)};
   }
-  if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed_rpm)) {
+  if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed)) {
     return Error{"--speed", "the speed must be above zero and at most 1e6 rpm", ""};
   }
-  if (const Status events = checkOutPath(given.events, given.recording); !events) return events;
-  if (const Status series = checkOutPath(given.series, given.recording); !series) return series;
+  if (Status events = checkOutPath(given.events, given.recording); !events) return events;
+  if (Status series = checkOutPath(given.series, given.recording); !series) return series;
   if (!given.events.empty() && given.events == given.series) {
     return Error{given.events, "cannot be written", "--events and --series name the same file"};
   }
@@ -133,10 +133,10 @@ Status writeFiles(const AnalyzeOptions& given, const std::vector<VerdictLog>& lo
   if (!given.events.empty()) {
     nlohmann::json array = nlohmann::json::array();
     for (const VerdictLog& log : logs) log.appendEvents(array);
-    if (const Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return s;
+    if (Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return s;
   }
   if (series) {
-    if (const Status s = series->write(given.series); !s) {
+    if (Status s = series->write(given.series); !s) {
       if (!given.events.empty()) std::remove(given.events.c_str());
       return s;
     }

@@ -9,7 +9,7 @@
 namespace stillcut::app {
 namespace {
 
-constexpr double kHighestRate_Hz = 1e7;
+constexpr double kHighestRate = 1e7;  // [Hz]
 
 constexpr auto kQuantities =
     std::to_array<std::string_view>({"acceleration", "velocity", "displacement", "sound", "force", "current", "speed"});
@@ -34,7 +34,7 @@ void ReadingOptions::add(CLI::App& command) {
 Result<record::ReadOptions> ReadingOptions::understand() const {
   record::ReadOptions options;
   if (rateGiven_->count() > 0) {
-    if (!(rate_ > 0.0 && rate_ <= kHighestRate_Hz)) {
+    if (!(rate_ > 0.0 && rate_ <= kHighestRate)) {
       return Error{"--rate", "the rate must be above zero and at most 1e7 Hz", ""};
     }
     options.rate = Hertz(rate_);

@@ -18,7 +18,7 @@ void VerdictLog::observe(const Verdict& verdict) {
   if (verdict.valid) sums_.validTime_s += dt;
   if (verdict.spindle.value > 0.0) {
     sums_.spindle_Hz += verdict.spindle.value * dt;
-    spindleTime_s_ += dt;
+    spindleTime_ += dt;
   }
   if (verdict.alarming()) {
     if (!started_ || !last_.alarming()) ++sums_.alarms;
@@ -55,7 +55,7 @@ VerdictLog::Summary VerdictLog::summary() const {
   Summary s = sums_;
   s.detector = detector_;
   s.frequency_Hz = weight_ > 0.0 ? sums_.frequency_Hz / weight_ : 0.0;
-  s.spindle_Hz = spindleTime_s_ > 0.0 ? sums_.spindle_Hz / spindleTime_s_ : 0.0;
+  s.spindle_Hz = spindleTime_ > 0.0 ? sums_.spindle_Hz / spindleTime_ : 0.0;
   return s;
 }
 

@@ -46,7 +46,7 @@ class VerdictLog {
   std::vector<Verdict> changes_;
   Summary sums_;
   double weight_ = 0.0;
-  double spindleTime_s_ = 0.0;
+  double spindleTime_ = 0.0;  // [s]
 };
 
 void toJson(nlohmann::json& object, const VerdictLog::Summary& summary);

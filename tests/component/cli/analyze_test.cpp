@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using Arguments = std::vector<std::string>;
 
-constexpr double kFrequencyTolerance_Hz = 5.0;  // a line looked at for a tenth of a second or more
+constexpr double kFrequencyTolerance = 5.0;  // [Hz], a line looked at for a tenth of a second or more
 
 std::string contentOf(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -44,9 +44,9 @@ class Analyze : public testing::Test {
   void expectChatter(const json& answer) {
     const json& detector = answer["detectors"][0];
     EXPECT_GE(detector["alarms"], 1);
-    EXPECT_NEAR(detector["frequency_hz"], kChatter_Hz, kFrequencyTolerance_Hz);
-    EXPECT_GE(detector["first_alarm_s"], kOnset_s);
-    EXPECT_LE(detector["first_alarm_s"], kOnset_s + 0.25);  // grown to full size by then
+    EXPECT_NEAR(detector["frequency_hz"], kChatter, kFrequencyTolerance);
+    EXPECT_GE(detector["first_alarm_s"], kOnset);
+    EXPECT_LE(detector["first_alarm_s"], kOnset + 0.25);  // grown to full size by then
   }
   json events(const std::string& recording, Arguments more) {
     more.insert(more.end(), {"--events", "events.json"});
@@ -77,8 +77,8 @@ TEST_F(Analyze, EverySoundFormatKeepsItsRateAndItsChatter) {
     SCOPED_TRACE(name);
     writeSound(folder_ / name, {cutSignal(true)}, format);
     const json answer = analyze(name, told());
-    EXPECT_EQ(answer["rate_hz"], kRate_Hz);
-    EXPECT_NEAR(answer["length_s"], kLength_s, 1e-9);
+    EXPECT_EQ(answer["rate_hz"], kRate);
+    EXPECT_NEAR(answer["length_s"], kLength, 1e-9);
     expectChatter(answer);
   }
 }
@@ -107,7 +107,7 @@ TEST_F(Analyze, EventsHaveTheirFieldsInOrderOfTime) {
     last = event["t"];
     states.push_back(event["state"]);
   }
-  EXPECT_LE(last, kLength_s + 1e-6);
+  EXPECT_LE(last, kLength + 1e-6);
   EXPECT_EQ(states.front(), "air");
   EXPECT_EQ(states.back(), "chatter");
 }
@@ -128,7 +128,7 @@ TEST_F(Analyze, SeriesHasOneRowPerBlockAndTheNamedColumns) {
     EXPECT_GT(std::stod(line), t);
     t = std::stod(line);
   }
-  EXPECT_NEAR(t, kLength_s, 1e-9);
+  EXPECT_NEAR(t, kLength, 1e-9);
   EXPECT_EQ(rows, 500);  // blocks of 64 samples, 5 ms
 }
 
@@ -137,7 +137,7 @@ TEST_F(Analyze, TextWithTimesAndTextWithARateSayTheSame) {
   writeTable(folder_ / "plain", cutSignal(true), "");
   const json withTimes = analyze("times.csv", {"--teeth", "4", "--speed", "8500"});
   const json withRate = analyze("plain", told({"--rate", "12800"}));
-  EXPECT_EQ(withTimes["rate_hz"], kRate_Hz);
+  EXPECT_EQ(withTimes["rate_hz"], kRate);
   expectChatter(withTimes);
   EXPECT_EQ(withTimes["detectors"], withRate["detectors"]);
 }
@@ -158,7 +158,7 @@ TEST_F(Analyze, ASpeedLogStandsForTheSpeed) {
   const json logged = analyze("cut.wav", {"--teeth", "4", "--quantity", "acceleration", "--speed-log", "speed.csv"});
   expectChatter(logged);
   EXPECT_THAT(logged["remarks"], testing::IsEmpty());
-  EXPECT_NEAR(logged["detectors"][0]["spindle_hz"], kSpeed_rpm / 60.0, 0.2);
+  EXPECT_NEAR(logged["detectors"][0]["spindle_hz"], kSpeed / 60.0, 0.2);
 }
 
 TEST_F(Analyze, SaysWhatNobodyToldIt) {

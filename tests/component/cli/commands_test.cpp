@@ -40,8 +40,8 @@ TEST_F(Commands, ConvertKeepsSamplesAndAppliesTheScale) {
   run({"convert", "cut.wav", "cut.csv", "--quantity", "acceleration", "--scale", "50"});
   run({"convert", "cut.csv", "back.wav"});
   const json info = json::parse(run({"info", "back.wav", "--json"}), nullptr, false);
-  EXPECT_EQ(info["rate_hz"], kRate_Hz);
-  EXPECT_EQ(info["frames"], static_cast<int>(kLength_s * kRate_Hz));
+  EXPECT_EQ(info["rate_hz"], kRate);
+  EXPECT_EQ(info["frames"], static_cast<int>(kLength * kRate));
   std::istringstream table(content("cut.csv"));
   std::string line;
   std::getline(table, line);

@@ -8,15 +8,16 @@
 
 namespace stillcut::cli_test {
 
-inline constexpr double kRate_Hz = 12800.0;
+// In Hz, rev/min and s.
+inline constexpr double kRate = 12800.0;
 inline constexpr int kTeeth = 4;
-inline constexpr double kSpeed_rpm = 8500.0;
-inline constexpr double kChatter_Hz = 937.0;
-inline constexpr double kOnset_s = 1.2;
-inline constexpr double kLength_s = 2.5;
+inline constexpr double kSpeed = 8500.0;
+inline constexpr double kChatter = 937.0;
+inline constexpr double kOnset = 1.2;
+inline constexpr double kLength = 2.5;
 
 // A cut as a sensor might hear it, within +-1: air up to 0.3 s, then every harmonic of the spindle with the tooth
-// passing the strongest; from kOnset_s on, where `chatters`, a line at kChatter_Hz that grows to twice the tooth
+// passing the strongest; from kOnset on, where `chatters`, a line at kChatter that grows to twice the tooth
 // passing.
 std::vector<float> cutSignal(bool chatters);
 
@@ -27,7 +28,9 @@ void writeSound(const std::string& path, const std::vector<std::vector<float>>& 
 // "Time (s),a (m/s^2)" and the signal; without times where `header` is empty.
 void writeTable(const std::string& path, const std::vector<float>& signal, const std::string& header);
 
-// The demonstration's cut, deep enough to chatter from its entry, over in 2 s.
+inline constexpr const char* kStrategy = "lobe-center";
+
+// The demonstration's cut with kStrategy, deep enough to chatter from its entry, over in 2 s.
 void writeScenario(const std::string& path);
 
 // `path` with its text changed: the first `from` becomes `to`.

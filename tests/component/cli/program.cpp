@@ -18,7 +18,7 @@ extern char** environ;
 namespace stillcut::cli_test {
 namespace {
 
-constexpr int kPatience_ms = 120'000;  // far beyond any of these runs: only a program that hangs meets it
+constexpr int kPatience = 120'000;  // [ms], far beyond any of these runs: only a program that hangs meets it
 
 std::string contentOf(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
@@ -30,7 +30,7 @@ int await(pid_t pid) {
   // Not through <sys/pidfd.h>: glibc 2.36 declares it as a C++ function.
   const auto handle = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
   pollfd waiting{handle, POLLIN, 0};
-  if (handle < 0 || poll(&waiting, 1, kPatience_ms) != 1) kill(pid, SIGKILL);
+  if (handle < 0 || poll(&waiting, 1, kPatience) != 1) kill(pid, SIGKILL);
   if (handle >= 0) close(handle);
   int status = 0;
   waitpid(pid, &status, 0);

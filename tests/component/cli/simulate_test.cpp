@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "core/control/registry.h"
 #include "tests/component/cli/made_files.h"
 #include "tests/component/cli/program.h"
 #include "tests/unit/record/temp_folder.h"
@@ -40,7 +41,7 @@ TEST_F(Simulate, GivesOneObjectWithTheNamedFields) {
                                            "quiet_delay_s", "marked_mm", "peak_ratio", "final_ratio", "final_speed_rpm",
                                            "final_feed_mm_min", "mrr_ratio", "speed_changes"}));
   EXPECT_EQ(answer["scenario"], "demo");
-  EXPECT_EQ(answer["strategy"], "lobe-center");
+  EXPECT_EQ(answer["strategy"], kStrategy);
   EXPECT_THAT(answer["outcome"].get<std::string>(), testing::AnyOf("stable", "no-stable-speed", "hold", "chatter"));
 }
 
@@ -60,7 +61,8 @@ TEST_F(Simulate, TheSameSeedGivesTheSameCut) {
 }
 
 TEST_F(Simulate, EveryStrategyOfTheTableRuns) {
-  for (const char* id : {"monitor", "lobe-center", "extremum-paper", "extremum-seek", "quarter-phase"}) {
+  for (const control::StrategyEntry& entry : control::strategyTable()) {
+    const std::string id(entry.id);
     SCOPED_TRACE(id);
     EXPECT_EQ(simulate({"--strategy", id})["strategy"], id);
   }
