@@ -63,7 +63,10 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.params = profile.params;
   spec.autoAllowed = profile.allowAuto;
   spec.methods.detectors = {profile.detector};
-  if (!profile.fallback.empty()) spec.methods.detectors.push_back(profile.fallback);
+  if (!profile.fallback.empty() && profile.fallback != profile.detector) {
+    spec.methods.detectors.push_back(profile.fallback);
+    spec.methods.fallback = profile.fallback;
+  }
   spec.methods.strategy = profile.strategy;
   spec.watched = true;
   return Rig::build(std::move(spec));

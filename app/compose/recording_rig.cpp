@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/compose/run_text.h"
 #include "core/daq/replay_source.h"
 #include "core/record/open_recording.h"
 
@@ -64,6 +65,29 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   spec.device = std::move(source);
   spec.params = options.params;
   spec.methods = options.methods;
+  spec.deterministic = true;
+  auto rig = Rig::build(std::move(spec));
+  if (!rig) return rig.error();
+  return RecordingRig{std::move(rig).value(), format};
+}
+
+Result<RecordingRig> buildReplayRig(const std::string& path) {
+  auto reader = record::openRecording(path);
+  if (!reader) return reader.error();
+  const record::RecordingFormat format = (*reader)->format();
+  if (!format.setup) return Error{path, "cannot be decided again", "only Stillcut sessions say how they were made"};
+  auto run = parseRunText(format.configuration, path + " (configuration)");
+  if (!run) return run.error();
+
+  auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), daq::ReplayOptions{});
+  RigSpec spec;
+  spec.setup = *format.setup;
+  spec.steps = std::make_unique<SessionStepSource>(*source);
+  spec.feed = std::make_unique<pipeline::RecordedMachineFeed>();
+  spec.device = std::move(source);
+  spec.params = std::move(run->params);
+  spec.methods = std::move(run->methods);
+  spec.autoAllowed = run->autoAllowed;
   spec.deterministic = true;
   auto rig = Rig::build(std::move(spec));
   if (!rig) return rig.error();

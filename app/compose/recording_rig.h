@@ -1,4 +1,5 @@
-// A rig on a recording: the methods run on what was measured, nothing is commanded.
+// A rig on a recording. Either other methods run on what was measured, or the recorded run itself is decided again from
+// what went into it. There is no machine: what is commanded goes nowhere.
 // Thread: set-up.
 #pragma once
 
@@ -16,7 +17,7 @@ struct RecordingOptions {
   int teeth = 0;                                   // 0: as the recording says, or unknown
   Rpm speed{};                                     // 0: as the recording says, or unknown
   std::vector<pipeline::SpeedLogFeed::Point> log;  // measured speed; empty: none
-  Methods methods{.detectors = {"energy-ratio"}, .strategy = "monitor"};
+  Methods methods{.detectors = {"energy-ratio"}, .fallback = {}, .strategy = "monitor"};
   config::ParamSet params;
 };
 
@@ -26,6 +27,11 @@ struct RecordingRig {
 };
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options);
+
+// A session, decided again: its own methods, parameters, limits and leave for Auto, its machine states and operator
+// inputs. The same program gives the same verdicts, requests and commands, bit by bit. An error for a recording that
+// does not say how it was made.
+Result<RecordingRig> buildReplayRig(const std::string& path);
 
 // CSV with the header t,rpm; times rising.
 Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path);

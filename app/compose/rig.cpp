@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/compose/run_text.h"
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
 #include "generated/version.h"
@@ -14,9 +15,9 @@ Result<pipeline::ChainParts> makeParts(const Methods& methods) {
   for (const std::string& id : methods.detectors) {
     auto detector = detect::makeDetector(id);
     if (!detector) return detector.error();
+    if (id == methods.fallback) parts.fallback = static_cast<int>(parts.detectors.size());
     parts.detectors.push_back(std::move(detector).value());
   }
-  if (parts.detectors.size() > 1) parts.fallback = 1;
   auto strategy = control::makeStrategy(methods.strategy);
   if (!strategy) return strategy.error();
   parts.strategy = std::move(strategy).value();
@@ -95,7 +96,8 @@ cnc::LinkInfo Rig::linkInfo() const {
   return spec_.link ? spec_.link->describe() : cnc::LinkInfo{};
 }
 
-Status Rig::recordTo(const std::string& path, const std::string& configuration) {
+Status Rig::recordTo(const std::string& path, const std::string& origin) {
+  const std::string configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
   auto recorder = record::Recorder::create(
       path, {spec_.setup, configuration, STILLCUT_VERSION, spec_.link && spec_.link->describe().simulated});
   if (!recorder) return recorder.error();

@@ -17,7 +17,8 @@ namespace stillcut::app {
 
 // Which methods run and who is in charge.
 struct Methods {
-  std::vector<std::string> detectors{"energy-ratio"};  // the first is in charge
+  std::vector<std::string> detectors{"energy-ratio"};  // all that run; the first is in charge
+  std::string fallback;                                // one of them, takes over when the first fails; empty: none
   std::string strategy = "stable-pocket";
 };
 
@@ -49,8 +50,9 @@ class Rig {
   cnc::LinkInfo linkInfo() const;
   bool hasLink() const { return spec_.link != nullptr; }
 
-  // Before the first step: everything goes to the session file `path` as well.
-  Status recordTo(const std::string& path, const std::string& configuration);
+  // Before the first step: everything goes to the session file `path` as well, with the whole wiring of this run (see
+  // run_text.h). `origin`: the scenario or profile it was made from, as text, kept for the reader.
+  Status recordTo(const std::string& path, const std::string& origin);
   // Null: nothing is recorded.
   record::Recorder* recorder() { return recorder_.get(); }
 
@@ -58,6 +60,8 @@ class Rig {
   void start(const pipeline::EngineOptions& options);
   void stop();
   bool finished() const { return engine_ && engine_->finished(); }
+  // Its latencies and losses; null before start().
+  const pipeline::Engine* engine() const { return engine_.get(); }
   // One thread only (the screen's).
   const Snapshot* read() { return publisher_.read(); }
   bool send(const OperatorInput& input);

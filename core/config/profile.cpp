@@ -145,6 +145,8 @@ void writeCut(TomlWriter& out, const CutSetup& cut) {
   }
 }
 
+}  // namespace
+
 void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog) {
   // A table may be opened once only, so the parts are written one after the other.
   std::map<std::string, std::vector<const ParamDecl*>> parts;
@@ -157,7 +159,12 @@ void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog
   }
 }
 
-}  // namespace
+Result<ParamSet> readParameters(const TomlTable& parameters, const ParamCatalog& catalog) {
+  ParamReading reading{catalog, {}, kProfileVersion, {}, std::nullopt};
+  reading.read(parameters, "");
+  if (reading.error) return *reading.error;
+  return std::move(reading.params);
+}
 
 Result<ParamSet> loadParameters(const std::string& path, const ParamCatalog& catalog) {
   const TomlReader in = TomlReader::file(path);

@@ -26,6 +26,9 @@
 
 namespace stillcut::config {
 
+class TomlTable;
+class TomlWriter;
+
 inline constexpr int kProfileVersion = 1;
 
 // A device or machine link by its id, with its own settings as text; the part itself checks them when it is made.
@@ -69,6 +72,10 @@ Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const st
 
 // Parameters alone, a table a part: [energy-ratio] threshold = 0.2. The `--config` of the command line.
 Result<ParamSet> loadParameters(const std::string& path, const ParamCatalog& catalog);
+
+// Tables of a larger file: [parameters.energy-ratio] and so on, in the order of the catalogue, and back.
+void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog);
+Result<ParamSet> readParameters(const TomlTable& parameters, const ParamCatalog& catalog);
 
 // "KEY=VALUE" of the command line; `where` names the option for the error. Nothing changes on error.
 Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting,

@@ -49,6 +49,10 @@ class Engine {
   std::uint64_t droppedBlocks() const { return dropped_.load(std::memory_order_relaxed); }
   // From the last sample of a block to the hand-over of its decision.
   const rt::DeadlineStats& latency() const { return latency_; }
+  // Owner's thread, between start() and stop(): what the system granted the worker.
+  rt::Scheduling workerScheduling() const {
+    return workerThread_ ? workerThread_->granted() : rt::Scheduling::Ordinary;
+  }
 
  private:
   void driver(std::stop_token stop);

@@ -1,0 +1,226 @@
+// Live, replayed and simulated cuts run the same code with the same results (house rule 4): a cut recorded from its
+// threads, and one recorded from a deterministic run, are decided again from their files. Every verdict, request,
+// command and event must come out with the same bits.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "app/compose/recording_rig.h"
+#include "app/compose/run_text.h"
+#include "core/cnc/simulated_machine.h"
+#include "core/daq/simulated_source.h"
+#include "core/record/open_recording.h"
+#include "tests/component/demo_cut.h"
+#include "tests/component/same_bits.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::app {
+namespace {
+
+// A source that loses a few blocks on the way, as an overflowing ring does.
+class LosingSource final : public daq::DaqSource {
+ public:
+  LosingSource(std::unique_ptr<daq::DaqSource> source, std::uint64_t from, int count)
+      : source_(std::move(source)), from_(from), count_(count) {}
+  Result<daq::SourceFormat> open() override { return source_->open(); }
+  bool read(SampleBlock& block) noexcept override {
+    if (!source_->read(block)) return false;
+    if (block.sequence != from_) return true;
+    std::uint64_t lost = 0;
+    for (int i = 0; i < count_; ++i) {
+      lost += static_cast<std::uint64_t>(block.frames);
+      if (!source_->read(block)) return false;
+    }
+    block.flags |= kBlockGap;
+    block.lostFrames += lost;
+    return true;
+  }
+  void stop() noexcept override { source_->stop(); }
+  std::string fault() const override { return source_->fault(); }
+
+ private:
+  std::unique_ptr<daq::DaqSource> source_;
+  std::uint64_t from_;
+  int count_;
+};
+
+// The demo's simulated machine at another pace, with a limit of our own.
+RigSpec demoSpec(const daq::SimulatedPace& pace) {
+  const milling::Scenario cut = test::demoCut();
+  auto port = std::make_shared<milling::PlantPort>();
+  RigSpec spec;
+  spec.device = std::make_unique<daq::SimulatedSource>(cut, 0, port, pace);
+  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
+  spec.setup = cut.cutSetup();
+  spec.autoAllowed = true;
+  EXPECT_TRUE(spec.params.set(config::kLowestSpeedOverride, 61.3, "test").ok());
+  return spec;
+}
+
+struct Content {
+  std::vector<StepOutput> outputs;
+  std::vector<int> inputCounts;
+  int sets = 0, alarms = 0, gaps = 0;
+};
+
+Content readBack(const std::string& path) {
+  Content content;
+  auto reader = record::openRecording(path);
+  EXPECT_TRUE(reader.ok()) << reader.error().line();
+  if (!reader) return content;
+  const record::RecordingFormat& format = (*reader)->format();
+  SampleBlock block;
+  block.allocate(static_cast<int>(format.channels.size()), format.blockFrames);
+  while ((*reader)->read(block).value()) {
+    const StepRecord* step = (*reader)->recordedStep();
+    content.outputs.push_back(step->output);
+    content.inputCounts.push_back(step->input.inputCount);
+    content.gaps += block.has(kBlockGap) ? 1 : 0;
+    content.sets += step->output.hasCommand && step->output.command.kind == CommandKind::Set ? 1 : 0;
+    content.alarms += step->output.verdicts[0].alarming() ? 1 : 0;
+  }
+  return content;
+}
+
+void expectSame(const std::vector<StepOutput>& a, const std::vector<StepOutput>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const std::string differs = test::difference(a[i], b[i]);
+    ASSERT_TRUE(differs.empty()) << "step " << i << ": " << differs;
+  }
+}
+
+// Decides the recorded run again, recording that too, and compares the two files step by step.
+void expectReplayTheSame(const std::string& path, const std::string& second) {
+  auto replay = buildReplayRig(path);
+  ASSERT_TRUE(replay.ok()) << replay.error().line();
+  EXPECT_FALSE(replay->rig->hasLink());
+  ASSERT_TRUE(replay->rig->recordTo(second, "").ok());
+  replay->rig->runToEnd({});
+  EXPECT_EQ(replay->rig->device().fault(), "");
+  ASSERT_TRUE(replay->rig->recorder()->finish().ok());
+  expectSame(readBack(path).outputs, readBack(second).outputs);
+}
+
+TEST(Replay, ACutRunLiveOnItsThreadsIsDecidedTheSameAgain) {
+  const record::TempFolder folder;
+  const std::string path = folder / "live.h5";
+  {
+    RigSpec spec = demoSpec({.realTime = true, .multiplier = 4.0});
+    spec.watched = true;
+    auto rig = Rig::build(std::move(spec));
+    ASSERT_TRUE(rig.ok()) << rig.error().line();
+    ASSERT_TRUE((*rig)->recordTo(path, "").ok());
+    ASSERT_TRUE((*rig)->send({OperatorAction::SetAuthority, Authority::Auto}));
+    pipeline::EngineOptions options;
+    options.ringBlocks = 1024;  // the whole cut: whatever the scheduler does, nothing is lost
+    options.linkPeriod = Seconds(0.001);
+    (*rig)->start(options);
+    while (!(*rig)->finished()) {
+      (*rig)->read();  // the screen
+      std::this_thread::yield();
+    }
+    (*rig)->stop();
+    ASSERT_TRUE((*rig)->recorder()->finish().ok());
+    ASSERT_EQ((*rig)->recorder()->status().dropped, 0U);
+  }
+  const Content live = readBack(path);
+  EXPECT_EQ(live.outputs.size(), 500U);
+  EXPECT_GT(live.alarms, 0);
+  EXPECT_GT(live.sets, 0);
+  expectReplayTheSame(path, folder / "again.h5");
+}
+
+TEST(Replay, ADeterministicCutWithAGapAndOperatorInputsIsDecidedTheSameAgain) {
+  const record::TempFolder folder;
+  const std::string path = folder / "run.h5";
+  RigSpec spec = demoSpec({});
+  spec.device = std::make_unique<LosingSource>(std::move(spec.device), 330, 4);
+  auto rig = Rig::build(std::move(spec));
+  ASSERT_TRUE(rig.ok()) << rig.error().line();
+  ASSERT_TRUE((*rig)->recordTo(path, "name = \"demo\"\n[tool]\nteeth = 4\n").ok());
+  ASSERT_TRUE((*rig)->send({OperatorAction::SetAuthority, Authority::Auto}));
+  std::vector<StepOutput> seen;
+  (*rig)->runToEnd([&](const StepInput&, const StepOutput& output) {
+    seen.push_back(output);
+    if (seen.size() == 380) (*rig)->send({OperatorAction::Hold});
+    if (seen.size() == 420) (*rig)->send({OperatorAction::EndHold});
+    if (seen.size() == 450) (*rig)->send({OperatorAction::BackToProgrammed});
+  });
+  ASSERT_TRUE((*rig)->recorder()->finish().ok());
+
+  const Content recorded = readBack(path);
+  EXPECT_GT(recorded.alarms, 0);
+  EXPECT_GT(recorded.sets, 0);
+  EXPECT_EQ(recorded.gaps, 1);
+  int inputs = 0;
+  for (const int n : recorded.inputCounts) inputs += n;
+  EXPECT_EQ(inputs, 4);
+  // The file says what the run said; the worker's own events (chatter began, ended) come on top of the gate's.
+  ASSERT_EQ(recorded.outputs.size(), seen.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    StepOutput stored = recorded.outputs[i];
+    ASSERT_GE(stored.eventCount, seen[i].eventCount);
+    stored.eventCount = seen[i].eventCount;
+    ASSERT_EQ(test::difference(stored, seen[i]), "") << "step " << i;
+  }
+  expectReplayTheSame(path, folder / "again.h5");
+}
+
+TEST(Replay, TwoDeterministicRunsHaveTheSameBits) {
+  std::vector<StepOutput> runs[2];
+  for (auto& outputs : runs) {
+    auto rig = Rig::build(demoSpec({}));
+    ASSERT_TRUE(rig.ok());
+    (*rig)->send({OperatorAction::SetAuthority, Authority::Auto});
+    (*rig)->runToEnd([&](const StepInput&, const StepOutput& output) { outputs.push_back(output); });
+  }
+  EXPECT_EQ(runs[0].size(), 500U);
+  expectSame(runs[0], runs[1]);
+}
+
+TEST(Replay, TheComparisonSeesOneBit) {
+  StepOutput a, b;
+  a.verdictCount = b.verdictCount = 1;
+  EXPECT_EQ(test::difference(a, b), "");
+  b.verdicts[0].frequency = Hertz(-0.0);
+  EXPECT_EQ(test::difference(a, b), "verdict 0");
+  b = a;
+  b.hasCommand = a.hasCommand = true;
+  b.command.speed = Ratio(std::nextafter(1.0, 2.0));
+  EXPECT_EQ(test::difference(a, b), "command");
+}
+
+TEST(RunText, SaysHowARunWasWiredAndIsReadBack) {
+  RunText run;
+  run.methods = {{"energy-ratio"}, "", "extremum-seek"};
+  run.autoAllowed = true;
+  ASSERT_TRUE(run.params.set(config::kLowestSpeedOverride, 100.0 / 3.0, "test").ok());
+  const auto back = parseRunText(runText(run, "name = \"demo\"\n[[sensor]]\n"), "text");
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(back->methods.detectors, run.methods.detectors);
+  EXPECT_EQ(back->methods.fallback, "");
+  EXPECT_EQ(back->methods.strategy, "extremum-seek");
+  EXPECT_TRUE(back->autoAllowed);
+  EXPECT_EQ(back->params.values(), run.params.values());
+}
+
+TEST(RunText, WhatIsMissingOrUnknownIsNamed) {
+  const auto empty = parseRunText("", "cut.h5 (configuration)");
+  ASSERT_FALSE(empty.ok());
+  EXPECT_NE(empty.error().line().find("cut.h5"), std::string::npos) << empty.error().line();
+  const auto unknown = parseRunText(
+      "[methods]\ndetectors = \"energy-ratio\"\nstrategy = \"monitor\"\nallow_auto = false\n[parameters.gate]\nlese = "
+      "1\n",
+      "cut.h5");
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_NE(unknown.error().line().find("lese"), std::string::npos) << unknown.error().line();
+}
+
+}  // namespace
+}  // namespace stillcut::app
