@@ -46,6 +46,8 @@ FakeSession::FakeSession() {
   earlier.speedAfter = Rpm(kProgrammed);
   earlier.feedBefore = fromMmPerMin(1440);
   earlier.feedAfter = fromMmPerMin(kFeed);
+  earlier.severityBefore = Ratio(0.71);
+  earlier.severityAfter = Ratio(0.02);
   earlier.vibrationBefore = 11.4;
   earlier.vibrationAfter = 2.2;
   earlier.marked = Metres(0.0021);
@@ -155,6 +157,8 @@ void FakeSession::finishIntervention() {
   i.speedAfter = Rpm(kTarget);
   i.feedBefore = fromMmPerMin(kFeed);
   i.feedAfter = fromMmPerMin(kFeed * kTarget / kProgrammed);
+  i.severityBefore = Ratio(0.62);
+  i.severityAfter = Ratio(0.01);
   i.vibrationBefore = peak_;
   i.vibrationAfter = s.vibrationRms;
   i.marked = Metres(fromMmPerMin(kFeed).value * i.timeToQuiet.value);

@@ -81,7 +81,11 @@ CardView cardOf(const Intervention& i, const SessionInfo& info) {
   card.time = clockTime(info.wallMs(i.began));
   card.headline = headlineOf(i);
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
-  card.feed = change(number(toMmPerMin(i.feedBefore)), number(toMmPerMin(i.feedAfter)), QStringLiteral("mm/min"));
+  // The proof: how much of the vibration is the cut's own. The vibration alone may stay, when the quiet speed lies
+  // where the teeth excite a mode.
+  card.ratio =
+      say("chatter %1")
+          .arg(change(number(1e2 * i.severityBefore.value), number(1e2 * i.severityAfter.value), QStringLiteral("%")));
   card.vibration = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
   card.tone = i.quiet ? Tone::Normal : i.finished ? Tone::Chatter : Tone::Advice;
   return card;

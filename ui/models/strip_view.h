@@ -34,7 +34,7 @@ CommandView makeCommandView(const Picture& picture);
 struct CardView {
   quint64 number = 0;
   QString time, headline;
-  QString speed, feed, vibration;  // "8 800 -> 8 565 rpm" with a true arrow
+  QString speed, ratio, vibration;  // "8 800 -> 8 565 rpm" with a true arrow
   Tone tone = Tone::Normal;
   bool operator==(const CardView&) const = default;
 };

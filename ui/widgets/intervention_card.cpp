@@ -15,7 +15,7 @@ void InterventionCard::display(const CardView& view) {
   if (view == view_) return;
   view_ = view;
   setAccessibleName(view.headline);
-  setAccessibleDescription(QStringList{view.time, view.speed, view.feed, view.vibration}.join(QStringLiteral(", ")));
+  setAccessibleDescription(QStringList{view.time, view.speed, view.ratio, view.vibration}.join(QStringLiteral(", ")));
   update();
 }
 
@@ -45,7 +45,7 @@ void InterventionCard::paintEvent(QPaintEvent*) {
                {type_size::kBody, true, theme_.onPanel(view_.tone), Qt::AlignLeft, 0.75});
   // Three columns at fixed shares, so that the cards line up under each other.
   constexpr std::array<double, 4> kEdges{0.0, 0.34, 0.74, 1.0};
-  const std::array<const QString*, 3> parts{&view_.speed, &view_.feed, &view_.vibration};
+  const std::array<const QString*, 3> parts{&view_.speed, &view_.ratio, &view_.vibration};
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const QRectF box(lower.left() + lower.width() * kEdges[k], lower.top(),
                      lower.width() * (kEdges[k + 1] - kEdges[k]) - theme_.px(8), lower.height());
