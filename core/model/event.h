@@ -29,7 +29,7 @@ struct Intervention {
   Hertz frequency{};      // chatter frequency at the alarm
   Rpm speedBefore{}, speedAfter{};
   MetresPerSecond feedBefore{}, feedAfter{};
-  Ratio severityBefore{}, severityAfter{};  // energy ratio: highest before, present after
+  Ratio severityBefore{}, severityAfter{};  // energy ratio: highest before our command, newest after
   double vibrationBefore = 0.0;             // rms in the channel's SI unit
   double vibrationAfter = 0.0;
   Metres marked{};  // length of path cut in chatter

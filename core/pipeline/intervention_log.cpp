@@ -54,17 +54,21 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
                              Seconds dt) noexcept {
   Intervention& card = cards_[(count_ - 1) % kInterventionsShown];
   if (output.hasCommand && moves(output.command) && card.commanded == Instant{}) card.commanded = output.command.time;
-  if (alarming_) {
-    card.severityBefore = std::max(card.severityBefore, verdict.severity);
-    card.vibrationBefore = std::max(card.vibrationBefore, vibrationRms);
-    card.marked += Metres(input.machine.actualFeed.value * dt.value);
-    if (verdict.state == CutState::Chatter || card.frequency.value <= 0.0) card.frequency = verdict.frequency;
-    return;
-  }
   card.speedAfter = input.machine.actualSpeed;
   card.feedAfter = input.machine.actualFeed;
   card.vibrationAfter = vibrationRms;
   if (verdict.valid) card.severityAfter = verdict.severity;
+  if (alarming_) {
+    // "Before" ends with our first command: while the spindle changes its speed nothing repeats from turn to turn, and
+    // the energy ratio says nothing about chatter.
+    if (card.commanded == Instant{}) {
+      card.severityBefore = std::max(card.severityBefore, verdict.severity);
+      card.vibrationBefore = std::max(card.vibrationBefore, vibrationRms);
+      if (verdict.state == CutState::Chatter || card.frequency.value <= 0.0) card.frequency = verdict.frequency;
+    }
+    card.marked += Metres(input.machine.actualFeed.value * dt.value);
+    return;
+  }
   if (secondsBetween(lastAlarm_, input.block.end()) < kQuietFor) return;
   card.finished = true;
   card.quiet = verdict.valid;

@@ -46,8 +46,9 @@ TEST(InterventionLog, TellsBeforeAndAfterOfOneAlarm) {
   const StepOutput first = s.block(CutState::Onset, 0.1, 8000.0, 2.0);
   ASSERT_EQ(first.eventCount, 1);
   EXPECT_EQ(first.events[0].reason.code, ReasonCode::ChatterBegan);
-  s.block(CutState::Chatter, 0.6, 8000.0, 9.0, true);
-  for (int i = 0; i < 8; ++i) s.block(CutState::Chatter, 0.5, 7900.0, 7.0);
+  s.block(CutState::Chatter, 0.6, 8000.0, 9.0);
+  s.block(CutState::Chatter, 0.5, 8000.0, 8.0, true);
+  for (int i = 0; i < 7; ++i) s.block(CutState::Chatter, 0.95, 7900.0, 12.0);  // the spindle runs down: not "before"
   StepOutput last;
   for (int i = 0; i < 30 && last.eventCount == 0; ++i) last = s.block(CutState::Stable, 0.02, 7760.0, 1.1);
 
@@ -64,7 +65,7 @@ TEST(InterventionLog, TellsBeforeAndAfterOfOneAlarm) {
   EXPECT_DOUBLE_EQ(card.vibrationAfter, 1.1);
   EXPECT_NEAR(card.timeToQuiet.value, 9 * kBlock, 1e-9);  // from the first to the last alarming block
   EXPECT_NEAR(card.marked.value * 1e3, 10 * kBlock * 10.0, 1e-9);
-  EXPECT_NEAR(secondsBetween(card.began, card.commanded).value, kBlock, 1e-9);
+  EXPECT_NEAR(secondsBetween(card.began, card.commanded).value, 2 * kBlock, 1e-9);
   ASSERT_EQ(last.eventCount, 1);
   EXPECT_EQ(last.events[0].reason.code, ReasonCode::ChatterEnded);
   EXPECT_NEAR(s.log.chatterTime().value, 10 * kBlock, 1e-9);
