@@ -57,9 +57,9 @@ struct Scenario {
   std::vector<SensorSettings> sensors;
   std::uint64_t seed = 1;
   Expectation expect = Expectation::Hold;
-  bool grantsAuto = false;               // on its own simulated machine only
+  bool grantsAuto = false;                 // on its own simulated machine only
   std::string strategy = "stable-pocket";  // default one
-  int stepsPerRevolution = 0;            // 0: chosen from modes, speed and rate
+  int stepsPerRevolution = 0;              // 0: chosen from modes, speed and rate
   int helixSlices = 8;
 
   MetresPerSecond programmedFeed(Rpm at) const;
