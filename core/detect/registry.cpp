@@ -5,7 +5,10 @@
 #include <string>
 
 #include "core/config/nearest_word.h"
+#include "core/detect/coherence.h"
 #include "core/detect/energy_ratio.h"
+#include "core/detect/parametric.h"
+#include "core/detect/spectral.h"
 
 namespace stillcut::detect {
 namespace {
@@ -15,8 +18,11 @@ std::unique_ptr<Detector> make() {
   return std::make_unique<T>();
 }
 
-constexpr std::array<DetectorRow, 1> kTable{{
+constexpr std::array<DetectorRow, 4> kTable{{
+    {"parametric", make<ParametricDetector>, parametricParams},
+    {"spectral", make<SpectralDetector>, spectralParams},
     {"energy-ratio", make<EnergyRatioDetector>, energyRatioParams},
+    {"coherence", make<CoherenceDetector>, coherenceParams},
 }};
 
 }  // namespace

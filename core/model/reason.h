@@ -24,6 +24,10 @@ enum class ReasonCode : std::uint16_t {
   Transient,           // seconds since the cut began or ended
   EnergyRatioHigh,     // ratio, limit
   EnergyRatioGrowing,  // ratio, floor
+  LineOffHarmonics,    // its part of the vibration, limit, Hz
+  ResidualGrowing,     // part of the vibration that the harmonics leave, floor, Hz
+  CoherenceHigh,       // coherence ratio, limit, Hz
+  NeedsTwoChannels,    // channels there are
   DetectorFault,       // detector index
   // requests
   NothingToDo,         // -

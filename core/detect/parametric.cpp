@@ -1,0 +1,236 @@
+#include "core/detect/parametric.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::array<const config::ParamDecl*, 11> kParams{&kParHarmonics, &kParMu,       &kParLambda, &kParRv,
+                                                           &kParRw,        &kParDelta,    &kParRate,   &kParVariance,
+                                                           &kParRoot,      &kParEvidence, &kParChatter};
+constexpr std::array<std::string_view, 6> kIndicators{"variance", "h", "root", "frequency_hz", "part", "floor"};
+
+constexpr double kPaperRate = 10000.0;  // Hz
+constexpr int kMostHarmonics = 32;
+constexpr double kUsableBand = 0.4;  // of the working rate
+constexpr double kPassBand = 0.35;   // of the working rate: above it, folded lines would lie between the harmonics
+constexpr int kFilterOrder = 10;
+constexpr double kMemoryTurns = 2.0;
+constexpr double kLeakLeaves = 0.01;
+constexpr double kStartVariance = 1.0;
+constexpr double kVarianceTurns = 1.0;  // averaging of the residual
+constexpr double kPowerTurns = 8.0;     // of the vibration
+constexpr double kScaleTurns = 40.0;    // of the scale in the stable cut
+constexpr double kSettleTurns = 8.0;
+constexpr double kSmallest = 0.02;  // amplitude ratio: the resolution at which an onset is spoken of
+constexpr double kClearTurns = 8.0;
+constexpr double kEntryTurns = 12.0;  // a high ratio must last this long where no floor was learned
+constexpr double kEntrySeconds = 0.2;
+constexpr double kSameLine = 0.25;  // orders
+constexpr Hertz kSpindleUnknown{20.0};
+
+}  // namespace
+
+config::ParamTable parametricParams() {
+  return kParams;
+}
+
+DetectorInfo ParametricDetector::describe() const {
+  return {"parametric", "Parametric", "van Dijk 2010", kIndicators};
+}
+
+void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  const double least = params.isAutomatic(kParRate) ? kPaperRate : params.real(kParRate);
+  factor_ = std::max(1, static_cast<int>(setup.rate.value / least));
+  rate_ = setup.rate.value / factor_;
+  const double nominal = setup.nominalSpeed.value > 0.0 ? toHertz(setup.nominalSpeed).value : kSpindleUnknown.value;
+  const int allowed = std::max(1, static_cast<int>(kUsableBand * rate_ / (0.8 * nominal)));
+  const int wanted =
+      params.isAutomatic(kParHarmonics) ? kMostHarmonics : static_cast<int>(std::lround(params.real(kParHarmonics)));
+  harmonics_ = std::min(wanted, allowed);
+  mu_ = params.isAutomatic(kParMu) ? 0.0 : params.real(kParMu);
+  lambda_ = params.isAutomatic(kParLambda) ? 0.0 : params.real(kParLambda);
+  delta_ = params.real(kParDelta);
+  varianceLimit_ = params.isAutomatic(kParVariance) ? 0.0 : params.real(kParVariance);
+  rootLimit_ = params.real(kParRoot);
+  chatterRatio_ = params.real(kParChatter);
+  phi_.prepare(harmonics_);
+  judge_.prepare(setup.teeth, chatterRatio_);
+  channels_.assign(setup.channels.size(), {});
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& c = channels_[i];
+    c.eta = integrationFactor(setup.channels[i].quantity);
+    c.periodic.prepare(harmonics_);
+    c.perturbation.prepare(params.real(kParRv), params.real(kParRw), kStartVariance);
+    c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
+    if (factor_ > 1) {
+      c.lowPass.resize(1);
+      c.lowPass[0].lowPass(kFilterOrder, Hertz(kPassBand * rate_), setup.rate);
+    }
+  }
+  reset();
+}
+
+void ParametricDetector::reset() noexcept {
+  judge_.reset();
+  leaveCut();
+  restart();
+  for (Channel& c : channels_) c.scale = 0.0;
+}
+
+void ParametricDetector::restart() noexcept {
+  for (Channel& c : channels_) {
+    for (auto& filter : c.lowPass) filter.reset();
+    c.periodic.reset();
+    c.perturbation.reset();
+    c.residualSum = c.inputSum = c.variance = c.power = c.root = c.density = c.severity = 0.0;
+    c.frequency = {};
+  }
+  alignedStep_ = -1.0;
+  phase_ = 0;
+  inStep_ = 0;
+  steadyTurns_ = 0.0;
+}
+
+void ParametricDetector::leaveCut() noexcept {
+  for (Channel& c : channels_) c.onset.reset();
+  highTurns_ = clearTurns_ = 0.0;
+  leading_ = 0;
+}
+
+void ParametricDetector::tune(const ConditionedBlock& block) noexcept {
+  spindle_ = block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown;
+  const double turn = rate_ / spindle_.value;
+  stepFrames_ = std::max(1L, std::lround(turn / kStepsPerTurn));
+  const int active = std::clamp(static_cast<int>(kUsableBand * rate_ / spindle_.value), 1, harmonics_);
+  const double mu = mu_ > 0.0 ? mu_ : std::min(1.0, active / (kMemoryTurns * turn));
+  const double lambda = lambda_ > 0.0 ? lambda_ : 1.0 - kLeakLeaves * mu / active;
+  if (active != phi_.active()) {
+    phi_.setActive(active);
+    alignedStep_ = -1.0;
+  }
+  for (Channel& c : channels_) c.periodic.setGain(mu, lambda, active);
+}
+
+void ParametricDetector::pushFrame(const ConditionedBlock& block, int frame) noexcept {
+  const bool keep = phase_ == 0;
+  phase_ = phase_ + 1 == factor_ ? 0 : phase_ + 1;
+  if (keep && block.angleStep[frame] != alignedStep_) {
+    alignedStep_ = block.angleStep[frame];
+    phi_.align(block.angle[frame], alignedStep_ * factor_);
+  }
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& c = channels_[i];
+    double x = block.samples[static_cast<std::ptrdiff_t>(i) * block.stride + frame];
+    if (!c.lowPass.empty()) x = c.lowPass[0].process(x);
+    if (!keep) continue;
+    const double e = c.periodic.process(x, phi_);
+    c.perturbation.process(e * c.scale);
+    c.residualSum += e * e;
+    c.inputSum += x * x;
+  }
+  if (!keep) return;
+  phi_.advance();
+  if (++inStep_ >= stepFrames_) endStep(block.phase);
+}
+
+void ParametricDetector::readModel(Channel& c) noexcept {
+  ArRoots roots = rootsOf(c.perturbation.theta());
+  if (reflect(roots, delta_)) c.perturbation.setTheta(thetaOf(roots));
+  const std::complex<double> dominant = dominantRoot(roots);
+  c.root = std::abs(dominant);
+  c.frequency = rootFrequency(dominant, Hertz(rate_));
+  c.density = modelDensity(c.perturbation.theta(), c.frequency, Hertz(rate_));
+}
+
+// Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
+double ParametricDetector::severity(const Channel& c) const noexcept {
+  const auto weight = [&c](double f) { return c.eta == 0 ? 1.0 : c.eta > 0 ? f * f : 1.0 / (f * f); };
+  if (!(c.frequency.value > 0.0)) return 0.0;
+  const double chatter = c.variance * weight(c.frequency.value);
+  double forced = 0.0;
+  for (int l = 1; l <= phi_.active(); ++l) forced += c.periodic.power(l) * weight(l * spindle_.value);
+  return chatter > 0.0 ? chatter / (chatter + forced) : 0.0;
+}
+
+void ParametricDetector::endChannelStep(Channel& c, CutPhase phase) noexcept {
+  const auto n = static_cast<double>(inStep_);
+  const double turns = 1.0 / kStepsPerTurn;
+  const double input = c.inputSum / n;
+  c.variance += (1.0 - std::exp(-turns / kVarianceTurns)) * (c.residualSum / n - c.variance);
+  c.power += (c.power > 0.0 ? 1.0 - std::exp(-turns / kPowerTurns) : 1.0) * (input - c.power);
+  c.residualSum = c.inputSum = 0.0;
+  const double scale = c.power > 0.0 ? 1.0 / std::sqrt(c.power) : 0.0;
+  if (!c.onset.learned()) {
+    c.scale = scale;
+  } else if (judge_.calm()) {
+    c.scale += turns / kScaleTurns * (scale - c.scale);
+  }
+  readModel(c);
+  c.severity = severity(c);
+  if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns || !(c.power > 0.0)) return;
+  c.onset.update(c.variance / c.power, turns, judge_.calm());
+}
+
+// Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
+// the same root over many turns.
+bool ParametricDetector::fromEntry(const Channel& c) noexcept {
+  const bool same = std::abs(c.frequency.value - highLine_.value) < kSameLine * spindle_.value;
+  const bool high = c.severity >= chatterRatio_ && c.root >= rootLimit_ && steadyTurns_ >= kSettleTurns;
+  highTurns_ = high && same ? highTurns_ + 1.0 / kStepsPerTurn : 0.0;
+  if (!same || !high) highLine_ = c.frequency;
+  return highTurns_ > std::max(kEntryTurns, kEntrySeconds * spindle_.value);
+}
+
+void ParametricDetector::endStep(CutPhase phase) noexcept {
+  const double turns = 1.0 / kStepsPerTurn;
+  steadyTurns_ = phase == CutPhase::Steady ? steadyTurns_ + turns : 0.0;
+  bool grown = false;
+  bool begins = false;
+  double worst = 0.0;
+  leading_ = 0;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& c = channels_[i];
+    endChannelStep(c, phase);
+    const bool over = varianceLimit_ > 0.0 ? c.variance > varianceLimit_ : c.onset.alarm();
+    grown = grown || over;
+    begins = begins || (over && c.root >= rootLimit_);
+    worst = std::max(worst, c.severity);
+    if (c.variance * channels_[leading_].power > channels_[leading_].variance * c.power) leading_ = i;
+  }
+  const Channel& lead = channels_[leading_];
+  const bool entry = varianceLimit_ <= 0.0 && fromEntry(lead);
+  const bool something = (grown || worst >= 0.5 * chatterRatio_) && lead.root >= 0.9 * rootLimit_;
+  clearTurns_ = something ? 0.0 : clearTurns_ + turns;
+  const Evidence evidence{begins || entry, clearTurns_ < kClearTurns, worst};
+  judge_.judge(evidence, phase, Seconds(static_cast<double>(inStep_) / rate_));
+  if (lead.root >= rootLimit_) judge_.follow(lead.frequency, spindle_ * 0.1);
+  inStep_ = 0;
+}
+
+Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
+  Verdict v = judge_.verdict(block);
+  const Channel& c = channels_[leading_];
+  const double part = c.power > 0.0 ? c.variance / c.power : 0.0;
+  v.indicators = {c.variance, c.density, c.root, c.frequency.value, part, c.onset.floor()};
+  if (v.alarming()) {
+    v.reason = {ReasonCode::ResidualGrowing, {part, c.onset.floor(), v.frequency.value}};
+  } else if (v.valid && block.phase == CutPhase::Steady && !c.onset.learned()) {
+    v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle_.value}};
+  }
+  return v;
+}
+
+Verdict ParametricDetector::process(const ConditionedBlock& block) noexcept {
+  if (!block.valid || channels_.empty()) return judge_.verdict(block);
+  if (block.afterGap) restart();
+  tune(block);
+  alignedStep_ = -1.0;  // the sums of angles start anew with every block
+  for (int f = 0; f < block.frames; ++f) pushFrame(block, f);
+  if (judge_.endBlock(block)) leaveCut();
+  return verdict(block);
+}
+
+}  // namespace stillcut::detect

@@ -1,0 +1,29 @@
+// Roots and spectrum of the perturbation model D(q) = 1 - sum theta_n q^-n (van Dijk 2010, eq. 26, 27).
+// Thread: values; real-time.
+#pragma once
+
+#include <complex>
+
+#include "core/base/units.h"
+#include "core/detect/parametric_kernels.h"
+
+namespace stillcut::detect {
+
+using ArRoots = std::array<std::complex<double>, ArKalman::kOrder>;
+
+// Roots of q^4 - theta_1 q^3 - .. - theta_4: all at once (Weierstrass), polished until they stand.
+ArRoots rootsOf(const ArKalman::Vector& theta) noexcept;
+// The theta whose roots these are (conjugate pairs and real roots).
+ArKalman::Vector thetaOf(const ArRoots& roots) noexcept;
+// Every root outside the unit circle is put at the radius 1 - delta, its angle kept.
+// True when one was.
+bool reflect(ArRoots& roots, double delta) noexcept;
+// The root of largest magnitude among those that oscillate (eq. 27 gives a real one no frequency); of all when none
+// does. Its conjugate with positive angle.
+std::complex<double> dominantRoot(const ArRoots& roots) noexcept;
+// eq. 27.
+Hertz rootFrequency(std::complex<double> root, Hertz rate) noexcept;
+// eq. 26: |1 / D(f)|^2.
+double modelDensity(const ArKalman::Vector& theta, Hertz frequency, Hertz rate) noexcept;
+
+}  // namespace stillcut::detect

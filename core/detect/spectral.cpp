@@ -1,0 +1,190 @@
+#include "core/detect/spectral.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/dsp/fft.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::array<const config::ParamDecl*, 7> kParams{&kSpeWindow, &kSpeOverlap,  &kSpeThreshold, &kSpeMask,
+                                                          &kSpePurity, &kSpeEvidence, &kSpeChatter};
+constexpr std::array<std::string_view, 6> kIndicators{"peak", "frequency_hz", "part", "floor", "evidence", "purity"};
+
+constexpr double kWindowTurns = 20.0;
+constexpr double kLongest = 1.5;  // s
+constexpr double kPaperWindow = 0.512;
+constexpr int kMostFrames = 1 << 16;
+constexpr double kUsableBand = 0.45;  // of the rate
+constexpr std::size_t kLobe = 2;      // bins to either side that belong to a line
+constexpr double kSmallest = 0.02;    // amplitude ratio: the resolution at which an onset is spoken of
+constexpr double kLostPurity = 0.15;
+constexpr double kEntryTurns = 16.0;  // a high ratio must last this long where no floor was learned
+constexpr double kEntrySeconds = 0.15;
+constexpr double kSameLine = 0.2;  // orders
+
+}  // namespace
+
+config::ParamTable spectralParams() {
+  return kParams;
+}
+
+DetectorInfo SpectralDetector::describe() const {
+  return {"spectral", "Spectral line", "Liao 1996", kIndicators};
+}
+
+LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& mask, double binWidth, double amplitude,
+                             int eta) noexcept {
+  LineOutside found;
+  double all = 0.0;
+  double free = 0.0;
+  double weightedAll = 0.0;
+  double weightedFree = 0.0;
+  for (std::size_t b = mask.first(); b <= mask.last(); ++b) {
+    const double f = static_cast<double>(b) * binWidth;
+    const double weighted = power[b] * (eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f));
+    all += power[b];
+    weightedAll += weighted;
+    if (!mask.free(b)) continue;
+    free += power[b];
+    weightedFree += weighted;
+    if (found.bin == 0 || power[b] > power[found.bin]) found.bin = b;
+  }
+  if (found.bin == 0 || !(free > 0.0)) return found;
+  double line = 0.0;
+  for (std::size_t b = found.bin - std::min(found.bin, kLobe); b <= std::min(found.bin + kLobe, mask.last()); ++b) {
+    if (mask.free(b)) line += power[b];
+  }
+  const std::size_t b = found.bin;
+  // A bin of a harmonic beside it would pull the parabola over.
+  const double shift = mask.free(b - 1) && mask.free(b + 1) ? peakShift(power[b - 1], power[b], power[b + 1]) : 0.0;
+  found.frequency = Hertz((static_cast<double>(b) + shift) * binWidth);
+  found.amplitude = amplitude * std::sqrt(power[b]);
+  found.part = line / all;
+  found.purity = line / free;
+  found.severity = weightedFree / weightedAll;
+  return found;
+}
+
+void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  rate_ = setup.rate.value;
+  const double nominal = toHertz(setup.nominalSpeed).value;
+  double seconds = nominal > 0.0 ? std::min(kWindowTurns / nominal, kLongest) : kPaperWindow;
+  if (!params.isAutomatic(kSpeWindow)) seconds = params.real(kSpeWindow);
+  const int frames = dsp::goodFftSize(std::clamp(static_cast<int>(seconds * rate_), 16, kMostFrames));
+  hop_ = std::max(1, frames / params.integer(kSpeOverlap));
+  maskBins_ = params.real(kSpeMask);
+  threshold_ = params.isAutomatic(kSpeThreshold) ? 0.0 : params.real(kSpeThreshold);
+  purity_ = params.real(kSpePurity);
+  chatterRatio_ = params.real(kSpeChatter);
+  judge_.prepare(setup.teeth, chatterRatio_);
+  spectrum_.prepare(frames, setup.rate, dsp::WindowKind::Hann);
+  ring_.prepare(static_cast<int>(setup.channels.size()), frames);
+  mask_.prepare(spectrum_.bins(), spectrum_.binWidth());
+  segment_.assign(static_cast<std::size_t>(frames), 0.0);
+  power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
+  channels_.assign(setup.channels.size(), {});
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    channels_[i].eta = integrationFactor(setup.channels[i].quantity);
+    channels_[i].onset.prepare({kSmallest * kSmallest, params.real(kSpeEvidence)});
+  }
+  reset();
+}
+
+void SpectralDetector::reset() noexcept {
+  judge_.reset();
+  leaveCut();
+  restart();
+}
+
+void SpectralDetector::restart() noexcept {
+  ring_.reset();
+  for (Channel& c : channels_) c.line = {};
+  sinceLook_ = 0;
+  steadySeconds_ = 0.0;
+}
+
+void SpectralDetector::leaveCut() noexcept {
+  for (Channel& c : channels_) c.onset.reset();
+  highTurns_ = 0.0;
+  leading_ = 0;
+}
+
+void SpectralDetector::look(Channel& c, int index) noexcept {
+  ring_.copy(index, segment_);
+  spectrum_.transform(segment_);
+  std::transform(spectrum_.values().begin(), spectrum_.values().end(), power_.begin(),
+                 [](std::complex<double> x) { return std::norm(x); });
+  const double norm = std::sqrt(power_[mask_.first()]);
+  const double amplitude = norm > 0.0 ? spectrum_.amplitude(static_cast<int>(mask_.first())) / norm : 0.0;
+  c.line = strongestOutside(power_, mask_, spectrum_.binWidth(), amplitude, c.eta);
+}
+
+// Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
+// the same line over many turns.
+bool SpectralDetector::fromEntry(const LineOutside& line, double turns) noexcept {
+  const double spindle = turns * rate_ / hop_;
+  const bool high = line.severity >= chatterRatio_ && line.purity >= purity_;
+  const bool same = std::abs(line.frequency.value - highLine_.value) < kSameLine * spindle;
+  highTurns_ = high && same ? highTurns_ + turns : 0.0;
+  highLine_ = line.frequency;
+  return highTurns_ > std::max(kEntryTurns, kEntrySeconds * spindle);
+}
+
+void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
+  const double step = hop_ / rate_;
+  const double turns = block.spindle.value * step;
+  steadySeconds_ = block.phase == CutPhase::Steady ? steadySeconds_ + step : 0.0;
+  if (!(turns > 0.0) || !ring_.full()) return;
+  mask_.update(block.spindle, block.spindleSd, maskBins_, Hertz(kUsableBand * rate_));
+  const bool settled = steadySeconds_ * rate_ > static_cast<double>(ring_.window());
+  bool begins = false;
+  bool lasts = false;
+  double severity = 0.0;
+  leading_ = 0;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    Channel& c = channels_[i];
+    look(c, static_cast<int>(i));
+    if (settled) c.onset.update(c.line.part, turns, judge_.calm());
+    const bool over = threshold_ > 0.0 ? c.line.amplitude > threshold_ : c.onset.alarm();
+    begins = begins || (over && c.line.purity >= purity_);
+    lasts = lasts || ((over || c.line.severity >= 0.5 * chatterRatio_) && c.line.purity >= kLostPurity);
+    severity = std::max(severity, c.line.severity);
+    if (c.line.part > channels_[leading_].line.part) leading_ = i;
+  }
+  const LineOutside& line = channels_[leading_].line;
+  const bool entry = threshold_ <= 0.0 && settled && fromEntry(line, turns);
+  judge_.judge({begins || entry, lasts, severity}, block.phase, Seconds(step));
+  judge_.follow(line.frequency, Hertz(0.25 * spectrum_.binWidth()));
+}
+
+Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept {
+  Verdict v = judge_.verdict(block);
+  const Channel& c = channels_[leading_];
+  v.indicators = {c.line.amplitude, c.line.frequency.value, c.line.part,
+                  c.onset.floor(),  c.onset.evidence(),     c.line.purity};
+  if (v.alarming()) {
+    v.reason = {ReasonCode::LineOffHarmonics, {c.line.part, c.onset.floor(), v.frequency.value}};
+  } else if (v.valid && block.phase == CutPhase::Steady && !c.onset.learned()) {
+    v.reason = {ReasonCode::Learning,
+                {static_cast<double>(ring_.window()) / rate_ + OnsetTest::kLearnTurns / block.spindle.value}};
+  }
+  return v;
+}
+
+Verdict SpectralDetector::process(const ConditionedBlock& block) noexcept {
+  if (!block.valid || channels_.empty()) return judge_.verdict(block);
+  if (block.afterGap) restart();
+  for (int f = 0; f < block.frames; ++f) {
+    ring_.push(block.samples + f, block.stride);
+    if (++sinceLook_ < hop_) continue;
+    sinceLook_ = 0;
+    analyse(block);
+  }
+  if (judge_.endBlock(block)) leaveCut();
+  return verdict(block);
+}
+
+}  // namespace stillcut::detect
