@@ -24,7 +24,8 @@ constexpr double kVarianceTurns = 1.0;  // averaging of the residual
 constexpr double kPowerTurns = 8.0;     // of the vibration
 constexpr double kScaleTurns = 40.0;    // of the scale in the stable cut
 constexpr double kSettleTurns = 8.0;
-constexpr double kSmallest = 0.02;  // amplitude ratio: the resolution at which an onset is spoken of
+constexpr double kSmallest = 0.14;   // amplitude ratio: a depth ramp shakes the modes by half of that
+constexpr double kModelTurns = 2.0;  // averaging of theta
 constexpr double kClearTurns = 8.0;
 constexpr double kEntryTurns = 12.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntrySeconds = 0.2;
@@ -87,6 +88,7 @@ void ParametricDetector::restart() noexcept {
     c.perturbation.reset();
     c.residualSum = c.inputSum = c.variance = c.power = c.root = c.density = c.severity = 0.0;
     c.frequency = {};
+    c.theta = c.thetaSum = {};
   }
   alignedStep_ = -1.0;
   phase_ = 0;
@@ -128,6 +130,7 @@ void ParametricDetector::pushFrame(const ConditionedBlock& block, int frame) noe
     if (!keep) continue;
     const double e = c.periodic.process(x, phi_);
     c.perturbation.process(e * c.scale);
+    for (std::size_t n = 0; n < c.theta.size(); ++n) c.thetaSum[n] += c.perturbation.theta()[n];
     c.residualSum += e * e;
     c.inputSum += x * x;
   }
@@ -137,12 +140,19 @@ void ParametricDetector::pushFrame(const ConditionedBlock& block, int frame) noe
 }
 
 void ParametricDetector::readModel(Channel& c) noexcept {
-  ArRoots roots = rootsOf(c.perturbation.theta());
-  if (reflect(roots, delta_)) c.perturbation.setTheta(thetaOf(roots));
+  ArRoots newest = rootsOf(c.perturbation.theta());
+  if (reflect(newest, delta_)) c.perturbation.setTheta(thetaOf(newest));
+  const double rate = 1.0 - std::exp(-1.0 / (kModelTurns * kStepsPerTurn));
+  for (std::size_t n = 0; n < c.theta.size(); ++n) {
+    c.theta[n] += rate * (c.thetaSum[n] / static_cast<double>(inStep_) - c.theta[n]);
+    c.thetaSum[n] = 0.0;
+  }
+  ArRoots roots = rootsOf(c.theta);
+  reflect(roots, delta_);
   const std::complex<double> dominant = dominantRoot(roots);
   c.root = std::abs(dominant);
   c.frequency = rootFrequency(dominant, Hertz(rate_));
-  c.density = modelDensity(c.perturbation.theta(), c.frequency, Hertz(rate_));
+  c.density = modelDensity(thetaOf(roots), c.frequency, Hertz(rate_));
 }
 
 // Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
@@ -153,6 +163,12 @@ double ParametricDetector::severity(const Channel& c) const noexcept {
   double forced = 0.0;
   for (int l = 1; l <= phi_.active(); ++l) forced += c.periodic.power(l) * weight(l * spindle_.value);
   return chatter > 0.0 ? chatter / (chatter + forced) : 0.0;
+}
+
+// Share of the vibration that the harmonics leave. The residual is averaged more shortly: it may be ahead.
+double ParametricDetector::part(const Channel& c) noexcept {
+  const double all = std::max(c.power, c.variance);
+  return all > 0.0 ? c.variance / all : 0.0;
 }
 
 void ParametricDetector::endChannelStep(Channel& c, CutPhase phase) noexcept {
@@ -171,7 +187,7 @@ void ParametricDetector::endChannelStep(Channel& c, CutPhase phase) noexcept {
   readModel(c);
   c.severity = severity(c);
   if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns || !(c.power > 0.0)) return;
-  c.onset.update(c.variance / c.power, turns, judge_.calm());
+  c.onset.update(part(c), turns, judge_.calm());
 }
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
@@ -198,7 +214,7 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
     grown = grown || over;
     begins = begins || (over && c.root >= rootLimit_);
     worst = std::max(worst, c.severity);
-    if (c.variance * channels_[leading_].power > channels_[leading_].variance * c.power) leading_ = i;
+    if (part(c) > part(channels_[leading_])) leading_ = i;
   }
   const Channel& lead = channels_[leading_];
   const bool entry = varianceLimit_ <= 0.0 && fromEntry(lead);
@@ -213,10 +229,9 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
 Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v = judge_.verdict(block);
   const Channel& c = channels_[leading_];
-  const double part = c.power > 0.0 ? c.variance / c.power : 0.0;
-  v.indicators = {c.variance, c.density, c.root, c.frequency.value, part, c.onset.floor()};
+  v.indicators = {c.variance, c.density, c.root, c.frequency.value, part(c), c.onset.floor()};
   if (v.alarming()) {
-    v.reason = {ReasonCode::ResidualGrowing, {part, c.onset.floor(), v.frequency.value}};
+    v.reason = {ReasonCode::ResidualGrowing, {part(c), c.onset.floor(), v.frequency.value}};
   } else if (v.valid && block.phase == CutPhase::Steady && !c.onset.learned()) {
     v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle_.value}};
   }

@@ -13,13 +13,13 @@ constexpr std::array<const config::ParamDecl*, 7> kParams{&kSpeWindow, &kSpeOver
                                                           &kSpePurity, &kSpeEvidence, &kSpeChatter};
 constexpr std::array<std::string_view, 6> kIndicators{"peak", "frequency_hz", "part", "floor", "evidence", "purity"};
 
-constexpr double kWindowTurns = 20.0;
+constexpr double kWindowTurns = 24.0;
 constexpr double kLongest = 1.5;  // s
 constexpr double kPaperWindow = 0.512;
 constexpr int kMostFrames = 1 << 16;
 constexpr double kUsableBand = 0.45;  // of the rate
 constexpr std::size_t kLobe = 2;      // bins to either side that belong to a line
-constexpr double kSmallest = 0.02;    // amplitude ratio: the resolution at which an onset is spoken of
+constexpr double kSmallest = 0.25;    // amplitude ratio; the paper waits for an intense line
 constexpr double kLostPurity = 0.15;
 constexpr double kEntryTurns = 16.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntrySeconds = 0.15;
@@ -37,20 +37,23 @@ DetectorInfo SpectralDetector::describe() const {
 
 LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& mask, double binWidth, double amplitude,
                              int eta) noexcept {
+  const auto weight = [binWidth, eta](std::size_t b) {
+    const double f = static_cast<double>(b) * binWidth;
+    return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f);
+  };
   LineOutside found;
   double all = 0.0;
   double free = 0.0;
-  double weightedAll = 0.0;
-  double weightedFree = 0.0;
+  double forced = 0.0;
   for (std::size_t b = mask.first(); b <= mask.last(); ++b) {
-    const double f = static_cast<double>(b) * binWidth;
-    const double weighted = power[b] * (eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f));
     all += power[b];
-    weightedAll += weighted;
-    if (!mask.free(b)) continue;
+    if (!mask.free(b)) {
+      forced += power[b] * weight(b);
+      continue;
+    }
     free += power[b];
-    weightedFree += weighted;
-    if (found.bin == 0 || power[b] > power[found.bin]) found.bin = b;
+    const bool top = power[b] >= power[b - 1] && power[b] >= power[b + 1];  // not the flank of a harmonic
+    if (top && (found.bin == 0 || power[b] > power[found.bin])) found.bin = b;
   }
   if (found.bin == 0 || !(free > 0.0)) return found;
   double line = 0.0;
@@ -64,7 +67,7 @@ LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& 
   found.amplitude = amplitude * std::sqrt(power[b]);
   found.part = line / all;
   found.purity = line / free;
-  found.severity = weightedFree / weightedAll;
+  found.severity = line * weight(b) / (line * weight(b) + forced);
   return found;
 }
 
@@ -146,10 +149,12 @@ void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   leading_ = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
+    const Hertz before = c.line.frequency;
     look(c, static_cast<int>(i));
     if (settled) c.onset.update(c.line.part, turns, judge_.calm());
     const bool over = threshold_ > 0.0 ? c.line.amplitude > threshold_ : c.onset.alarm();
-    begins = begins || (over && c.line.purity >= purity_);
+    const bool stands = std::abs(c.line.frequency.value - before.value) < kSameLine * block.spindle.value;
+    begins = begins || (over && stands && c.line.purity >= purity_);
     lasts = lasts || ((over || c.line.severity >= 0.5 * chatterRatio_) && c.line.purity >= kLostPurity);
     severity = std::max(severity, c.line.severity);
     if (c.line.part > channels_[leading_].line.part) leading_ = i;

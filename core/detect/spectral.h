@@ -8,13 +8,14 @@
 // - The paper's 512 points at 1 kHz are 0.51 s, eight turns at its 950 rev/min. Here the window is 20 turns (a Hann
 // line is
 //   four bins wide, so 8 turns leave nothing between two spindle harmonics), at most 1.5 s, with 8 windows overlapping.
-//   That is 0.11 s at 11 000 rev/min; growth shows before the window is full of it.
+//   That is 0.13 s at 11 000 rev/min; growth shows before the window is full of it.
 // - The paper's threshold is a number on its force sensor. Here the strongest free line's part of the vibration is
 //   tested for growth above its learned floor (onset_test.h). `spectral.threshold` fixes an amplitude instead.
-// - A line holds a good part of what lies between the harmonics (chips and knocks do not).
+// - A line is a local maximum, seen in two spectra in a row, and holds a good part of what lies between the harmonics
+//   (the flank of a harmonic, chips and knocks do not).
 // - Works on any sensor, every channel on its own; the loudest evidence decides.
-// Known limits: chatter within two bins (0.1 orders) of a spindle harmonic is masked; period doubling with even teeth
-// too. Thread: worker. See detector.h.
+// Known limits: harmonics folded back by a missing anti-alias filter are not masked; chatter within 2.25 bins (0.094 orders) of a spindle harmonic is masked; period doubling with even
+// teeth too. Thread: worker. See detector.h.
 #pragma once
 
 #include <vector>
@@ -29,14 +30,14 @@ namespace stillcut::detect {
 
 inline constexpr config::ParamDecl kSpeWindow =
     config::locked(config::autoParam("spectral.window", "Window", "s", 0.005, 10.0,
-                                     "Length of the spectrum; auto: 20 turns, at most 1.5 s (paper: 0.512 s)"));
+                                     "Length of the spectrum; auto: 24 turns, at most 1.5 s (paper: 0.512 s)"));
 inline constexpr config::ParamDecl kSpeOverlap = config::locked(config::integerParam(
     "spectral.overlap", "Spectra per window", 8, 1, 64, "A new spectrum is taken this often within one window"));
 inline constexpr config::ParamDecl kSpeThreshold =
     config::autoParam("spectral.threshold", "Line threshold", "", 1e-12, 1e12,
                       "Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor");
 inline constexpr config::ParamDecl kSpeMask =
-    config::realParam("spectral.mask", "Mask", "", 2.0, 1.0, 10.0, "Half width of the mask on a harmonic, in bins");
+    config::realParam("spectral.mask", "Mask", "", 2.25, 1.0, 10.0, "Half width of the mask on a harmonic, in bins");
 inline constexpr config::ParamDecl kSpePurity =
     config::realParam("spectral.purity", "Purity", "", 0.3, 0.0, 1.0,
                       "Part of the power between the harmonics that a chatter line holds at least");
@@ -55,7 +56,7 @@ struct LineOutside {
   double amplitude = 0.0;  // of the line
   double part = 0.0;       // its power over that of the whole signal
   double purity = 0.0;     // its power over that of all free bins
-  double severity = 0.0;   // energy ratio of all free bins, weighted by (2 pi f)^(2 eta): Caliskan 2018 eq. 28
+  double severity = 0.0;  // energy ratio of the line to line and harmonics, by (2 pi f)^(2 eta) as Caliskan 2018 eq. 28
 };
 
 // power: |X|^2 of every bin; amplitude: of a line per root of its |X|^2.
@@ -92,7 +93,7 @@ class SpectralDetector final : public Detector {
   std::vector<Channel> channels_;
   double rate_ = 0.0;
   int hop_ = 1;
-  double maskBins_ = 2.0;
+  double maskBins_ = 2.25;
   double threshold_ = 0.0;  // 0: automatic
   double purity_ = 0.3;
   double chatterRatio_ = 0.2;
