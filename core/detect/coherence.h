@@ -63,8 +63,8 @@ inline constexpr config::ParamDecl kCohPurity =
     config::realParam("coherence.purity", "Purity", "", 0.3, 0.0, 1.0,
                       "Part of the cross spectrum between the harmonics that a chatter line holds at least");
 inline constexpr config::ParamDecl kCohEvidence =
-    config::realParam("coherence.evidence", "Evidence for onset", "", 4.0, 0.5, 50.0,
-                      "Excess over the learned floor, summed over turns in its own scatters, that makes an onset");
+    config::realParam("coherence.evidence", "Evidence for onset", "", 12.0, 1.0, 100.0,
+                      "Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)");
 inline constexpr config::ParamDecl kCohChatter = config::realParam(
     "coherence.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0, "Energy ratio from which a cut is in full chatter");
 

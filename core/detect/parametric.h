@@ -61,8 +61,8 @@ inline constexpr config::ParamDecl kParRoot =
     config::realParam("parametric.root", "Root of an alarm", "", 0.97, 0.0, 1.0,
                       "Magnitude of the dominant root below which the residual is noise and not chatter");
 inline constexpr config::ParamDecl kParEvidence =
-    config::realParam("parametric.evidence", "Evidence for onset", "", 4.0, 0.5, 50.0,
-                      "Excess over the learned floor, summed over turns in its own scatters, that makes an onset");
+    config::realParam("parametric.evidence", "Evidence for onset", "", 12.0, 1.0, 100.0,
+                      "Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)");
 inline constexpr config::ParamDecl kParChatter = config::realParam(
     "parametric.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0, "Energy ratio from which a cut is in full chatter");
 

@@ -13,7 +13,7 @@ constexpr std::array<const config::ParamDecl*, 7> kParams{&kSpeWindow, &kSpeOver
                                                           &kSpePurity, &kSpeEvidence, &kSpeChatter};
 constexpr std::array<std::string_view, 6> kIndicators{"peak", "frequency_hz", "part", "floor", "evidence", "purity"};
 
-constexpr double kWindowTurns = 24.0;
+constexpr double kWindowTurns = 28.0;
 constexpr double kLongest = 1.5;  // s
 constexpr double kPaperWindow = 0.512;
 constexpr int kMostFrames = 1 << 16;

@@ -8,14 +8,14 @@
 // - The paper's 512 points at 1 kHz are 0.51 s, eight turns at its 950 rev/min. Here the window is 20 turns (a Hann
 // line is
 //   four bins wide, so 8 turns leave nothing between two spindle harmonics), at most 1.5 s, with 8 windows overlapping.
-//   That is 0.13 s at 11 000 rev/min; growth shows before the window is full of it.
+//   That is 0.15 s at 11 000 rev/min; growth shows before the window is full of it.
 // - The paper's threshold is a number on its force sensor. Here the strongest free line's part of the vibration is
 //   tested for growth above its learned floor (onset_test.h). `spectral.threshold` fixes an amplitude instead.
 // - A line is a local maximum, seen in two spectra in a row, and holds a good part of what lies between the harmonics
 //   (the flank of a harmonic, chips and knocks do not).
 // - Works on any sensor, every channel on its own; the loudest evidence decides.
-// Known limits: harmonics folded back by a missing anti-alias filter are not masked; chatter within 2.25 bins (0.094 orders) of a spindle harmonic is masked; period doubling with even
-// teeth too. Thread: worker. See detector.h.
+// Known limits: harmonics folded back by a missing anti-alias filter are not masked; chatter within 2 bins (0.083
+// orders) of a spindle harmonic is masked; period doubling with even teeth too. Thread: worker. See detector.h.
 #pragma once
 
 #include <vector>
@@ -30,7 +30,7 @@ namespace stillcut::detect {
 
 inline constexpr config::ParamDecl kSpeWindow =
     config::locked(config::autoParam("spectral.window", "Window", "s", 0.005, 10.0,
-                                     "Length of the spectrum; auto: 24 turns, at most 1.5 s (paper: 0.512 s)"));
+                                     "Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)"));
 inline constexpr config::ParamDecl kSpeOverlap = config::locked(config::integerParam(
     "spectral.overlap", "Spectra per window", 8, 1, 64, "A new spectrum is taken this often within one window"));
 inline constexpr config::ParamDecl kSpeThreshold =
@@ -42,8 +42,8 @@ inline constexpr config::ParamDecl kSpePurity =
     config::realParam("spectral.purity", "Purity", "", 0.3, 0.0, 1.0,
                       "Part of the power between the harmonics that a chatter line holds at least");
 inline constexpr config::ParamDecl kSpeEvidence =
-    config::realParam("spectral.evidence", "Evidence for onset", "", 4.0, 0.5, 50.0,
-                      "Excess over the learned floor, summed over turns in its own scatters, that makes an onset");
+    config::realParam("spectral.evidence", "Evidence for onset", "", 12.0, 1.0, 100.0,
+                      "Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)");
 inline constexpr config::ParamDecl kSpeChatter = config::realParam(
     "spectral.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0, "Energy ratio from which a cut is in full chatter");
 

@@ -95,7 +95,7 @@ TEST(Spectral, AgreesWithThePlainTransform) {
   options.onBlock = [&](const ConditionedBlock& block, const Verdict& v) {
     heard.insert(heard.end(), block.channel(0).begin(), block.channel(0).end());
     const auto n = static_cast<std::size_t>(detector.window());
-    // Looks fall on whole hops, here on the ends of blocks: window 1920, hop 240, blocks of 40.
+    // Looks fall on whole hops, here on the ends of blocks: window 2240, hop 280, blocks of 40.
     const bool fresh = v.indicators[0] != before && v.indicators[0] > 0.0;
     before = v.indicators[0];
     if (!fresh || heard.size() < n || sinceEpoch(v.time).value < 1.15 || ++compared > 4) return;
@@ -105,7 +105,7 @@ TEST(Spectral, AgreesWithThePlainTransform) {
     EXPECT_NEAR(v.indicators[1], plain.frequency, 0.5 * s.rate / static_cast<double>(n) + 1e-9);
   };
   const RunResult r = run(recording, options, detector);
-  EXPECT_EQ(detector.window(), 1920);
+  EXPECT_EQ(detector.window(), 2240);
   EXPECT_GE(compared, 4);
   EXPECT_GT(r.firstAlarm, s.growthStart);
   EXPECT_LT(r.firstAlarm, s.growthStart + 0.25);
