@@ -5,6 +5,7 @@
 
 #include "core/config/nearest_word.h"
 #include "core/control/extremum.h"
+#include "core/control/fuzzy.h"
 #include "core/control/lobe_center.h"
 #include "core/control/monitor.h"
 #include "core/control/quarter_phase.h"
@@ -34,6 +35,9 @@ std::span<const StrategyEntry> strategyTable() {
       {"extremum-paper", &make<ExtremumPaper>, extremumParams()},
       {"extremum-seek", &make<ExtremumSeek>, extremumParams()},
       {"quarter-phase", &make<QuarterPhase>, quarterPhaseParams()},
+      {"fuzzy", &make<Fuzzy>, fuzzyParams()},
+      {"fuzzy-learning", &make<FuzzyLearning>, fuzzyParams()},
+      {"fuzzy-direct", &make<FuzzyDirect>, fuzzyParams()},
   };
   return table;
 }

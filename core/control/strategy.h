@@ -29,6 +29,9 @@ struct StrategyInput {
   // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26) where the detector in charge reports it, for the strategies that lower
   // it; negative: unknown, the verdict's severity stands in for it.
   double perturbation = -1.0;
+  // Level of the vibration (rms of the first channel, SI) and gamma_max of Xu 2003, 0 .. 1; negative: unknown.
+  double vibration = -1.0;
+  double coherence = -1.0;
 };
 
 class Strategy {

@@ -61,6 +61,8 @@ constexpr Row kRows[] = {
      "no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)"},
     {ReasonCode::NoStableSpeedTried, "no-stable-speed-tried",
      "{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed"},
+    {ReasonCode::FuzzyRules, "fuzzy-rules",
+     "coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min"},
     {ReasonCode::AuthorityOff, "authority-off", "authority is off"},
     {ReasonCode::AdviceOnly, "advice-only", "advice only"},
     {ReasonCode::GateNotFinite, "gate-not-finite", "the request was not a number"},

@@ -47,6 +47,7 @@ enum class ReasonCode : std::uint16_t {
   PocketByLobes,       // target rpm, lowest and highest stable rpm around it, chatter Hz
   NoStableSpeed,       // depth mm of the cut, depth mm that would do, its rpm, chatter Hz
   NoStableSpeedTried,  // speeds tried, chatter Hz
+  FuzzyRules,          // coherence, energy over that of the stable cut (0: not known), target rpm, feed mm/min
   // gate
   AuthorityOff,          // -
   AdviceOnly,            // -

@@ -87,7 +87,7 @@ void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
 OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
   try {
-    return parts_.strategy->decide({input.block.end(), dt_, verdict, input.machine});
+    return parts_.strategy->decide({input.block.end(), dt_, verdict, input.machine, -1.0, step_.vibrationRms});
   } catch (...) {
     // Falls back to monitoring: the request asks to let go, the gate brings the programmed values back.
     step_.strategyFailed = true;

@@ -1,0 +1,219 @@
+#include "core/control/fuzzy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace stillcut::control {
+namespace {
+
+constexpr double kSpeedWordShare = 1e-3;
+constexpr double kLearnStable = 0.5;  // [s] of stable cut whose level is 1 V
+constexpr double kSeverityRef = 0.2;  // energy ratio that the detectors call full chatter
+constexpr double kOvershoot = 1.1, kMostOvershoot = 2.0;
+constexpr double kImpactGain = 2.0;
+constexpr double kScalingExponent = 0.5, kScalingError = 0.5;  // alpha_E and eps_E of the input scaling
+constexpr double kLeastScaling = 0.5, kMostScaling = 2.0;
+constexpr int kLearnEvery = 6;
+
+bool positive(double v) noexcept {
+  return std::isfinite(v) && v > 0.0;
+}
+
+bool usable(const StrategyInput& in) noexcept {
+  const MachineState& m = in.machine;
+  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
+         std::isfinite(m.programmedFeed.value) && std::isfinite(m.operatorFeed.value) && in.verdict.valid &&
+         isFinite(in.verdict.severity) && positive(in.dt.value);
+}
+
+}  // namespace
+
+StrategyInfo Fuzzy::describe() const {
+  return {"fuzzy", "Fuzzy speed and feed", "Xu 2003, section 3.3", true, true};
+}
+
+void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  const auto limits = config::checkOverrideLimits(params, setup, describe().id);
+  if (!limits) throw std::runtime_error(limits.error().line());
+  limits_ = *limits;
+  options_ = fuzzyOptions(params);
+  if (!(options_.energyUp > options_.energyRef)) {
+    throw std::runtime_error("fuzzy.energy-limit: must be above fuzzy.energy-reference");
+  }
+  reset();
+}
+
+void Fuzzy::reset() noexcept {
+  speedRules_ = kSpeedRules;
+  feedRules_ = kFeedRules;
+  programmed_ = {};
+  speed_ = feed_ = 1.0;
+  moved_ = false;
+  elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
+  stable_ = stableSum_ = stableTime_ = 0.0;
+  sinceAlarm_ = 1e9;
+  lastCoherence_ = energy1_ = energy2_ = 0.0;
+  errors_.fill(0.0);
+  past_ = 0;
+  rising_ = 0;
+  reason_ = {ReasonCode::NothingToDo, {}};
+}
+
+OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
+  if (!usable(input)) {
+    OverrideRequest hold;
+    hold.time = input.now;
+    hold.kind = moved_ ? RequestKind::Hold : RequestKind::None;
+    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    return hold;
+  }
+  const Rpm programmed = input.machine.programmedSpeed;
+  if (std::abs((programmed - programmed_).value) > kSpeedWordShare * programmed.value) {
+    reset();
+    programmed_ = programmed;
+  }
+  gather(input);
+  if (elapsed_ >= options_.cycle) {
+    cycle(input);
+    elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
+  }
+  return answer(input);
+}
+
+void Fuzzy::gather(const StrategyInput& input) noexcept {
+  const double dt = std::min(input.dt.value, options_.cycle);
+  const Verdict& v = input.verdict;
+  elapsed_ += dt;
+  sinceAlarm_ = v.alarming() ? 0.0 : sinceAlarm_ + dt;
+  double coherence = input.coherence;
+  if (!(coherence >= 0.0)) {
+    const double s = std::clamp(v.severity.value, 0.0, 1.0);
+    const double ref = options_.coherenceRef;
+    coherence =
+        s < kSeverityRef ? ref * s / kSeverityRef : ref + (1.0 - ref) * (s - kSeverityRef) / (1.0 - kSeverityRef);
+    // Outside the cut, and where the detector itself calls the cut stable, a high ratio is no chatter.
+    if (!v.alarming()) coherence = std::min(coherence, 0.5 * ref);
+  }
+  coherenceMax_ = std::max(coherenceMax_, std::clamp(coherence, 0.0, 1.0));
+  const double level = std::isfinite(input.vibration) ? input.vibration : -1.0;
+  if (level < 0.0) return;
+  levelSum_ += level * dt;
+  counted_ += dt;
+  if (stable_ > 0.0 || v.state != CutState::Stable || v.phase != CutPhase::Steady) return;
+  stableSum_ += level * dt;
+  stableTime_ += dt;
+  if (stableTime_ >= kLearnStable) stable_ = stableSum_ / stableTime_;
+}
+
+void Fuzzy::cycle(const StrategyInput& input) noexcept {
+  const bool known = stable_ > 0.0 && counted_ > 0.0;
+  const double energy = known ? levelSum_ / counted_ / stable_ : 0.0;
+  FuzzyInputs in = scaled(coherenceMax_, energy);
+  in.energyKnown = known;
+  lastCoherence_ = coherenceMax_;
+  const double stronger = overshoot(energy) * tune(in);
+  const double impact = energy > options_.energyUp ? kImpactGain : 1.0;
+  moveBy(stronger * infer(speedRules_, in), stronger * infer(feedRules_, in), impact * elapsed_, input.machine);
+  learn(in);
+  // Table 3.1.
+  if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
+  if (energy > 2.0 * options_.energyUp) feed_ = 0.0;
+  const Rpm speed = programmed_ * (input.machine.operatorSpeed.value * speed_);
+  const MetresPerSecond feed = input.machine.programmedFeed * (input.machine.operatorFeed.value * feed_);
+  reason_ = {ReasonCode::FuzzyRules, {coherenceMax_, energy, speed.value, toMmPerMin(feed)}};
+}
+
+FuzzyInputs Fuzzy::scaled(double coherence, double energy) noexcept {
+  const double ref = options_.coherenceRef;
+  const double error = energy - options_.energyRef;
+  errors_[past_++ % kPast] = error;
+  double sum = 0.0;
+  for (const double e : errors_) sum += e * e;
+  const double index = std::sqrt(sum / static_cast<double>(std::min(past_, kPast)));
+  const double b = std::clamp(std::pow(index / kScalingError, kScalingExponent), kLeastScaling, kMostScaling);
+  FuzzyInputs in;
+  in.coherence = b * (coherence - ref) / (coherence >= ref ? 1.0 - ref : ref);
+  in.change = b * (coherence - lastCoherence_);
+  in.energy = b * error / (error >= 0.0 ? options_.energyUp - options_.energyRef : options_.energyRef);
+  return in;
+}
+
+double Fuzzy::overshoot(double energy) noexcept {
+  const bool rises = energy > energy1_ && energy1_ > energy2_ && energy2_ > options_.energyRef;
+  rising_ = rises ? std::min(rising_ + 1, 8) : 0;
+  energy2_ = energy1_;
+  energy1_ = energy;
+  return std::min(kMostOvershoot, std::pow(kOvershoot, rising_));
+}
+
+// `step`: share of the whole range that may be gone.
+void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m) noexcept {
+  const config::FactorRange speeds = speedFactors(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  const config::FactorRange feeds = feedFactors(limits_, m.operatorFeed);
+  const double most = std::min(1.0, step);
+  const double topSpeed = std::max(1.0, std::min(speeds.high, options_.highest));
+  const double topFeed = std::max(1.0, std::min(feeds.high, options_.highest));
+  const bool rest = speed > 0.0 && sinceAlarm_ < options_.rest;
+  const double dv = rest ? 0.0 : std::clamp(speed, -1.0, 1.0) * most * (topSpeed - speeds.low);
+  const double df = std::clamp(feed, -1.0, 1.0) * most * (topFeed - feeds.low);
+  speed_ = std::clamp(speed_ + dv, speeds.low, topSpeed);
+  // The feed per tooth stays at or below the programmed one.
+  const double perTooth = std::max(feeds.low, std::min(topFeed, limits_.feedPerTooth * speed_));
+  feed_ = std::clamp(feed_ + df, feeds.low, perTooth);
+  moved_ = moved_ || speed_ < 1.0 - 1e-6 || feed_ < 1.0 - 1e-6 || speed_ > 1.0 + 1e-6 || feed_ > 1.0 + 1e-6;
+}
+
+OverrideRequest Fuzzy::answer(const StrategyInput& input) const noexcept {
+  OverrideRequest request;
+  request.time = input.now;
+  request.claimsSpeed = true;
+  request.claimsFeed = true;
+  request.reason = reason_;
+  if (!moved_) return request;
+  const MachineState& m = input.machine;
+  request.kind = RequestKind::Set;
+  request.speed = m.programmedSpeed * (m.operatorSpeed.value * speed_);
+  request.feed = m.programmedFeed * (m.operatorFeed.value * feed_);
+  return request;
+}
+
+StrategyInfo FuzzyLearning::describe() const {
+  return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", true, true};
+}
+
+void FuzzyLearning::reset() noexcept {
+  Fuzzy::reset();
+  correction_ = {};
+  cycles_ = 0;
+}
+
+// Eq. 3-32, 3-33. The neutral coherence error is 0: at the reference nothing is to be regulated.
+void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
+  const RuleTable strength = firing(in);
+  const double delta = options_.learning * std::clamp(in.coherence, -1.0, 1.0);
+  for (std::size_t i = 0; i < strength.size(); ++i) {
+    for (std::size_t j = 0; j < strength[i].size(); ++j) correction_[i][j] += strength[i][j] * delta / kLearnEvery;
+  }
+  if (++cycles_ < kLearnEvery) return;
+  for (std::size_t i = 0; i < correction_.size(); ++i) {
+    for (std::size_t j = 0; j < correction_[i].size(); ++j) {
+      speedRules_[i][j] = std::clamp(speedRules_[i][j] - correction_[i][j], 1.0, 9.0);
+      feedRules_[i][j] = std::clamp(feedRules_[i][j] - correction_[i][j], 1.0, 9.0);
+    }
+  }
+  correction_ = {};
+  cycles_ = 0;
+}
+
+StrategyInfo FuzzyDirect::describe() const {
+  return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", true, true};
+}
+
+double FuzzyDirect::tune(const FuzzyInputs& in) const noexcept {
+  const double coherence = options_.coherenceWeight * std::clamp(in.coherence, -1.0, 1.0);
+  if (!options_.doubleTuning || !in.energyKnown) return std::abs(coherence);
+  return std::min(1.0, std::abs(coherence + options_.energyWeight * std::clamp(in.energy, -1.0, 1.0)));
+}
+
+}  // namespace stillcut::control

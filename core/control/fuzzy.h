@@ -1,0 +1,97 @@
+// fuzzy, fuzzy-learning, fuzzy-direct: Xu 2003, chapter 3. Spindle speed and feed go down in steps while coherence or
+// vibration energy are above their references, and up again while they are below.
+//   E gamma, C gamma, EE                  eq. 3-19 .. 3-21, scaled by eq. 3-25 .. 3-27 and by B = (PI(EE)/eps)^alpha
+//   rules, inference                      fuzzy_rules.h
+//   step per cycle                        range / cycles per second (eq. 3-28, 3-29), times the impact gain (3-30,
+//   3-31) overshoot                             alpha^m while the energy rises three cycles running (3.3.5.1) learning,
+//   every 6 cycles              k <- k - mean of w E gamma (eq. 3-32, 3-33) direct tuning, single and double      eq.
+//   3-34 .. 3-37
+// Departures, with their reasons:
+// - Eq. 3-33 prints +. Figures 3.17 and 3.18 show rules of high E gamma lowered and of low E gamma raised, each row by
+// its
+//   own: so minus, weighted by firing strength.
+// - Eq. 3-36 and 3-37 multiply by delta; a negative one would turn every recovery round: its magnitude is taken, of the
+//   normalised error.
+// - The energy references are volts of the author's sensor. Here 1 V is the level of the stable cut, learned from its
+//   first half second; until then energy says nothing.
+// - Without gamma_max the severity of the detector in charge stands in: 0 .. 0.2 .. 1 onto 0 .. 0.8 .. 1, both
+//   references being where the method says chatter.
+// - (f, v) = 0 above the upper limit (table 3.1) is a feed hold: the spindle never stops in the cut.
+// - Nothing rises above `fuzzy.highest` of the programme, and for `fuzzy.rest` seconds after an alarm the speed does
+// not
+//   rise at all: the rules as printed would climb back to the speed that chattered.
+#pragma once
+
+#include <array>
+
+#include "core/config/override_limits.h"
+#include "core/control/fuzzy_params.h"
+#include "core/control/fuzzy_rules.h"
+#include "core/control/strategy.h"
+
+namespace stillcut::control {
+
+class Fuzzy : public Strategy {
+ public:
+  StrategyInfo describe() const override;
+  // Throws std::runtime_error where the override limits contradict each other.
+  void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  OverrideRequest decide(const StrategyInput& input) noexcept override;
+  void reset() noexcept override;
+
+ protected:
+  // What learning and direct tuning add. Real-time.
+  virtual void learn(const FuzzyInputs& /*in*/) noexcept {}
+  virtual double tune(const FuzzyInputs& /*in*/) const noexcept { return 1.0; }
+
+  FuzzyOptions options_;
+  RuleTable speedRules_ = kSpeedRules;
+  RuleTable feedRules_ = kFeedRules;
+
+ private:
+  static constexpr std::size_t kPast = 8;  // n_a of eq. 3-14
+
+  void gather(const StrategyInput& input) noexcept;
+  void cycle(const StrategyInput& input) noexcept;
+  FuzzyInputs scaled(double coherence, double energy) noexcept;
+  double overshoot(double energy) noexcept;
+  void moveBy(double speed, double feed, double step, const MachineState& machine) noexcept;
+  OverrideRequest answer(const StrategyInput& input) const noexcept;
+
+  config::OverrideLimits limits_;
+  Rpm programmed_{};
+  double speed_ = 1.0, feed_ = 1.0;  // factors on programme and knob
+  bool moved_ = false;
+
+  double elapsed_ = 0.0, levelSum_ = 0.0, coherenceMax_ = 0.0, counted_ = 0.0;  // of the cycle in hand
+  double stable_ = 0.0, stableSum_ = 0.0, stableTime_ = 0.0;                    // level of the stable cut
+  double sinceAlarm_ = 1e9;
+  double lastCoherence_ = 0.0;
+  std::array<double, kPast> errors_{};  // EE of the last cycles
+  std::size_t past_ = 0;
+  double energy1_ = 0.0, energy2_ = 0.0;  // one and two cycles ago
+  int rising_ = 0;
+  Reason reason_;
+};
+
+class FuzzyLearning final : public Fuzzy {
+ public:
+  StrategyInfo describe() const override;
+  void reset() noexcept override;
+
+ private:
+  void learn(const FuzzyInputs& in) noexcept override;
+
+  RuleTable correction_{};
+  int cycles_ = 0;
+};
+
+class FuzzyDirect final : public Fuzzy {
+ public:
+  StrategyInfo describe() const override;
+
+ private:
+  double tune(const FuzzyInputs& in) const noexcept override;
+};
+
+}  // namespace stillcut::control

@@ -1,0 +1,24 @@
+// Numbers of the fuzzy strategies and their declarations. Thread: set-up.
+#pragma once
+
+#include "core/config/param_set.h"
+
+namespace stillcut::control {
+
+struct FuzzyOptions {
+  double cycle = 0.25;            // [s]
+  double coherenceRef = 0.8;      // gamma_ref
+  double energyRef = 1.5;         // E_ref, in stable cuts
+  double energyUp = 5.0;          // E_up
+  double highest = 1.0;           // of the programme
+  double rest = 30.0;             // [s]
+  double learning = 0.4;          // w of eq. 3-32
+  bool doubleTuning = true;       // eq. 3-36, else 3-37
+  double coherenceWeight = 0.65;  // w_gamma
+  double energyWeight = 1.25;     // w_E
+};
+
+config::ParamTable fuzzyParams();
+FuzzyOptions fuzzyOptions(const config::ParamSet& params);
+
+}  // namespace stillcut::control

@@ -1,0 +1,75 @@
+#include "core/control/fuzzy_rules.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::control {
+namespace {
+
+constexpr double NB = 2.0, NM = 3.0, NS = 4.0, ZE = kZero, PS = 6.0, PM = 7.0, PB = 8.0;
+
+}  // namespace
+
+// clang-format off
+const RuleTable kSpeedRules{{
+    {PB, PM, PM, PM, PM, PM, PM, PS, PS},
+    {PM, PM, PM, PS, PS, PS, PS, PS, PS},
+    {PM, PM, PS, PS, PS, PS, ZE, ZE, ZE},
+    {PS, PS, PS, ZE, ZE, ZE, ZE, ZE, ZE},
+    {PS, PS, ZE, ZE, ZE, ZE, ZE, NS, NS},
+    {ZE, ZE, ZE, ZE, ZE, ZE, NS, NS, NS},
+    {ZE, ZE, ZE, NS, NS, NS, NS, NM, NM},
+    {NS, NS, NS, NS, NS, NS, NM, NM, NM},
+    {NS, NS, NM, NM, NM, NM, NM, NM, NB}}};
+const RuleTable kFeedRules{{
+    {PM, PM, PM, PM, PM, PM, PS, PS, PS},
+    {PM, PM, PS, PS, PS, PS, PS, PS, ZE},
+    {PS, PS, PS, PS, PS, ZE, ZE, ZE, ZE},
+    {PS, PS, ZE, ZE, ZE, ZE, ZE, ZE, ZE},
+    {ZE, ZE, ZE, ZE, ZE, ZE, ZE, ZE, ZE},
+    {ZE, ZE, ZE, ZE, ZE, ZE, ZE, NS, NS},
+    {ZE, ZE, ZE, ZE, NS, NS, NS, NS, NS},
+    {ZE, NS, NS, NS, NS, NS, NS, NM, NM},
+    {NS, NS, NS, NM, NM, NM, NM, NM, NM}}};
+// clang-format on
+const std::array<double, kEnergySets> kEnergyRules{PB, PM, PS, ZE, NS, NM, NB};
+
+template <int Sets>
+std::array<double, Sets> memberships(double x) STILLCUT_RT {
+  std::array<double, Sets> degree{};
+  const double finite = std::isfinite(x) ? x : 0.0;
+  const double place = (std::clamp(finite, -1.0, 1.0) + 1.0) * 0.5 * (Sets - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(Sets - 2));
+  const double above = place - static_cast<double>(below);
+  degree[below] = 1.0 - above;
+  degree[below + 1] = above;
+  return degree;
+}
+
+template std::array<double, kCoherenceSets> memberships<kCoherenceSets>(double x) STILLCUT_RT;
+template std::array<double, kEnergySets> memberships<kEnergySets>(double x) STILLCUT_RT;
+
+RuleTable firing(const FuzzyInputs& in) STILLCUT_RT {
+  const auto rows = memberships<kCoherenceSets>(in.coherence);
+  const auto columns = memberships<kCoherenceSets>(in.change);
+  RuleTable strength{};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t j = 0; j < columns.size(); ++j) strength[i][j] = std::min(rows[i], columns[j]);
+  }
+  return strength;
+}
+
+double infer(const RuleTable& table, const FuzzyInputs& in) STILLCUT_RT {
+  const RuleTable strength = firing(in);
+  WeightedAverage answer;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < table[i].size(); ++j) answer.add(strength[i][j], table[i][j]);
+  }
+  if (in.energyKnown) {
+    const auto degree = memberships<kEnergySets>(in.energy);
+    for (std::size_t i = 0; i < degree.size(); ++i) answer.add(degree[i], kEnergyRules[i]);
+  }
+  return std::clamp((answer.value() - kZero) / (9.0 - kZero), -1.0, 1.0);
+}
+
+}  // namespace stillcut::control

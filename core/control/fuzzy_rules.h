@@ -1,0 +1,55 @@
+// Xu 2003, section 3.3: the fuzzy machine without its purpose. Inputs are normalised to -1 .. 1 and belong to nine
+// triangular sets NX, NB, NM, NS, ZE, PS, PM, PB, PX (the energy to seven, NB .. PB); rules hold singletons 1 .. 9 (ZE
+// = 5); a rule counts as much as its weakest input (eq. 3-22, 3-24); the answer is the weighted average (eq. 3-23). The
+// triangles are uniform: figure 3.6 gives no numbers. The paper's example of eq. 3-23 prints 5.88 with a wrong
+// denominator; weights .1 .1 .3 .7 on 5 5 5 4 give 4.4167.
+// Figure 3.9 prints PB for energy PB; energy above its reference must lower speed and feed (table 3.1), so its sign is
+// turned. Pure functions of values, real-time safe.
+#pragma once
+
+#include <array>
+
+#include "core/base/realtime.h"
+
+namespace stillcut::control {
+
+inline constexpr int kCoherenceSets = 9;
+inline constexpr int kEnergySets = 7;
+inline constexpr double kZero = 5.0;  // the singleton that asks for nothing
+
+using RuleTable = std::array<std::array<double, kCoherenceSets>, kCoherenceSets>;  // [E gamma][C gamma]
+
+extern const RuleTable kSpeedRules;                         // figure 3.7
+extern const RuleTable kFeedRules;                          // figure 3.8
+extern const std::array<double, kEnergySets> kEnergyRules;  // figure 3.9, sign turned
+
+// Degrees of belonging to `Sets` uniform triangles over -1 .. 1; they sum to 1. Outside: the outermost set.
+template <int Sets>
+std::array<double, Sets> memberships(double x) STILLCUT_RT;
+
+// Eq. 3-23, one rule after another.
+class WeightedAverage {
+ public:
+  void add(double weight, double value) STILLCUT_RT {
+    weights_ += weight;
+    sum_ += weight * value;
+  }
+  double value() const STILLCUT_RT { return weights_ > 0.0 ? sum_ / weights_ : kZero; }
+
+ private:
+  double weights_ = 0.0, sum_ = 0.0;
+};
+
+struct FuzzyInputs {
+  double coherence = 0.0;  // E gamma, normalised
+  double change = 0.0;     // C gamma, normalised
+  double energy = 0.0;     // EE, normalised
+  bool energyKnown = false;
+};
+
+// Strength of every coherence rule, by row and column.
+RuleTable firing(const FuzzyInputs& in) STILLCUT_RT;
+// -1 (down as fast as allowed) .. 1: all rules that fire, of the table and of the energy row.
+double infer(const RuleTable& table, const FuzzyInputs& in) STILLCUT_RT;
+
+}  // namespace stillcut::control

@@ -1,0 +1,147 @@
+// fuzzy, fuzzy-learning, fuzzy-direct against Xu 2003, chapter 3.
+#include "core/control/fuzzy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#include "core/control/registry.h"
+
+namespace stillcut::control {
+namespace {
+
+TEST(FuzzyRules, WeightedAverageOfThePapersExample) {
+  WeightedAverage u;
+  u.add(0.1, 5.0);
+  u.add(0.1, 5.0);
+  u.add(0.3, 5.0);
+  u.add(0.7, 4.0);
+  EXPECT_NEAR(u.value(), 4.4167, 5e-5);
+}
+
+TEST(FuzzyRules, MembershipsSumToOneAndNameAtMostTwoSets) {
+  for (double x = -1.5; x <= 1.5; x += 0.01) {
+    const auto d = memberships<kCoherenceSets>(x);
+    EXPECT_NEAR(std::accumulate(d.begin(), d.end(), 0.0), 1.0, 1e-12);
+    EXPECT_LE(std::count_if(d.begin(), d.end(), [](double v) { return v > 0.0; }), 2);
+  }
+  EXPECT_EQ(memberships<kCoherenceSets>(std::numeric_limits<double>::quiet_NaN())[4], 1.0);
+}
+
+TEST(FuzzyRules, TablesFallWithCoherenceAndWithItsChange) {
+  for (const RuleTable* table : {&kSpeedRules, &kFeedRules}) {
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t j = 0; j < 9; ++j) {
+        if (i > 0) {
+          EXPECT_LE((*table)[i][j], (*table)[i - 1][j]) << i << "," << j;
+        }
+        if (j > 0) {
+          EXPECT_LE((*table)[i][j], (*table)[i][j - 1]) << i << "," << j;
+        }
+      }
+    }
+  }
+  EXPECT_EQ(kSpeedRules[8][8], 2.0);  // figure 3.7: PX, PX gives NB
+  EXPECT_EQ(kFeedRules[4][4], kZero);
+}
+
+TEST(FuzzyRules, EnergyAboveItsReferenceLowers) {
+  EXPECT_LT(infer(kSpeedRules, {0.0, 0.0, 1.0, true}), 0.0);
+  EXPECT_GT(infer(kSpeedRules, {0.0, 0.0, -1.0, true}), 0.0);
+  EXPECT_NEAR(infer(kSpeedRules, {0.0, 0.0, 1.0, false}), 0.0, 1e-12);
+}
+
+// A cut whose vibration and severity the test sets.
+class FuzzyTest : public ::testing::TestWithParam<std::string_view> {
+ protected:
+  void SetUp() override {
+    strategy_ = std::move(makeStrategy(GetParam())).value();
+    setup_.teeth = 4;
+    in_.dt = Seconds(0.01);
+    in_.machine.valid = true;
+    in_.machine.programmedSpeed = in_.machine.actualSpeed = Rpm(800.0);
+    in_.machine.programmedFeed = fromMmPerMin(200.0);
+    in_.verdict.valid = true;
+    in_.verdict.phase = CutPhase::Steady;
+    strategy_->prepare(setup_, {});
+  }
+  OverrideRequest run(double seconds, double severity, double vibration) {
+    in_.verdict.severity = Ratio(severity);
+    in_.verdict.state = severity > 0.1 ? CutState::Chatter : CutState::Stable;
+    in_.verdict.frequency = Hertz(severity > 0.1 ? 201.0 : 0.0);
+    in_.vibration = vibration;
+    OverrideRequest last;
+    for (double t = 0.0; t < seconds; t += 0.01) {
+      in_.now += toDuration(in_.dt);
+      last = strategy_->decide(in_);
+    }
+    return last;
+  }
+
+  CutSetup setup_;
+  StrategyInput in_;
+  std::unique_ptr<Strategy> strategy_;
+};
+
+TEST_P(FuzzyTest, AStableCutIsLeftAlone) {
+  EXPECT_EQ(run(5.0, 0.01, 2.0).kind, RequestKind::None);
+}
+
+TEST_P(FuzzyTest, ChatterLowersSpeedAndFeedAndNeverStopsTheSpindle) {
+  run(2.0, 0.01, 2.0);
+  const OverrideRequest r = run(10.0, 0.9, 8.0);
+  ASSERT_EQ(r.kind, RequestKind::Set);
+  EXPECT_LT(r.speed.value, 800.0);
+  EXPECT_GE(r.speed.value, 400.0 - 1e-9);
+  EXPECT_LE(r.feed / in_.machine.programmedFeed, r.speed.value / 800.0 + 1e-9);  // feed per tooth
+  EXPECT_EQ(r.reason.code, ReasonCode::FuzzyRules);
+  EXPECT_NEAR(r.reason.n[1], 4.0, 0.01);  // times the stable cut
+}
+
+TEST_P(FuzzyTest, AboveTheUpperLimitTheFeedIsHeldWhileTheSpindleTurns) {
+  run(2.0, 0.01, 2.0);
+  const OverrideRequest r = run(1.0, 0.9, 25.0);
+  EXPECT_EQ(r.feed.value, 0.0);
+  EXPECT_GT(r.speed.value, 0.0);
+}
+
+TEST_P(FuzzyTest, OneCycleMovesNoFurtherThanItsStep) {
+  run(2.0, 0.01, 2.0);
+  double last = 800.0;
+  for (int i = 0; i < 40; ++i) {
+    const OverrideRequest r = run(0.05, 0.9, 8.0);
+    const double now = r.kind == RequestKind::Set ? r.speed.value : 800.0;
+    EXPECT_LE(last - now, 0.26 * 400.0);  // eq. 3-29: range over cycles per second, cycles of 0.25 s
+    last = now;
+  }
+}
+
+TEST_P(FuzzyTest, TheSpeedDoesNotClimbBackWhileTheAlarmIsFresh) {
+  run(2.0, 0.01, 2.0);
+  const double low = run(2.0, 0.9, 8.0).speed.value;
+  EXPECT_NEAR(run(20.0, 0.01, 1.8).speed.value, low, 1e-9);
+  EXPECT_GT(run(60.0, 0.01, 1.0).speed.value, low);
+}
+
+TEST_P(FuzzyTest, UnusableInputIsNeverASet) {
+  in_.verdict.valid = false;
+  EXPECT_EQ(run(1.0, 0.9, 8.0).kind, RequestKind::None);
+  in_.verdict.valid = true;
+  run(2.0, 0.9, 8.0);
+  in_.machine.valid = false;
+  EXPECT_EQ(run(0.1, 0.9, 8.0).kind, RequestKind::Hold);
+}
+
+INSTANTIATE_TEST_SUITE_P(Xu, FuzzyTest, ::testing::Values("fuzzy", "fuzzy-learning", "fuzzy-direct"),
+                         [](const auto& test) {
+                           std::string name(test.param);
+                           for (char& c : name) c = c == '-' ? '_' : c;
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace stillcut::control
