@@ -8,11 +8,13 @@ namespace {
 
 constexpr double kMemoryTurns = 40.0;
 constexpr double kShortTurns = 10.0;  // a floor that falls is followed this fast
-constexpr double kPriorTurns = 8.0;   // weight of "k = 1" before anything is learned
+constexpr double kPriorTurns = 4.0;   // weight of "k = 1" before anything is learned
 constexpr double kMostShape = 16.0;   // 1 dB of scatter: a lucky stretch must not make the test nervous
 constexpr double kMostCorrelation = 4.0;
 constexpr double kSure = 2.0;       // standard deviations of a learned mean
-constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pull the mean up
+constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pull the mean up, plus 1 / k for the skew
+constexpr double kCutOff = 0.3;     // relative loss of variance by that, at k = 1
+constexpr double kFallen = 3.0;     // standard deviations by which a short mean must lie below to take its place
 constexpr double kGrowth = 4.0;     // in energy: twice the amplitude, or it is not worth the word
 constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
@@ -28,7 +30,8 @@ void OnsetTest::reset() noexcept {
 }
 
 double OnsetTest::shape() const noexcept {
-  return std::clamp(1.0 / std::max(variance_, 1e-6), 0.5, kMostShape);
+  const double variance = variance_ * (1.0 + kCutOff * std::min(variance_, 1.0));
+  return std::clamp(1.0 / std::max(variance, 1e-6), 0.5, kMostShape);
 }
 
 // The mean over kShortTurns of a process with the integral correlation time c has the variance c / (2 kShortTurns).
@@ -51,7 +54,7 @@ void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
   const double seen = ratio >= limits_.smallestRatio ? x : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
-  if (evidence_ > limits_.evidence && x > kGrowth) {
+  if (evidence_ > limits_.evidence && ratio > kGrowth * mean_) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }
@@ -71,7 +74,7 @@ void OnsetTest::follow(double ratio, double turns) noexcept {
   if (learnedTurns_ == 0.0) mean_ = shortMean_ = ratio;
   const bool known = learned();
   learnedTurns_ = std::min(learnedTurns_ + turns, kMemoryTurns);
-  const double most = mean_ * (1.0 + kOrdinary / std::sqrt(shape()));
+  const double most = mean_ * (1.0 + kOrdinary / std::sqrt(shape()) + 1.0 / shape());
   const double r = known ? std::min(ratio, most) : ratio;
   shortMean_ += turns / std::min(learnedTurns_, kShortTurns) * (r - shortMean_);
   mean_ += turns / learnedTurns_ * (r - mean_);
@@ -81,7 +84,7 @@ void OnsetTest::follow(double ratio, double turns) noexcept {
   const double rate = turns / std::min(learnedTurns_ + kPriorTurns, kMemoryTurns);
   variance_ += rate * (error * error - variance_);
   shortVariance_ += rate * (shortError * shortError - shortVariance_);
-  if (known && shortMean_ * (1.0 + kSure * doubt(kShortTurns)) < mean_) {
+  if (known && shortMean_ * (1.0 + kFallen * doubt(kShortTurns)) < mean_) {
     mean_ = shortMean_;
     learnedTurns_ = kShortTurns;
   }

@@ -25,6 +25,10 @@ struct CutSignal {
   double growthConstant = 0.02;  // s
   double startAmplitude = 0.02;  // of the main tooth harmonic
   double cap = 3.0;              // of the main tooth harmonic
+  // A lightly damped mode shaken by noise: stable, yet narrow-band.
+  double modeHertz = 922.0;
+  double modeDamping = 0.02;
+  double modeRms = 0.0;  // of the main tooth harmonic's amplitude
   unsigned seed = 1;
 };
 
@@ -47,6 +51,13 @@ inline Recording makeCut(const CutSignal& s) {
     const double keep = std::exp(-dt / memory);
     x = keep * x + sd * std::sqrt(1.0 - keep * keep) * normal(engine);
   };
+  // Two poles; the gain makes the stationary rms 1.
+  const double radius = std::exp(-s.modeDamping * kTwoPi * s.modeHertz * dt);
+  const double a1 = 2.0 * radius * std::cos(kTwoPi * s.modeHertz * dt);
+  const double a2 = -radius * radius;
+  const double gain = std::sqrt((1.0 + a2) * ((1.0 - a2) * (1.0 - a2) - a1 * a1) / (1.0 - a2));
+  double mode = 0.0;
+  double modeBefore = 0.0;
   double speed = 0.0;
   double angle = 0.0;
   Recording r;
@@ -56,6 +67,12 @@ inline Recording makeCut(const CutSignal& s) {
     step(speed, s.speedSd, 1.0);
     angle += kTwoPi * s.spindle * (1.0 + speed) * dt;
     double x = s.noise * std::sqrt(0.5) * normal(engine);
+    if (s.modeRms > 0.0) {
+      const double next = a1 * mode + a2 * modeBefore + gain * normal(engine);
+      modeBefore = mode;
+      mode = next;
+      x += s.modeRms * mode;
+    }
     for (std::size_t h = 0; h < amplitude.size(); ++h) {
       if (k % 32 == 0)
         wander[h] = std::exp(-32 * dt / 0.5) * wander[h] +

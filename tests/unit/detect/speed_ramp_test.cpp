@@ -1,0 +1,92 @@
+// The spindle runs to another speed within a fraction of a second, as a strategy asks it to; the machine tells its
+// speed.
+#include <algorithm>
+
+#include "tests/unit/detect/signals.h"
+
+namespace stillcut::detect::testing {
+namespace {
+
+constexpr double kRampStart = 2.0;
+constexpr double kRampSeconds = 0.3;
+constexpr double kFrom = 141.7;
+constexpr double kTo = 0.82 * kFrom;
+constexpr double kChatterHertz = 937.0;
+
+double speedAt(double t) {
+  const double share = std::clamp((t - kRampStart) / kRampSeconds, 0.0, 1.0);
+  return kFrom + share * (kTo - kFrom);
+}
+
+// Forced vibration whose tooth harmonics follow the speed, and their amplitudes with it; with `chatter`, chatter of the
+// forced amplitude from 1.5 s on that dies away (time constant 20 ms) once the speed is half way.
+Recording rampedCut(bool chatter, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  Recording r;
+  r.rate = 25600.0;
+  r.channels.assign(1, {});
+  double angle = 0.0;
+  double size = 0.0;
+  for (int k = 0; k < static_cast<int>(4.0 * r.rate); ++k) {
+    const double t = k / r.rate;
+    const double speed = speedAt(t);
+    angle += kTwoPi * speed / r.rate;
+    double x = 0.02 * normal(engine);
+    for (int h = 1; h <= 24; ++h) {
+      const double amplitude = h % 4 == 0 ? 4.0 / h : 0.05;
+      x += amplitude * std::pow(speed / kFrom, 2) * std::cos(h * angle + 0.7 * h * h);
+    }
+    if (chatter && t > 1.5) {
+      const bool dying = t > kRampStart + 0.5 * kRampSeconds;
+      size = dying ? size * std::exp(-1.0 / (0.02 * r.rate)) : std::min(1.0, 0.02 * std::exp((t - 1.5) / 0.03));
+      x += size * std::sin(kTwoPi * kChatterHertz * t);
+    }
+    r.channels[0].push_back(static_cast<float>(x));
+  }
+  return r;
+}
+
+RunOptions withMachine(double error) {
+  RunOptions o;
+  o.teeth = 4;
+  o.rpm = 60.0 * kFrom;
+  o.machine = [error](double t) {
+    MachineState m;
+    m.valid = m.linkUp = true;
+    m.programmedSpeed = Rpm(60.0 * kFrom);
+    m.actualSpeed = Rpm(60.0 * speedAt(t) * (1.0 + error));
+    return m;
+  };
+  return o;
+}
+
+TEST(SpeedRamp, OfAStableCutIsNoAlarm) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    for (const double error : {0.0, -0.005, 0.005}) {
+      const RunResult r = run(rampedCut(false, seed), withMachine(error));
+      EXPECT_LT(r.firstAlarm, 0.0) << "seed " << seed << " machine off by " << error;
+      EXPECT_NEAR(r.verdicts.back().spindle.value, kTo, 1e-3 * kTo);
+      EXPECT_EQ(r.verdicts.back().state, CutState::Stable);
+    }
+  }
+}
+
+TEST(SpeedRamp, ThatStopsTheChatterEndsTheAlarm) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const RunResult r = run(rampedCut(true, seed), withMachine(0.003));
+    EXPECT_GT(r.firstAlarm, 1.5);
+    EXPECT_LT(r.firstAlarm, 1.6);
+    // Chatter of the forced size falls below a fifth within 20 ms * ln 5.
+    const double over = kRampStart + 0.5 * kRampSeconds + 0.032;
+    EXPECT_EQ(r.at(over - 0.1).state, CutState::Chatter);
+    EXPECT_LT(r.firstAlarmAfter(over + 0.25), 0.0) << "seed " << seed;
+    // A strategy aims at this frequency: it must not wander with the speed.
+    for (double t = 1.65; t < kRampStart + 0.5 * kRampSeconds; t += 0.02) {
+      EXPECT_NEAR(r.at(t).frequency.value, kChatterHertz, 0.005 * kChatterHertz) << t;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::detect::testing
