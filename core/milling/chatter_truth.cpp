@@ -178,14 +178,17 @@ Hertz ChatterTruth::chatterFrequency() const {
   };
   double best = 0.0, bestPower = -1.0;
   const double top = std::min(0.45 * differenceRate_, 2.0 * settings_.highestHz);
-  for (double hz = 2.0; hz < top; hz += 2.0) {
+  const int lines = static_cast<int>(std::ceil(0.5 * top));
+  for (int i = 1; i < lines; ++i) {
+    const double hz = 2.0 * i;
     const double p = power(hz);
     if (p > bestPower) {
       bestPower = p;
       best = hz;
     }
   }
-  for (double step = 1.0; step > 0.005; step *= 0.5) {
+  double step = 1.0;
+  for (int halving = 0; halving < 8; ++halving, step *= 0.5) {  // down to 8 mHz
     for (double hz : {best - step, best + step}) {
       const double p = power(hz);
       if (p > bestPower) {
