@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/safety/gate_checks.h"
+
 namespace stillcut::pipeline {
 namespace {
 
@@ -17,6 +19,15 @@ double rms(std::span<const double> x) {
 bool sound(const Verdict& v) {
   return isFinite(v.frequency) && isFinite(v.frequencySd) && isFinite(v.severity) && isFinite(v.spindle) &&
          isFinite(v.sinceOnset) && isFinite(v.feedSinceOnset);
+}
+
+// One number that is none would stay in every filter that follows the machine. The gate sees what was really read.
+MachineState believable(const MachineState& m) {
+  if (safety::plausible(m)) return m;
+  MachineState unknown;
+  unknown.time = m.time;
+  unknown.linkUp = m.linkUp;
+  return unknown;
 }
 
 Verdict faultVerdict(const detect::ConditionedBlock& block, int detector) {
@@ -55,7 +66,8 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   previous_ = input.block.end();
   started_ = true;
 
-  const detect::ConditionedBlock& block = conditioner_.process(input.block, input.machine);
+  machine_ = believable(input.machine);
+  const detect::ConditionedBlock& block = conditioner_.process(input.block, machine_);
   step_.vibrationRms = rms(block.channel(0));
   runDetectors(block);
   step_.output.request = askStrategy(input);
@@ -87,7 +99,7 @@ void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
 OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
   try {
-    return parts_.strategy->decide({input.block.end(), dt_, verdict, input.machine, -1.0, step_.vibrationRms});
+    return parts_.strategy->decide({input.block.end(), dt_, verdict, machine_, -1.0, step_.vibrationRms});
   } catch (...) {
     // Falls back to monitoring: the request asks to let go, the gate brings the programmed values back.
     step_.strategyFailed = true;
@@ -108,7 +120,7 @@ void Chain::runGate(const StepInput& input) noexcept {
   step_.gate = gate_.step(in);
   const safety::GateOutput& gate = step_.gate;
   flights_.push(safety::flightEntry(in, gate));
-  if (gate.flight) flights_.capture(gate.reason, in.now);
+  if (gate.flight) flights_.capture(gate.flightCause, in.now);
   out.authority = gate.authority;
   out.hasCommand = gate.command.has_value();
   if (gate.command) out.command = gate.command->record();

@@ -60,6 +60,7 @@ class Chain {
   bool started_ = false;
   Instant previous_{};  // end of the previous block
   Seconds dt_{};
+  MachineState machine_;  // of this step; invalid when what was read makes no sense
   Step step_;
 };
 

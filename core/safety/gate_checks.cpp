@@ -30,14 +30,14 @@ Reason ageReason(ReasonCode code, Instant stamp, Instant now) noexcept {
   return {code, {ageOf(stamp, now)}};
 }
 
-bool plausible(const MachineState& m) noexcept {
+}  // namespace
+
+bool plausible(const MachineState& m) STILLCUT_RT {
   return within(m.programmedSpeed.value, 0.0, kFastestSpindle) && within(m.programmedFeed.value, 0.0, kFastestFeed) &&
          within(m.operatorSpeed.value, 0.01, kHighestKnob) && within(m.operatorFeed.value, 0.0, kHighestKnob) &&
          within(m.speedOverride.value, 0.0, kHighestKnob) && within(m.feedOverride.value, 0.0, kHighestKnob) &&
          within(m.actualSpeed.value, 0.0, kFastestSpindle) && within(m.actualFeed.value, 0.0, kFastestFeed);
 }
-
-}  // namespace
 
 Reason checkMachine(const MachineState& m, Instant now, Seconds maxAge) STILLCUT_RT {
   if (!m.linkUp) return ageReason(ReasonCode::LinkLost, m.time, now);

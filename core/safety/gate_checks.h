@@ -8,6 +8,8 @@
 
 namespace stillcut::safety {
 
+// Every number finite and such as a milling machine can have.
+bool plausible(const MachineState& machine) STILLCUT_RT;
 // Read, fresh, link up, overrides ours and unlocked, every number finite and plausible, program running.
 Reason checkMachine(const MachineState& machine, Instant now, Seconds maxAge) STILLCUT_RT;
 // Valid, fresh, finite.

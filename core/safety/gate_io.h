@@ -35,6 +35,7 @@ struct GateOutput {
   bool operatorHold = false;
   Reason reason;        // why the gate does what it does now
   bool flight = false;  // fault, refusal or change of authority: keep the last seconds (FlightRecorder::capture)
+  Reason flightCause;   // the first of them in this step
   int eventCount = 0;   // Event::number is left to whoever counts a run's events
   std::array<Event, kMaxGateEvents> events{};
 };

@@ -23,6 +23,7 @@ void OverrideGate::prepare(const GateLimits& limits) {
   badTime_ = 0.0;
   restLeft_ = 0.0;
   saidTrouble_ = ReasonCode::None;
+  saidCoolDown_ = false;
 }
 
 GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
@@ -93,7 +94,7 @@ void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, G
   if (saidTrouble_ != trouble.code) {
     saidTrouble_ = trouble.code;
     say(out, in.now, ordinary ? EventLevel::Info : EventLevel::Warning, trouble);
-    out.flight = out.flight || !ordinary;
+    if (!ordinary) keepFlight(out, trouble);
   }
   ramp_.halt();
   badTime_ += elapsed_;
@@ -121,7 +122,7 @@ void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOu
   restLeft_ = limits_.restTime.value;
   if (level == EventLevel::Fault) {
     say(out, now, level, why);
-    out.flight = true;
+    keepFlight(out, why);
   }
   say(out, now, EventLevel::Info, {ReasonCode::GateReleased, {}});
 }
@@ -156,6 +157,11 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.autoAllowed = limits_.autoAllowed;
   out.adviceOpen = desk_.open();
   out.operatorHold = operatorHold_;
+}
+
+void OverrideGate::keepFlight(GateOutput& out, const Reason& cause) STILLCUT_RT {
+  if (!out.flight) out.flightCause = cause;
+  out.flight = true;
 }
 
 void OverrideGate::say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT {

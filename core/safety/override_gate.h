@@ -57,6 +57,7 @@ class OverrideGate {
 
   void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
   void issue(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  static void keepFlight(GateOutput& out, const Reason& cause) STILLCUT_RT;
   void say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT;
 
   GateLimits limits_;
@@ -84,6 +85,7 @@ class OverrideGate {
   double badTime_ = 0.0;   // [s] of bad input, running down again while it is good
   double restLeft_ = 0.0;
   ReasonCode saidTrouble_ = ReasonCode::None;
+  bool saidCoolDown_ = false;  // once for each
 };
 
 }  // namespace stillcut::safety

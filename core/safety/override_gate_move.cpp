@@ -16,6 +16,7 @@ bool inCut(const Verdict& v) noexcept {
 void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   badTime_ = std::max(0.0, badTime_ - elapsed_);
   if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
+  if (!keeper_.budget().cooling()) saidCoolDown_ = false;
   restLeft_ = std::max(0.0, restLeft_ - elapsed_);
   // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects.
   if (!commanding_ || (in.verdict.alarming() && !watch_.knobTurning())) watch_.rebase(in.machine);
@@ -116,7 +117,7 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
     ramp_.halt();
     goingBack_ = false;
   } else if (r.kind == RequestKind::Release) {
-    keeper_.propose({}, true);
+    keeper_.goBack();
     goingBack_ = true;
   }
   const Advice* accepted = desk_.accepted();
@@ -157,12 +158,12 @@ void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
 void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const ChangeBudget& budget = keeper_.budget();
   out.reason = {ReasonCode::GateCoolDown, {budget.coolDownLeft()}};
-  if (saidTrouble_ != ReasonCode::GateCoolDown) {
-    saidTrouble_ = ReasonCode::GateCoolDown;
-    say(out, in.now, EventLevel::Warning,
-        {ReasonCode::GateChangesPerMinute,
-         {static_cast<double>(budget.inLastMinute()), static_cast<double>(budget.perMinute())}});
-    out.flight = true;
+  if (!saidCoolDown_) {
+    saidCoolDown_ = true;
+    const Reason usedUp{ReasonCode::GateChangesPerMinute,
+                        {static_cast<double>(budget.inLastMinute()), static_cast<double>(budget.perMinute())}};
+    say(out, in.now, EventLevel::Warning, usedUp);
+    keepFlight(out, usedUp);
   }
   if (budget.timesUsedUp() >= 2 && authority_ == Authority::Auto) {
     say(out, in.now, EventLevel::Warning, {ReasonCode::AutoWithdrawn, {static_cast<double>(budget.perMinute())}});

@@ -37,13 +37,13 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
   const bool known = wanted == Authority::Off || wanted == Authority::Advise || wanted == Authority::Auto;
   if (!known || (wanted == Authority::Auto && !limits_.autoAllowed)) {
     say(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
-    out.flight = true;
+    keepFlight(out, {ReasonCode::AutoNotAllowed, {}});
     return;
   }
   if (wanted != authority_) {
-    say(out, now, EventLevel::Info,
-        {ReasonCode::AuthorityChanged, {static_cast<double>(authority_), static_cast<double>(wanted)}});
-    out.flight = true;
+    const Reason change{ReasonCode::AuthorityChanged, {static_cast<double>(authority_), static_cast<double>(wanted)}};
+    say(out, now, EventLevel::Info, change);
+    keepFlight(out, change);
     authority_ = wanted;
     authoritySince_ = now;
     desk_.clear();
@@ -56,9 +56,10 @@ void OverrideGate::answerAdvice(bool accept, Instant now, GateOutput& out) STILL
   if (authority_ != Authority::Advise) return;
   if (!(accept ? desk_.accept() : desk_.refuse())) return;
   const OverrideRequest& r = desk_.advice().request;
-  say(out, now, EventLevel::Info,
-      {accept ? ReasonCode::AdviceAccepted : ReasonCode::AdviceRefused, {r.speed.value, toMmPerMin(r.feed)}});
-  out.flight = out.flight || !accept;
+  const Reason answer{accept ? ReasonCode::AdviceAccepted : ReasonCode::AdviceRefused,
+                      {r.speed.value, toMmPerMin(r.feed)}};
+  say(out, now, EventLevel::Info, answer);
+  if (!accept) keepFlight(out, answer);
 }
 
 }  // namespace stillcut::safety

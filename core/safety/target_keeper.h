@@ -46,6 +46,11 @@ class TargetKeeper {
     still_ = 0.0;
     return Proposal::Taken;
   }
+  // The way back to exactly 100 %, from inside the dead band as well: it must arrive. Never refused.
+  void goBack() STILLCUT_RT {
+    propose({}, true);
+    target_ = {};
+  }
   // Wanted is where we already are, within the dead band.
   bool near(const Factors& wanted) const STILLCUT_RT {
     return way(wanted.speed - target_.speed) == 0 && way(wanted.feed - target_.feed) == 0;

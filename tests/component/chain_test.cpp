@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -89,6 +90,54 @@ TEST(Chain, RefusesAnImpossibleLineUp) {
   ChainParts parts = test::scriptedChain();
   parts.inCharge = 1;
   EXPECT_THROW(Chain(std::move(parts)), std::runtime_error);
+}
+
+// 6000 rpm is 100 turns a second; the machine says so, except in one block.
+TEST(Chain, OneImpossibleReadOfTheMachineDoesNotPoisonWhatFollows) {
+  const double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {kInfinity, -1.0, 1e12, std::numeric_limits<double>::quiet_NaN()}) {
+    double angle = 0.0, spindle = 0.0, feed = 0.0, told = 0.0;
+    Chain chain(test::scriptedChain(
+        [&](const detect::ConditionedBlock& block) {
+          angle = block.angle[block.frames - 1];
+          spindle = block.spindle.value;
+          feed = block.feed.value;
+          return test::stableVerdict();
+        },
+        [&](const control::StrategyInput& in) {
+          told = in.machine.actualSpeed.value;
+          return OverrideRequest{};
+        }));
+    chain.prepare(test::setup(), {}, {});
+    for (int i = 0; i < 20; ++i) {
+      StepInput in = stepInput(i);
+      in.machine.time = in.block.end();
+      in.machine.valid = in.machine.linkUp = in.machine.programRunning = true;
+      in.machine.programmedSpeed = in.machine.actualSpeed = Rpm(6000.0);
+      in.machine.actualFeed = MetresPerSecond(0.02);
+      if (i == 10) {
+        in.machine.actualSpeed = Rpm(bad);
+        in.machine.actualFeed = MetresPerSecond(bad);
+      }
+      EXPECT_TRUE(chain.process(in).output.verdicts[0].valid);
+      EXPECT_TRUE(std::isfinite(angle) && std::isfinite(spindle) && std::isfinite(feed)) << bad << " at " << i;
+      EXPECT_EQ(told, i == 10 ? 0.0 : 6000.0);
+    }
+    EXPECT_NEAR(spindle, 100.0, 3.0);
+    EXPECT_NEAR(feed, 0.02, 1e-12);
+  }
+}
+
+TEST(Chain, AFlightIsNamedAfterItsCause) {
+  Chain chain(test::scriptedChain());
+  chain.prepare(test::setup(), {}, {});
+  StepInput in = stepInput(0);
+  in.inputCount = 1;
+  in.inputs[0] = {OperatorAction::SetAuthority, Authority::Advise};
+  chain.process(in);
+  safety::FlightRecording flight;
+  ASSERT_TRUE(chain.flights().take(flight));
+  EXPECT_EQ(flight.cause.code, ReasonCode::AuthorityChanged);
 }
 
 }  // namespace

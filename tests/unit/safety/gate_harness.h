@@ -53,6 +53,7 @@ class GateHarness {
     if (last.command) commands.push_back(last.command->record());
     for (int i = 0; i < last.eventCount; ++i) events.push_back(last.events[static_cast<std::size_t>(i)]);
     flights += last.flight ? 1 : 0;
+    if (last.flight) causes.push_back(last.flightCause.code);
     return last;
   }
   void run(double seconds) {
@@ -100,6 +101,7 @@ class GateHarness {
   std::vector<CommandRecord> commands;
   std::vector<Event> events;
   int flights = 0;
+  std::vector<ReasonCode> causes;  // of the flights
 
  private:
   void follow() {

@@ -299,5 +299,53 @@ TEST(OverrideGate, ClaimsDecideWhatIsDriven) {
   EXPECT_NEAR(h.lastCommand().feed.value, 0.7, 1e-9);
 }
 
+TEST(OverrideGate, ACoolDownIsSaidOnceAndKeepsOneFlight) {
+  GateLimits limits = promptLimits();
+  limits.changesPerMinute = 1;
+  GateHarness h(limits);
+  h.settleAt(9000, 900);  // the one change there is
+  h.run(1.0);
+  h.events.clear();
+  h.causes.clear();
+  h.ask(9500, 950);
+  h.run(10.0);  // half of the cool-down
+  EXPECT_EQ(h.last.reason.code, ReasonCode::GateCoolDown);
+  EXPECT_EQ(h.events.size(), 1U);
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::GateChangesPerMinute});
+}
+
+TEST(OverrideGate, AReleaseFromInsideTheDeadBandArrivesToo) {
+  GateHarness h;
+  h.settleAt(9000, 900);
+  h.ask(9960, 960);  // the speed's way to 100 % is shorter than the dead band
+  h.run(2.0);
+  ASSERT_NEAR(h.lastCommand().speed.value, 0.996, 1e-9);
+  h.request.kind = RequestKind::Release;
+  h.run(2.0);
+  EXPECT_FALSE(h.last.commanding);
+  ASSERT_EQ(h.lastCommand().kind, CommandKind::Release);
+  const CommandRecord& before = h.commands[h.commands.size() - 2];
+  EXPECT_NEAR(before.speed.value, 1.0, 0.005);
+  const std::size_t count = h.commands.size();
+  h.run(1.0);
+  EXPECT_EQ(h.commands.size(), count);
+}
+
+TEST(OverrideGate, AFlightNamesWhatCausedIt) {
+  GateHarness h;
+  h.settleAt(9000, 900);
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::AuthorityChanged});
+  h.causes.clear();
+  h.now += toDuration(Seconds(1.0));  // past the lease
+  h.step();
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::LeaseExpired});
+  h.causes.clear();
+  GateLimits limits = promptLimits();
+  limits.autoAllowed = false;
+  GateHarness refused(limits);
+  refused.authority(Authority::Auto);
+  EXPECT_EQ(refused.causes, std::vector<ReasonCode>{ReasonCode::AutoNotAllowed});
+}
+
 }  // namespace
 }  // namespace stillcut::safety
