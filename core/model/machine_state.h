@@ -1,6 +1,8 @@
 // MachineState: the machine as read back, by value. The only thing that flows against the samples.
 #pragma once
 
+#include <cstdint>
+
 #include "core/base/time.h"
 #include "core/base/units.h"
 
@@ -23,6 +25,9 @@ struct MachineState {
   Ratio feedOverride{1.0};
   Rpm actualSpeed{};  // measured where the machine measures it
   MetresPerSecond actualFeed{};
+  // CommandRecord::engagement: the link has let go of this one and all before it, and obeys none of them again. 0:
+  // none.
+  std::uint64_t endedEngagement = 0;
 
   Rpm targetSpeed() const { return programmedSpeed * speedOverride.value; }
 };

@@ -107,6 +107,7 @@ constexpr Row kRows[] = {
     {ReasonCode::DroppedBlocks, "dropped-blocks", "{0.0} blocks were dropped"},
     {ReasonCode::AutoGrantedBySimulation, "auto-granted-by-simulation",
      "Auto is granted because this machine is simulated"},
+    {ReasonCode::StrategyFault, "strategy-fault", "the strategy failed, monitoring only from now on"},
 };
 
 const Row& rowOf(ReasonCode code) {

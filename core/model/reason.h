@@ -91,6 +91,7 @@ enum class ReasonCode : std::uint16_t {
   RecorderStopped,          // -
   DroppedBlocks,            // blocks
   AutoGrantedBySimulation,  // -
+  StrategyFault,            // -: monitoring from now on
 };
 
 struct Reason {

@@ -57,6 +57,8 @@ void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const
   gate_.prepare(limits);
   flights_.prepare(Seconds(setup.blockFrames / setup.rate.value));
   inCharge_ = parts_.inCharge;
+  strategyFailed_ = false;
+  saidFault_.fill(false);
   started_ = false;
 }
 
@@ -71,6 +73,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   step_.vibrationRms = rms(block.channel(0));
   runDetectors(block);
   step_.output.request = askStrategy(input);
+  step_.strategyFailed = strategyFailed_;
   runGate(input);
   return step_;
 }
@@ -90,36 +93,55 @@ void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
     if (good) continue;
     verdict = faultVerdict(block, i);
     step_.detectorFailed = true;
+    sayDetectorFault(i, block.end());
     parts_.detectors[static_cast<std::size_t>(i)]->reset();
     if (i == inCharge_ && parts_.fallback >= 0 && parts_.fallback != i) inCharge_ = parts_.fallback;
   }
   out.inCharge = inCharge_;
 }
 
+void Chain::sayDetectorFault(int detector, Instant now) noexcept {
+  bool& said = saidFault_[static_cast<std::size_t>(detector)];
+  if (said) return;
+  said = true;
+  StepOutput& out = step_.output;
+  if (out.eventCount >= kMaxEventsPerStep) return;
+  Event& event = out.events[static_cast<std::size_t>(out.eventCount++)];
+  event.time = now;
+  event.level = EventLevel::Fault;
+  event.reason = {ReasonCode::DetectorFault, {static_cast<double>(detector)}};
+}
+
 OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
-  try {
-    return parts_.strategy->decide({input.block.end(), dt_, verdict, machine_, -1.0, step_.vibrationRms});
-  } catch (...) {
-    // Falls back to monitoring: the request asks to let go, the gate brings the programmed values back.
-    step_.strategyFailed = true;
-    parts_.strategy->reset();
-    OverrideRequest release;
-    release.time = input.block.end();
-    release.kind = RequestKind::Release;
-    release.reason = {ReasonCode::Monitoring, {}};
-    return release;
+  if (!strategyFailed_) {
+    try {
+      return parts_.strategy->decide({input.block.end(), dt_, verdict, machine_, -1.0, step_.vibrationRms});
+    } catch (...) {
+      strategyFailed_ = true;  // never asked again; the gate lets go at once
+    }
   }
+  OverrideRequest none;
+  none.time = input.block.end();
+  none.reason = {ReasonCode::Monitoring, {}};
+  return none;
 }
 
 void Chain::runGate(const StepInput& input) noexcept {
   StepOutput& out = step_.output;
   const std::span<const OperatorInput> inputs(input.inputs.data(), static_cast<std::size_t>(input.inputCount));
-  const safety::GateInput in{input.block.end(), dt_,   out.request, out.verdicts[static_cast<std::size_t>(inCharge_)],
-                             input.machine,     inputs};
+  const safety::GateInput in{.now = input.block.end(),
+                             .dt = dt_,
+                             .request = out.request,
+                             .verdict = out.verdicts[static_cast<std::size_t>(inCharge_)],
+                             .machine = input.machine,
+                             .strategyFailed = strategyFailed_,
+                             .inputs = inputs};
   step_.gate = gate_.step(in);
   const safety::GateOutput& gate = step_.gate;
   flights_.push(safety::flightEntry(in, gate));
+  // So far the step has told of the detectors only; the gate's own cause follows.
+  for (int i = 0; i < out.eventCount; ++i) flights_.capture(out.events[static_cast<std::size_t>(i)].reason, in.now);
   if (gate.flight) flights_.capture(gate.flightCause, in.now);
   out.authority = gate.authority;
   out.hasCommand = gate.command.has_value();

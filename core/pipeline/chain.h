@@ -3,6 +3,7 @@
 // Thread: prepare() and the constructor on the set-up thread; process() on the worker, real-time.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,9 +35,9 @@ class Chain {
 
   struct Step {
     StepOutput output;
-    safety::GateOutput gate;    // authority, advice, holds
-    double vibrationRms = 0.0;  // first channel, SI
-    bool strategyFailed = false;
+    safety::GateOutput gate;      // authority, advice, holds
+    double vibrationRms = 0.0;    // first channel, SI
+    bool strategyFailed = false;  // now or earlier: monitoring only until the next prepare()
     bool detectorFailed = false;
   };
   // One block with its machine state and operator inputs. The result is good until the next call.
@@ -50,6 +51,7 @@ class Chain {
  private:
   void runDetectors(const detect::ConditionedBlock& block) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
+  void sayDetectorFault(int detector, Instant now) noexcept;
   void runGate(const StepInput& input) noexcept;
 
   ChainParts parts_;
@@ -57,6 +59,8 @@ class Chain {
   safety::OverrideGate gate_;
   safety::FlightRecorder flights_;
   int inCharge_ = 0;
+  bool strategyFailed_ = false;
+  std::array<bool, kMaxDetectors> saidFault_{};  // of each detector, once
   bool started_ = false;
   Instant previous_{};  // end of the previous block
   Seconds dt_{};

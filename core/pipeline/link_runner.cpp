@@ -18,7 +18,9 @@ void LinkRunner::tick(Instant now) noexcept {
     }
     leasesExpired_.store(lease_.expiries(), std::memory_order_relaxed);
   }
-  states_.post(link_.read(now));
+  MachineState state = link_.read(now);
+  state.endedEngagement = lease_.endedEngagement();
+  states_.post(state);
 }
 
 void LinkRunner::finish() noexcept {

@@ -26,7 +26,7 @@ std::span<const Column> columnsOf<BlockRow>() {
 
 template <>
 std::span<const Column> columnsOf<MachineRow>() {
-  static constexpr std::array<Column, 16> kColumns{
+  static constexpr std::array<Column, 17> kColumns{
       {{"time_ns", offsetof(MachineRow, time), T::I64},
        {"valid", offsetof(MachineRow, valid), T::U8},
        {"link_up", offsetof(MachineRow, linkUp), T::U8},
@@ -42,7 +42,8 @@ std::span<const Column> columnsOf<MachineRow>() {
        {"speed_override", offsetof(MachineRow, speedOverride), T::F64},
        {"feed_override", offsetof(MachineRow, feedOverride), T::F64},
        {"actual_speed_rpm", offsetof(MachineRow, actualSpeed), T::F64},
-       {"actual_feed_m_s", offsetof(MachineRow, actualFeed), T::F64}}};
+       {"actual_feed_m_s", offsetof(MachineRow, actualFeed), T::F64},
+       {"ended_engagement", offsetof(MachineRow, endedEngagement), T::U64}}};
   return kColumns;
 }
 

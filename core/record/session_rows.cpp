@@ -7,7 +7,7 @@ namespace stillcut::record {
 namespace {
 
 // A field added to the model must be added to its row as well, or a replay would differ from the cut.
-static_assert(sizeof(MachineState) == 80 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
+static_assert(sizeof(MachineState) == 88 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
                   sizeof(CommandRecord) == 96 && sizeof(Event) == 64 && sizeof(OperatorInput) == 2,
               "record the new field in session_rows, raise kSessionVersion, then change this line");
 
@@ -105,7 +105,8 @@ MachineRow toRow(const MachineState& m) {
           m.speedOverride.value,
           m.feedOverride.value,
           m.actualSpeed.value,
-          m.actualFeed.value};
+          m.actualFeed.value,
+          m.endedEngagement};
 }
 
 void fromRow(const MachineRow& row, MachineState& m) {
@@ -125,6 +126,7 @@ void fromRow(const MachineRow& row, MachineState& m) {
   m.feedOverride = Ratio(row.feedOverride);
   m.actualSpeed = Rpm(row.actualSpeed);
   m.actualFeed = MetresPerSecond(row.actualFeed);
+  m.endedEngagement = row.endedEngagement;
 }
 
 DecisionRow toRow(const StepOutput& o) {

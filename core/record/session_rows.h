@@ -44,6 +44,7 @@ struct MachineRow {
                controlOurs = 0;
   double programmedSpeed = 0, programmedFeed = 0, operatorSpeed = 0, operatorFeed = 0, speedOverride = 0,
          feedOverride = 0, actualSpeed = 0, actualFeed = 0;
+  std::uint64_t endedEngagement = 0;
 };
 
 struct DecisionRow {

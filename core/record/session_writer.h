@@ -13,7 +13,7 @@
 
 namespace stillcut::record {
 
-inline constexpr int kSessionVersion = 1;
+inline constexpr int kSessionVersion = 2;
 
 struct SessionHeader {
   CutSetup setup;              // with rate, blockFrames and channels as the source delivers them

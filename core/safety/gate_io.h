@@ -17,11 +17,12 @@ namespace stillcut::safety {
 inline constexpr int kMaxGateEvents = 4;
 
 struct GateInput {
-  Instant now{};            // stream time: end of the block
-  Seconds dt{};             // measured time since the previous step
-  OverrideRequest request;  // of the strategy in charge
-  Verdict verdict;          // of the detector in charge
-  MachineState machine;     // newest read
+  Instant now{};                // stream time: end of the block
+  Seconds dt{};                 // measured time since the previous step
+  OverrideRequest request;      // of the strategy in charge
+  Verdict verdict;              // of the detector in charge
+  MachineState machine;         // newest read
+  bool strategyFailed = false;  // for good: there is nobody whose wishes to follow
   std::span<const OperatorInput> inputs;
 };
 

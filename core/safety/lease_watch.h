@@ -42,6 +42,8 @@ class LeaseWatch {
   }
 
   bool inForce() const STILLCUT_RT { return inForce_; }
+  // The newest engagement that was let go of against the gate's will, for MachineState::endedEngagement; 0: none.
+  std::uint64_t endedEngagement() const STILLCUT_RT { return endedEngagement_; }
   // Leases that ran out since the start.
   std::uint64_t expiries() const STILLCUT_RT { return expiries_; }
   // Time since the last renewal when the last lease ran out.
@@ -59,6 +61,7 @@ class LeaseWatch {
     if (!sane || over) {
       const bool had = inForce_;
       inForce_ = false;
+      if (had) endedEngagement_ = std::max(endedEngagement_, engagement_);
       return had ? LinkAction::Release : LinkAction::Nothing;
     }
     inForce_ = true;

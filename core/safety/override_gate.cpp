@@ -24,12 +24,14 @@ void OverrideGate::prepare(const GateLimits& limits) {
   restLeft_ = 0.0;
   saidTrouble_ = ReasonCode::None;
   saidCoolDown_ = false;
+  strategyFailed_ = false;
 }
 
 GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   GateOutput out;
   passTime(in, out);
   obeyOperator(in, out);
+  endWhatCannotGoOn(in, out);
   const Reason trouble = findTrouble(in, out);
   if (trouble.code != ReasonCode::None) {
     holdThenRelease(trouble, in, out);
@@ -62,6 +64,21 @@ void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
   moveTime_ = clockGood_ ? std::min(elapsed, in.dt.value) : 0.0;
   desk_.advance(elapsed_);
   keeper_.advance(elapsed_, ramp_.at(keeper_.target()));
+}
+
+// Faults that leave nothing to hold: the link has let go already, or the wish that is in force has lost its author.
+void OverrideGate::endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  if (commanding_ && in.machine.endedEngagement >= engagement_) {
+    drop({ReasonCode::LeaseExpired, {limits_.lease.value}}, EventLevel::Fault, in.now, out);
+  }
+  if (!in.strategyFailed || strategyFailed_) return;
+  strategyFailed_ = true;
+  const Reason why{ReasonCode::StrategyFault, {}};
+  if (!commanding_) {
+    say(out, in.now, EventLevel::Fault, why);
+    keepFlight(out, why);
+  }
+  drop(why, EventLevel::Fault, in.now, out);
 }
 
 Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {

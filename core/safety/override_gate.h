@@ -37,6 +37,7 @@ class OverrideGate {
   enum class Freeze { No, Operator, FeedHold, Knob };
 
   void passTime(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
   void answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT;
@@ -86,6 +87,7 @@ class OverrideGate {
   double restLeft_ = 0.0;
   ReasonCode saidTrouble_ = ReasonCode::None;
   bool saidCoolDown_ = false;  // once for each
+  bool strategyFailed_ = false;
 };
 
 }  // namespace stillcut::safety

@@ -59,14 +59,84 @@ TEST(Chain, WithoutASecondAFaultMeansNoVerdictRatherThanStable) {
   EXPECT_FALSE(step.output.verdicts[0].valid);
 }
 
-TEST(Chain, StrategyThatThrowsAsksForRelease) {
+TEST(Chain, AStrategyThatThrowsIsNeverAskedAgain) {
+  int asked = 0;
   Chain chain(test::scriptedChain([](const auto&) { return test::stableVerdict(); },
-                                  [](const auto&) -> OverrideRequest { throw std::runtime_error("broken"); }));
+                                  [&](const auto&) -> OverrideRequest {
+                                    ++asked;
+                                    throw std::runtime_error("broken");
+                                  }));
   chain.prepare(test::setup(), {}, {});
-  const Chain::Step& step = chain.process(stepInput(0));
-  EXPECT_TRUE(step.strategyFailed);
-  EXPECT_EQ(step.output.request.kind, RequestKind::Release);
-  EXPECT_FALSE(step.output.hasCommand && step.output.command.kind == CommandKind::Set);
+  int told = 0;
+  for (int i = 0; i < 5; ++i) {
+    const Chain::Step& step = chain.process(stepInput(i));
+    EXPECT_TRUE(step.strategyFailed);
+    EXPECT_EQ(step.output.request.kind, RequestKind::None);
+    EXPECT_EQ(step.output.request.reason.code, ReasonCode::Monitoring);
+    told += step.output.eventCount;
+  }
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(told, 1);
+  safety::FlightRecording flight;
+  ASSERT_TRUE(chain.flights().take(flight));
+  EXPECT_EQ(flight.cause.code, ReasonCode::StrategyFault);
+  EXPECT_FALSE(chain.flights().take(flight));
+  chain.prepare(test::setup(), {}, {});
+  chain.process(stepInput(0));
+  EXPECT_EQ(asked, 2);
+}
+
+TEST(Chain, AStrategyThatThrowsLosesTheMachineInThatBlock) {
+  bool broken = false;
+  Chain chain(test::scriptedChain(
+      [](const auto&) {
+        Verdict v = test::stableVerdict();
+        v.state = CutState::Chatter;
+        return v;
+      },
+      [&](const control::StrategyInput& in) {
+        if (broken) throw std::runtime_error("broken");
+        OverrideRequest r;
+        r.time = in.now;
+        r.kind = RequestKind::Set;
+        r.claimsSpeed = true;
+        r.speed = Rpm(5500.0);
+        return r;
+      }));
+  safety::GateLimits limits;
+  limits.autoAllowed = true;
+  chain.prepare(test::setup(), {}, limits);
+  auto step = [&, number = 0](bool grant) mutable -> const Chain::Step& {
+    StepInput in = stepInput(number++);
+    in.machine.time = in.block.end();
+    in.machine.valid = in.machine.linkUp = in.machine.programRunning = in.machine.atSpeed = true;
+    in.machine.programmedSpeed = in.machine.actualSpeed = Rpm(6000.0);
+    in.inputCount = grant ? 1 : 0;
+    in.inputs[0] = {OperatorAction::SetAuthority, Authority::Auto};
+    return chain.process(in);
+  };
+  for (int i = 0; i < 20; ++i) step(i == 1);
+  ASSERT_EQ(step(false).output.command.kind, CommandKind::Set);
+  broken = true;
+  const Chain::Step& after = step(false);
+  ASSERT_TRUE(after.output.hasCommand);
+  EXPECT_EQ(after.output.command.kind, CommandKind::Release);
+}
+
+TEST(Chain, ADetectorThatFailsIsSaidOnceAndKeepsAFlight) {
+  Chain chain(twoDetectors([](const auto&) -> Verdict { throw std::runtime_error("broken"); }));
+  chain.prepare(test::setup(), {}, {});
+  int told = 0;
+  for (int i = 0; i < 5; ++i) {
+    const StepOutput& out = chain.process(stepInput(i)).output;
+    told += out.eventCount;
+    EXPECT_TRUE(out.eventCount == 0 || out.events[0].reason.code == ReasonCode::DetectorFault);
+  }
+  EXPECT_EQ(told, 1);
+  safety::FlightRecording flight;
+  ASSERT_TRUE(chain.flights().take(flight));
+  EXPECT_EQ(flight.cause.code, ReasonCode::DetectorFault);
+  EXPECT_FALSE(chain.flights().take(flight));
 }
 
 TEST(Chain, StrategySeesMeasuredTime) {

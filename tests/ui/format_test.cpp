@@ -63,7 +63,7 @@ TEST(ReasonText, FillsNumbersAsTheScreensWriteThem) {
 }
 
 TEST(ReasonText, EveryReasonFillsAllItsPlaces) {
-  for (int code = 1; code <= static_cast<int>(ReasonCode::AutoGrantedBySimulation); ++code) {
+  for (int code = 1; code <= static_cast<int>(ReasonCode::StrategyFault); ++code) {
     const QString text = reasonText({static_cast<ReasonCode>(code), {1, 2, 3, 4}});
     EXPECT_FALSE(text.isEmpty()) << code;
     EXPECT_FALSE(text.contains('{')) << text.toStdString();

@@ -78,7 +78,7 @@ TEST_F(Widgets, VerdictsDifferInShapeNotOnlyInColour) {
 TEST_F(Widgets, EveryReasonFitsIntoTheVerdictAndTheAdvice) {
   VerdictSign sign;
   AdvicePanel advice;
-  for (int code = 1; code <= static_cast<int>(ReasonCode::AutoGrantedBySimulation); ++code) {
+  for (int code = 1; code <= static_cast<int>(ReasonCode::StrategyFault); ++code) {
     Scene s = stableScene();
     s.verdict().valid = false;
     s.verdict().reason = {static_cast<ReasonCode>(code), {12345.6, 2.345, 5678.9, 12345.6}};

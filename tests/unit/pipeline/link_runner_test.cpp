@@ -46,7 +46,8 @@ TEST_F(LinkRunnerTest, SendsEachCommandOnceAndReadsEveryTick) {
   EXPECT_EQ(link_.applied(), 1);
   EXPECT_EQ(link_.reads(), 11);
   EXPECT_EQ(link_.released(), 0);
-  EXPECT_TRUE(states_.latest().has_value());
+  ASSERT_TRUE(states_.latest().has_value());
+  EXPECT_EQ(states_.latest()->endedEngagement, 0U);
 }
 
 TEST_F(LinkRunnerTest, AStalledWorkerLosesTheMachineWhenTheLeaseRunsOut) {
@@ -59,6 +60,7 @@ TEST_F(LinkRunnerTest, AStalledWorkerLosesTheMachineWhenTheLeaseRunsOut) {
   tickUntil(10.0 + lease + 10.0);  // no renewal came
   EXPECT_EQ(link_.released(), 1);
   EXPECT_EQ(runner_->leasesExpired(), 1U);
+  EXPECT_EQ(states_.latest()->endedEngagement, command.engagement());  // the gate must hear of it
   const int applied = link_.applied();
   commands_.post(maker_.next());  // the worker wakes up and goes on where it was
   tickUntil(10.0 + lease + 100.0);

@@ -58,6 +58,7 @@ MachineState machine(Numbers& n) {
   m.feedOverride = Ratio(n.real());
   m.actualSpeed = Rpm(n.real());
   m.actualFeed = MetresPerSecond(n.real());
+  m.endedEngagement = n.bits();
   return m;
 }
 
@@ -185,7 +186,7 @@ std::vector<std::uint64_t> bitsOf(const StepInput& input) {
   const MachineState& m = input.machine;
   bits << m.time << m.valid << m.linkUp << m.programRunning << m.feedHold << m.atSpeed << m.overridesEnabled
        << m.controlOurs << m.programmedSpeed << m.programmedFeed << m.operatorSpeed << m.operatorFeed << m.speedOverride
-       << m.feedOverride << m.actualSpeed << m.actualFeed << input.inputCount;
+       << m.feedOverride << m.actualSpeed << m.actualFeed << m.endedEngagement << input.inputCount;
   for (const OperatorInput& i : input.inputs) bits << i.action << i.authority;
   return bits.take();
 }

@@ -203,5 +203,51 @@ TEST(GateFaults, AfterAReleaseTheInputMustBeGoodForAWhile) {
   EXPECT_TRUE(h.last.commanding);
 }
 
+TEST(GateFaults, AStrategyThatFailedLosesTheMachineAtOnceAndForGood) {
+  GateHarness h;
+  h.settleAt(9000, 900);
+  h.causes.clear();
+  h.events.clear();
+  h.strategyFailed = true;
+  h.request = {};
+  EXPECT_EQ(h.step().command->kind(), CommandKind::Release);  // not the slow way back
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::StrategyFault});
+  ASSERT_FALSE(h.events.empty());
+  EXPECT_EQ(h.events.front().reason.code, ReasonCode::StrategyFault);
+  EXPECT_EQ(h.events.front().level, EventLevel::Fault);
+  h.commands.clear();
+  h.events.clear();
+  h.run(3.0);
+  EXPECT_TRUE(h.commands.empty());
+  EXPECT_TRUE(h.events.empty());
+}
+
+TEST(GateFaults, AStrategyThatFailsWithNothingInForceIsSaidToo) {
+  GateHarness h;
+  h.strategyFailed = true;
+  h.run(1.0);
+  EXPECT_EQ(h.events.size(), 1U);
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::StrategyFault});
+  EXPECT_TRUE(h.commands.empty());
+}
+
+TEST(GateFaults, AnEngagementThatTheLinkEndedIsOver) {
+  GateHarness h;
+  h.settleAt(9000, 900);
+  const std::uint64_t engagement = h.lastCommand().engagement;
+  h.causes.clear();
+  h.machine.endedEngagement = engagement - 1;  // an older one
+  h.run(0.1);
+  EXPECT_TRUE(h.last.commanding);
+  h.machine.endedEngagement = engagement;
+  EXPECT_EQ(h.step().command->kind(), CommandKind::Release);
+  EXPECT_TRUE(h.said(ReasonCode::LeaseExpired));
+  EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::LeaseExpired});
+  h.run(3.0);  // the link says so for ever; the next engagement is another one
+  EXPECT_TRUE(h.last.commanding);
+  EXPECT_EQ(h.lastCommand().engagement, engagement + 1);
+  EXPECT_EQ(h.causes.size(), 1U);
+}
+
 }  // namespace
 }  // namespace stillcut::safety

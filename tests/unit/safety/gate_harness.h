@@ -47,6 +47,7 @@ class GateHarness {
     in.machine = machine;
     in.verdict = verdict;
     in.request = request;
+    in.strategyFailed = strategyFailed;
     const std::vector<OperatorInput> list(inputs);
     in.inputs = list;
     last = gate.step(in);
@@ -96,6 +97,7 @@ class GateHarness {
   Instant now{};
   Seconds dt{kDt};
   bool freshMachine = true, freshVerdict = true, freshRequest = true;
+  bool strategyFailed = false;
   bool machineFollows = true;  // readback and spindle
   GateOutput last;
   std::vector<CommandRecord> commands;
