@@ -14,9 +14,7 @@ Result<SourceFormat> SimulatedSource::open() {
   if (pace_.realTime && !(pace_.multiplier > 0.0)) {
     return Error{"simulated source", "the pace must be above zero", ""};
   }
-  if (pace_.realTime) start_ = SteadyClock().now();
-  plant_.setStart(start_);
-  if (port_) port_->publish(plant_);
+  if (port_ && !pace_.realTime) port_->publish(plant_);
   const CutSetup setup = plant_.scenario().cutSetup();
   SourceFormat format;
   format.rate = setup.rate;
@@ -27,11 +25,20 @@ Result<SourceFormat> SimulatedSource::open() {
 
 bool SimulatedSource::read(SampleBlock& block) noexcept {
   if (stopped_.load(std::memory_order_relaxed)) return false;
+  if (pace_.realTime && !started_) begin();
   if (port_) port_->serve(plant_);
   if (!plant_.fill(block)) return false;
   if (pace_.realTime) waitFor(block);
   if (port_) port_->publish(plant_);
   return !stopped_.load(std::memory_order_relaxed);
+}
+
+// The cut begins when somebody asks for it, however long ago it was opened: nothing has to be caught up on.
+void SimulatedSource::begin() noexcept {
+  started_ = true;
+  start_ = SteadyClock().now();
+  plant_.setStart(start_);
+  if (port_) port_->publish(plant_);
 }
 
 void SimulatedSource::waitFor(const SampleBlock& block) noexcept {

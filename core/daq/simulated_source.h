@@ -14,8 +14,8 @@
 namespace stillcut::daq {
 
 struct SimulatedPace {
-  // Paced: read() returns when the block's last sample is due on the steady clock. Stream time is then the steady
-  // clock's, as for a live device. Otherwise as fast as possible, stream time from 0.
+  // Paced: the cut begins with the first read(), which returns when the block's last sample is due on the steady clock.
+  // Stream time is then the steady clock's, as for a live device. Otherwise as fast as possible, stream time from 0.
   bool realTime = false;
   double multiplier = 1.0;  // seconds of cut per second, paced only
 };
@@ -36,11 +36,13 @@ class SimulatedSource final : public DaqSource {
   milling::SimulatedCut& plant() { return plant_; }
 
  private:
+  void begin() noexcept;
   void waitFor(const SampleBlock& block) noexcept;
 
   milling::SimulatedCut plant_;
   std::shared_ptr<milling::PlantPort> port_;
   SimulatedPace pace_;
+  bool started_ = false;  // paced only
   Instant start_{};
   std::atomic<bool> stopped_{false};
 };

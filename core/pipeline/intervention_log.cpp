@@ -26,6 +26,13 @@ void append(StepOutput& output, std::uint64_t& number, EventLevel level, Instant
 void InterventionLog::follow(const StepInput& input, StepOutput& output, double vibrationRms, Seconds dt) noexcept {
   const Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.inCharge)];
   alarming_ = verdict.alarming();
+  // Without a verdict nobody knows whether it is quiet. An exit may be one or chatter that dies down: what it was shows
+  // in what follows, air or a steady cut.
+  if (alarming_) {
+    sinceAlarm_ = Seconds();
+  } else if (verdict.valid && verdict.phase != CutPhase::Exit) {
+    sinceAlarm_ += dt;
+  }
   if (alarming_) {
     lastAlarm_ = verdict.time;
     chatterTime_ += dt;
@@ -69,9 +76,11 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
     card.marked += Metres(input.machine.actualFeed.value * dt.value);
     return;
   }
-  if (secondsBetween(lastAlarm_, input.block.end()) < kQuietFor) return;
+  const bool left = verdict.phase == CutPhase::Air;
+  const bool quiet = sinceAlarm_ >= kQuietFor;
+  if (!left && !quiet) return;
   card.finished = true;
-  card.quiet = verdict.valid;
+  card.quiet = quiet && !left;  // a tool that left the cut proves nothing
   card.timeToQuiet = secondsBetween(card.began, lastAlarm_);
   open_ = false;
   append(output, eventNumber_, EventLevel::Info, input.block.end(),

@@ -1,5 +1,5 @@
 // InterventionLog: follows alarms and commands and keeps one card per alarm: what was before, what we did, what came of
-// it (issue: proof on screen that the advice worked). Also the totals of time and path in chatter.
+// it, so that the screen can prove that the advice worked. Also the totals of time and path in chatter.
 // Thread: worker, real-time. Fixed size.
 #pragma once
 
@@ -34,6 +34,7 @@ class InterventionLog {
   bool open_ = false;
   bool alarming_ = false;
   Instant lastAlarm_{};
+  Seconds sinceAlarm_{};  // of valid verdicts
   Seconds chatterTime_{};
   Metres chatterLength_{};
   std::uint64_t eventNumber_ = 0;

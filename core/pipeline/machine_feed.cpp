@@ -19,8 +19,9 @@ void LiveMachineFeed::complete(StepInput& step) noexcept {
 void SpeedLogFeed::complete(StepInput& step) noexcept {
   step.machine = MachineState{};
   step.inputCount = 0;
+  if (!began_) began_ = step.block.firstSample;
   if (log_.empty()) return;
-  const double t = sinceEpoch(step.block.end()).value;
+  const double t = secondsBetween(*began_, step.block.end()).value;
   const auto after =
       std::lower_bound(log_.begin(), log_.end(), t, [](const Point& p, double time) { return p.time.value < time; });
   double speed = log_.back().speed.value;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/model/machine_state.h"
@@ -53,6 +54,7 @@ class SpeedLogFeed final : public MachineFeed {
 
  private:
   std::vector<Point> log_;
+  std::optional<Instant> began_;  // the first sample
 };
 
 }  // namespace stillcut::pipeline

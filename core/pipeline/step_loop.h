@@ -37,7 +37,7 @@ class StepLoop {
   // Completes, processes and hands on one step.
   const Chain::Step& step(StepInput& input) noexcept;
 
-  // Set by the driver side of the ring before the step that follows a loss.
+  // Blocks lost before the ring so far. Before step().
   void countDropped(std::uint64_t total) noexcept { health_.droppedBlocks = total; }
   const PathHealth& health() const { return health_; }
   const InterventionLog& interventions() const { return log_; }

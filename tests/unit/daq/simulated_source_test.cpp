@@ -49,6 +49,7 @@ TEST(SimulatedSource, UnpacedItStartsAtZeroAndEndsPlainly) {
   EXPECT_EQ(readAll(source, 2, 256).size(), 12800U - 256U);
   EXPECT_FALSE(source.read(block));
   EXPECT_TRUE(source.fault().empty());
+  EXPECT_FALSE(source.live());
 }
 
 TEST(SimulatedSource, TheSeedDecides) {
@@ -73,8 +74,8 @@ TEST(SimulatedSource, PacedItRunsOnTheSteadyClockAndAheadOfItByNothing) {
   milling::Scenario s = demo();
   s.programme.duration = Seconds(0.02);
   SimulatedSource source(s, 0, nullptr, {true, 1.0});
-  const Instant before = SteadyClock().now();
   ASSERT_TRUE(source.open().ok());
+  const Instant before = SteadyClock().now();  // the cut begins with the first read, not when it was opened
   SampleBlock block;
   block.allocate(2, 256);
   while (source.read(block)) {

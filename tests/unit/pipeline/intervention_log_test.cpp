@@ -10,7 +10,8 @@ constexpr double kBlock = 0.01;
 // Plays blocks of 10 ms with a given verdict into a log.
 class Story {
  public:
-  StepOutput block(CutState state, double severity, double speed, double vibration, bool command = false) {
+  StepOutput block(CutState state, double severity, double speed, double vibration, bool command = false,
+                   CutPhase phase = CutPhase::Steady) {
     StepInput in;
     in.block.rate = Hertz(10000.0);
     in.block.frames = 100;
@@ -20,7 +21,8 @@ class Story {
     StepOutput out;
     out.verdictCount = 1;
     Verdict& v = out.verdicts[0];
-    v.valid = true;
+    v.valid = valid;
+    v.phase = phase;
     v.state = state;
     v.time = in.block.end();
     v.frequency = Hertz(state == CutState::Stable ? 0.0 : 850.0);
@@ -35,6 +37,7 @@ class Story {
     return out;
   }
   InterventionLog log;
+  bool valid = true;  // of the verdicts that follow
 
  private:
   int n_ = 0;
@@ -80,6 +83,30 @@ TEST(InterventionLog, AShortPauseIsTheSameChatter) {
   for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0);
   s.block(CutState::Onset, 0.1, 8000.0, 2.0);
   EXPECT_EQ(s.log.count(), 2U);
+}
+
+TEST(InterventionLog, WithoutAVerdictItIsNeitherQuietNorOver) {
+  Story s;
+  for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
+  s.valid = false;
+  for (int i = 0; i < 100; ++i) s.block(CutState::Stable, 0.0, 8000.0, 5.0);
+  EXPECT_FALSE(s.log.card(0).finished);
+  s.valid = true;
+  for (int i = 0; i < 20; ++i) s.block(CutState::Stable, 0.02, 8000.0, 1.0);
+  EXPECT_FALSE(s.log.card(0).finished) << "0.2 s have been judged";
+  for (int i = 0; i < 10; ++i) s.block(CutState::Stable, 0.02, 8000.0, 1.0);
+  EXPECT_TRUE(s.log.card(0).finished);
+  EXPECT_TRUE(s.log.card(0).quiet);
+}
+
+TEST(InterventionLog, LeavingTheCutEndsItButProvesNothing) {
+  Story s;
+  for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
+  for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0, false, CutPhase::Exit);
+  EXPECT_FALSE(s.log.card(0).finished) << "an exit, or chatter that dies down";
+  s.block(CutState::Air, 0.0, 8000.0, 0.1, false, CutPhase::Air);
+  EXPECT_TRUE(s.log.card(0).finished);
+  EXPECT_FALSE(s.log.card(0).quiet);
 }
 
 TEST(InterventionLog, KeepsTheNewestCardsOnly) {

@@ -45,8 +45,11 @@ TEST(LiveMachineFeed, GivesTheNewestStateAndInputsInOrder) {
 
 TEST(SpeedLogFeed, InterpolatesAndHoldsTheEnds) {
   SpeedLogFeed feed({{Seconds(1.0), Rpm(6000.0)}, {Seconds(2.0), Rpm(7000.0)}});
+  constexpr double kFirst = 5000.0;  // sessions carry the clock of their cut; the log begins with the first sample
+  StepInput first = blockAt(kFirst + 0.01);
+  feed.complete(first);
   const auto speedAt = [&](double t) {
-    StepInput step = blockAt(t);
+    StepInput step = blockAt(kFirst + t);
     feed.complete(step);
     EXPECT_TRUE(step.machine.valid);
     EXPECT_TRUE(step.machine.linkUp);  // otherwise the speed is not believed
