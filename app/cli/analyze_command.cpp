@@ -163,7 +163,7 @@ int analyze(const AnalyzeOptions& given) {
     for (std::size_t d = 0; d < logs.size(); ++d) logs[d].observe(out.verdicts[d]);
     if (series) series->observe({out.verdicts.data(), logs.size()});
   });
-  if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({fault, "", ""});
+  if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({"", fault, ""});
 
   if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
   const auto said = remarks(rig.setup(), !options->log.empty(), logs);

@@ -1,6 +1,6 @@
-// stillcut-cli run --profile P.toml [--record FILE.h5] [--seconds N]: the monitor without a screen. Prints what
-// happens, one line an event, until the source ends or somebody interrupts; then the machine has its programmed values
-// back.
+// stillcut-cli run --profile P.toml [--record FILE.h5] [--flights DIR] [--seconds N]: the monitor without a
+// screen. Prints what happens, one line an event, until the source ends or somebody interrupts; then the machine has
+// its programmed values back.
 
 #include <cmath>
 #include <csignal>
@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "app/compose/catalog.h"
+#include "app/compose/flight_log.h"
 #include "app/compose/profile_rig.h"
 #include "core/rt/wakeup.h"
 
@@ -23,18 +24,43 @@ void onSignal(int /*number*/) {
 }
 
 struct RunOptions {
-  std::string profile, record;
+  std::string profile, record, flights;
   double seconds = 0.0;
 };
 
-void printEvents(const Snapshot& snapshot, std::uint64_t& printed, Instant begin) {
-  const std::uint64_t oldest = snapshot.eventCount > kEventsShown ? snapshot.eventCount - kEventsShown : 0;
-  for (printed = std::max(printed, oldest); printed < snapshot.eventCount; ++printed) {
-    const Event& event = snapshot.events[printed % kEventsShown];
-    std::printf("%10.3f  %s\n", secondsBetween(begin, event.time).value, sentence(event.reason).c_str());
+// What a screen would show, as lines.
+class Console {
+ public:
+  explicit Console(Rig& rig) : rig_(rig) {}
+
+  // Prints what has happened since the last look. Gives the length of the run so far.
+  Seconds look() {
+    const Snapshot* snapshot = rig_.read();
+    if (snapshot == nullptr) return {};
+    if (!begin_) begin_ = snapshot->time;
+    const std::uint64_t oldest = snapshot->eventCount > kEventsShown ? snapshot->eventCount - kEventsShown : 0;
+    for (printed_ = std::max(printed_, oldest); printed_ < snapshot->eventCount; ++printed_) {
+      const Event& event = snapshot->events[printed_ % kEventsShown];
+      std::printf("%10.3f  %s\n", secondsBetween(*begin_, event.time).value, sentence(event.reason).c_str());
+    }
+    std::fflush(stdout);
+    return secondsBetween(*begin_, snapshot->time);
   }
-  std::fflush(stdout);
-}
+  // Says once that nothing is recorded any more: it has to be known while the cut can still be repeated.
+  void watchRecording() {
+    if (recordingTold_ || rig_.recorder() == nullptr) return;
+    const std::string stopped = rig_.recorder()->status().fault;
+    recordingTold_ = !stopped.empty();
+    if (recordingTold_) fail({"", stopped, "monitoring goes on"});
+  }
+  bool recordingTold() const { return recordingTold_; }
+
+ private:
+  Rig& rig_;
+  std::uint64_t printed_ = 0;
+  std::optional<Instant> begin_;
+  bool recordingTold_ = false;
+};
 
 Status checkOptions(const RunOptions& options) {
   if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
@@ -46,13 +72,37 @@ Status checkOptions(const RunOptions& options) {
   return checkOutPath(options.record);
 }
 
+// Until the source ends, the time is over or somebody interrupts.
+int watch(Rig& rig, const RunOptions& options) {
+  FlightLog flights(rig.flights(),
+                    options.flights.empty() ? defaultFlightsFolder() : std::filesystem::path(options.flights));
+  flights.start();
+  rig.start({});
+  Console console(rig);
+  rt::Wakeup never;  // only its time-out is used
+  while (interrupted == 0 && !rig.finished()) {
+    never.waitFor(kLook);
+    const Seconds length = console.look();
+    console.watchRecording();
+    if (options.seconds > 0.0 && length.value >= options.seconds) break;
+  }
+  const Status recorded = rig.stop();
+  console.look();
+  if (const Status written = flights.finish(); !written) fail(written.error());
+  const std::string fault = rig.device().fault();
+  if (!fault.empty()) fail({"", fault, ""});
+  if (!recorded && !console.recordingTold()) fail(recorded.error());
+  return fault.empty() && recorded ? kExitDone : kExitDevice;
+}
+
 int run(const RunOptions& options) {
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
   const config::ParamCatalog catalog = fullCatalog();
   const auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());
-  auto rig = buildProfileRig(*profile, options.profile);
-  if (!rig) return fail(rig.error());
+  SetUpFault fault = SetUpFault::Input;
+  auto rig = buildProfileRig(*profile, options.profile, &fault);
+  if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (!options.record.empty()) {
     const Status recording = (*rig)->recordTo(options.record, config::profileText(*profile, catalog));
     if (!recording) return fail(recording.error());
@@ -60,21 +110,7 @@ int run(const RunOptions& options) {
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
-  (*rig)->start({});
-  rt::Wakeup never;  // only its time-out is used
-  std::uint64_t printed = 0;
-  std::optional<Instant> begin;
-  while (interrupted == 0 && !(*rig)->finished()) {
-    never.waitFor(kLook);
-    const Snapshot* snapshot = (*rig)->read();
-    if (snapshot == nullptr) continue;
-    if (!begin) begin = snapshot->time;
-    printEvents(*snapshot, printed, *begin);
-    if (options.seconds > 0.0 && secondsBetween(*begin, snapshot->time).value >= options.seconds) break;
-  }
-  (*rig)->stop();
-  if (const std::string fault = (*rig)->device().fault(); !fault.empty()) return fail({fault, "", ""}, kExitDevice);
-  return kExitDone;
+  return watch(**rig, options);
 }
 
 }  // namespace
@@ -84,6 +120,7 @@ void addRun(CLI::App& app, int& exitCode) {
   CLI::App* command = app.add_subcommand("run", "Monitor a machine without a screen");
   command->add_option("--profile", o->profile, "Profile of the machine (.toml)")->required();
   command->add_option("--record", o->record, "Record the session to FILE.h5");
+  command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
   command->callback([o, &exitCode] { exitCode = run(*o); });
 }

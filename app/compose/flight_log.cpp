@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@ namespace stillcut::app {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr Seconds kLook{0.25};  // how often the disk's thread asks for news
 
 // "2026-05-04T13-58-07.123-gate-stale-machine.txt": sorted by name is sorted by time.
 std::string fileName(const Reason& cause) {
@@ -30,16 +33,58 @@ std::string fileName(const Reason& cause) {
 
 }  // namespace
 
-Status FlightLog::poll(safety::FlightRecorder& recorder) {
-  while (recorder.take(recording_)) {
-    std::error_code failed;
-    fs::create_directories(folder_, failed);
-    if (failed) return Error{folder_.string(), "cannot be made", failed.message()};
-    const Status written = writeFileAtomically(folder_ / fileName(recording_.cause), safety::render(recording_));
-    if (!written) return written;
-    removeOldest();
+fs::path defaultFlightsFolder() {
+  const char* data = std::getenv("XDG_DATA_HOME");
+  const char* home = std::getenv("HOME");
+  const bool told = data != nullptr && fs::path(data).is_absolute();  // others are to be ignored, says XDG
+  const fs::path base = told ? fs::path(data) : fs::path(home != nullptr ? home : ".") / ".local" / "share";
+  return base / "stillcut" / "flights";
+}
+
+void FlightLog::start() {
+  if (!thread_) thread_.emplace(rt::ThreadRequest{"flights"}, [this](const std::stop_token& stop) { run(stop); });
+}
+
+void FlightLog::run(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    if (!poll()) wakeup_.waitFor(kLook);
   }
-  return Done{};
+}
+
+Status FlightLog::finish() {
+  if (thread_) {
+    thread_->requestStop();
+    wakeup_.notify();
+    thread_.reset();
+  }
+  while (poll()) {
+  }
+  const std::string left = problem();
+  return left.empty() ? Status(Done{}) : Status(Error{"", left, ""});
+}
+
+std::string FlightLog::problem() const {
+  const std::scoped_lock lock(problemLock_);
+  return problem_;
+}
+
+bool FlightLog::poll() {
+  if (!waiting_) waiting_ = recorder_.take(recording_);
+  if (!waiting_) return false;
+  const Status written = write();
+  if (written) waiting_ = false;
+  const std::scoped_lock lock(problemLock_);
+  problem_ = written ? "" : written.error().line();
+  return written.ok();
+}
+
+Status FlightLog::write() const {
+  std::error_code failed;
+  fs::create_directories(folder_, failed);
+  if (failed) return Error{folder_.string(), "cannot be made", failed.message()};
+  Status written = writeFileAtomically(folder_ / fileName(recording_.cause), safety::render(recording_));
+  if (written) removeOldest();
+  return written;
 }
 
 void FlightLog::removeOldest() const {

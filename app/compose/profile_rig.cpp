@@ -39,7 +39,8 @@ config::KnownIds knownIds() {
   return known;
 }
 
-Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path) {
+Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
+                                             SetUpFault* fault) {
   if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
   auto scenario = scenarioOf(profile, path);
   if (!scenario) return scenario.error();
@@ -69,7 +70,7 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   }
   spec.methods.strategy = profile.strategy;
   spec.watched = true;
-  return Rig::build(std::move(spec));
+  return Rig::build(std::move(spec), fault);
 }
 
 }  // namespace stillcut::app

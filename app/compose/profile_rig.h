@@ -13,6 +13,8 @@ namespace stillcut::app {
 config::KnownIds knownIds();
 
 // The source "simulated" takes the setting `scenario`, a file; its machine is the link "simulated".
-Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path);
+// `fault`: as for Rig::build.
+Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
+                                             SetUpFault* fault = nullptr);
 
 }  // namespace stillcut::app

@@ -44,29 +44,43 @@ config::MachineOverrides reach(const cnc::LinkInfo& info) {
 Rig::Rig(RigSpec spec) : spec_(std::move(spec)) {}
 
 Rig::~Rig() {
-  stop();
+  (void)stop().ok();
   if (linkRunner_) linkRunner_->finish();
 }
 
-Result<std::unique_ptr<Rig>> Rig::build(RigSpec spec) {
+Result<std::unique_ptr<Rig>> Rig::build(RigSpec spec, SetUpFault* fault) {
   std::unique_ptr<Rig> rig(new Rig(std::move(spec)));
+  SetUpFault kind = SetUpFault::Input;
   try {
-    if (const Status ready = rig->prepare(); !ready) return ready.error();
+    if (const Status ready = rig->prepare(kind); !ready) {
+      if (fault != nullptr) *fault = kind;
+      return ready.error();
+    }
   } catch (const std::exception& e) {
     return Error{"set-up", e.what(), ""};
   }
   return rig;
 }
 
-Status Rig::prepare() {
+Status Rig::open() {
   const auto opened = spec_.device->open();
   if (!opened) return opened.error();
   format_ = *opened;
   spec_.setup.rate = format_.rate;
   spec_.setup.blockFrames = format_.blockFrames;
   spec_.setup.channels = format_.channels;
+  return spec_.link ? spec_.link->open() : Status(Done{});
+}
+
+Status Rig::prepare(SetUpFault& fault) {
+  if (spec_.link && !spec_.device->live() && !spec_.link->describe().simulated) {
+    return Error{"link '" + std::string(spec_.link->describe().id) + "'",
+                 "a simulated or recorded cut may not drive a real machine", "use the link 'simulated'"};
+  }
+  fault = SetUpFault::Hardware;
+  if (const Status opened = open(); !opened) return opened;
+  fault = SetUpFault::Input;
   if (spec_.link) {
-    if (const Status linked = spec_.link->open(); !linked) return linked.error();
     const Status narrowed = config::narrowToMachine(spec_.params, reach(spec_.link->describe()), "machine");
     if (!narrowed) return narrowed.error();
   }
@@ -118,8 +132,10 @@ void Rig::start(const pipeline::EngineOptions& options) {
   engine_->start();
 }
 
-void Rig::stop() {
-  if (engine_) engine_->stop();
+Status Rig::stop() {
+  if (!engine_) return Done{};
+  engine_->stop();
+  return recorder_ ? recorder_->finish() : Status(Done{});
 }
 
 bool Rig::advance(const After& after) {

@@ -35,10 +35,17 @@ struct RigSpec {
   bool deterministic = false;  // advance() and runToEnd() instead of start()
 };
 
+// What kept a rig from being built.
+enum class SetUpFault {
+  Input,     // settings, methods, or parts that may not be wired together
+  Hardware,  // device or machine cannot be opened
+};
+
 class Rig {
  public:
-  // Opens source and link and prepares every part. One line on failure; nothing is left open.
-  static Result<std::unique_ptr<Rig>> build(RigSpec spec);
+  // Opens source and link and prepares every part. One line on failure, and its kind in `fault` where given; nothing is
+  // left open. A source that is not live is refused a machine that is not simulated.
+  static Result<std::unique_ptr<Rig>> build(RigSpec spec, SetUpFault* fault = nullptr);
   ~Rig();
 
   const CutSetup& setup() const { return spec_.setup; }
@@ -58,7 +65,8 @@ class Rig {
 
   // Live, threaded.
   void start(const pipeline::EngineOptions& options);
-  void stop();
+  // Threads off, the machine released, the recording closed. An error: the recording stopped before the run did.
+  Status stop();
   bool finished() const { return engine_ && engine_->finished(); }
   // Its latencies and losses; null before start().
   const pipeline::Engine* engine() const { return engine_.get(); }
@@ -74,7 +82,8 @@ class Rig {
 
  private:
   explicit Rig(RigSpec spec);
-  Status prepare();
+  Status prepare(SetUpFault& fault);
+  Status open();
   void makeLoop();
 
   RigSpec spec_;

@@ -6,7 +6,7 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QSettings>
-#include <QStandardPaths>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
@@ -68,7 +68,13 @@ Result<Options> parse(const QStringList& arguments) {
   options.profile = parser.value(profile);
   options.record = parser.value(record);
   options.screenshot = parser.value(screenshot);
-  if (parser.isSet(after)) options.after_s = parser.value(after).toDouble();
+  if (parser.isSet(after)) {
+    bool number = false;
+    options.after_s = parser.value(after).toDouble(&number);
+    if (!number || !std::isfinite(options.after_s) || options.after_s < 0.0) {
+      return Error{"--after", "'" + parser.value(after).toStdString() + "' is no time", "seconds from 0 up"};
+    }
+  }
   if (parser.isSet(size)) {
     const auto wanted = sizeFrom(parser.value(size));
     if (!wanted) return Error{"--size", "'" + parser.value(size).toStdString() + "' is no size", "as 1280x800"};
@@ -84,6 +90,9 @@ Result<Options> parse(const QStringList& arguments) {
   }
   if (!options.scenario.isEmpty() && !options.profile.isEmpty()) {
     return Error{"command line", "--scenario and --profile exclude each other", ""};
+  }
+  if (!options.screenshot.isEmpty() && !options.profile.isEmpty()) {
+    return Error{"command line", "--profile and --screenshot exclude each other", "pictures are made of scenarios"};
   }
   if (options.scenario.isEmpty() && options.profile.isEmpty()) {
     options.scenario = QStringLiteral(STILLCUT_RESOURCE_DIR "/scenarios/demo.toml");
@@ -148,10 +157,11 @@ int run(int argc, char** argv) {
   ui::MainWindow window(**session, wantedTheme(*options));
   window.resize(options->size);
   if (!live) return takePicture(**session, window, *options);
-  QObject::connect(&window, &ui::MainWindow::closed, [&] { (*session)->stop(); });
+  QObject::connect(&window, &ui::MainWindow::closed, [&] {
+    if (const Status kept = (*session)->stop(); !kept) fail(kept.error().line());
+  });
   restoreWindow(window, *options);
-  const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-  (*session)->start(std::filesystem::path(data.toStdString()) / "flights");
+  (*session)->start(defaultFlightsFolder());
   window.start();
   window.show();
   return QApplication::exec();

@@ -50,27 +50,37 @@ Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string con
     : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {}
 
 Session::~Session() {
-  rig_->stop();
+  (void)stop().ok();
 }
 
 void Session::start(const std::filesystem::path& flights) {
-  flightLog_.emplace(flights);
+  flightLog_.emplace(rig_->flights(), flights);
+  flightLog_->start();
   rig_->start({});
 }
 
+Status Session::stop() {
+  const Status recorded = rig_->stop();
+  const Status flown = flightLog_ ? flightLog_->finish() : Status(Done{});
+  return recorded ? flown : recorded;
+}
+
 const Snapshot* Session::pull() {
-  if (flightLog_) {
-    const Status written = flightLog_->poll(rig_->flights());
-    flightProblem_ = written ? "" : written.error().line();
-  }
   return rig_->read();
+}
+
+ui::LinkStatus Session::link() const {
+  if (!rig_->finished()) return {};
+  const std::string fault = rig_->device().fault();
+  return {{}, fault.empty() ? QStringLiteral("the run has ended") : QString::fromStdString(fault)};
 }
 
 ui::RecorderStatus Session::recorder() const {
   const record::Recorder* recorder = rig_->recorder();
-  if (recorder == nullptr && flightProblem_.empty()) return {};
+  const std::string flightProblem = flightLog_ ? flightLog_->problem() : "";
+  if (recorder == nullptr && flightProblem.empty()) return {};
   if (recorder == nullptr) {
-    return {ui::RecorderStatus::State::Failed, {}, QString::fromStdString(flightProblem_)};
+    return {ui::RecorderStatus::State::Failed, {}, QString::fromStdString(flightProblem)};
   }
   const record::RecorderStatus status = recorder->status();
   ui::RecorderStatus shown;

@@ -23,8 +23,8 @@ class Session final : public ui::SessionFacade {
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
   // Threads on. Flight recordings go to `flights`.
   void start(const std::filesystem::path& flights);
-  // Threads off; the machine has its programmed values back.
-  void stop() { rig_->stop(); }
+  // Threads off; the machine has its programmed values back, what was recorded is on the disk. An error: not all of it.
+  Status stop();
   // Instead of start(): one block at once. False: the source has ended.
   bool advance() { return rig_->advance(); }
 
@@ -32,14 +32,13 @@ class Session final : public ui::SessionFacade {
   const Snapshot* pull() override;
   void send(const OperatorInput& input) override { rig_->send(input); }
   ui::RecorderStatus recorder() const override;
-  ui::LinkStatus link() const override { return {}; }
+  ui::LinkStatus link() const override;
 
  private:
   std::unique_ptr<Rig> rig_;
   ui::SessionInfo info_;
   std::string configuration_;
-  std::optional<FlightLog> flightLog_;
-  std::string flightProblem_;  // the disk's last complaint
+  std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
 };
 
 // A session on a scenario's simulated machine: live (paced to the clock, on threads) or for advance(). Auto is chosen

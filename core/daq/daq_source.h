@@ -32,6 +32,8 @@ class DaqSource {
   virtual void stop() noexcept = 0;
   // After read() returned false: empty for a plain end, else one line.
   virtual std::string fault() const = 0;
+  // True: a device measuring the machine as it is now. A source that does not say so drives simulated machines only.
+  virtual bool live() const { return false; }
 };
 
 }  // namespace stillcut::daq

@@ -39,11 +39,11 @@ class FlightLogTest : public ::testing::Test {
 };
 
 TEST_F(FlightLogTest, WritesWhatWaitsAndNamesTheCause) {
-  FlightLog log(folder_);
-  ASSERT_TRUE(log.poll(recorder_).ok());
+  FlightLog log(recorder_, folder_);
+  EXPECT_FALSE(log.poll());
   EXPECT_FALSE(fs::exists(folder_)) << "no folder before there is something to say";
   capture(ReasonCode::GateStaleMachine);
-  ASSERT_TRUE(log.poll(recorder_).ok());
+  EXPECT_TRUE(log.poll());
   ASSERT_EQ(files().size(), 1U);
   const std::string name = files().front().filename().string();
   EXPECT_NE(name.find("gate-stale-machine.txt"), std::string::npos) << name;
@@ -53,21 +53,43 @@ TEST_F(FlightLogTest, WritesWhatWaitsAndNamesTheCause) {
 }
 
 TEST_F(FlightLogTest, KeepsTheNewest) {
-  FlightLog log(folder_, 2);
+  FlightLog log(recorder_, folder_, 2);
   for (ReasonCode cause : {ReasonCode::AuthorityChanged, ReasonCode::GateStaleMachine, ReasonCode::LinkLost}) {
     capture(cause);
-    ASSERT_TRUE(log.poll(recorder_).ok());
+    EXPECT_TRUE(log.poll());
   }
   EXPECT_EQ(files().size(), 2U);
 }
 
-TEST_F(FlightLogTest, ADiskThatRefusesIsOneLine) {
+TEST_F(FlightLogTest, ADiskThatRefusesIsOneLineUntilItTakesTheRecordingAfterAll) {
   std::ofstream(folder_).put('x');  // a file where the folder should be
-  FlightLog log(folder_);
+  FlightLog log(recorder_, folder_);
   capture(ReasonCode::LinkLost);
-  const Status failed = log.poll(recorder_);
-  ASSERT_FALSE(failed.ok());
-  EXPECT_NE(failed.error().line().find(folder_.string()), std::string::npos);
+  EXPECT_FALSE(log.poll());
+  EXPECT_NE(log.problem().find(folder_.string()), std::string::npos) << log.problem();
+  EXPECT_FALSE(log.poll());
+  EXPECT_FALSE(log.problem().empty()) << "nothing has been written since";
+  fs::remove(folder_);
+  EXPECT_TRUE(log.poll());
+  EXPECT_TRUE(log.problem().empty());
+  EXPECT_EQ(files().size(), 1U) << "the recording that failed is not lost";
+}
+
+TEST_F(FlightLogTest, OnePollIsOneFile) {
+  FlightLog log(recorder_, folder_);
+  capture(ReasonCode::AuthorityChanged);
+  capture(ReasonCode::LinkLost);
+  EXPECT_TRUE(log.poll());
+  EXPECT_EQ(files().size(), 1U);
+}
+
+TEST_F(FlightLogTest, TheThreadLeavesNothingUnwritten) {
+  FlightLog log(recorder_, folder_);
+  log.start();
+  capture(ReasonCode::AuthorityChanged);
+  capture(ReasonCode::LinkLost);
+  EXPECT_TRUE(log.finish().ok());
+  EXPECT_EQ(files().size(), 2U);
 }
 
 }  // namespace

@@ -186,8 +186,7 @@ TEST(Replay, ACutRunLiveOnItsThreadsIsDecidedTheSameAgain) {
       lead->blocks.release(static_cast<std::ptrdiff_t>(picture->number - shown));
       shown = picture->number;
     }
-    (*rig)->stop();
-    ASSERT_TRUE((*rig)->recorder()->finish().ok());
+    ASSERT_TRUE((*rig)->stop().ok());
     ASSERT_EQ((*rig)->recorder()->status().dropped, 0U);
   }
   const Content live = readBack(path);
@@ -213,7 +212,6 @@ TEST(Replay, ADeterministicCutWithAGapAndOperatorInputsIsDecidedTheSameAgain) {
     if (seen.size() == 420) (*rig)->send({OperatorAction::EndHold});
     if (seen.size() == 450) (*rig)->send({OperatorAction::BackToProgrammed});
   });
-  ASSERT_TRUE((*rig)->recorder()->finish().ok());
 
   const Content recorded = readBack(path);
   EXPECT_GT(recorded.alarms, 0);

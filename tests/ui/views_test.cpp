@@ -209,6 +209,27 @@ TEST(Strip, CountersAndLossesStandOut) {
   EXPECT_EQ(items[6].tone, Tone::Chatter);
 }
 
+TEST(Strip, ALostLinkIsRedForAsLongAsItHasNotAnswered) {
+  Scene s = stableScene();
+  s.snapshot.machine.time = s.snapshot.time - std::chrono::seconds(3);
+  s.snapshot.machine.linkUp = s.snapshot.machine.valid = false;
+  StripItem link = makeStrip(s.picture())[0];
+  EXPECT_EQ(link.tone, Tone::Chatter);
+  EXPECT_TRUE(link.value.startsWith("no answer for 3")) << link.value.toStdString();
+  s.snapshot.machine = MachineState{};  // never read
+  link = makeStrip(s.picture())[0];
+  EXPECT_EQ(link.tone, Tone::Faint);
+  EXPECT_EQ(link.value, "not read yet");
+}
+
+TEST(Strip, TheEndOfTheSamplesIsSaid) {
+  Scene s = stableScene();
+  Picture p = s.picture();
+  p.link.ended = "ALSA hw:1: unplugged";
+  EXPECT_EQ(makeStrip(p)[1].value, p.link.ended);
+  EXPECT_EQ(makeStrip(p)[1].tone, Tone::Chatter);
+}
+
 TEST(Cards, NewestFirstAndNoMoreThanKept) {
   Scene s = stableScene();
   s.snapshot.interventionCount = 6;

@@ -49,6 +49,7 @@ struct RecorderStatus {
 
 struct LinkStatus {
   QString problem;  // a sentence, when there is one; link state and age come with the machine state
+  QString ended;    // why no more samples will come; empty while they may
 };
 
 // Everything one display tick shows.

@@ -16,17 +16,24 @@ QString say(const char* text) {
   return QCoreApplication::translate("StripView", text);
 }
 
+// A link that is lost keeps the time of its last answer, though its state is not valid either.
+bool neverRead(const MachineState& machine) {
+  return !machine.valid && machine.time == Instant{};
+}
+
 StripItem linkItem(const Picture& p) {
   const QString label = p.info->linkLabel.isEmpty() ? say("Machine") : p.info->linkLabel;
   if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
-  if (!p.snapshot || !p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
+  if (!p.snapshot || neverRead(p.snapshot->machine)) return {label, say("not read yet"), Tone::Faint};
   const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time) + (p.stale ? p.age : Seconds());
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
+  if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
   return {label, duration(age), age.value > 1.0 ? Tone::Onset : Tone::Normal};
 }
 
 StripItem sensorItem(const Picture& p) {
   const QString label = say("Sensor");
+  if (!p.link.ended.isEmpty()) return {label, p.link.ended, Tone::Chatter};
   if (!p.snapshot) return {label, say("no samples yet"), Tone::Faint};
   if (p.stale) return {label, say("nothing for %1").arg(duration(p.age)), Tone::Chatter};
   switch (p.verdict().reason.code) {

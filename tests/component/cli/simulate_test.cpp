@@ -101,7 +101,8 @@ TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
                "version = 1\nmachine = \"M\"\n[tool]\nteeth = 4\ndiameter_mm = 12.0\n[cut]\nspeed_rpm = 8500.0\n"
                "feed_mm_min = 2720.0\n[source]\nid = \"simulated\"\n[source.settings]\nscenario = \"cut.toml\"\n"
                "[link]\nid = \"simulated\"\n[control]\ndetector = \"energy-ratio\"\nstrategy = \"lobe-center\"\n");
-  const std::string said = run({"run", "--profile", "machine.toml", "--seconds", "1", "--record", "run.h5"});
+  const std::string said =
+      run({"run", "--profile", "machine.toml", "--seconds", "1", "--record", "run.h5", "--flights", "flights"});
   EXPECT_THAT(said, testing::HasSubstr("authority is off"));
   const json info = json::parse(run({"info", "run.h5", "--json"}), nullptr, false);
   EXPECT_TRUE(info["session"]["closed_cleanly"]);
@@ -111,7 +112,8 @@ TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
 
 TEST_F(Simulate, TheProfileThatComesWithTheProgramRuns) {
   const std::string profile = STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml";
-  EXPECT_THAT(run({"run", "--profile", profile, "--seconds", "1"}), testing::HasSubstr("authority is off"));
+  EXPECT_THAT(run({"run", "--profile", profile, "--seconds", "1", "--flights", "flights"}),
+              testing::HasSubstr("authority is off"));
 }
 
 }  // namespace
