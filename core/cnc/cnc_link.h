@@ -1,6 +1,7 @@
 // CncLink: the wire to one machine. How to add one: core/cnc/ADDING.md.
-// Thread: everything on the link thread, which calls exchange() every few milliseconds and may block there for at most
-// the link's own time-out. Never touched by the worker: commands come through a mailbox, states go back through one.
+// Thread: describe() and open() at set-up; the rest on the link thread, which reads every few milliseconds and may
+// block for at most the link's own time-out. Never touched by the worker: commands come through a mailbox, states go
+// back through one.
 #pragma once
 
 #include <string_view>
@@ -15,7 +16,7 @@ namespace stillcut::cnc {
 struct LinkInfo {
   std::string_view id;  // "simulated", "linuxcnc"
   std::string_view label;
-  bool simulated = false;                     // a replay can be wired only to such a machine
+  bool simulated = false;                     // only such a machine takes a replay or a simulated cut
   bool machineWatchdog = false;               // the machine itself restores 100 % when we fall silent
   Ratio lowestSpeed{1.0}, highestSpeed{1.0};  // what the machine's override can do
   Ratio lowestFeed{1.0}, highestFeed{1.0};

@@ -18,7 +18,7 @@ enum BlockFlag : std::uint32_t {
 };
 
 // Shape: samples[channel * capacityFrames + frame], float, device units. frames <= capacityFrames.
-// Storage belongs to a pool (core/rt); it is sized once, before streaming.
+// Storage is that of a slot of the ring; it is sized once, before streaming.
 struct SampleBlock {
   std::uint32_t source = 0;
   std::uint64_t sequence = 0;  // counts blocks of this source, lost ones included
