@@ -37,14 +37,15 @@ class Console {
   Seconds look() {
     const Snapshot* snapshot = rig_.read();
     if (snapshot == nullptr) return {};
-    if (!begin_) begin_ = snapshot->time;
+    if (!begun_) begin_ = snapshot->time;
+    begun_ = true;
     const std::uint64_t oldest = snapshot->eventCount > kEventsShown ? snapshot->eventCount - kEventsShown : 0;
     for (printed_ = std::max(printed_, oldest); printed_ < snapshot->eventCount; ++printed_) {
       const Event& event = snapshot->events[printed_ % kEventsShown];
-      std::printf("%10.3f  %s\n", secondsBetween(*begin_, event.time).value, sentence(event.reason).c_str());
+      std::printf("%10.3f  %s\n", secondsBetween(begin_, event.time).value, sentence(event.reason).c_str());
     }
     std::fflush(stdout);
-    return secondsBetween(*begin_, snapshot->time);
+    return secondsBetween(begin_, snapshot->time);
   }
   // Says once that nothing is recorded any more: it has to be known while the cut can still be repeated.
   void watchRecording() {
@@ -58,7 +59,8 @@ class Console {
  private:
   Rig& rig_;
   std::uint64_t printed_ = 0;
-  std::optional<Instant> begin_;
+  bool begun_ = false;
+  Instant begin_{};  // time of the first snapshot
   bool recordingTold_ = false;
 };
 
