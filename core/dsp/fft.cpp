@@ -53,7 +53,8 @@ struct RealFft::Plan {
 
 int goodFftSize(int n) {
   int size = std::max(n, 2);
-  while (!hasSmallPrimesOnly(size)) ++size;
+  size += size % 2;
+  while (!hasSmallPrimesOnly(size)) size += 2;
   return size;
 }
 
