@@ -5,8 +5,7 @@
 // Each step: time, operator, checks of everything that came in; then either hold-then-release, or the wish trimmed to
 // the limits, counted as a change, low-passed, rate-limited, ordered (speed rises before feed, feed falls before
 // speed), and checked for being finite last. While a Set is in force it is issued anew each step: that is what renews
-// its lease. Thread: prepare() at set-up, step() on the worker, once per block, real-time. Source: design.md, issue
-// "Control".
+// its lease. Thread: prepare() at set-up, step() on the worker, once per block, real-time.
 #pragma once
 
 #include "core/safety/advice_desk.h"
