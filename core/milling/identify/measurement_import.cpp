@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "core/milling/identify/file_bytes.h"
-#include "core/milling/identify/number_scan.h"
 #include "core/milling/identify/number_table.h"
-#include "core/milling/identify/uff58.h"
 #include "core/milling/identify/unit_label.h"
+#include "core/record/uff/number_scan.h"
+#include "core/record/uff/uff58.h"
 
 namespace stillcut::identify {
 namespace {
@@ -142,22 +142,22 @@ bool isUnset(const std::string& unit) {
   return unit.empty() || lower(unit) == "none";
 }
 
-std::optional<FrfQuantity> quantityOf(Uff58Quantity quantity) {
-  if (quantity == Uff58Quantity::Displacement) return FrfQuantity::Compliance;
-  if (quantity == Uff58Quantity::Velocity) return FrfQuantity::Mobility;
-  if (quantity == Uff58Quantity::Acceleration) return FrfQuantity::Accelerance;
+std::optional<FrfQuantity> quantityOf(uff::Uff58Quantity quantity) {
+  if (quantity == uff::Uff58Quantity::Displacement) return FrfQuantity::Compliance;
+  if (quantity == uff::Uff58Quantity::Velocity) return FrfQuantity::Mobility;
+  if (quantity == uff::Uff58Quantity::Acceleration) return FrfQuantity::Accelerance;
   return std::nullopt;
 }
 
 // Quantity and factor of a universal file's FRF: from the units first, from the data types second.
-Result<ResponseUnit> unitOf(const Uff58Dataset& set, const std::string& where, Measurement& measured) {
+Result<ResponseUnit> unitOf(const uff::Uff58Dataset& set, const std::string& where, Measurement& measured) {
   if (const auto whole = frfUnit(set.ordinate.unit)) return *whole;
   const auto byType = quantityOf(set.ordinate.quantity);
   ResponseUnit unit;
   if (const auto response = responseUnit(set.ordinate.unit)) {
     unit = *response;
   } else if (!isUnset(set.ordinate.unit)) {
-    return Error{where, "unit '" + printable(set.ordinate.unit) + "' is not known", "give quantity and scale"};
+    return Error{where, "unit '" + uff::printable(set.ordinate.unit) + "' is not known", "give quantity and scale"};
   } else if (byType) {
     unit.quantity = *byType;
     measured.remarks.emplace_back("no unit in the file: taken as SI");
@@ -166,12 +166,12 @@ Result<ResponseUnit> unitOf(const Uff58Dataset& set, const std::string& where, M
   }
   if (isUnset(set.denominator.unit)) return unit;
   const auto force = forceUnit(set.denominator.unit);
-  if (!force) return Error{where, "force unit '" + printable(set.denominator.unit) + "' is not known", ""};
+  if (!force) return Error{where, "force unit '" + uff::printable(set.denominator.unit) + "' is not known", ""};
   unit.factor /= *force;
   return unit;
 }
 
-Result<Measurement> frfFromUff(const Uff58Dataset& set, const std::string& where, const ImportOptions& options) {
+Result<Measurement> frfFromUff(const uff::Uff58Dataset& set, const std::string& where, const ImportOptions& options) {
   Measurement measured;
   if (!set.complex) return Error{where, "its frequency response is real", "a complex one is needed"};
   Status rising = checkRising(set.x, where, "the frequency");
@@ -196,18 +196,18 @@ Result<Measurement> frfFromUff(const Uff58Dataset& set, const std::string& where
   return measured;
 }
 
-bool isForce(Uff58Quantity quantity) {
-  return quantity == Uff58Quantity::ExcitationForce || quantity == Uff58Quantity::ReactionForce;
+bool isForce(uff::Uff58Quantity quantity) {
+  return quantity == uff::Uff58Quantity::ExcitationForce || quantity == uff::Uff58Quantity::ReactionForce;
 }
 
-Result<Measurement> hammerFromUff(const std::vector<Uff58Dataset>& sets, const std::string& where,
+Result<Measurement> hammerFromUff(const std::vector<uff::Uff58Dataset>& sets, const std::string& where,
                                   const ImportOptions& options) {
-  const Uff58Dataset* force = nullptr;
-  const Uff58Dataset* response = nullptr;
-  for (const Uff58Dataset& set : sets) {
-    if (set.function != Uff58Function::TimeResponse) continue;
+  const uff::Uff58Dataset* force = nullptr;
+  const uff::Uff58Dataset* response = nullptr;
+  for (const uff::Uff58Dataset& set : sets) {
+    if (set.function != uff::Uff58Function::TimeResponse) continue;
     if (!force && isForce(set.ordinate.quantity)) force = &set;
-    if (!response && set.ordinate.quantity == Uff58Quantity::Acceleration) response = &set;
+    if (!response && set.ordinate.quantity == uff::Uff58Quantity::Acceleration) response = &set;
   }
   if (!force || !response) {
     return Error{where, "holds neither a frequency response nor force and acceleration", ""};
@@ -233,11 +233,11 @@ Result<Measurement> hammerFromUff(const std::vector<Uff58Dataset>& sets, const s
 }
 
 Result<Measurement> fromUff(std::string_view bytes, const std::string& where, const ImportOptions& options) {
-  auto sets = parseUff58(bytes, where);
+  auto sets = uff::parseUff58(bytes, where);
   if (!sets) return sets.error();
-  std::vector<const Uff58Dataset*> responses;
-  for (const Uff58Dataset& set : *sets) {
-    if (set.function == Uff58Function::FrequencyResponse) responses.push_back(&set);
+  std::vector<const uff::Uff58Dataset*> responses;
+  for (const uff::Uff58Dataset& set : *sets) {
+    if (set.function == uff::Uff58Function::FrequencyResponse) responses.push_back(&set);
   }
   if (options.kind == MeasurementKind::Hammer || (options.kind == MeasurementKind::Automatic && responses.empty())) {
     return hammerFromUff(*sets, where, options);
@@ -260,7 +260,7 @@ Result<Measurement> parseMeasurement(std::string_view bytes, const std::string& 
   if (options.scale && !(std::isfinite(*options.scale) && *options.scale != 0.0)) {
     return Error{where, "the scale is not a number other than 0", ""};
   }
-  if (looksLikeUff(bytes)) return fromUff(bytes, where, options);
+  if (uff::looksLikeUff(bytes)) return fromUff(bytes, where, options);
   auto table = parseNumberTable(bytes, where, 3);
   if (!table) return table.error();
   const bool hammer =

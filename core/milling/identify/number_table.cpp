@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/milling/identify/number_scan.h"
+#include "core/record/uff/number_scan.h"
 
 namespace stillcut::identify {
 namespace {
@@ -22,12 +22,12 @@ char separatorOf(std::string_view line) {
 // Splits a line; an empty last field (a trailing separator) does not count.
 void split(std::string_view line, char separator, std::vector<std::string_view>& fields) {
   fields.clear();
-  line = trimmed(line);
+  line = uff::trimmed(line);
   while (!line.empty() && fields.size() <= kMaxColumns) {
     const std::size_t end = separator == ' ' ? line.find_first_of(" \t") : line.find(separator);
-    fields.push_back(trimmed(line.substr(0, end)));
+    fields.push_back(uff::trimmed(line.substr(0, end)));
     if (end == std::string_view::npos) break;
-    line = separator == ' ' ? trimmed(line.substr(end)) : line.substr(end + 1);
+    line = separator == ' ' ? uff::trimmed(line.substr(end)) : line.substr(end + 1);
   }
 }
 
@@ -35,7 +35,7 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
 std::optional<std::size_t> numbersOf(const std::vector<std::string_view>& fields, std::vector<double>& row) {
   row.clear();
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto value = wholeNumber(fields[i]);
+    const auto value = uff::wholeNumber(fields[i]);
     if (!value) return i;
     row.push_back(*value);
   }
@@ -67,10 +67,10 @@ Result<NumberTable> parseNumberTable(std::string_view text, const std::string& w
   char separator = ' ';
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // byte order mark
   for (std::size_t number = 1; !text.empty(); ++number) {
-    const std::string_view line = takeLine(text);
-    if (trimmed(line).empty()) continue;
+    const std::string_view line = uff::takeLine(text);
+    if (uff::trimmed(line).empty()) continue;
     const bool inHeader = table.columns.empty();
-    if (inHeader) separator = separatorOf(trimmed(line));
+    if (inHeader) separator = separatorOf(uff::trimmed(line));
     split(line, separator, fields);
     const auto bad = numbersOf(fields, row);
     if (inHeader) {
@@ -81,13 +81,13 @@ Result<NumberTable> parseNumberTable(std::string_view text, const std::string& w
           return Error{where, "holds no rows of " + std::to_string(leastColumns) + " numbers",
                        "none in its first " + std::to_string(kMaxHeaderLines) + " lines"};
         }
-        table.header.emplace_back(trimmed(line).substr(0, 256));
+        table.header.emplace_back(uff::trimmed(line).substr(0, 256));
         continue;
       }
     }
     if (bad) {
       const bool comma = fields[*bad].find(',') != std::string_view::npos;
-      return badRow(where, number, "'" + printable(fields[*bad]) + "' is not a number",
+      return badRow(where, number, "'" + uff::printable(fields[*bad]) + "' is not a number",
                     comma ? "a decimal comma is not read" : "");
     }
     Status added = addRow(table, row, where, number);

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "core/milling/identify/uff58.h"
 #include "core/milling/identify/unit_label.h"
+#include "core/record/uff/uff58.h"
 
 namespace stillcut::identify {
 namespace {
@@ -88,13 +88,13 @@ TEST(Import, BadTextIsOneClearLine) {
   EXPECT_FALSE(importMeasurement("/", {}).ok());
 }
 
-Uff58Dataset uffFrf() {
-  Uff58Dataset set;
-  set.function = Uff58Function::FrequencyResponse;
+uff::Uff58Dataset uffFrf() {
+  uff::Uff58Dataset set;
+  set.function = uff::Uff58Function::FrequencyResponse;
   set.complex = true;
-  set.abscissa = {Uff58Quantity::Frequency, "Frequency", "Hz"};
-  set.ordinate = {Uff58Quantity::Acceleration, "Acceleration", "g"};
-  set.denominator = {Uff58Quantity::ExcitationForce, "Force", "N"};
+  set.abscissa = {uff::Uff58Quantity::Frequency, "Frequency", "Hz"};
+  set.ordinate = {uff::Uff58Quantity::Acceleration, "Acceleration", "g"};
+  set.denominator = {uff::Uff58Quantity::ExcitationForce, "Force", "N"};
   for (int i = 0; i < 20; ++i) {
     set.x.push_back(100.0 + i);
     set.y.emplace_back(0.5, -0.25 * i);
@@ -103,33 +103,34 @@ Uff58Dataset uffFrf() {
 }
 
 TEST(Import, UniversalFileUnitsBecomeSi) {
-  const auto got = parseMeasurement(formatUff58(uffFrf(), Uff58Form::BigEndian), "f.uff", {});
+  const auto got = parseMeasurement(uff::formatUff58(uffFrf(), uff::Uff58Form::BigEndian), "f.uff", {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_EQ(frfOf(got).quantity, FrfQuantity::Accelerance);
   EXPECT_NEAR(frfOf(got).value[3].real(), 0.5 * 9.80665, 1e-5);
-  Uff58Dataset odd = uffFrf();
+  uff::Uff58Dataset odd = uffFrf();
   odd.ordinate.unit = "furlong";
-  const auto refused = parseMeasurement(formatUff58(odd, Uff58Form::Ascii), "f.uff", {});
+  const auto refused = parseMeasurement(uff::formatUff58(odd, uff::Uff58Form::Ascii), "f.uff", {});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().line().find("furlong"), std::string::npos);
   ImportOptions second;
   second.dataset = 1;
-  EXPECT_FALSE(parseMeasurement(formatUff58(uffFrf(), Uff58Form::Ascii), "f.uff", second).ok());
+  EXPECT_FALSE(parseMeasurement(uff::formatUff58(uffFrf(), uff::Uff58Form::Ascii), "f.uff", second).ok());
 }
 
 TEST(Import, TwoTimeResponsesAreAHammerRecord) {
-  Uff58Dataset force = uffFrf();
-  force.function = Uff58Function::TimeResponse;
+  uff::Uff58Dataset force = uffFrf();
+  force.function = uff::Uff58Function::TimeResponse;
   force.complex = false;
-  force.ordinate = {Uff58Quantity::ExcitationForce, "Force", "N"};
+  force.ordinate = {uff::Uff58Quantity::ExcitationForce, "Force", "N"};
   for (std::size_t i = 0; i < force.x.size(); ++i) force.x[i] = 1e-3 * static_cast<double>(i);
-  Uff58Dataset response = force;
-  response.ordinate = {Uff58Quantity::Acceleration, "Acceleration", "m/s2"};
-  const std::string file = formatUff58(response, Uff58Form::Ascii) + formatUff58(force, Uff58Form::Ascii);
+  uff::Uff58Dataset response = force;
+  response.ordinate = {uff::Uff58Quantity::Acceleration, "Acceleration", "m/s2"};
+  const std::string file =
+      uff::formatUff58(response, uff::Uff58Form::Ascii) + uff::formatUff58(force, uff::Uff58Form::Ascii);
   const auto got = parseMeasurement(file, "h.uff", {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_NEAR(hammerOf(got).rate, 1000.0, 1e-6);
-  EXPECT_FALSE(parseMeasurement(formatUff58(force, Uff58Form::Ascii), "h.uff", {}).ok());
+  EXPECT_FALSE(parseMeasurement(uff::formatUff58(force, uff::Uff58Form::Ascii), "h.uff", {}).ok());
 }
 
 TEST(Import, MobilityAndAcceleranceBecomeCompliance) {

@@ -1,9 +1,9 @@
-#include "core/milling/identify/number_scan.h"
+#include "core/record/uff/number_scan.h"
 
 #include <charconv>
 #include <cmath>
 
-namespace stillcut::identify {
+namespace stillcut::uff {
 namespace {
 
 bool isDigit(char c) {
@@ -84,4 +84,4 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-}  // namespace stillcut::identify
+}  // namespace stillcut::uff

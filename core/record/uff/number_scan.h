@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace stillcut::identify {
+namespace stillcut::uff {
 
 // Reads the number `text` begins with (no leading blanks) and removes it. Empty when there is none. NaN and infinity
 // written as words are returned as such: the caller knows what to say about them.
@@ -23,4 +23,4 @@ std::string_view takeLine(std::string_view& rest);
 // Text of the file made fit for a one-line message: printable ASCII, at most 40 characters.
 std::string printable(std::string_view text);
 
-}  // namespace stillcut::identify
+}  // namespace stillcut::uff

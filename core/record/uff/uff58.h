@@ -3,19 +3,21 @@
 // Cincinnati). Other datasets in the file are passed over.
 //
 // Strict: sizes in the file are believed only as far as bytes are there, values must be finite, the floating-point
-// format must be IEEE 754. Memory never exceeds a few times the file's size.
+// format must be IEEE 754. Memory never exceeds a few times the file's size; Uff58Cursor (uff58_cursor.h) reads any
+// length with a fixed buffer.
 // Thread: any, set-up path. Errors: one line with file and dataset.
 #pragma once
 
 #include <array>
 #include <complex>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
 
-namespace stillcut::identify {
+namespace stillcut::uff {
 
 // Function type, record 6 field 1; others are kept as their number.
 enum class Uff58Function : int {
@@ -49,7 +51,7 @@ struct Uff58Axis {
   std::string unit;
 };
 
-struct Uff58Dataset {
+struct Uff58Header {
   std::array<std::string, 5> id;
   Uff58Function function = Uff58Function::General;
   std::string responseName;
@@ -61,8 +63,14 @@ struct Uff58Dataset {
   bool complex = false;          // imaginary parts are meaningful
   bool doublePrecision = false;  // as stored
   bool even = true;              // abscissa is start + i * increment
+  std::uint64_t points = 0;
+  double start = 0.0;
+  double increment = 0.0;
   double zValue = 0.0;
   Uff58Axis abscissa, ordinate, denominator, z;
+};
+
+struct Uff58Dataset : Uff58Header {
   std::vector<double> x;                // abscissa, as many as y
   std::vector<std::complex<double>> y;  // ordinate; imaginary part 0 for real data
 };
@@ -75,7 +83,10 @@ Result<std::vector<Uff58Dataset>> parseUff58(std::string_view bytes, const std::
 // Does the text begin like a universal file (a line holding only -1)?
 bool looksLikeUff(std::string_view bytes);
 
-// One dataset as a universal file's text, from its first -1 to its last. x must be as long as y.
+// One dataset as a universal file's text, from its first -1 to its last. x must be as long as y; points, start and
+// increment are taken from x.
 std::string formatUff58(const Uff58Dataset& dataset, Uff58Form form);
+// Its beginning, up to the first number, from the header alone.
+std::string formatUff58Head(const Uff58Header& header, Uff58Form form);
 
-}  // namespace stillcut::identify
+}  // namespace stillcut::uff

@@ -1,4 +1,4 @@
-#include "core/milling/identify/uff58.h"
+#include "core/record/uff/uff58.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/milling/identify/file_bytes.h"
 
-namespace stillcut::identify {
+namespace stillcut::uff {
 namespace {
 
 Uff58Dataset sample(bool complex, bool wide, bool even) {
@@ -169,7 +169,7 @@ class Uff58Files : public testing::Test {
     if (!std::filesystem::exists(folder_)) GTEST_SKIP() << "reference recordings absent: " << folder_;
   }
   Result<std::vector<Uff58Dataset>> load(const std::string& name) const {
-    auto bytes = readFileBytes(folder_ + name);
+    auto bytes = identify::readFileBytes(folder_ + name);
     if (!bytes) return bytes.error();
     return parseUff58(*bytes, name);
   }
@@ -221,4 +221,4 @@ TEST_F(Uff58Files, CutOffMilestoneFileIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace stillcut::identify
+}  // namespace stillcut::uff

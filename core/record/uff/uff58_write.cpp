@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "core/milling/identify/uff58.h"
+#include "core/record/uff/uff58.h"
 
-namespace stillcut::identify {
+namespace stillcut::uff {
 namespace {
 
 template <class... Args>
@@ -20,16 +20,14 @@ void printAxis(std::string& out, const Uff58Axis& axis) {
         axis.unit.c_str());
 }
 
-void printHeader(std::string& out, const Uff58Dataset& set) {
+void printHeader(std::string& out, const Uff58Header& set) {
   for (const std::string& line : set.id) print(out, "%-80.80s\n", line.empty() ? "NONE" : line.c_str());
   print(out, "%5d%10d%5d%10d %-10.10s%10ld%4d %-10.10s%10ld%4d\n", static_cast<int>(set.function), 0, 0, 0,
         set.responseName.c_str(), set.responseNode, set.responseDirection, set.referenceName.c_str(), set.referenceNode,
         set.referenceDirection);
   const int type = set.complex ? (set.doublePrecision ? 6 : 5) : (set.doublePrecision ? 4 : 2);
-  const bool steps = set.even && set.x.size() > 1;
-  const double increment = steps ? (set.x.back() - set.x.front()) / static_cast<double>(set.x.size() - 1) : 1.0;
-  print(out, "%10d%10zu%10d%13.5E%13.5E%13.5E\n", type, set.y.size(), set.even ? 1 : 0, set.x.empty() ? 0.0 : set.x[0],
-        set.even ? increment : 0.0, set.zValue);
+  print(out, "%10d%10llu%10d%13.5E%13.5E%13.5E\n", type, static_cast<unsigned long long>(set.points), set.even ? 1 : 0,
+        set.start, set.even ? set.increment : 0.0, set.zValue);
   for (const Uff58Axis* axis : {&set.abscissa, &set.ordinate, &set.denominator, &set.z}) printAxis(out, *axis);
 }
 
@@ -65,19 +63,33 @@ void putBytes(std::string& out, double v, std::size_t bytes, bool bigEndian) {
 
 }  // namespace
 
-std::string formatUff58(const Uff58Dataset& set, Uff58Form form) {
+std::string formatUff58Head(const Uff58Header& set, Uff58Form form) {
   std::string out = "    -1\n";
   if (form == Uff58Form::Ascii) {
     out += "    58\n";
-    printHeader(out, set);
+  } else {
+    const std::uint64_t wide = set.doublePrecision ? 8 : 4;
+    const std::uint64_t perPoint = (set.even ? 0 : 4) + wide * (set.complex ? 2u : 1u);
+    print(out, "%6s%6d%6d%12d%12llu%6d%6d%12d%12d\n", "58b", form == Uff58Form::BigEndian ? 2 : 1, 2, 11,
+          static_cast<unsigned long long>(set.points * perPoint), 0, 0, 0, 0);
+  }
+  printHeader(out, set);
+  return out;
+}
+
+std::string formatUff58(const Uff58Dataset& set, Uff58Form form) {
+  Uff58Header header = set;
+  header.points = set.y.size();
+  header.start = set.x.empty() ? 0.0 : set.x.front();
+  const bool steps = set.x.size() > 1;
+  header.increment = steps ? (set.x.back() - set.x.front()) / static_cast<double>(set.x.size() - 1) : 1.0;
+  std::string out = formatUff58Head(header, form);
+  if (form == Uff58Form::Ascii) {
     printAscii(out, set);
     return out + "    -1\n";
   }
   const bool big = form == Uff58Form::BigEndian;
   const std::size_t wide = set.doublePrecision ? 8 : 4;
-  const std::size_t perPoint = (set.even ? 0 : 4) + wide * (set.complex ? 2u : 1u);
-  print(out, "%6s%6d%6d%12d%12zu%6d%6d%12d%12d\n", "58b", big ? 2 : 1, 2, 11, set.y.size() * perPoint, 0, 0, 0, 0);
-  printHeader(out, set);
   for (std::size_t i = 0; i < set.y.size(); ++i) {
     if (!set.even) putBytes(out, set.x[i], 4, big);
     putBytes(out, set.y[i].real(), wide, big);
@@ -86,4 +98,4 @@ std::string formatUff58(const Uff58Dataset& set, Uff58Form form) {
   return out + "\n    -1\n";
 }
 
-}  // namespace stillcut::identify
+}  // namespace stillcut::uff
