@@ -1,8 +1,8 @@
 // Detector "energy-ratio": Caliskan, Kilic, Altintas 2018, "On-line energy based milling chatter detection".
 //
 // Equations: harmonics removed by the rotating Kalman filter (16-22: harmonic_kalman.h), band-pass bank following the
-// speed and energy separation with lag (23-27: energy_separation.h), energy ratio (28, 29) with eta by quantity.
-// ER >= 0.2 is the paper's threshold for full chatter.
+// speed and energy separation with lag (23-27: energy_separation.h), energy ratio (28, 29) with eta by quantity
+// (energy_chain.h). ER >= 0.2 is the paper's threshold for full chatter (ratio_judge.h decides).
 //
 // Departures, with their evidence:
 // - The filter's memory is given in turns (lambda follows from it), so that 800 rev/min and 30 000 rev/min are alike:
@@ -17,15 +17,13 @@
 // Thread: worker. See detector.h.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/detect/detector.h"
-#include "core/detect/energy_separation.h"
-#include "core/detect/harmonic_kalman.h"
-#include "core/detect/line_finder.h"
-#include "core/detect/onset_test.h"
+#include "core/detect/energy_chain.h"
+#include "core/detect/ratio_judge.h"
 #include "core/detect/turn_difference.h"
+#include "core/detect/turn_marks.h"
 
 namespace stillcut::detect {
 
@@ -57,87 +55,33 @@ class EnergyRatioDetector final : public Detector {
   void reset() noexcept override;
 
  private:
-  static constexpr int kHopsPerTurn = 8;
-  static constexpr int kLevelHops = 8 * kHopsPerTurn;
-  static constexpr int kAngleHops = 4 * kHopsPerTurn;
-
-  struct Energies {
-    double all = 0.0;
-    double changed = 0.0;  // of the turn difference
-  };
-  struct ChannelState {
-    Energies sums;                            // this hop
-    std::array<Energies, kLevelHops> hops{};  // newest kLevelHops
-    OnsetTest onset;
-    double ratio = 0.0;    // ER, smoothed
-    double changed = 0.0;  // E_d / E_x of the last turn
-    int eta = 0;
-  };
-
   void sizeFor(const CutSetup& setup, const config::ParamSet& params);
   void tune(const ConditionedBlock& block) noexcept;
-  void followTurns() noexcept;
-  void endHop(CutPhase phase) noexcept;
-  void endChannelHop(int channel, CutPhase phase) noexcept;
-  double energyRatio(int channel) const noexcept;
-  void judge(CutPhase phase, double seconds) noexcept;
-  bool fromEntry(bool high) noexcept;
-  void watchCalm(double seconds) noexcept;
-  bool calm() const noexcept;
   void relearn() noexcept;
-  bool lineStands() noexcept;
-  bool rising() const noexcept;
-  void track(double seconds) noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
-  ChatterKind kind() const noexcept;
+  void endHop(CutPhase phase) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
   double rate_ = 0.0;
   int teeth_ = 0;
   int channels_ = 0;
-  double chatterRatio_ = 0.2;
   double smallest_ = 0.0;
   double fixedGain_ = 0.0;  // 0: from the memory in turns
-  HarmonicKalman kalman_;
-  EnergySeparation bands_;
+  EnergyChain chain_;
   TurnDifference turns_;
+  TurnMarks marks_;
   LineFinder lines_;
-  std::vector<ChannelState> channelStates_;
-  std::vector<double> frame_, rest_, difference_;
+  std::vector<RatioChannel> channelStates_;
+  RatioJudge judge_;
+  std::vector<double> frame_, difference_;
 
   Hertz spindle_{};
   long hopFrames_ = 1;
   int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;
-  long hopCount_ = 0;
-  struct AngleMark {
-    double frame = 0.0;
-    double angle = 0.0;  // unwrapped
-  };
-  std::array<AngleMark, kAngleHops> marks_{};  // newest kAngleHops hop ends
-  double frameCount_ = 0.0;
-  double angleCount_ = 0.0;
   bool turnsCompare_ = true;
-  CutState state_ = CutState::Air;
   double steadyTurns_ = 0.0;
-  double highTurns_ = 0.0;
-  double lostTurns_ = 0.0;
-  bool floorGone_ = false;    // the speed changed during an alarm: its floor means nothing any more
-  double calmSeconds_ = 0.0;  // a small rest has not grown for so long
-  double calmLevel_ = 0.0;    // what it was then
-  double changedSlow_ = 0.0;  // changed_, over a few turns
-  double severity_ = 0.0;
-  double changed_ = 0.0;
-  double evidence_ = 0.0;
-  double floor_ = 0.0;
-  bool learned_ = false;
-  Hertz frequency_{};
-  double frequencySd_ = 0.0;
-  double purity_ = 0.0;
-  FoundLine line_;
-  double sinceOnset_ = 0.0;
-  double feedSinceOnset_ = 0.0;
 };
 
 }  // namespace stillcut::detect

@@ -1,0 +1,161 @@
+#include "core/detect/ratio_judge.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/dsp/order.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
+constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
+constexpr double kEntryChatterSeconds = 0.15;
+constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
+constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
+constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
+constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
+constexpr double kLineReach = 0.25;    // orders within which a line is the same
+constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
+
+}  // namespace
+
+void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
+  teeth_ = teeth;
+  chatterRatio_ = chatterRatio;
+}
+
+void RatioJudge::leaveCut() noexcept {
+  calm_.reset();
+  calm_.forgetLevel();
+  line_ = {};
+  highTurns_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
+  learned_ = false;
+  frequency_ = {};
+  frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
+}
+
+void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
+  severity_ = changed_ = evidence_ = 0.0;
+  grown_ = rising_ = false;
+  learned_ = true;
+  for (const RatioChannel& c : channels) {
+    const OnsetTest& onset = c.growth.onset();
+    severity_ = std::max(severity_, c.ratio);
+    if (onset.evidence() >= evidence_) {
+      evidence_ = onset.evidence();
+      floor_ = onset.floor();
+    }
+    changed_ = std::max(changed_, c.growth.changed());
+    grown_ = grown_ || onset.alarm();
+    rising_ = rising_ || c.growth.rising();
+    learned_ = learned_ && onset.learned();
+  }
+}
+
+bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+  gather(channels);
+  const bool was = alarming();
+  const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
+  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_, was ? hop.length.value : 0.0);
+  const bool entry = fromEntry(lines, hop, high && hop.phase == CutPhase::Steady && !was);
+  bool over = false;
+  if (was) {
+    const bool lost = lostTurns_ > kLostTurns;
+    over = lost || calm_.calm(hop.spindle) || !(high || grown_ || calm_.floorGone());
+    // A ratio that rises while the speed changes may be forced vibration that changes with it.
+    const bool full = high && (hop.turnsCompare || state_ == CutState::Chatter);
+    state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
+    if (over) calm_.reset();
+  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
+             (entry || (grown_ && (rising_ || lineStands(lines, hop))))) {
+    state_ = high ? CutState::Chatter : CutState::Onset;
+  } else {
+    state_ = CutState::Stable;
+  }
+  sinceOnset_ = alarming() ? sinceOnset_ + hop.length.value : 0.0;
+  if (!alarming()) feedSinceOnset_ = 0.0;
+  track(lines, hop);
+  return over;
+}
+
+// Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
+// for one and the same line over many turns.
+bool RatioJudge::fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept {
+  if (!high || hop.steadyTurns < kSettleTurns) {
+    highTurns_ = 0.0;
+    return false;
+  }
+  const Hertz before = line_.frequency;
+  const bool stands = lineStands(lines, hop);
+  const bool same = std::abs(line_.frequency.value - before.value) < hop.spindle.value * 4.0 / kLineTurns;
+  highTurns_ = stands && same ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value);
+}
+
+// Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.
+bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
+  line_ = lines.find(hop.spindle * 0.5, hop.highest);
+  purity_ = line_.purity;
+  return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= kLeastOffset;
+}
+
+void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
+  if (!alarming()) {
+    frequency_ = {};
+    frequencySd_ = lostTurns_ = 0.0;
+    return;
+  }
+  const double spindle = hop.spindle.value;
+  const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
+  purity_ = line.purity;
+  lostTurns_ = purity_ < kLostPurity ? lostTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  if (!(line.frequency.value > 0.0)) return;
+  // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
+  // frequency: the chatter's is the one from before.
+  const bool ringing = calm_.floorGone() && severity_ < chatterRatio_;
+  if (frequency_.value > 0.0 && (!hop.turnsCompare || ringing)) return;
+  Hertz next = line.frequency;
+  if (frequency_.value > 0.0 && std::abs(next.value - frequency_.value) > kLineReach * spindle) {
+    const LineFinder::Peak held = lines.near(frequency_, hop.spindle * kLineReach);
+    const LineFinder::Peak strongest = lines.near(next, hop.spindle * kLineReach);
+    if (strongest.power < kOtherLine * held.power) next = held.frequency;
+  }
+  if (!(frequency_.value > 0.0)) {
+    frequencySd_ = spindle / kLineTurns;
+  } else {
+    const double jump = std::abs(next.value - frequency_.value);
+    frequencySd_ += (1.0 - std::exp(-hop.length.value * spindle)) * (jump - frequencySd_);
+  }
+  frequency_ = next;
+}
+
+// Period doubling sits half way between the tooth-passing harmonics, whatever the speed; Hopf chatter anywhere else.
+ChatterKind RatioJudge::kind(Hertz spindle) const noexcept {
+  if (teeth_ < 1 || !(frequency_.value > 0.0)) return ChatterKind::Unknown;
+  const double offset = std::abs(dsp::orderOffset(frequency_, spindle * teeth_));
+  const double doubt = 0.02 + 2.0 * frequencySd_ / (spindle.value * teeth_);
+  return 0.5 - offset < doubt ? ChatterKind::Flip : ChatterKind::Hopf;
+}
+
+void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
+  v.state = v.phase == CutPhase::Air ? CutState::Air : state_;
+  v.severity = Ratio(severity_);
+  v.frequency = frequency_;
+  v.frequencySd = Hertz(frequencySd_);
+  v.sinceOnset = Seconds(sinceOnset_);
+  v.feedSinceOnset = Metres(feedSinceOnset_);
+  v.indicators = {severity_, frequency_.value, changed_, floor_, evidence_, purity_};
+  if (v.state == CutState::Chatter) {
+    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, chatterRatio_}};
+  } else if (v.state == CutState::Onset) {
+    v.reason = {ReasonCode::EnergyRatioGrowing, {changed_, floor_}};
+  } else if (v.phase == CutPhase::RunUp) {
+    v.reason = {ReasonCode::SpindleRunUp, {toRpm(v.spindle).value}};
+  } else if (v.phase == CutPhase::Steady && !learned_) {
+    v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle.value}};
+  }
+  if (v.alarming()) v.kind = kind(spindle);
+}
+
+}  // namespace stillcut::detect

@@ -1,0 +1,78 @@
+// RatioJudge: from the energy-ratio detector's numbers to the state of the cut, hop by hop: air, stable, onset,
+// chatter; the chatter's line and its doubt. Thread: worker; real-time.
+#pragma once
+
+#include <span>
+
+#include "core/detect/calm_watch.h"
+#include "core/detect/energy_growth.h"
+#include "core/detect/line_finder.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::detect {
+
+struct RatioChannel {
+  EnergyGrowth growth;
+  double ratio = 0.0;  // ER, smoothed
+  int eta = 0;
+};
+
+// One hop, as the detector saw it.
+struct RatioHop {
+  CutPhase phase = CutPhase::Air;
+  Seconds length{};
+  Hertz spindle{};
+  Hertz highest{};           // up to which harmonics are removed
+  double steadyTurns = 0.0;  // since the cut became steady
+  bool turnsCompare = true;  // false: the speed changes too fast to compare turns
+};
+
+class RatioJudge {
+ public:
+  static constexpr double kLineTurns = 16.0;   // window of the line finder
+  static constexpr double kSettleTurns = 6.0;  // after a restart the filters are not believed
+
+  void prepare(int teeth, double chatterRatio) noexcept;
+  // Forgets the cut and all that belongs to it. The channels' own floors are the caller's.
+  void leaveCut() noexcept;
+  void setState(CutState state) noexcept { state_ = state; }
+  void loseFloor() noexcept { calm_.loseFloor(); }
+
+  // True when an alarm ended: floors are to be learned anew.
+  bool judge(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
+  void addFeed(double metres) noexcept { feedSinceOnset_ += metres; }
+
+  CutState state() const noexcept { return state_; }
+  bool alarming() const noexcept { return state_ == CutState::Onset || state_ == CutState::Chatter; }
+  // State, severity, frequency, kind, reason and indicators of a valid verdict whose time and phase are set.
+  void fill(Verdict& v, Hertz spindle) const noexcept;
+
+ private:
+  void gather(std::span<const RatioChannel> channels) noexcept;
+  bool fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept;
+  bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
+  void track(LineFinder& lines, const RatioHop& hop) noexcept;
+  ChatterKind kind(Hertz spindle) const noexcept;
+
+  int teeth_ = 0;
+  double chatterRatio_ = 0.2;
+  CutState state_ = CutState::Air;
+  CalmWatch calm_;
+  double highTurns_ = 0.0;
+  double lostTurns_ = 0.0;
+  double severity_ = 0.0;
+  double changed_ = 0.0;
+  double evidence_ = 0.0;
+  double floor_ = 0.0;
+  bool learned_ = false;
+  bool grown_ = false;   // of any channel
+  bool rising_ = false;  // of any channel
+  Hertz frequency_{};
+  double frequencySd_ = 0.0;
+  double purity_ = 0.0;
+  FoundLine line_;
+  double sinceOnset_ = 0.0;
+  double feedSinceOnset_ = 0.0;
+};
+
+}  // namespace stillcut::detect

@@ -1,0 +1,34 @@
+// When did the spindle stand one turn, two turns back? Marks of frame and angle, hop by hop: while the speed changes,
+// one turn ago is where the angle was one turn less. Thread: worker; real-time.
+#pragma once
+
+#include <array>
+
+#include "core/detect/energy_growth.h"
+
+namespace stillcut::detect {
+
+class TurnMarks {
+ public:
+  void reset() noexcept { *this = {}; }
+  // One frame, `step` [rad] of the spindle.
+  void advance(double step) noexcept {
+    now_.frame += 1.0;
+    now_.angle += step;
+  }
+  void endHop() noexcept;
+  // Frames since the spindle stood so many turns back; beyond the marks, `unmarked`.
+  double framesAgo(double turns, double unmarked) const noexcept;
+
+ private:
+  static constexpr int kMarks = 4 * kHopsPerTurn;
+  struct Mark {
+    double frame = 0.0;
+    double angle = 0.0;  // unwrapped
+  };
+  Mark now_;
+  std::array<Mark, kMarks> marks_{};  // hop ends
+  int newest_ = 0;
+};
+
+}  // namespace stillcut::detect
