@@ -1,5 +1,6 @@
 // stillcut-cli lobes CASE.toml [--method zoa|sdm|exact] [--k N] [--order 0|1] [--speeds FROM:TO:STEP]
-//                    [--max-depth MM] [--threads N] [--out OUT.csv]
+//                    [--max-depth MM] [--threads N] [--modes MODES.toml]... [--material MATERIAL.toml] [--json]
+//                    [--out OUT.csv]
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
+#include "core/milling/identify/model_files.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_csv.h"
 #include "core/milling/stability/lobe_sweep.h"
@@ -18,13 +20,35 @@ namespace {
 using namespace milling;
 
 struct LobesCommand {
-  std::string file, out, speeds;
+  std::string file, out, speeds, material;
+  std::vector<std::string> modes;
   std::string method = "exact";
   int cells = 40;
   int order = 1;
   int threads = 2;
   double maxDepthMm = 0.0;  // 0: the case's
+  bool json = false;
 };
+
+// What `modal` and `coefficients` wrote, several files of modes together (one for each axis hit).
+Result<ModelParts> readParts(const LobesCommand& c) {
+  ModelParts parts;
+  for (const std::string& file : c.modes) {
+    const auto modes = identify::loadModes(file);
+    if (!modes) return modes.error();
+    for (const identify::IdentifiedMode& m : modes->modes) {
+      parts.modes.push_back(m.mode);
+      if (m.doubt.empty()) continue;
+      std::fprintf(stderr, "warning: %s: the mode at %.0f Hz %s\n", file.c_str(), m.mode.frequency.value,
+                   m.doubt.c_str());
+    }
+  }
+  if (c.material.empty()) return parts;
+  const auto material = identify::loadMaterial(c.material);
+  if (!material) return material.error();
+  parts.material = material->material;
+  return parts;
+}
 
 // "5000:25000:100"
 Result<std::vector<Rpm>> readSpeeds(const std::string& text) {
@@ -55,7 +79,9 @@ Result<std::vector<Rpm>> usualSpeeds(const CutModel& model) {
 
 int run(const LobesCommand& c) {
   if (const Status usable = checkOutPath(c.out, c.file); !usable) return fail(usable.error());
-  const auto lobeCase = loadLobeCase(c.file);
+  const auto parts = readParts(c);
+  if (!parts) return fail(parts.error());
+  const auto lobeCase = loadLobeCase(c.file, *parts);
   if (!lobeCase) return fail(lobeCase.error());
   const auto speeds = c.speeds.empty() ? usualSpeeds(lobeCase->model) : readSpeeds(c.speeds);
   if (!speeds) return fail(speeds.error());
@@ -69,12 +95,16 @@ int run(const LobesCommand& c) {
   const auto sweep = sweepLobes(lobeCase->model, *speeds, options, c.file);
   if (!sweep) return fail(sweep.error());
   for (const std::string& warning : sweep->warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
-  if (c.out.empty()) {
-    std::fputs(lobeCsv(*sweep).c_str(), stdout);
-    return kExitDone;
+  if (!c.out.empty()) {
+    if (const Status saved = saveLobeCsv(*sweep, c.out); !saved) return fail(saved.error());
   }
-  const Status saved = saveLobeCsv(*sweep, c.out);
-  return saved ? kExitDone : fail(saved.error());
+  if (c.json || c.out.empty())
+    std::fputs((c.json ? lobeJson(*sweep, lobeCase->name) : lobeCsv(*sweep)).c_str(), stdout);
+  // Beside a table on stdout the words go to stderr.
+  for (const std::string& line : lobeSummary(*sweep)) {
+    std::fprintf(c.json || c.out.empty() ? stderr : stdout, "%s\n", line.c_str());
+  }
+  return kExitDone;
 }
 
 }  // namespace
@@ -90,6 +120,9 @@ void addLobes(CLI::App& app, int& exitCode) {
   sub->add_option("--speeds", c->speeds, "FROM:TO:STEP [rev/min], TO included; left out: the modes' lobes");
   sub->add_option("--max-depth", c->maxDepthMm, "Deepest cut looked at [mm]; left out: the case's")
       ->check(CLI::PositiveNumber);
+  sub->add_option("--modes", c->modes, "Modes that `modal` wrote, instead of the case's; once for each axis");
+  sub->add_option("--material", c->material, "Coefficients that `coefficients` wrote, instead of the case's");
+  sub->add_flag("--json", c->json, "Print JSON: limits with the depth searched, whether verified, and the warnings");
   sub->add_option("--threads", c->threads, "Threads to work with")->check(CLI::Range(1, 64));
   sub->add_option("--out", c->out, "Write the table to OUT.csv instead of printing it");
   sub->callback([c, &exitCode] { exitCode = run(*c); });

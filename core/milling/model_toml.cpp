@@ -64,11 +64,14 @@ Material readMaterial(const config::TomlTable& t) {
   return m;
 }
 
-CutModel readModel(const config::TomlTable& root) {
+CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   CutModel model;
-  model.modes = readModes(root);
+  if (parts.modes.empty() || root.has("mode")) model.modes = readModes(root);
+  if (!parts.modes.empty()) model.modes = parts.modes;
   model.tool = readTool(root.table("tool"));
-  model.material = readMaterial(root.table("material"));
+  if (!parts.material || root.has("material")) model.material = readMaterial(root.table("material"));
+  if (parts.material) model.material = *parts.material;
+  for (const char* notes : {"modal_fit", "force_fit"}) root.tableOr(notes).keys();
   const config::TomlTable e = root.table("engagement");
   model.engagement.radialImmersion = e.number("radial_immersion", 1e-6, 1.0);
   model.engagement.side = e.choice("side", {"up", "down"}) == 0 ? Side::Up : Side::Down;

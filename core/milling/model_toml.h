@@ -3,6 +3,7 @@
 // Thread: set-up.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/config/toml_reader.h"
@@ -10,8 +11,15 @@
 
 namespace stillcut::milling {
 
-// Errors collect in the reader; the caller asks it, and check()s the model.
-CutModel readModel(const config::TomlTable& root);
+// Identified elsewhere: take the place of the file's own [[mode]] or [material], which may then be missing.
+struct ModelParts {
+  std::vector<Mode> modes;
+  std::optional<Material> material;
+};
+
+// Errors collect in the reader; the caller asks it, and check()s the model. [modal_fit] and [force_fit], the notes of
+// an identification, may stand beside the tables they belong to.
+CutModel readModel(const config::TomlTable& root, const ModelParts& parts = {});
 // One of them, for files that hold only modes or only a material.
 std::vector<Mode> readModes(const config::TomlTable& root);
 Material readMaterial(const config::TomlTable& table);

@@ -35,9 +35,7 @@ class Adviser {
   }
 
  private:
-  bool stable(const SpeedLimits& limits) const {
-    return limits.searchedTo.value > 0.0 && (!limits.hasLimit() || limits.crossings.front().depth > request_.depth);
-  }
+  bool stable(const SpeedLimits& limits) const { return limitOf(limits) > request_.depth; }
 
   Metres limitOf(const SpeedLimits& limits) const {
     return limits.hasLimit() ? limits.crossings.front().depth : limits.searchedTo;

@@ -52,7 +52,8 @@ struct SpeedLimits {
   bool hasLimit() const { return !crossings.empty(); }
   // Multipliers outside at a depth within searchedTo; beyond it the last known number.
   int outsideAt(Metres depth) const;
-  bool stableAt(Metres depth) const { return outsideAt(depth) == 0; }
+  // Deeper than searchedTo nothing is called stable.
+  bool stableAt(Metres depth) const { return depth <= (1.0 + 1e-9) * searchedTo && outsideAt(depth) == 0; }
 };
 
 class ExactLobes {

@@ -7,7 +7,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/config/toml_reader.h"
-#include "core/milling/model_toml.h"
 
 namespace stillcut::milling {
 
@@ -54,7 +53,7 @@ LobeCase caseFrom(const nlohmann::json& j) {
 
 }  // namespace
 
-Result<LobeCase> importLobeJson(const std::string& path) {
+Result<LobeCase> importLobeJson(const std::string& path, const ModelParts& parts) {
   std::ifstream file(path);
   if (!file) return Error{path, "cannot be opened", ""};
   LobeCase c;
@@ -63,16 +62,18 @@ Result<LobeCase> importLobeJson(const std::string& path) {
   } catch (const nlohmann::json::exception& e) {
     return Error{path, "is no lobe case", e.what()};
   }
+  if (!parts.modes.empty()) c.model.modes = parts.modes;
+  if (parts.material) c.model.material = *parts.material;
   if (Status ok = check(c.model, path); !ok) return ok.error();
   return c;
 }
 
-Result<LobeCase> readLobeCase(const std::string& path) {
+Result<LobeCase> readLobeCase(const std::string& path, const ModelParts& parts) {
   config::TomlReader reader = config::TomlReader::file(path);
   const config::TomlTable root = reader.root();
   LobeCase c;
   c.name = root.textOr("name", std::filesystem::path(path).stem().string());
-  c.model = readModel(root);
+  c.model = readModel(root, parts);
   c.maxDepth = Metres(inSi(root.tableOr("chart").numberOr("max_depth_mm", 10.0, 1e-6, 1000.0), kPerMetreMm));
   const config::TomlTable reference = root.tableOr("reference");
   for (const std::string& key : reference.keys()) c.reference[key] = reference.text(key);
@@ -81,8 +82,8 @@ Result<LobeCase> readLobeCase(const std::string& path) {
   return c;
 }
 
-Result<LobeCase> loadLobeCase(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".json" ? importLobeJson(path) : readLobeCase(path);
+Result<LobeCase> loadLobeCase(const std::string& path, const ModelParts& parts) {
+  return std::filesystem::path(path).extension() == ".json" ? importLobeJson(path, parts) : readLobeCase(path, parts);
 }
 
 std::string lobeCaseText(const LobeCase& c) {

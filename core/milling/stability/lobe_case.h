@@ -8,6 +8,7 @@
 
 #include "core/base/result.h"
 #include "core/milling/cut_model.h"
+#include "core/milling/model_toml.h"
 
 namespace stillcut::milling {
 
@@ -20,10 +21,10 @@ struct LobeCase {
   std::map<std::string, std::string> reference;
 };
 
-// Reads a .toml or a shared .json case, told by its suffix; the model is checked.
-Result<LobeCase> loadLobeCase(const std::string& path);
-Result<LobeCase> importLobeJson(const std::string& path);
-Result<LobeCase> readLobeCase(const std::string& path);
+// Reads a .toml or a shared .json case, told by its suffix; the model is checked, with `parts` in place.
+Result<LobeCase> loadLobeCase(const std::string& path, const ModelParts& parts = {});
+Result<LobeCase> importLobeJson(const std::string& path, const ModelParts& parts = {});
+Result<LobeCase> readLobeCase(const std::string& path, const ModelParts& parts = {});
 std::string lobeCaseText(const LobeCase& lobeCase);
 Status saveLobeCase(const LobeCase& lobeCase, const std::string& path);
 

@@ -1,6 +1,8 @@
 #include "core/milling/stability/lobe_csv.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
 
@@ -11,7 +13,8 @@ std::string lobeCsv(const LobeSweep& sweep) {
   char line[200];
   for (const SpeedLimits& limits : sweep.speeds) {
     if (!limits.hasLimit()) {
-      std::snprintf(line, sizeof line, "%.12g,0,,0,0,none,\n", limits.speed.value);
+      std::snprintf(line, sizeof line, "%.12g,0,,0,0,%s,\n", limits.speed.value,
+                    sweep.complete(limits) ? "none" : "unknown");
       csv += line;
     }
     for (const StabilityLimit& l : limits.crossings) {
@@ -21,6 +24,55 @@ std::string lobeCsv(const LobeSweep& sweep) {
     }
   }
   return csv;
+}
+
+std::string lobeJson(const LobeSweep& sweep, const std::string& name) {
+  using nlohmann::json;
+  json speeds = json::array();
+  for (const SpeedLimits& limits : sweep.speeds) {
+    json crossings = json::array();
+    for (const StabilityLimit& l : limits.crossings) {
+      crossings.push_back({{"depth_mm", 1e3 * l.depth.value},
+                           {"before", l.before},
+                           {"after", l.after},
+                           {"kind", crossingName(l.kind)},
+                           {"frequency_hz", l.frequency.value}});
+    }
+    speeds.push_back({{"speed_rpm", limits.speed.value},
+                      {"searched_to_mm", 1e3 * limits.searchedTo.value},
+                      {"verified", limits.verified},
+                      {"crossings", std::move(crossings)}});
+  }
+  const json all{{"case", name},
+                 {"max_depth_mm", 1e3 * sweep.maxDepth.value},
+                 {"warnings", sweep.warnings},
+                 {"speeds", std::move(speeds)}};
+  return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+std::vector<std::string> lobeSummary(const LobeSweep& sweep) {
+  std::size_t limited = 0;
+  std::size_t free = 0;
+  std::vector<const SpeedLimits*> cutShort;
+  for (const SpeedLimits& limits : sweep.speeds) {
+    if (limits.hasLimit()) ++limited;
+    if (!limits.hasLimit() && sweep.complete(limits)) ++free;
+    if (!limits.hasLimit() && !sweep.complete(limits)) cutShort.push_back(&limits);
+  }
+  char line[240];
+  std::snprintf(line, sizeof line, "%zu speeds: %zu with a limit, %zu without one down to %.6g mm", sweep.speeds.size(),
+                limited, free, 1e3 * sweep.maxDepth.value);
+  std::vector<std::string> lines{line};
+  if (cutShort.empty()) return lines;
+  const auto [low, high] = std::minmax_element(
+      cutShort.begin(), cutShort.end(), [](const auto* a, const auto* b) { return a->searchedTo < b->searchedTo; });
+  std::snprintf(line, sizeof line,
+                "%zu speeds from %.6g rpm on: nothing found down to %.4g .. %.4g mm, and double precision ends there; "
+                "take a higher speed",
+                cutShort.size(), cutShort.front()->speed.value, 1e3 * (*low)->searchedTo.value,
+                1e3 * (*high)->searchedTo.value);
+  lines.emplace_back(line);
+  return lines;
 }
 
 Status saveLobeCsv(const LobeSweep& sweep, const std::string& path) {

@@ -1,9 +1,10 @@
 // Limits as the table `stillcut-cli lobes --out` writes:
 // speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz. A speed without a limit has crossing 0, an empty
-// depth and the kind "none".
+// depth and the kind "none" when the whole depth was searched, "unknown" when not (LobeSweep::complete).
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/base/result.h"
 #include "core/milling/stability/lobe_sweep.h"
@@ -11,6 +12,12 @@
 namespace stillcut::milling {
 
 std::string lobeCsv(const LobeSweep& sweep);
+// The same with what the columns leave out: warnings, and for each speed how deep was searched and whether the argument
+// principle agreed. {"case", "max_depth_mm", "warnings", "speeds": [{"speed_rpm", "searched_to_mm", "verified",
+// "crossings": [{"depth_mm", "before", "after", "kind", "frequency_hz"}]}]}
+std::string lobeJson(const LobeSweep& sweep, const std::string& name);
+// In words: speeds with a limit and without, and those that could not be searched to the full depth.
+std::vector<std::string> lobeSummary(const LobeSweep& sweep);
 Status saveLobeCsv(const LobeSweep& sweep, const std::string& path);  // whole or not at all
 
 }  // namespace stillcut::milling

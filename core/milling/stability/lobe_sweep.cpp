@@ -35,6 +35,7 @@ class Sweeper {
     if (error_) return *error_;
     LobeSweep sweep;
     sweep.speeds = std::move(results_);
+    sweep.maxDepth = options_.limits.maxDepth;
     sweep.finished = done_ == speeds_.size() && !stop_.stop_requested();
     return sweep;
   }
@@ -148,6 +149,7 @@ Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::strin
 
 StabilityChart makeChart(const LobeSweep& sweep, std::span<const Metres> depths) {
   StabilityChart chart;
+  chart.warnings = sweep.warnings;
   chart.depths.assign(depths.begin(), depths.end());
   chart.stable.reserve(sweep.speeds.size() * depths.size());
   for (const SpeedLimits& limits : sweep.speeds) {

@@ -27,8 +27,12 @@ struct SweepOptions {
 
 struct LobeSweep {
   std::vector<SpeedLimits> speeds;    // in the order asked for; entries not reached have searchedTo 0
+  Metres maxDepth{};                  // asked for; an entry with less in searchedTo says nothing about what lies deeper
   std::vector<std::string> warnings;  // of the method and of what the model leaves out
   bool finished = false;              // false: stopped
+
+  // Searched down to maxDepth.
+  bool complete(const SpeedLimits& limits) const { return limits.searchedTo >= (1.0 - 1e-9) * maxDepth; }
 };
 
 // Refuses a bad model, no speeds, a bad speed or depth with one line.
@@ -41,7 +45,8 @@ Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::strin
 struct StabilityChart {
   std::vector<Rpm> speeds;
   std::vector<Metres> depths;
-  std::vector<std::uint8_t> stable;  // [speed][depth], 1 stable
+  std::vector<std::uint8_t> stable;   // [speed][depth], 1 stable; what was not searched is not called stable
+  std::vector<std::string> warnings;  // those of the sweep
   bool at(std::size_t speed, std::size_t depth) const { return stable[speed * depths.size() + depth] != 0; }
 };
 

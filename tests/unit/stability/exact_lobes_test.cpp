@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "tests/unit/stability/reference_cases.h"
@@ -59,23 +61,71 @@ TEST(ExactLobes, TheModulusIsOneAtEveryCrossingAndTheCountChangesThere) {
   }
 }
 
-// Low immersion: a flip lobe that closes above, so that the cut is stable again at greater depth.
-TEST(ExactLobes, AnUnstableIslandHasAStableFloorAndRoof) {
-  const auto present = referencePresent();
-  if (!present) GTEST_SKIP() << "reference lobes are not here";
+// Unstable between a floor and a roof, and stable again above: what the crossings say against the multiplier itself, on
+// both sides of both, and the kind against where the multiplier sits.
+void expectIsland(const ExactLobes& lobes, double rpm, const StabilityLimit& floor, const StabilityLimit& roof,
+                  CrossingKind kind) {
+  SCOPED_TRACE(rpm);
+  ASSERT_EQ(floor.before, 0);
+  ASSERT_EQ(roof.after, 0);
+  EXPECT_EQ(floor.kind, kind);
+  EXPECT_EQ(roof.kind, kind);
+  const auto multiplier = [&](Metres depth) { return lobes.dominantMultiplier(Rpm(rpm), depth).value(); };
+  EXPECT_LT(std::abs(multiplier(0.995 * floor.depth)), 1.0);
+  EXPECT_LT(std::abs(multiplier(1.005 * roof.depth)), 1.0);
+  const std::complex<double> inside = multiplier(0.5 * (floor.depth + roof.depth));
+  EXPECT_GT(std::abs(inside), 1.0);
+  if (kind == CrossingKind::Flip) {
+    EXPECT_LT(inside.real(), -1.0);
+    EXPECT_LT(std::abs(inside.imag()), 1e-6);
+  } else {
+    EXPECT_GT(std::abs(inside.imag()), 0.1);
+  }
+}
+
+TEST(ExactLobes, FlipIslandsAtLowImmersionHaveAStableFloorAndRoof) {
+  CutModel model = textbookSlot();
+  model.engagement = {0.1, Side::Down};
+  const auto lobes = ExactLobes::make(model, "down");
+  int islands = 0;
+  for (double rpm : {7500.0, 10600.0, 10700.0, 18000.0, 18200.0}) {
+    const SpeedLimits limits = allLimits(*lobes, rpm, 4e-3);
+    ASSERT_TRUE(limits.verified);
+    ASSERT_GE(limits.crossings.size(), 2u) << rpm;
+    expectIsland(*lobes, rpm, limits.crossings[0], limits.crossings[1], CrossingKind::Flip);
+    ++islands;
+    EXPECT_EQ(limits.crossings[0].after, 1);  // one multiplier leaves at -1
+  }
+  EXPECT_EQ(islands, 5);
+}
+
+TEST(ExactLobes, AHopfLensInTheSlotHasAStableFloorAndRoof) {
+  const auto lobes = ExactLobes::make(textbookSlot(), "slot");
+  for (double rpm : {18500.0, 18600.0, 18700.0}) {
+    const SpeedLimits limits = allLimits(*lobes, rpm, 4e-3);
+    ASSERT_TRUE(limits.verified);
+    ASSERT_GE(limits.crossings.size(), 4u) << rpm;
+    expectIsland(*lobes, rpm, limits.crossings[0], limits.crossings[1], CrossingKind::Hopf);
+    EXPECT_EQ(limits.crossings[0].after, 2);  // a pair leaves
+    EXPECT_TRUE(limits.stableAt(0.5 * (limits.crossings[1].depth + limits.crossings[2].depth)));
+    EXPECT_FALSE(limits.stableAt(0.5 * (limits.crossings[0].depth + limits.crossings[1].depth)));
+  }
+}
+
+// Every island of the shared case, and no other: their number comes from its two independent programs.
+TEST(ExactLobes, EveryIslandOfTheLowImmersionCaseIsFound) {
+  STILLCUT_NEEDS_REFERENCE();
   const ReferenceCase reference = loadReference("ins1dof_aD0.1_down");
   const auto lobes = ExactLobes::make(reference.model, "down");
   int islands = 0;
-  for (int rpm = 5000; rpm <= 25000; rpm += 100) {
+  for (const auto& [rpm, rows] : reference.rows) {
     const SpeedLimits limits = allLimits(*lobes, rpm, reference.maxDepth);
-    for (const StabilityLimit& l : limits.crossings) {
-      if (l.after != 0) continue;
-      ++islands;
-      EXPECT_LT(std::abs(lobes->dominantMultiplier(Rpm(rpm), 1.005 * l.depth).value()), 1.0) << rpm;
-      EXPECT_GT(std::abs(lobes->dominantMultiplier(Rpm(rpm), 0.995 * l.depth).value()), 1.0) << rpm;
-    }
+    const auto closes = [](const auto& one) { return one.after == 0; };
+    const auto known = std::count_if(rows.begin(), rows.end(), closes);
+    EXPECT_EQ(std::count_if(limits.crossings.begin(), limits.crossings.end(), closes), known) << rpm;
+    islands += static_cast<int>(known);
   }
-  RecordProperty("islands", islands);
+  EXPECT_GE(islands, 7);
 }
 
 TEST(ExactLobes, FlipChatterSitsHalfwayBetweenToothHarmonics) {

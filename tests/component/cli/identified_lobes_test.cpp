@@ -1,0 +1,164 @@
+// From measurement to lobes: tap test -> modal -> lobes, forces -> coefficients -> lobes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/base/units.h"
+#include "tests/component/cli/program.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::cli_test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* kToolAndCut =
+    "[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\nside = \"up\"\n"
+    "[chart]\nmax_depth_mm = 10.0\n";
+constexpr const char* kAluminium = "[material]\ntangential_n_per_m2 = 6e8\nradial_n_per_m2 = 2e8\n";
+constexpr const char* kTrueMode =
+    "[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\ndirection = [1.0, 0.0]\n"
+    "[[mode]]\nfrequency_hz = 1800.0\ndamping = 0.03\nstiffness_n_per_m = 8e6\ndirection = [1.0, 0.0]\n";
+
+class IdentifiedLobes : public testing::Test {
+ protected:
+  std::string run(const std::vector<std::string>& arguments) {
+    const Outcome outcome = runCli(folder_ / "", arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << spelled(arguments) << "\n" << outcome.err;
+    return outcome.out;
+  }
+  std::string content(const std::string& name) {
+    std::ifstream in(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  // The compliance of kTrueMode as a table.
+  void writeTap(const std::string& name) {
+    std::string text;
+    for (double f = 300.0; f <= 3000.0; f += 1.0) {
+      std::complex<double> h = 0.0;
+      for (const auto& [own, damping, stiffness] : {std::tuple{950.0, 0.02, 3e6}, std::tuple{1800.0, 0.03, 8e6}}) {
+        const double r = f / own;
+        h += 1.0 / (stiffness * std::complex<double>(1.0 - r * r, 2.0 * damping * r));
+      }
+      char line[100];
+      std::snprintf(line, sizeof line, "%.1f\t%.9e\t%.9e\n", f, h.real(), h.imag());
+      text += line;
+    }
+    folder_.file(name, text);
+  }
+  // First limit by speed.
+  static std::vector<double> limits(const std::string& csv) {
+    std::vector<double> depths;
+    std::istringstream in(csv);
+    std::string line;
+    std::getline(in, line);
+    while (std::getline(in, line)) {
+      const std::size_t first = line.find(",0,");
+      if (first != std::string::npos && line[first + 3] != ',') depths.push_back(std::stod(line.substr(first + 3)));
+    }
+    return depths;
+  }
+  record::TempFolder folder_;
+};
+
+TEST_F(IdentifiedLobes, ATapTestGivesTheLimitsOfTheStructureThatWasTapped) {
+  writeTap("tap.txt");
+  folder_.file("true.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  folder_.file("cut.toml", std::string(kToolAndCut) + kAluminium);
+  run({"modal", "tap.txt", "--axis", "x", "--out", "modes.toml"});
+  const std::vector<std::string> range{"--speeds", "6000:24000:2000"};
+  const auto with = [&](std::vector<std::string> a) {
+    a.insert(a.end(), range.begin(), range.end());
+    return run(a);
+  };
+  const auto found = limits(with({"lobes", "cut.toml", "--modes", "modes.toml"}));
+  const auto truth = limits(with({"lobes", "true.toml"}));
+  ASSERT_EQ(found.size(), truth.size());
+  ASSERT_GE(truth.size(), 5u);
+  for (std::size_t i = 0; i < truth.size(); ++i) EXPECT_NEAR(found[i] / truth[i], 1.0, 0.01) << i;
+  // The file as `modal` wrote it, its notes included, may also stand inside the case.
+  folder_.file("pasted.toml", content("modes.toml") + kToolAndCut + kAluminium);
+  EXPECT_EQ(with({"lobes", "pasted.toml"}), with({"lobes", "cut.toml", "--modes", "modes.toml"}));
+}
+
+TEST_F(IdentifiedLobes, PartsTakeThePlaceOfTheCasesOwn) {
+  folder_.file("whole.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  folder_.file("bare.toml", kToolAndCut);
+  folder_.file("modes.toml", kTrueMode);
+  folder_.file("material.toml",
+               "[material]\ntangential_n_per_m2 = 1.2e9\nradial_n_per_m2 = 4e8\n[force_fit]\nfeeds = 3\n");
+  const auto once = limits(run({"lobes", "whole.toml", "--speeds", "8000:9000:1000"}));
+  const auto twice = limits(run({"lobes", "whole.toml", "--material", "material.toml", "--speeds", "8000:9000:1000"}));
+  ASSERT_EQ(once.size(), 2u);
+  ASSERT_EQ(twice.size(), 2u);
+  EXPECT_NEAR(once[0] / twice[0], 2.0, 1e-6);  // depth and coefficients enter as a product
+  EXPECT_EQ(limits(run({"lobes", "bare.toml", "--modes", "modes.toml", "--material", "material.toml", "--speeds",
+                        "8000:9000:1000"})),
+            twice);
+  const Outcome missing = runCli(folder_ / "", {"lobes", "bare.toml", "--modes", "modes.toml"});
+  EXPECT_EQ(missing.exitCode, 2);
+  EXPECT_THAT(missing.err, HasSubstr("material"));
+  const Outcome wrong = runCli(folder_ / "", {"lobes", "whole.toml", "--modes", "material.toml"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("material.toml"));
+}
+
+TEST_F(IdentifiedLobes, TheSharedTapTestAndSlotForcesGoAllTheWay) {
+  const std::filesystem::path shared = std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings";
+  if (!std::filesystem::exists(shared)) GTEST_SKIP() << "not here: " << shared;
+  run({"modal", shared / "tap_test/Point_1_Channel_1_CH1.txt", "--axis", "x", "--out", "x.toml"});
+  run({"modal", shared / "tap_test/impact_time_Point1_Channel1_CH1.txt", "--axis", "y", "--out", "y.toml"});
+  run({"coefficients", shared / "slot_force/6-n6000f300ap3ae25.csv", shared / "slot_force/6-n6000f900ap3ae25.csv",
+       "--speed", "6000", "--teeth", "2", "--depth", "3", "--feed", "300,900", "--out", "material.toml"});
+  folder_.file("cut.toml", kToolAndCut);
+  const json all = json::parse(run({"lobes", "cut.toml", "--modes", "x.toml", "--modes", "y.toml", "--material",
+                                    "material.toml", "--speeds", "4000:24000:1000", "--json"}),
+                               nullptr, false);
+  ASSERT_EQ(all["speeds"].size(), 21u);
+  std::size_t limited = 0;
+  for (const json& one : all["speeds"]) {
+    EXPECT_TRUE(one["verified"].get<bool>()) << one["speed_rpm"];
+    EXPECT_EQ(one["searched_to_mm"], 10.0);
+    limited += one["crossings"].empty() ? 0 : 1;
+    for (const json& c : one["crossings"]) EXPECT_GT(c["frequency_hz"].get<double>(), 900.0);
+  }
+  EXPECT_GE(limited, 10u);
+}
+
+// "No limit" and "not searched" are different answers.
+TEST_F(IdentifiedLobes, HowDeepWasSearchedIsSaid) {
+  folder_.file("cut.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  const Outcome shallow =
+      runCli(folder_ / "", {"lobes", "cut.toml", "--max-depth", "0.01", "--speeds", "9000:9000:1", "--out", "s.csv"});
+  EXPECT_THAT(shallow.out, HasSubstr("1 speeds: 0 with a limit, 1 without one down to 0.01 mm"));
+  EXPECT_THAT(content("s.csv"), HasSubstr("9000,0,,0,0,none,"));
+  const Outcome deep = runCli(folder_ / "", {"lobes", "cut.toml", "--max-depth", "1000", "--speeds", "60:60:1"});
+  EXPECT_EQ(deep.exitCode, 0);
+  EXPECT_THAT(deep.out, HasSubstr("60,0,,0,0,unknown,"));
+  EXPECT_THAT(deep.err, HasSubstr("double precision ends there"));
+}
+
+TEST_F(IdentifiedLobes, ZerothOrderWarnsWhereverItsResultGoes) {
+  folder_.file("cut.toml", std::string(kTrueMode) + kToolAndCut + kAluminium);
+  const std::vector<std::string> base{"lobes", "cut.toml", "--method", "zoa", "--speeds", "9000:9100:100"};
+  for (const std::vector<std::string>& way : {std::vector<std::string>{}, {"--out", "z.csv"}, {"--json"}}) {
+    std::vector<std::string> arguments = base;
+    arguments.insert(arguments.end(), way.begin(), way.end());
+    const Outcome outcome = runCli(folder_ / "", arguments);
+    EXPECT_THAT(outcome.err, HasSubstr("warning: zeroth order averages the force"));
+    if (way == std::vector<std::string>{"--json"}) {
+      EXPECT_THAT(json::parse(outcome.out)["warnings"][0].get<std::string>(), HasSubstr("zeroth order"));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::cli_test
