@@ -7,8 +7,13 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/record/hdf5_import.h"
+#include "core/record/mat_import.h"
+#include "core/record/session_open.h"
 #include "core/record/session_reader.h"
 #include "core/record/text_reader.h"
+#include "core/record/uff/uff58.h"
+#include "core/record/uff_import.h"
 #include "core/record/wav_reader.h"
 
 namespace stillcut::record {
@@ -26,23 +31,57 @@ bool hasSuffix(const std::string& path, std::string_view suffix) {
   return std::filesystem::path(path).extension() == suffix;
 }
 
-}  // namespace
+// "FILE.h5:/folder/set": a file and a place in it.
+struct Place {
+  std::string file;
+  std::string inner;  // begins with '/'; empty: the whole file
+};
 
-Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
+Place splitPlace(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) return {path, ""};
+  for (std::size_t at = path.rfind(":/"); at != std::string::npos && at > 0; at = path.rfind(":/", at - 1)) {
+    if (std::filesystem::is_regular_file(path.substr(0, at), ignored)) return {path.substr(0, at), path.substr(at + 1)};
+  }
+  return {path, ""};
+}
+
+Status checkFile(const std::string& path) {
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
   if (!std::filesystem::exists(status)) return Error{path, "there is no such file", ""};
   if (std::filesystem::is_directory(status)) return Error{path, "is a folder, not a recording", ""};
   if (!std::filesystem::is_regular_file(status)) return Error{path, "is not a regular file", ""};
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return Error{path, "cannot be opened", std::strerror(errno)};
-  std::array<char, 16> bytes{};
+  return Done{};
+}
+
+bool isSession(const std::string& path) {
+  const Result<OpenedSession> opened = openSessionFile(path);
+  return !opened || readText(opened->file.get(), "format").has_value();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
+  const auto [name, inner] = splitPlace(path);
+  if (const Status s = checkFile(name); !s) return s.error();
+  std::ifstream file(name, std::ios::binary);
+  if (!file) return Error{name, "cannot be opened", std::strerror(errno)};
+  std::array<char, 128> bytes{};
   file.read(bytes.data(), bytes.size());
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
-  if (head.empty()) return Error{path, "the file is empty", ""};
-  if (isHdf5File(path)) return openSession(path, options);
-  if (isSound(head) || hasSuffix(path, ".wav") || hasSuffix(path, ".WAV")) return openWav(path, options);
-  return TextReader::open(path, options);
+  if (head.empty()) return Error{name, "the file is empty", ""};
+  if (isHdf5File(name)) {
+    const bool session = inner.empty() && isSession(name);
+    return session ? openSession(name, options) : openHdf5(name, inner, options);
+  }
+  if (head.starts_with("MATLAB 7.3")) return openHdf5(name, inner, options);
+  if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
+  if (!inner.empty()) return Error{path, "only HDF5 and MATLAB files have places inside", ""};
+  if (hasSuffix(name, ".mat")) return Error{name, "is no MATLAB file of version 5 to 7.3", "its header is missing"};
+  if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) return openWav(name, options);
+  if (uff::looksLikeUff(head)) return openUff(name, options);
+  return TextReader::open(name, options);
 }
 
 }  // namespace stillcut::record

@@ -1,4 +1,5 @@
-// openRecording: the one door to recordings on disk. The content decides, then the suffix.
+// openRecording: the one door to recordings on disk. The content decides, then the suffix. A place inside an HDF5 or
+// MATLAB file is named after a colon: "FILE.h5:/folder/set".
 #pragma once
 
 #include <memory>

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/record/column_reader.h"
 #include "core/record/text_layout.h"
 #include "core/record/unit_names.h"
 
@@ -9,22 +10,8 @@ namespace stillcut::record {
 namespace {
 
 RecordedChannel channelOf(const TextColumn& column, int index) {
-  RecordedChannel channel;
-  channel.unit = column.unit;
-  channel.info.name = column.name.empty() ? "column " + std::to_string(index) : column.name;
-  channel.info.axis = axisOfName(column.name);
-  const std::optional<UnitMeaning> unit = unitFromText(column.unit);
-  if (unit && unit->quantity) {
-    channel.info.quantity = *unit->quantity;
-    channel.info.scale = unit->toSi;
-    channel.quantityKnown = true;
-    return channel;
-  }
-  const NameMeaning meaning = meaningOfName(column.name);
-  if (meaning == NameMeaning::Sound) channel.info.quantity = SensorQuantity::Sound;
-  if (meaning == NameMeaning::Force) channel.info.quantity = SensorQuantity::Force;
-  if (meaning == NameMeaning::SpindleSpeed) channel.info.quantity = SensorQuantity::SpindleSpeed;
-  channel.quantityKnown = meaning != NameMeaning::Unknown;
+  RecordedChannel channel = channelFromWords(column.name, column.unit);
+  if (column.name.empty()) channel.info.name = "column " + std::to_string(index);
   return channel;
 }
 

@@ -206,19 +206,10 @@ void findEmptyColumns(std::span<const std::string> lines, const Candidate& data,
   while (layout.minCells > 1 && layout.columns[static_cast<std::size_t>(layout.minCells - 1)].empty) --layout.minCells;
 }
 
-// Files that are text, or begin like it, but hold no table; their importers, where there are any, are others.
-Status refuseOtherFormats(std::span<const std::string> lines, const std::string& where) {
-  if (lines.size() >= 2 && trimmed(lines[0]) == "-1" && !trimmed(lines[1]).empty()) {
-    return Error{where, "is a universal file (UFF), not a table of numbers", "export it as CSV or WAV"};
-  }
-  return Done{};
-}
-
 }  // namespace
 
 Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool complete, const std::string& where) {
   if (lines.empty()) return Error{where, "the file is empty", ""};
-  if (const Status s = refuseOtherFormats(lines, where); !s) return s.error();
   const Candidate data = findBestData(lines, complete);
   if (!data.found) {
     return Error{where, "no rows of numbers found in its first " + std::to_string(lines.size()) + " lines",

@@ -66,7 +66,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Expected{"lmas_milling_audio/accel_T2503", 1000, 1000, 3, 47029, Q::Acceleration},
                     Expected{"face_mill_audio/Chatter.wav", 0, 48000, 2, 883712, Q::Sound},
                     Expected{"face_mill_audio/Stable.wav", 0, 48000, 2, 373760, Q::Sound},
-                    Expected{"face_mill_audio/Idle Sound.wav", 0, 48000, 2, 547840, Q::Sound}),
+                    Expected{"face_mill_audio/Idle Sound.wav", 0, 48000, 2, 547840, Q::Sound},
+                    Expected{"uff_format_samples/Sample_UFF58b_bin.uff", 0, 65536, 1, 79292, Q::Sound},
+                    Expected{"uff_format_samples/binary8byte.uff", 0, 100, 1, 250, Q::Acceleration}),
     [](const auto& instance) { return "number" + std::to_string(instance.index); });
 
 TEST(SharedText, WithoutARateTheLineNamesTheOption) {
@@ -77,8 +79,9 @@ TEST(SharedText, WithoutARateTheLineNamesTheOption) {
     ASSERT_FALSE(reader.ok());
     EXPECT_NE(reader.error().line().find("--rate"), std::string::npos) << reader.error().line();
   }
-  for (const char* name : {"hurco_end_mill/TRUTH.csv", "lmas_milling_audio/metadata25.csv", "README.md",
-                           "uff_format_samples/sample_dataset58_psd.uff", "uff_format_samples/Sample_UFF58b_bin.uff"}) {
+  for (const char* name :
+       {"hurco_end_mill/TRUTH.csv", "lmas_milling_audio/metadata25.csv", "README.md",
+        "uff_format_samples/sample_dataset58_psd.uff", "uff_format_samples/dataset_milestone_in_header.uff"}) {
     EXPECT_FALSE(openRecording((folder / name).string()).ok()) << name;
   }
 }

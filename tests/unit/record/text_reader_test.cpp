@@ -264,7 +264,7 @@ TEST_F(TextRecording, EveryKindOfBadInputGivesOneLineWithItsPlace) {
   EXPECT_THAT(refusal(good + "1e300,5\n"), HasSubstr(":5"));
   EXPECT_THAT(refusal(good + std::string(100'000, '1') + "\n"), HasSubstr(":5: the line is too long"));
   EXPECT_THAT(refusal(good + std::string("3,\0", 3) + "\n"), HasSubstr(":5: holds bytes that are no text"));
-  EXPECT_THAT(refusal("    -1\n    58\nname\n 1 2\n"), HasSubstr("UFF"));
+  EXPECT_THAT(refusal("    -1\n    58\nname\n 1 2\n"), HasSubstr("dataset 1: its header ends early"));
   EXPECT_THAT(refusal("time\n0\n1\n2\n"), HasSubstr("no column is a channel"));
 }
 
