@@ -1,0 +1,306 @@
+#include "tests/bench/detection/cut_families.h"
+
+#include <array>
+#include <cmath>
+
+#include "tests/bench/detection/tools.h"
+
+namespace stillcut::bench {
+namespace {
+
+using milling::Scenario;
+using Orders = std::vector<SimulationOrder>;
+
+constexpr std::array<ToolKind, 3> kFast{ToolKind::TwoFlute, ToolKind::ThreeFlute, ToolKind::FourFlute};
+constexpr DepthPlan kPlan{};
+constexpr DepthPlan kSlowPlan{.entry = 0.5, .entered = 0.7, .rise = 3.0, .risen = 5.0, .end = 9.0};
+
+SimulationOrder order(const char* family, const Scenario& s, AlarmRule rule, const DepthPlan& plan = kPlan) {
+  SimulationOrder o;
+  o.family = family;
+  o.name = s.name + "-" + std::to_string(s.seed);
+  o.scenario = s;
+  o.rule = rule;
+  o.quietFrom = plan.entered;
+  o.quietTo = plan.rise;
+  return o;
+}
+
+// Calls make(scenario, limit) for every tool and seed that has a stability limit of this kind.
+template <class Make>
+void each(std::span<const ToolKind> tools, int seeds, std::uint64_t salt, const Make& make) {
+  for (const ToolKind tool : tools) {
+    for (int seed = 1; seed <= seeds; ++seed) {
+      Scenario s = scattered(tool, salt + static_cast<std::uint64_t>(seed));
+      if (const auto limit = limitOf(s)) make(s, *limit);
+    }
+  }
+}
+
+Orders hopf(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 100, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, kPlan, 0.5 * limit.depth.value, 1.3 * limit.depth.value);
+    orders.push_back(order("hopf", s, AlarmRule::Sharp));
+  });
+  return orders;
+}
+
+Orders depthRamp(int seeds) {
+  Orders orders;
+  DepthPlan plan{.rise = 0.9, .risen = 2.1, .end = 2.6};
+  each(kFast, seeds, 200, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, plan, 0.5 * limit.depth.value, 1.5 * limit.depth.value);
+    s.programme.depth.segments.back().shape = milling::RampShape::Linear;
+    orders.push_back(order("depth ramp", s, AlarmRule::Ramp, plan));
+  });
+  return orders;
+}
+
+Orders immersionRamp(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 300, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double depth = 1.4 * limit.depth.value;
+    const double full = s.model.engagement.radialImmersion;
+    // The narrowest cut that is stable at this depth by a margin.
+    double narrow = full;
+    for (int i = 0; i < 24; ++i) {
+      narrow *= 0.88;
+      s.model.engagement.radialImmersion = narrow;
+      const auto at = limitOf(s);
+      if (!at || at->depth.value > 2.0 * depth) break;
+    }
+    s.model.engagement.radialImmersion = full;
+    if (narrow < 0.03) return;
+    planDepth(s, kPlan, depth, depth);
+    s.programme.immersion.segments = {{0.0, 0.9, narrow, narrow, milling::RampShape::Linear},
+                                      {0.9, 1.7, narrow, full, milling::RampShape::Linear}};
+    s.programme.duration = Seconds(2.4);
+    orders.push_back(order("immersion ramp", s, AlarmRule::Ramp));
+  });
+  return orders;
+}
+
+// Low immersion at a speed where the exact lobes end at a multiplier of -1; whole samples per tooth period, so that the
+// truth can compare one tooth with the next exactly.
+Orders flip(int seeds, const char* family, std::span<const ToolKind> tools, double runout) {
+  Orders orders;
+  for (const ToolKind tool : tools) {
+    for (int seed = 1; seed <= seeds; ++seed) {
+      Scenario s = scattered(tool, 400 + static_cast<std::uint64_t>(seed));
+      const bool up = seed % 2 == 0;
+      const double arc = kTwoPi / s.model.tool.teeth * (0.13 + 0.02 * (seed % 3));  // how long a tooth cuts
+      s.model.engagement = {0.5 * (1.0 - std::cos(arc)), up ? milling::Side::Up : milling::Side::Down};
+      s.model.modes[0].damping = 0.012;
+      s.model.modes[1].stiffness *= 10.0;
+      s.model.modes[0].stiffness = 1.5e6;
+      for (int j = 0; j < s.model.tool.teeth; ++j) {
+        s.model.tool.runout[static_cast<std::size_t>(j)] =
+            Metres(runout * std::cos(kTwoPi * j / s.model.tool.teeth + 0.4));
+      }
+      // A flip lobe hangs from where the mode is near an odd multiple of half the tooth-passing frequency.
+      const double mode = s.model.modes[0].frequency.value;
+      std::optional<milling::StabilityLimit> found;
+      for (int k = 1 + (seed / 2) % 2; k > 0 && !found; --k) {
+        for (double above = up ? 1.03 : 0.985; std::abs(above - 1.0) < 0.08 && !found; above += up ? 0.01 : -0.01) {
+          const double samples = std::round(s.rate.value * (k + 0.5) / (above * mode));
+          s.programme.speed = Rpm(60.0 * s.rate.value / (samples * s.model.tool.teeth));
+          const auto limit = limitOf(s);
+          if (limit && limit->kind == milling::CrossingKind::Flip) found = limit;
+        }
+      }
+      if (!found) continue;
+      planDepth(s, kPlan, 0.6 * found->depth.value, 1.35 * found->depth.value);
+      orders.push_back(order(family, s, AlarmRule::Sharp));
+      orders.back().doubling = true;
+    }
+  }
+  return orders;
+}
+
+Orders flipOdd(int seeds) {
+  constexpr std::array<ToolKind, 1> kTools{ToolKind::ThreeFlute};
+  return flip(seeds, "flip, odd teeth", kTools, 1e-6);
+}
+
+Orders flipEven(int seeds) {
+  constexpr std::array<ToolKind, 2> kTools{ToolKind::TwoFlute, ToolKind::FourFlute};
+  Orders orders = flip(seeds, "flip, even teeth", kTools, 0.0);
+  for (SimulationOrder& o : flip(seeds, "flip, even teeth", kTools, 1e-6)) {
+    o.name += "-runout";
+    orders.push_back(o);
+  }
+  return orders;
+}
+
+// The spindle's speed runs away by some percent a second while the depth rises; nobody tells.
+Orders speedRamp(int seeds, bool told) {
+  Orders orders;
+  each(kFast, seeds, 500, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, kPlan, 0.5 * limit.depth.value, 1.5 * limit.depth.value);
+    const double perSecond = (s.seed % 2 == 0 ? 1.0 : -1.0) * 0.01 * (1.0 + 2.0 * static_cast<double>(s.seed % 3));
+    const double rpm = s.programme.speed.value;
+    s.programme.speedOverTime.segments = {{0.0, 2.2, rpm, rpm * (1.0 + 2.2 * perSecond), milling::RampShape::Linear}};
+    orders.push_back(order(told ? "speed ramp, told" : "speed ramp", s, AlarmRule::Ramp));
+    orders.back().machineTells = told;
+  });
+  return orders;
+}
+Orders speedRampUntold(int seeds) {
+  return speedRamp(seeds, false);
+}
+Orders speedRampTold(int seeds) {
+  return speedRamp(seeds, true);
+}
+
+// A stable cut whose speed ramps, or steps by an override of 5 to 15 %.
+Orders stableSpeedChange(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 600, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double rpm = s.programme.speed.value;
+    planDepth(s, kPlan, 0.3 * limit.depth.value, 0.3 * limit.depth.value);
+    const double perSecond = (s.seed % 2 == 0 ? 1.0 : -1.0) * 0.01 * (1.0 + 2.0 * static_cast<double>(s.seed % 3));
+    s.programme.speedOverTime.segments = {{0.8, 2.2, rpm, rpm * (1.0 + 1.4 * perSecond), milling::RampShape::Linear}};
+    orders.push_back(order("stable, speed ramps", s, AlarmRule::Silent));
+    s.programme.speedOverTime.segments = {
+        {0.0, 1.2, rpm, rpm, milling::RampShape::Linear},
+        {1.2, 1.21, rpm, rpm * (s.seed % 2 == 0 ? 0.9 : 1.06), milling::RampShape::Linear}};
+    s.drive.acceleration = 5000.0;
+    orders.push_back(order("stable, speed steps, told", s, AlarmRule::Silent));
+    orders.back().machineTells = true;
+  });
+  return orders;
+}
+
+Orders recovery(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 700, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, kPlan, 0.5 * limit.depth.value, 1.3 * limit.depth.value);
+    const double high = 1.3 * limit.depth.value;
+    s.programme.depth.segments.push_back({1.3, 1.7, high, high, milling::RampShape::Linear});
+    s.programme.depth.segments.push_back({1.7, 1.9, high, 0.4 * limit.depth.value, milling::RampShape::Smoothstep});
+    s.programme.duration = Seconds(3.0);
+    orders.push_back(order("recovery by depth", s, AlarmRule::Sharp));
+    orders.back().recovers = true;
+  });
+  return orders;
+}
+
+// The speed goes to where the exact lobes carry the depth.
+Orders recoveryBySpeed(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 800, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double high = 1.3 * limit.depth.value;
+    const Rpm programmed = s.programme.speed;
+    double quiet = 0.0;
+    for (const double factor : {0.96, 1.04, 0.92, 1.08, 0.88, 1.12, 0.84, 1.16}) {
+      s.programme.speed = Rpm(programmed.value * factor);
+      const auto there = limitOf(s);
+      if (there && there->depth.value < 2.0 * high) continue;
+      quiet = s.programme.speed.value;
+      break;
+    }
+    s.programme.speed = programmed;
+    if (!(quiet > 0.0)) return;
+    planDepth(s, kPlan, 0.5 * limit.depth.value, high);
+    s.programme.speedOverTime.segments = {{0.0, 1.7, programmed.value, programmed.value, milling::RampShape::Linear},
+                                          {1.7, 2.0, programmed.value, quiet, milling::RampShape::Smoothstep}};
+    s.programme.duration = Seconds(3.2);
+    orders.push_back(order("recovery by speed, told", s, AlarmRule::Sharp));
+    orders.back().recovers = orders.back().machineTells = true;
+  });
+  return orders;
+}
+
+Orders entryChatter(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 900, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, kPlan, 1.6 * limit.depth.value, 1.6 * limit.depth.value);
+    orders.push_back(order("chatter from entry", s, AlarmRule::Present));
+  });
+  return orders;
+}
+
+Orders slowSpindle(int seeds) {
+  constexpr std::array<ToolKind, 1> kTools{ToolKind::FaceMill};
+  Orders orders;
+  each(kTools, 2 * seeds, 1000, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    planDepth(s, kSlowPlan, 0.6 * limit.depth.value, 1.3 * limit.depth.value);
+    orders.push_back(order("slow spindle", s, AlarmRule::Slow, kSlowPlan));
+  });
+  return orders;
+}
+
+Orders strongRunout(int seeds) {
+  Orders orders;
+  each(kFast, seeds, 1100, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    for (auto& r : s.model.tool.runout) r = Metres(r.value * 4.0);
+    planDepth(s, kPlan, 0.5 * limit.depth.value, 1.3 * limit.depth.value);
+    orders.push_back(order("strong runout", s, AlarmRule::Sharp));
+  });
+  return orders;
+}
+
+// Stable cuts: near the limit with an uneven material, a harmonic on a mode, in and out of the material.
+Orders stable(int seeds) {
+  Orders orders;
+  constexpr DepthPlan kLong{.rise = 1.0, .risen = 1.3, .end = 4.0};
+  each(kFast, seeds, 1200, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    s.programme.unevenness = 0.005;
+    planDepth(s, kLong, 0.9 * limit.depth.value, 0.9 * limit.depth.value);
+    orders.push_back(order("stable, near the limit", s, AlarmRule::Silent));
+    planDepth(s, kLong, 0.5 * limit.depth.value, 0.9 * limit.depth.value);
+    orders.push_back(order("stable, rises to the limit", s, AlarmRule::Silent));
+    planDepth(s, kLong, 0.5 * limit.depth.value, 0.5 * limit.depth.value);
+    s.programme.entry = milling::Passage{milling::Along::Time, 0.6};
+    s.programme.exit = milling::Passage{milling::Along::Time, 3.2};
+    s.programme.depth.segments = {{0.0, 0.1, 0.5 * limit.depth.value, 0.5 * limit.depth.value}};
+    orders.push_back(order("stable, entry and exit", s, AlarmRule::Silent));
+    orders.back().quietFrom = 1.5;
+    orders.back().quietTo = 2.5;
+  });
+  return orders;
+}
+
+Orders forcedResonance(int seeds) {
+  Orders orders;
+  for (const ToolKind tool : kFast) {
+    for (int seed = 1; seed <= seeds; ++seed) {
+      Scenario s = scattered(tool, 1300 + static_cast<std::uint64_t>(seed));
+      const double tooth = s.programme.speed.value / 60.0 * s.model.tool.teeth;
+      const double k = std::max(1.0, std::round(s.model.modes[0].frequency.value / tooth));
+      s.programme.speed = Rpm(60.0 * s.model.modes[0].frequency.value / (k * s.model.tool.teeth));
+      const auto limit = limitOf(s);
+      if (!limit) continue;
+      planDepth(s, kPlan, 0.3 * limit->depth.value, 0.7 * limit->depth.value);
+      orders.push_back(order("stable, forced resonance", s, AlarmRule::Silent));
+    }
+  }
+  return orders;
+}
+
+constexpr std::array<CutFamily, 15> kFamilies{{
+    {"hopf", "depth rises through the limit", hopf},
+    {"depth ramp", "the depth goes on rising through the limit", depthRamp},
+    {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
+    {"flip, odd teeth", "period doubling between spindle harmonics", flipOdd},
+    {"flip, even teeth", "period doubling on spindle harmonics", flipEven},
+    {"speed ramp", "speed drifts 1 to 5 %/s, nobody tells", speedRampUntold},
+    {"speed ramp, told", "speed drifts 1 to 5 %/s, the machine tells", speedRampTold},
+    {"stable, speed changes", "no chatter", stableSpeedChange},
+    {"recovery by depth", "chatter ends", recovery},
+    {"recovery by speed", "chatter ends", recoveryBySpeed},
+    {"chatter from entry", "no stable stretch to learn from", entryChatter},
+    {"slow spindle", "chatter near an order", slowSpindle},
+    {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
+    {"stable", "no chatter", stable},
+    {"forced resonance", "no chatter", forcedResonance},
+}};
+
+}  // namespace
+
+std::span<const CutFamily> cutFamilies() {
+  return kFamilies;
+}
+
+}  // namespace stillcut::bench

@@ -1,0 +1,22 @@
+// Families of simulated cuts, each with a question of its own; several tools and seeds each. Depths are multiples of
+// the exact stability limit, so that what a cut does is known beforehand.
+// Thread: one; not the sample path.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tests/bench/detection/known_cut.h"
+
+namespace stillcut::bench {
+
+struct CutFamily {
+  std::string_view name;
+  std::string_view question;
+  std::vector<SimulationOrder> (*make)(int seeds);
+};
+
+std::span<const CutFamily> cutFamilies();
+
+}  // namespace stillcut::bench

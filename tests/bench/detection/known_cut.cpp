@@ -1,0 +1,169 @@
+#include "tests/bench/detection/known_cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/milling/noise.h"
+#include "core/milling/simulated_cut.h"
+
+namespace stillcut::bench {
+namespace {
+
+constexpr int kBlock = 64;
+
+std::filesystem::path casePath(const std::string& name, const char* suffix) {
+  return detect::testing::sharedDir() / "cases" / (name + suffix);
+}
+
+double number(const nlohmann::json& j, const char* key, double otherwise) {
+  const auto it = j.find(key);
+  return it != j.end() && it->is_number() ? it->get<double>() : otherwise;
+}
+
+double rms(const std::vector<float>& x, double rate, double from, double to) {
+  const auto first = std::min(x.size(), static_cast<std::size_t>(from * rate));
+  const auto last = std::min(x.size(), static_cast<std::size_t>(to * rate));
+  double sum = 0.0;
+  for (std::size_t i = first; i < last; ++i) sum += static_cast<double>(x[i]) * static_cast<double>(x[i]);
+  return last > first ? std::sqrt(sum / static_cast<double>(last - first)) : 0.0;
+}
+
+void addNoise(KnownCut& cut, const SimulationOrder& order) {
+  milling::NoiseSource noise(order.scenario.seed * 77 + 5);
+  for (auto& channel : cut.recording.channels) {
+    const double size = order.noise * rms(channel, cut.recording.rate, order.quietFrom, order.quietTo);
+    for (float& x : channel) x += static_cast<float>(size * noise.normal());
+  }
+}
+
+// Period doubling by its own definition, from the signal before noise: what changes its sign from tooth to tooth, over
+// what does not. With even teeth this lies on spindle harmonics, where a difference over whole turns does not see it.
+// Runout makes some of it in the stable cut; that part is taken off.
+void takeDoubling(KnownCut& cut, const SimulationOrder& order) {
+  const auto tooth = static_cast<std::size_t>(std::lround(60.0 * cut.recording.rate / (cut.rpm * cut.teeth)));
+  const std::size_t window = tooth * std::max<std::size_t>(static_cast<std::size_t>(cut.teeth), 4);
+  const std::size_t frames = cut.recording.frames();
+  std::vector<double> odd(frames, 0.0);
+  std::vector<double> even(frames, 0.0);
+  for (const auto& x : cut.recording.channels) {
+    for (std::size_t i = tooth; i < frames; ++i) {
+      const double now = static_cast<double>(x[i]);
+      const double before = static_cast<double>(x[i - tooth]);
+      odd[i] += 0.25 * (now - before) * (now - before);
+      even[i] += 0.25 * (now + before) * (now + before);
+    }
+  }
+  for (auto* v : {&odd, &even}) {
+    for (std::size_t i = 1; i < frames; ++i) (*v)[i] += (*v)[i - 1];
+  }
+  const auto part = [&](std::size_t from, std::size_t to) { return (odd[to] - odd[from]) / (even[to] - even[from]); };
+  const auto frame = [&](double t) { return static_cast<std::size_t>(t * cut.recording.rate); };
+  const double usual = part(frame(order.quietFrom), frame(order.quietTo));
+  const auto ratio = [&](std::size_t i) { return std::sqrt(std::max(0.0, part(i - window, i) - usual)); };
+  std::size_t full = frame(order.quietTo);
+  while (full < frames && ratio(full) < 0.5) ++full;
+  if (full == frames) return;
+  const auto below = [&](double mark) {
+    std::size_t i = full;
+    while (i > frame(order.quietTo) && ratio(i) >= mark) --i;
+    return static_cast<double>(i) / cut.recording.rate;
+  };
+  cut.at20 = below(0.2);
+  cut.at1 = below(0.01);
+  cut.kind = ChatterKind::Flip;
+  // An odd multiple of half the tooth-passing frequency; the strongest over the time to full chatter and as long after.
+  double strongest = 0.0;
+  const std::size_t from = frame(cut.at20);
+  const std::size_t span = (full - from + 8 * tooth) / (2 * tooth) * (2 * tooth);
+  if (from + span > frames) return;
+  for (int k = 0; (k + 0.5) / static_cast<double>(tooth) < 0.5; ++k) {
+    const double perSample = kTwoPi * (k + 0.5) / static_cast<double>(tooth);
+    double power = 0.0;
+    for (const auto& x : cut.recording.channels) {
+      std::complex<double> sum;
+      for (std::size_t i = from; i < from + span; ++i) {
+        sum += static_cast<double>(x[i]) * std::polar(1.0, perSample * static_cast<double>(i - from));
+      }
+      power += std::norm(sum);
+    }
+    if (power <= strongest) continue;
+    strongest = power;
+    cut.chatterHz = (k + 0.5) * cut.recording.rate / static_cast<double>(tooth);
+  }
+}
+
+void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
+  const milling::ChatterOnset onset = truth.onset();
+  cut.at1 = onset.at1;
+  cut.at20 = onset.at20;
+  cut.chatterHz = truth.chatterFrequency().value;
+  cut.kind = truth.kind(cut.teeth);
+  if (!order.recovers) return;
+  for (const auto& entry : truth.log()) {
+    if (static_cast<double>(entry.time) > cut.at20 && truth.ratioAt(entry, Hertz(cut.chatterHz)) > 0.2) {
+      cut.lastAbove = static_cast<double>(entry.time);
+    }
+  }
+}
+
+}  // namespace
+
+bool haveSharedCut(const std::string& name) {
+  return std::filesystem::exists(casePath(name, ".json"));
+}
+
+KnownCut sharedCut(const std::string& name, AlarmRule rule) {
+  std::ifstream in(casePath(name, ".json"));
+  const nlohmann::json j = nlohmann::json::parse(in);
+  KnownCut cut;
+  cut.family = "shared";
+  cut.name = name;
+  cut.rule = rule;
+  cut.recording = detect::testing::readWav(casePath(name, "_acc.wav"));
+  cut.teeth = j.at("teeth").get<int>();
+  cut.rpm = j.at("spindle_rpm").get<double>();
+  cut.at1 = number(j, "onset_1pct_s", kNever);
+  cut.at20 = number(j, "onset_20pct_s", kNever);
+  cut.chatterHz = number(j, "chatter_hz_at_onset", number(j, "chatter_hz", 0.0));
+  if (cut.chatterHz > 0.0) cut.kind = ChatterKind::Hopf;
+  const double out = number(j, "exit_end_s", kNever);
+  cut.silentFrom = out + 0.1;
+  return cut;
+}
+
+KnownCut simulate(const SimulationOrder& order) {
+  milling::SimulatedCut plant(order.scenario);
+  KnownCut cut;
+  cut.family = order.family;
+  cut.name = order.name;
+  cut.rule = order.rule;
+  cut.quantity = order.scenario.sensors.front().quantity;
+  cut.teeth = order.scenario.model.tool.teeth;
+  cut.rpm = order.scenario.programme.speed.value;
+  cut.recording.rate = order.scenario.rate.value;
+  cut.recording.channels.assign(order.scenario.sensors.size(), {});
+  cut.machineStep = kBlock / cut.recording.rate;
+  SampleBlock block;
+  block.allocate(static_cast<int>(order.scenario.sensors.size()), kBlock);
+  while (plant.fill(block)) {
+    for (int c = 0; c < block.channels; ++c) {
+      const auto samples = std::as_const(block).channel(c);
+      auto& channel = cut.recording.channels[static_cast<std::size_t>(c)];
+      channel.insert(channel.end(), samples.begin(), samples.end());
+    }
+    if (order.machineTells) cut.machine.push_back(plant.machineState());
+  }
+  if (order.scenario.programme.exit) cut.silentFrom = order.scenario.programme.exit->at + 0.1;
+  if (order.doubling) {
+    takeDoubling(cut, order);
+  } else {
+    takeTruth(cut, order, plant.truth());
+  }
+  addNoise(cut, order);
+  return cut;
+}
+
+}  // namespace stillcut::bench

@@ -1,0 +1,61 @@
+// KnownCut: a signal with the truth about its chatter, and the rule that a detector is held to on it.
+// Thread: one; not the sample path.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/milling/scenario.h"
+#include "core/model/machine_state.h"
+#include "core/model/verdict.h"
+#include "tests/unit/detect/recording_runner.h"
+
+namespace stillcut::bench {
+
+// When the first alarm has to come. Times against the truth's: chatter over forced vibration, amplitudes.
+enum class AlarmRule {
+  Silent,   // never
+  Sharp,    // from 50 ms before 1 % to 10 ms after 20 %
+  Ramp,     // from 1 % to one revolution after 20 %
+  Slow,     // from 1 % to 40 ms after 20 %
+  Present,  // chatter from the entry on: within 0.3 s of 20 %
+};
+
+inline constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+struct KnownCut {
+  std::string family, name;
+  detect::testing::Recording recording;
+  SensorQuantity quantity = SensorQuantity::Acceleration;
+  int teeth = 0;
+  double rpm = 0.0;  // what a told speed without error says
+  AlarmRule rule = AlarmRule::Silent;
+  double at1 = kNever, at20 = kNever;  // s
+  double chatterHz = 0.0;
+  ChatterKind kind = ChatterKind::Unknown;
+  double lastAbove = kNever;          // s, recovery: the ratio's last time above 20 %
+  double silentFrom = kNever;         // s: out of the material for good
+  std::vector<MachineState> machine;  // read-back, one per `machineStep`; empty: there is none
+  double machineStep = 0.0;           // s
+};
+
+// Reads one of the reference cuts in ../shared/cases (`name`.json, `name`_acc.wav).
+KnownCut sharedCut(const std::string& name, AlarmRule rule);
+bool haveSharedCut(const std::string& name);
+
+// What a cut is simulated for.
+struct SimulationOrder {
+  std::string family, name;
+  milling::Scenario scenario;
+  AlarmRule rule = AlarmRule::Sharp;
+  double quietFrom = 0.0, quietTo = 0.0;  // s: a stretch of stable cut, to which the sensor's noise is scaled
+  double noise = 0.02;                    // rms of it over the rms of that stretch
+  bool machineTells = false;
+  bool recovers = false;
+  bool doubling = false;  // period doubling at constant speed with whole samples from tooth to tooth
+};
+
+KnownCut simulate(const SimulationOrder& order);
+
+}  // namespace stillcut::bench
