@@ -1,10 +1,11 @@
-// stillcut-cli convert IN OUT: recordings to .wav or .csv, shared cases from JSON to .toml.
+// stillcut-cli convert IN OUT: recordings to any format there is an export for, shared cases from JSON to .toml.
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
@@ -19,6 +20,7 @@ namespace {
 struct ConvertOptions {
   std::string in, out;
   ReadingOptions reading;
+  std::optional<double> from, to;
 };
 
 // A cut to simulate tells what happens over time; a case for the lobes does not.
@@ -46,7 +48,12 @@ Status convert(const ConvertOptions& options) {
   if (!reading) return reading.error();
   if (Status free = checkOutPath(options.out, options.in); !free) return free;
   const auto suffix = [](const std::string& path) { return std::filesystem::path(path).extension().string(); };
-  if (suffix(options.in) != ".json") return record::convertRecording(options.in, options.out, *reading);
+  if (suffix(options.in) != ".json") {
+    record::TimeSpan span;
+    if (options.from) span.from = Seconds(*options.from);
+    if (options.to) span.to = Seconds(*options.to);
+    return record::convertRecording(options.in, options.out, *reading, span);
+  }
   if (suffix(options.out) != ".toml") return Error{options.out, "cannot be written", "a case becomes a .toml file"};
   return convertCase(options.in, options.out);
 }
@@ -57,7 +64,9 @@ void addConvert(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<ConvertOptions>();
   CLI::App* command = app.add_subcommand("convert", "Convert a recording, or a case from JSON to TOML");
   command->add_option("IN", o->in, "Recording, or CASE.json")->required();
-  command->add_option("OUT", o->out, "FILE.wav, FILE.csv, or CASE.toml")->required();
+  command->add_option("OUT", o->out, "FILE with .wav .flac .csv .mat .uff .unv .h5, or CASE.toml")->required();
+  command->add_option("--from", o->from, "Only from this time on [s from the first sample]");
+  command->add_option("--to", o->to, "Only up to this time [s from the first sample]");
   o->reading.add(*command);
   command->callback([o, &exitCode] {
     const Status done = convert(*o);

@@ -1,16 +1,18 @@
-// Export: any recording that can be opened, as WAV or CSV in SI units.
+// Export: any recording that can be opened, or a span of it, in SI units and with its calibration.
 #pragma once
 
 #include <string>
 
 #include "core/base/result.h"
 #include "core/record/recording_reader.h"
+#include "core/record/span_reader.h"
 
 namespace stillcut::record {
 
-// The suffix of `to` decides: .wav (32-bit float) or .csv (time and one column per channel, with names and units).
-// `to` appears only when it is complete. A gap makes the times of a CSV jump; WAV has no times, so it is filled with
-// zeros there.
-Status convertRecording(const std::string& from, const std::string& to, const ReadOptions& options = {});
+// The suffix of `to` decides: .wav (32-bit float; RF64 above 4 GiB), .flac (24 bits), .csv (time and one column per
+// channel), .mat (MATLAB v5), .uff (58b) or .unv (58 in text), .h5 (plain HDF5). `to` appears only when it is complete.
+// A gap makes the times of a CSV jump; formats without times are filled with zeros there.
+Status convertRecording(const std::string& from, const std::string& to, const ReadOptions& options = {},
+                        const TimeSpan& span = {});
 
 }  // namespace stillcut::record

@@ -188,6 +188,9 @@ class MatListing {
         if (name == array.name + "_quantity") array.quantity = text;
         if (name == array.name + "_axis") array.axis = text;
       }
+      const auto full = std::find_if(texts_.begin(), texts_.end(),
+                                     [&array](const auto& text) { return text.first == array.name + "_name"; });
+      if (full != texts_.end() && !full->second.empty()) array.name = full->second;
     }
     if (contents_.arrays.empty() && !inner_.empty()) {
       return Error{contents_.path + ":" + inner_, "there is no such array in the file", ""};

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include "core/record/channel_notes.h"
 #include "core/record/wav_reader.h"
 
 namespace stillcut::record {
@@ -26,26 +27,34 @@ std::uint32_t littleEndian32(const unsigned char* bytes) {
          static_cast<std::uint32_t>(bytes[2]) << 16U | static_cast<std::uint32_t>(bytes[3]) << 24U;
 }
 
-// libsndfile reads what is there of a cut-off file and says nothing; the header knows how much there should be.
-// Only plain RIFF: the sizes of RF64 live elsewhere, and 0xFFFFFFFF means "streamed, unknown".
+// libsndfile reads what is there of a cut-off file and says nothing; the header knows how much there should be: in the
+// data chunk, or, of RF64, in the ds64 chunk before it. 0xFFFFFFFF in plain RIFF means "streamed, unknown".
 Status checkRiffSizes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<unsigned char, 12> head{};
   file.read(reinterpret_cast<char*>(head.data()), 12);
-  if (!file || std::memcmp(head.data(), "RIFF", 4) != 0 || std::memcmp(head.data() + 8, "WAVE", 4) != 0) return Done{};
+  const bool rf64 = std::memcmp(head.data(), "RF64", 4) == 0;
+  const bool riff = rf64 || std::memcmp(head.data(), "RIFF", 4) == 0;
+  if (!file || !riff || std::memcmp(head.data() + 8, "WAVE", 4) != 0) return Done{};
   const std::uint64_t fileSize = std::filesystem::file_size(path);
+  constexpr std::uint64_t kUnknown = 0xFFFFFFFFU;
+  std::uint64_t dataSize = kUnknown;  // from ds64
   std::uint64_t at = 12;
   constexpr int kMostChunks = 1000;
   for (int i = 0; i < kMostChunks && at + 8 <= fileSize; ++i) {
-    std::array<unsigned char, 8> chunk{};
+    std::array<unsigned char, 24> chunk{};
     file.seekg(static_cast<std::streamoff>(at));
-    file.read(reinterpret_cast<char*>(chunk.data()), 8);
-    if (!file) break;
-    const std::uint64_t size = littleEndian32(chunk.data() + 4);
+    file.read(reinterpret_cast<char*>(chunk.data()), chunk.size());
+    if (file.gcount() < 8) break;
+    file.clear();
+    std::uint64_t size = littleEndian32(chunk.data() + 4);
     at += 8;
+    if (rf64 && std::memcmp(chunk.data(), "ds64", 4) == 0) {
+      dataSize = littleEndian32(chunk.data() + 16) | std::uint64_t{littleEndian32(chunk.data() + 20)} << 32U;
+    }
     if (std::memcmp(chunk.data(), "data", 4) == 0) {
-      constexpr std::uint64_t kUnknown = 0xFFFFFFFFU;
-      if (size != kUnknown && at + size > fileSize) {
+      if (size == kUnknown) size = dataSize;
+      if (size != kUnknown && size > fileSize - std::min(at, fileSize)) {
         return Error{path,
                      "the header promises " + std::to_string(size) + " bytes of samples, the file holds " +
                          std::to_string(fileSize - at),
@@ -155,6 +164,7 @@ Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const 
     all.push_back(channel);
     if (options.channels.empty()) picked.push_back(c);
   }
+  if (const char* comment = sf_get_string(file.get(), SF_STR_COMMENT)) applyChannelNotes(comment, all, format.rate);
   Result<std::vector<RecordedChannel>> kept = keepChannels(all, options.channels, path);
   if (!kept) return kept.error();
   format.channels = std::move(*kept);

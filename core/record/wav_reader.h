@@ -13,11 +13,19 @@ namespace stillcut::record {
 
 Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const ReadOptions& options);
 
-// Writes 32-bit float WAV block by block. Until finish() the samples are in "PATH.part"; a writer that is destroyed
-// without finish() leaves nothing behind.
+enum class SoundFormat { Wav, Flac };
+
+struct SoundOptions {
+  SoundFormat format = SoundFormat::Wav;
+  std::string comment;  // kept in the file; empty: none
+};
+
+// Writes 32-bit float WAV, which becomes RF64 by itself above 4 GiB, or FLAC with 24 bits, block by block. Until
+// finish() the samples are in "PATH.part"; a writer that is destroyed without finish() leaves nothing behind.
 class WavWriter {
  public:
-  static Result<std::unique_ptr<WavWriter>> create(const std::string& path, int channels, Hertz rate);
+  static Result<std::unique_ptr<WavWriter>> create(const std::string& path, int channels, Hertz rate,
+                                                   const SoundOptions& options = {});
   ~WavWriter();
   WavWriter(const WavWriter&) = delete;
   WavWriter& operator=(const WavWriter&) = delete;

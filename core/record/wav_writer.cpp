@@ -17,7 +17,8 @@ struct WavWriter::Impl {
   std::vector<float> interleaved;
 };
 
-Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::string& path, int channels, Hertz rate) {
+Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::string& path, int channels, Hertz rate,
+                                                     const SoundOptions& options) {
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->part = path + ".part";
@@ -25,9 +26,14 @@ Result<std::unique_ptr<WavWriter>> WavWriter::create(const std::string& path, in
   SF_INFO info{};
   info.channels = channels;
   info.samplerate = static_cast<int>(std::lround(rate.value));
-  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
+  const bool flac = options.format == SoundFormat::Flac;
+  info.format = flac ? SF_FORMAT_FLAC | SF_FORMAT_PCM_24 : SF_FORMAT_RF64 | SF_FORMAT_FLOAT;
+  if (flac && channels > 8) return Error{path, "cannot be written", "FLAC holds at most 8 channels"};
   impl->file = sf_open(impl->part.c_str(), SFM_WRITE, &info);
   if (impl->file == nullptr) return Error{path, "cannot be written", sf_strerror(nullptr)};
+  // RF64 while it is written; a plain WAV at the end if it is short enough to be one.
+  if (!flac) sf_command(impl->file, SFC_RF64_AUTO_DOWNGRADE, nullptr, SF_TRUE);
+  if (!options.comment.empty()) sf_set_string(impl->file, SF_STR_COMMENT, options.comment.c_str());
   return std::unique_ptr<WavWriter>(new WavWriter(std::move(impl)));
 }
 

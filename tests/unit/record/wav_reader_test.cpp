@@ -151,9 +151,31 @@ TEST(WavFiles, HeadersThatLieAreRefused) {
   EXPECT_THAT(reader.error().line(), HasSubstr("truncated"));
 
   std::string manyChannels = whole;
-  manyChannels.replace(22, 2, std::string("\xFF\xFF", 2));
+  manyChannels.replace(whole.find("fmt ") + 10, 2, std::string("\xFF\xFF", 2));
   EXPECT_FALSE(openRecording(folder.file("many.wav", manyChannels)).ok());
   EXPECT_FALSE(openRecording(folder.file("rubbish.wav", "this is no sound")).ok());
+}
+
+TEST(WavFiles, Rf64IsReadAndItsTruncationNoticed) {
+  const TempFolder folder;
+  const std::string path = folder / "long.wav";
+  SF_INFO info{};
+  info.samplerate = 8000;
+  info.channels = 1;
+  info.format = SF_FORMAT_RF64 | SF_FORMAT_FLOAT;
+  SNDFILE* file = sf_open(path.c_str(), SFM_WRITE, &info);
+  ASSERT_NE(file, nullptr);
+  const std::vector<float> samples(500, 0.25F);
+  ASSERT_EQ(sf_write_float(file, samples.data(), 500), 500);
+  sf_close(file);
+  const std::string whole = contentOf(path);
+  ASSERT_TRUE(whole.starts_with("RF64"));
+  const auto reader = openRecording(path);
+  ASSERT_TRUE(reader.ok()) << reader.error().line();
+  EXPECT_EQ((*reader)->format().frames, 500);
+  const auto cut = openRecording(folder.file("cut.wav", whole.substr(0, whole.size() - 400)));
+  ASSERT_FALSE(cut.ok());
+  EXPECT_THAT(cut.error().line(), HasSubstr("truncated"));
 }
 
 TEST(WavFiles, ASampleThatIsNoNumberEndsTheReadingWithItsPlace) {

@@ -1,0 +1,160 @@
+// MATLAB version 5, written in one pass over the recording: the number of frames is known, so the place of every sample
+// is, and matio, which wants whole arrays in memory, is not needed. Source: MAT-File Format, The MathWorks, chapter 1.
+#include <array>
+#include <cctype>
+#include <cstring>
+#include <set>
+
+#include "core/record/part_file.h"
+#include "core/record/recording_sink.h"
+
+namespace stillcut::record {
+namespace {
+
+constexpr std::uint32_t kInt8 = 1, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;  // element types
+constexpr std::uint32_t kCharClass = 4, kDoubleClass = 6;
+constexpr std::uint64_t kLargest = 0x7fffff00;  // of one variable, in MATLAB of this version [bytes]
+
+void put32(std::string& out, std::uint32_t value) {
+  char bytes[4];
+  std::memcpy(bytes, &value, 4);
+  out.append(bytes, 4);
+}
+
+void pad(std::string& out) {
+  out.resize((out.size() + 7) / 8 * 8, '\0');
+}
+
+// A matrix up to the first byte of its numbers; `bytes` of them follow, padded to eight.
+std::string matrixHead(const std::string& name, std::uint32_t kind, std::uint32_t rows, std::uint32_t columns,
+                       std::uint32_t type, std::uint32_t bytes) {
+  std::string body;
+  for (const std::uint32_t v : {kUint32, 8U, kind, 0U, kInt32, 8U, rows, columns}) put32(body, v);
+  put32(body, kInt8);
+  put32(body, static_cast<std::uint32_t>(name.size()));
+  body += name;
+  pad(body);
+  put32(body, type);
+  put32(body, bytes);
+  std::string head;
+  put32(head, kMatrix);
+  put32(head, static_cast<std::uint32_t>(body.size()) + (bytes + 7) / 8 * 8);
+  return head + body;
+}
+
+std::string numberMatrix(const std::string& name, std::uint32_t rows, const std::vector<double>& values) {
+  const auto bytes = static_cast<std::uint32_t>(values.size() * sizeof(double));
+  std::string out =
+      matrixHead(name, kDoubleClass, rows, static_cast<std::uint32_t>(values.size()) / rows, kDouble, bytes);
+  out.append(reinterpret_cast<const char*>(values.data()), bytes);
+  return out;
+}
+
+std::string textMatrix(const std::string& name, const std::string& utf8) {
+  std::vector<std::uint16_t> letters;
+  for (std::size_t i = 0; i < utf8.size(); ++i) {
+    const auto c = static_cast<unsigned char>(utf8[i]);
+    if (c >= 0xC0U && c < 0xE0U && i + 1 < utf8.size()) {
+      letters.push_back(
+          static_cast<std::uint16_t>((c & 0x1FU) << 6U | (static_cast<unsigned char>(utf8[++i]) & 0x3FU)));
+    } else {
+      letters.push_back(c < 0x80U ? c : '?');
+    }
+  }
+  const auto bytes = static_cast<std::uint32_t>(letters.size() * 2);
+  const auto columns = static_cast<std::uint32_t>(letters.size());
+  std::string out = matrixHead(name, kCharClass, 1, columns, kUint16, bytes);
+  out.append(reinterpret_cast<const char*>(letters.data()), bytes);
+  pad(out);
+  return out;
+}
+
+// A name MATLAB takes, different from those before it.
+std::string variableName(const std::string& name, std::set<std::string>& taken) {
+  constexpr std::size_t kLongest = 48;
+  std::string plain;
+  for (const char c : name) plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  if (plain.empty() || std::isalpha(static_cast<unsigned char>(plain[0])) == 0) plain = "ch_" + plain;
+  plain.resize(std::min(plain.size(), kLongest));
+  std::string unique = plain;
+  for (int n = 2; taken.contains(unique); ++n) unique = plain + "_" + std::to_string(n);
+  taken.insert(unique);
+  return unique;
+}
+
+class MatSink final : public RecordingSink {
+ public:
+  MatSink(const std::string& path, const ExportPlan& plan) : file_(path), plan_(plan) {}
+
+  bool opened() const { return file_.opened(); }
+  Error failure() const { return file_.failure(); }
+
+  void header() {
+    std::string out = "MATLAB 5.0 MAT-file, written by Stillcut";
+    out.resize(124, ' ');
+    std::fill(out.begin() + 116, out.end(), '\0');
+    out += std::string("\x00\x01IM", 4);
+    out += numberMatrix("rate_hz", 1, {plan_.rate.value});
+    std::set<std::string> taken{"rate_hz", "gaps", "t", "time"};
+    std::vector<std::string> names;
+    for (const RecordedChannel& channel : plan_.channels) {
+      const std::string name = variableName(channel.info.name, taken);
+      names.push_back(name);
+      out += textMatrix(name + "_name", channel.info.name);
+      out += textMatrix(name + "_unit", plainUnit(channel));
+      if (channel.quantityKnown)
+        out += textMatrix(name + "_quantity", std::string(stillcut::name(channel.info.quantity)));
+      if (!channel.info.axis.empty()) out += textMatrix(name + "_axis", channel.info.axis);
+    }
+    if (!plan_.gaps.empty()) {
+      std::vector<double> pairs;
+      for (const auto& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.first));
+      for (const auto& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.second));
+      out += numberMatrix("gaps", static_cast<std::uint32_t>(plan_.gaps.size()), pairs);
+    }
+    file_.writeAt(0, out);
+    std::uint64_t at = out.size();
+    const auto frames = static_cast<std::uint32_t>(plan_.frames);
+    for (const std::string& name : names) {
+      const std::string head = matrixHead(name, kDoubleClass, frames, 1, kDouble, frames * 8);
+      file_.writeAt(at, head);
+      at += head.size();
+      begins_.push_back(at);
+      at += std::uint64_t{frames} * 8;
+    }
+  }
+
+  Status write(const SampleBlock& block) override {
+    std::vector<double> values(static_cast<std::size_t>(block.frames));
+    for (std::size_t c = 0; c < begins_.size(); ++c) {
+      const std::span<const float> from = block.channel(static_cast<int>(c));
+      for (std::size_t f = 0; f < from.size(); ++f)
+        values[f] = plan_.channels[c].info.scale * static_cast<double>(from[f]);
+      file_.writeAt(begins_[c] + written_ * 8, {reinterpret_cast<const char*>(values.data()), values.size() * 8});
+    }
+    written_ += static_cast<std::uint64_t>(block.frames);
+    return Done{};
+  }
+
+  Status finish() override { return file_.finish(); }
+
+ private:
+  PartFile file_;
+  ExportPlan plan_;
+  std::vector<std::uint64_t> begins_;  // of every channel's numbers in the file
+  std::uint64_t written_ = 0;          // frames
+};
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingSink>> createMatSink(const std::string& path, const ExportPlan& plan) {
+  if (static_cast<std::uint64_t>(plan.frames) > kLargest / 8) {
+    return Error{path, "cannot be written: more than 268 million samples a channel", "export a span, or to .h5"};
+  }
+  auto sink = std::make_unique<MatSink>(path, plan);
+  if (!sink->opened()) return sink->failure();
+  sink->header();
+  return std::unique_ptr<RecordingSink>(std::move(sink));
+}
+
+}  // namespace stillcut::record

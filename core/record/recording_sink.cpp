@@ -1,0 +1,66 @@
+#include "core/record/recording_sink.h"
+
+#include <array>
+#include <filesystem>
+#include <string_view>
+
+namespace stillcut::record {
+namespace {
+
+struct SinkKind {
+  std::string_view suffix;
+  bool needsLook;
+  bool keepsTimes;
+  Result<std::unique_ptr<RecordingSink>> (*create)(const std::string& path, const ExportPlan& plan);
+};
+
+constexpr std::array<SinkKind, 8> kSinks{{
+    {".wav", false, false, createSoundSink},
+    {".flac", true, false, createSoundSink},
+    {".csv", false, true, createCsvSink},
+    {".mat", true, false, createMatSink},
+    {".uff", true, false, createUffSink},
+    {".unv", true, false, createUffSink},
+    {".h5", true, false, createHdf5Sink},
+    {".hdf5", true, false, createHdf5Sink},
+}};
+
+const SinkKind* kindOf(const std::string& path) {
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  for (const SinkKind& kind : kSinks) {
+    if (kind.suffix == suffix) return &kind;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingSink>> createSink(const std::string& path, const ExportPlan& plan) {
+  const SinkKind* kind = kindOf(path);
+  if (kind != nullptr) return kind->create(path, plan);
+  std::string all;
+  for (const SinkKind& known : kSinks) all += (all.empty() ? "" : " ") + std::string(known.suffix);
+  return Error{path, "cannot be written", "the suffix must be one of " + all};
+}
+
+bool sinkNeedsLook(const std::string& path) {
+  const SinkKind* kind = kindOf(path);
+  return kind != nullptr && kind->needsLook;
+}
+
+bool sinkKeepsTimes(const std::string& path) {
+  const SinkKind* kind = kindOf(path);
+  return kind != nullptr && kind->keepsTimes;
+}
+
+// A number that nobody has calibrated gets no unit.
+std::string exportUnit(const RecordedChannel& channel) {
+  const bool calibrated = channel.quantityKnown || channel.info.scale != 1.0;
+  return calibrated ? std::string(siUnit(channel.info.quantity)) : "";
+}
+std::string plainUnit(const RecordedChannel& channel) {
+  const std::string unit = exportUnit(channel);
+  return unit == siUnit(SensorQuantity::Acceleration) ? "m/s^2" : unit;
+}
+
+}  // namespace stillcut::record
