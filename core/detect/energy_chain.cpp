@@ -1,12 +1,20 @@
 #include "core/detect/energy_chain.h"
 
+#include <algorithm>
+
 namespace stillcut::detect {
 
-void EnergyChain::prepare(const Size& size) {
+void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels) {
   size_ = size;
-  kalman_.prepare(size.channels, size.harmonics);
-  bands_.prepare(size.channels, size.bands, size.rate, size.lowestSpindle * size.bandOrders);
-  rest_.assign(static_cast<std::size_t>(size.channels), 0.0);
+  kalman_.prepare(size.channels, size.harmonics, kernels);
+  bands_.prepare(size.channels, size.bands, size.rate, size.lowestSpindle * size.bandOrders, kernels);
+  const std::size_t lanes = dsp::kernels::wholeLanes(static_cast<std::size_t>(size.harmonics));
+  for (auto& weights : weights_) weights.assign(lanes, 1.0);
+  for (std::size_t n = 0; n < lanes; ++n) {
+    const auto order = static_cast<double>(n + 1);
+    weights_[0][n] = 1.0 / (order * order);
+    weights_[2][n] = order * order;
+  }
   reset();
 }
 
@@ -22,20 +30,24 @@ void EnergyChain::tune(Hertz spindle, double gain) noexcept {
   bands_.tune(spindle * size_.bandOrders, spindle * 0.5);
 }
 
-void EnergyChain::process(const double* x) noexcept {
-  kalman_.process(x, rest_.data());
-  bands_.process(rest_.data());
+void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+  for (std::size_t done = 0; done < frames;) {
+    const std::size_t now = std::min(frames - done, bands_.room());
+    for (int c = 0; c < size_.channels; ++c) {
+      kalman_.process(c, x + c * stride + static_cast<std::ptrdiff_t>(done), rest_.data(), now);
+      bands_.process(c, rest_.data(), now);
+    }
+    kalman_.advance(now);
+    bands_.advance(now);
+    done += now;
+  }
 }
 
 double EnergyChain::ratio(int channel, int eta) const noexcept {
-  const auto weight = [eta](double f) { return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f); };
-  double chatter = 0.0;
-  for (int m = 0; m < bands_.active(); ++m) {
-    const BandEstimate& b = bands_.band(channel, m);
-    if (b.power > 0.0 && b.frequency.value > 0.0) chatter += b.power * weight(b.frequency.value);
-  }
-  double forced = 0.0;
-  for (int n = 1; n <= kalman_.active(); ++n) forced += kalman_.power(channel, n) * weight(n * spindle_.value);
+  const double f2 = spindle_.value * spindle_.value;
+  const double unit = eta == 0 ? 1.0 : eta > 0 ? f2 : 1.0 / f2;
+  const double chatter = bands_.weightedPower(channel, eta);
+  const double forced = unit * kalman_.weightedPower(channel, weights_[static_cast<std::size_t>(eta + 1)].data());
   const double all = forced + chatter;
   return all > 0.0 ? chatter / all : 0.0;
 }

@@ -3,6 +3,9 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "core/detect/energy_separation.h"
 #include "core/detect/harmonic_kalman.h"
 
@@ -11,6 +14,7 @@ namespace stillcut::detect {
 class EnergyChain {
  public:
   static constexpr double kUsableBand = 0.45;  // of the rate: harmonics above are left alone
+
   // lowestSpindle: the slowest the chain will be asked to follow. bandOrders: spindle orders to a band (the teeth).
   struct Size {
     int channels = 1;
@@ -20,15 +24,16 @@ class EnergyChain {
     Hertz rate{};
     Hertz lowestSpindle{};
   };
-  void prepare(const Size& size);
+  // kernels: see core/dsp/kernels/choose.h.
+  void prepare(const Size& size, const dsp::kernels::Kernels& kernels);
   void reset() noexcept;
 
   // Follows the speed; gain: of the harmonic filter (harmonic_kalman.h).
   void tune(Hertz spindle, double gain) noexcept;
   // Spindle angle of the next frame and turn per frame [rad].
   void align(double angle, double step) noexcept { kalman_.align(angle, step); }
-  // One frame, one value per channel.
-  void process(const double* x) noexcept;
+  // Any number of frames at that turn; x[channel * stride + frame].
+  void process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Ends a hop: the estimates are the means since the last call.
   void endHop() noexcept { bands_.estimate(); }
 
@@ -36,13 +41,16 @@ class EnergyChain {
   int active() const noexcept { return kalman_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
   double ratio(int channel, int eta) const noexcept;
+  const HarmonicKalman& harmonics() const noexcept { return kalman_; }
+  const EnergySeparation& bands() const noexcept { return bands_; }
 
  private:
   Size size_;
   Hertz spindle_{};
   HarmonicKalman kalman_;
   EnergySeparation bands_;
-  std::vector<double> rest_;
+  std::array<std::vector<double>, 3> weights_;  // (n f)^(2 eta) / f^(2 eta), by eta + 1
+  std::array<double, EnergySeparation::kMostFrames> rest_{};
 };
 
 }  // namespace stillcut::detect

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -39,7 +41,7 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   const int perBand = teeth_ > 0 ? teeth_ : kBandOrdersUnknown;
   const int bandCount = std::clamp((harmonics + perBand - 1) / perBand, 1, kMostBands);
   const Hertz slowest(0.5 * nominal);
-  chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest});
+  chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest}, dsp::kernels::bestKernels());
   turns_.prepare(channels_, Hertz(rate_), slowest);
   lines_.prepare(channels_, std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal)), Hertz(rate_));
   fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
@@ -137,19 +139,20 @@ Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexce
   return v;
 }
 
-Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
-  if (!block.valid) return verdict(block);
-  if (block.afterGap) restart();
-  tune(block);
-  const double turn = rate_ / spindle_.value;
-  double step = -1.0;
-  for (int f = 0; f < block.frames; ++f) {
-    if (block.angleStep[f] != step) {
-      step = block.angleStep[f];
-      chain_.align(block.angle[f], step);
-    }
+// Frames from `first` on that belong to one hop and one turn per frame.
+int EnergyRatioDetector::stretch(const ConditionedBlock& block, int first) const noexcept {
+  const auto most = static_cast<int>(std::clamp<long>(hopFrames_ - inHop_, 1, block.frames - first));
+  int frames = 1;
+  while (frames < most && block.angleStep[first + frames] == block.angleStep[first]) ++frames;
+  return frames;
+}
+
+void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first, int frames) noexcept {
+  const double step = block.angleStep[first];
+  chain_.align(block.angle[first], step);
+  chain_.process(block.samples + first, block.stride, static_cast<std::size_t>(frames));
+  for (int f = first; f < first + frames; ++f) {
     for (int c = 0; c < channels_; ++c) frame_[static_cast<std::size_t>(c)] = block.samples[c * block.stride + f];
-    chain_.process(frame_.data());
     turns_.process(frame_.data(), difference_.data());
     lines_.push(difference_.data());
     for (int c = 0; c < channels_; ++c) {
@@ -157,7 +160,20 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
       channelStates_[i].growth.add(frame_[i], difference_[i]);
     }
     marks_.advance(step);
-    if (++inHop_ < hopFrames_) continue;
+  }
+  inHop_ += frames;
+}
+
+Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
+  if (!block.valid) return verdict(block);
+  if (block.afterGap) restart();
+  tune(block);
+  const double turn = rate_ / spindle_.value;
+  for (int f = 0; f < block.frames;) {
+    const int frames = stretch(block, f);
+    processFrames(block, f, frames);
+    f += frames;
+    if (inHop_ < hopFrames_) continue;
     endHop(block.phase);
     if (block.speedMoving) turns_.setTurns(marks_.framesAgo(1.0, turn), marks_.framesAgo(2.0, 2.0 * turn));
   }

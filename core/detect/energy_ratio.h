@@ -60,6 +60,8 @@ class EnergyRatioDetector final : public Detector {
   void relearn() noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
+  int stretch(const ConditionedBlock& block, int first) const noexcept;
+  void processFrames(const ConditionedBlock& block, int first, int frames) noexcept;
   void endHop(CutPhase phase) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 

@@ -6,13 +6,14 @@
 // Departure: Psi is averaged over one hop before the arc cosine (the paper takes it sample by sample), because the
 // quotient of two noisy numbers is biased and the quotient of their means far less. A hop whose mean Psi is not
 // positive, or whose cosine leaves -1..1 by more than rounding, keeps the last estimate, marked invalid.
+// The filters run in lanes of bands, the operator in lanes of time; filters and lags are shared by all channels.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <vector>
 
 #include "core/base/units.h"
-#include "core/dsp/butterworth.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -24,43 +25,59 @@ struct BandEstimate {
 
 class EnergySeparation {
  public:
+  static constexpr std::size_t kMostFrames = 256;  // of one process()
+
   // bandWidth: lowest tooth-passing frequency the bank will be asked to follow, which sets the longest lag.
-  void prepare(int channels, int bands, Hertz rate, Hertz lowestWidth);
+  void prepare(int channels, int bands, Hertz rate, Hertz lowestWidth, const dsp::kernels::Kernels& kernels);
   // Band m = [(m-1) width, m width], band 1 from `floor`; follows the speed without allocation.
   void tune(Hertz width, Hertz floor) noexcept;
   void reset() noexcept;
   int bands() const { return bands_; }
   int active() const { return active_; }
 
-  // One frame, one value per channel.
-  void process(const double* rest) noexcept;
-  // Ends a hop: estimates from the means since the last call.
+  // Frames that fit before advance() must be called.
+  std::size_t room() const noexcept { return kMostFrames - pending_; }
+  // At most room() frames of one channel.
+  void process(int channel, const double* rest, std::size_t frames) noexcept;
+  // After every channel has had the same frames.
+  void advance(std::size_t frames) noexcept;
+  // Ends a hop: estimates from the means since the last call. Sums that are not finite start their channel anew.
   void estimate() noexcept;
 
-  const BandEstimate& band(int channel, int m) const { return estimates_[index(channel, m)]; }
+  BandEstimate band(int channel, int m) const noexcept;
+  // Sum over the bands of power times frequency^(2 eta).
+  double weightedPower(int channel, int eta) const noexcept;
 
  private:
-  struct Sums {
-    double signal = 0.0;      // Psi[s]
-    double difference = 0.0;  // Psi[y_{k-D}] + Psi[y_{k-2D}]
+  struct History {  // of one band, of every channel
+    std::size_t offset = 0;
+    std::size_t before = 0;  // frames kept for the lags
+    std::size_t lag = 1;
   };
-  std::size_t index(int channel, int m) const {
-    return static_cast<std::size_t>(channel) * static_cast<std::size_t>(bands_) + static_cast<std::size_t>(m);
-  }
+  struct Channel {
+    std::vector<double> state, sums, power, frequency, valid;
+    std::vector<double> signal;   // of every band, by History
+    std::vector<double*> newest;  // where the next frames go
+  };
+  void accumulate() noexcept;
+  void compact() noexcept;
+  void point(Channel& c) noexcept;
+  void clear(Channel& c) noexcept;
 
-  int channels_ = 0;
+  dsp::kernels::Kernels kernels_;
   int bands_ = 0;
   int active_ = 0;
+  std::size_t lanes_ = 0;  // bands in whole lanes
+  std::size_t used_ = 0;   // active ones in whole lanes
   double rate_ = 0.0;
   double width_ = 0.0;
-  std::size_t mask_ = 0;  // ring length - 1
-  std::size_t head_ = 0;
-  long frames_ = 0;
-  std::vector<std::size_t> lag_;           // per band
-  std::vector<dsp::Butterworth> filters_;  // per channel and band
-  std::vector<double> ring_;               // per channel and band
-  std::vector<Sums> sums_;                 // per channel and band
-  std::vector<BandEstimate> estimates_;    // per channel and band
+  std::size_t capacity_ = 0;  // frames after the history
+  std::size_t position_ = 0;  // of the next frame
+  std::size_t pending_ = 0;   // frames not yet in the sums
+  std::size_t frames_ = 0;    // of this hop, in the sums
+  std::vector<History> histories_;
+  std::vector<double> coefficients_, low_, high_, scale_;
+  std::vector<Channel> channels_;
 };
 
 }  // namespace stillcut::detect

@@ -3,21 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/order.h"
+
 namespace stillcut::detect {
 namespace {
 
-// Powers 1..n of the unit number (c, s) into re, im.
-void powers(double c, double s, std::size_t n, double* re, double* im) noexcept {
-  double r = c;
-  double i = s;
-  for (std::size_t k = 0; k < n; ++k) {
-    re[k] = r;
-    im[k] = i;
-    const double next = r * c - i * s;
-    i = r * s + i * c;
-    r = next;
-  }
-}
+constexpr double kSameAngle = 1e-9;  // rad; the sums of angles differ by roundings
 
 }  // namespace
 
@@ -33,70 +24,77 @@ double lambdaForGain(double gain, int harmonics) noexcept {
   return p * p / (2.0 * (n * p + 1.0));
 }
 
-void HarmonicKalman::prepare(int channels, int harmonics) {
+void HarmonicKalman::prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels) {
+  kernels_ = kernels;
   channels_ = channels;
   harmonics_ = harmonics;
-  padded_ = static_cast<std::size_t>((harmonics + kLanes - 1) / kLanes * kLanes);
-  for (auto* v : {&zr_, &zi_, &wr_, &wi_}) v->assign(padded_, 0.0);
-  for (auto* v : {&ar_, &ai_}) v->assign(padded_ * static_cast<std::size_t>(channels), 0.0);
+  padded_ = dsp::kernels::wholeLanes(static_cast<std::size_t>(std::max(harmonics, 1)));
+  for (auto* v : {&turnRe_, &turnIm_, &jumpRe_, &jumpIm_}) v->assign(padded_, 0.0);
+  for (auto* v : {&re_, &im_}) v->assign(row(channels), 0.0);
+  active_ = 0;
+  step_ = 0.0;
   setActive(harmonics);
 }
 
 void HarmonicKalman::reset() noexcept {
-  std::fill(ar_.begin(), ar_.end(), 0.0);
-  std::fill(ai_.begin(), ai_.end(), 0.0);
+  std::fill(re_.begin(), re_.end(), 0.0);
+  std::fill(im_.begin(), im_.end(), 0.0);
 }
 
 void HarmonicKalman::setActive(int count) noexcept {
   const int clamped = std::clamp(count, 0, harmonics_);
   if (clamped == active_) return;
   active_ = clamped;
-  used_ = static_cast<std::size_t>((active_ + kLanes - 1) / kLanes * kLanes);
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-    std::fill(ar_.begin() + static_cast<std::ptrdiff_t>(c * padded_ + static_cast<std::size_t>(active_)),
-              ar_.begin() + static_cast<std::ptrdiff_t>((c + 1) * padded_), 0.0);
-    std::fill(ai_.begin() + static_cast<std::ptrdiff_t>(c * padded_ + static_cast<std::size_t>(active_)),
-              ai_.begin() + static_cast<std::ptrdiff_t>((c + 1) * padded_), 0.0);
+  const auto n = static_cast<std::size_t>(active_);
+  used_ = std::max(dsp::kernels::wholeLanes(n), dsp::kernels::kLanes);
+  for (int c = 0; c < channels_; ++c) {
+    const auto from = static_cast<std::ptrdiff_t>(row(c) + n);
+    const auto to = static_cast<std::ptrdiff_t>(row(c + 1));
+    std::fill(re_.begin() + from, re_.begin() + to, 0.0);
+    std::fill(im_.begin() + from, im_.begin() + to, 0.0);
   }
+  std::fill(turnRe_.begin(), turnRe_.end(), 0.0);
+  std::fill(turnIm_.begin(), turnIm_.end(), 0.0);
+  kernels_.powers(std::cos(step_), std::sin(step_), n, turnRe_.data(), turnIm_.data());
 }
 
 void HarmonicKalman::align(double angle, double step) noexcept {
   const auto n = static_cast<std::size_t>(active_);
-  powers(std::cos(angle), std::sin(angle), n, zr_.data(), zi_.data());
-  powers(std::cos(step), std::sin(step), n, wr_.data(), wi_.data());
-  // Unused lanes stay silent.
-  for (std::size_t k = n; k < padded_; ++k) zr_[k] = zi_[k] = wr_[k] = wi_[k] = 0.0;
+  const double jump = dsp::wrapPhase(angle - angle_);
+  angle_ = angle;
+  if (std::abs(jump) > kSameAngle) {
+    kernels_.powers(std::cos(jump), std::sin(jump), n, jumpRe_.data(), jumpIm_.data());
+    for (int c = 0; c < channels_; ++c) {
+      kernels_.turn(re_.data() + row(c), im_.data() + row(c), jumpRe_.data(), jumpIm_.data(), used_);
+    }
+  }
+  if (step == step_) return;
+  step_ = step;
+  kernels_.powers(std::cos(step), std::sin(step), n, turnRe_.data(), turnIm_.data());
 }
 
-void HarmonicKalman::process(const double* x, double* rest) noexcept {
-  const double* zr = zr_.data();
-  const double* zi = zi_.data();
-  for (int c = 0; c < channels_; ++c) {
-    double* ar = ar_.data() + static_cast<std::size_t>(c) * padded_;
-    double* ai = ai_.data() + static_cast<std::size_t>(c) * padded_;
-    double sum[kLanes] = {};
-    for (std::size_t n = 0; n < used_; n += kLanes) {
-      for (std::size_t l = 0; l < kLanes; ++l) sum[l] += ar[n + l] * zr[n + l] - ai[n + l] * zi[n + l];
-    }
-    const double innovation = x[c] - ((sum[0] + sum[1]) + (sum[2] + sum[3]));
-    const double g = gain_ * innovation;
-    for (std::size_t n = 0; n < used_; ++n) {
-      ar[n] += g * zr[n];
-      ai[n] -= g * zi[n];
-    }
-    // eq. 22 subtracts the corrected estimate: H q = H q^- + H K e, and H K = g N.
-    rest[c] = innovation * (1.0 - gain_ * active_);
-  }
-  for (std::size_t n = 0; n < used_; ++n) {
-    const double r = zr_[n] * wr_[n] - zi_[n] * wi_[n];
-    zi_[n] = zr_[n] * wi_[n] + zi_[n] * wr_[n];
-    zr_[n] = r;
-  }
+void HarmonicKalman::process(int channel, const double* x, double* rest, std::size_t frames) noexcept {
+  double* re = re_.data() + row(channel);
+  double* im = im_.data() + row(channel);
+  // eq. 22 subtracts the corrected estimate: H q = H q^- + H K e, and H K = g N.
+  kernels_.harmonics({x, rest, frames, used_, re, im, turnRe_.data(), turnIm_.data(), gain_, 1.0 - gain_ * active_});
+  if (frames == 0 || std::isfinite(rest[frames - 1])) return;
+  std::fill_n(re, padded_, 0.0);
+  std::fill_n(im, padded_, 0.0);
+  std::fill_n(rest, frames, 0.0);
+}
+
+void HarmonicKalman::advance(std::size_t frames) noexcept {
+  angle_ = dsp::wrapPhase(angle_ + static_cast<double>(frames) * step_);
 }
 
 double HarmonicKalman::power(int channel, int n) const noexcept {
-  const std::size_t i = static_cast<std::size_t>(channel) * padded_ + static_cast<std::size_t>(n - 1);
-  return ar_[i] * ar_[i] + ai_[i] * ai_[i];
+  const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
+  return re_[i] * re_[i] + im_[i] * im_[i];
+}
+
+double HarmonicKalman::weightedPower(int channel, const double* weight) const noexcept {
+  return kernels_.weightedPower(re_.data() + row(channel), im_.data() + row(channel), weight, used_);
 }
 
 }  // namespace stillcut::detect

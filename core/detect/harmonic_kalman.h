@@ -1,16 +1,16 @@
 // Kalman filter that follows the spindle harmonics and leaves the rest: Caliskan 2018 eq. 16-22.
 //
-// The paper's 2N states rotate (Phi, eq. 19); here they are kept in the frame that turns with the spindle angle
-// (q = a e^{j n theta}), which is the same filter and needs no small-angle state: the phasors are shared by all
-// channels. Its covariance does not depend on the data (eq. 20) and settles to P = p I between sparse harmonics, with
-// p^2 / (2 (N p + R)) = lambda R per step, hence one gain g = p / (N p + R) for every harmonic and channel. Departure
-// from the paper: g is used from the start instead of the settling P (which only shortens the first turns). The plain
-// O(N^2) recursion is the oracle in the tests.
-// Thread: worker; everything but prepare() is real-time.
+// The 2N states turn with the spindle (Phi, eq. 19), complex q_n = A e^{j n theta}, and are measured by their real
+// parts (H = [1 0 1 0 ..], eq. 17). The covariance does not depend on the data (eq. 20) and settles to P = p I between
+// sparse harmonics, with p^2 / (2 (N p + R)) = lambda R per step, hence one gain g = p / (N p + R) for every harmonic
+// and channel. Departure from the paper: g is used from the start instead of the settling P (which only shortens the
+// first turns). The plain O(N^2) recursion is the oracle in the tests. Thread: worker; everything but prepare() is
+// real-time.
 #pragma once
 
-#include <span>
 #include <vector>
+
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -20,7 +20,7 @@ double lambdaForGain(double gain, int harmonics) noexcept;
 
 class HarmonicKalman {
  public:
-  void prepare(int channels, int harmonics);
+  void prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels);
   void reset() noexcept;
   int harmonics() const { return harmonics_; }
   // Uses only the first `count` (those below the usable band at the present speed).
@@ -28,26 +28,35 @@ class HarmonicKalman {
   int active() const { return active_; }
   void setGain(double gain) noexcept { gain_ = gain; }
 
-  // Sets the phasors to the spindle angle of the next frame and the turn per frame [rad].
+  // Spindle angle of the next frame and turn per frame [rad]. An angle that is not where the last frames led turns the
+  // states along.
   void align(double angle, double step) noexcept;
-  // Predicts each channel, corrects its harmonics, writes the innovation-free rest; then turns the phasors.
-  // x and rest: one value per channel.
-  void process(const double* x, double* rest) noexcept;
+  // Predicts one channel, corrects its harmonics, writes the innovation-free rest. A rest that is not finite starts the
+  // channel anew.
+  void process(int channel, const double* x, double* rest, std::size_t frames) noexcept;
+  // After every channel has had the same frames.
+  void advance(std::size_t frames) noexcept;
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
   double power(int channel, int n) const noexcept;
+  // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
+  double weightedPower(int channel, const double* weight) const noexcept;
 
  private:
-  static constexpr int kLanes = 4;  // partial sums, so that the compiler may use vectors without reordering
+  std::size_t row(int channel) const noexcept { return static_cast<std::size_t>(channel) * padded_; }
 
+  dsp::kernels::Kernels kernels_;
   int channels_ = 0;
   int harmonics_ = 0;
   int active_ = 0;
   std::size_t padded_ = 0;
-  std::size_t used_ = 0;
+  std::size_t used_ = 0;  // whole lanes with the active ones
   double gain_ = 0.0;
-  std::vector<double> zr_, zi_, wr_, wi_;  // phasors e^{j n theta} and their turn per frame
-  std::vector<double> ar_, ai_;            // states, [channel * padded + n]
+  double angle_ = 0.0;
+  double step_ = 0.0;
+  std::vector<double> re_, im_;          // states for the next frame, [channel * padded + n]
+  std::vector<double> turnRe_, turnIm_;  // e^{j n step}; 0 beyond the active ones
+  std::vector<double> jumpRe_, jumpIm_;  // of the angle, scratch
 };
 
 }  // namespace stillcut::detect

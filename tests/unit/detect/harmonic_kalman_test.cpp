@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
 namespace {
@@ -57,7 +58,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
   const double lambda = 1e-5;
   Oracle oracle(kHarmonics, step, lambda);
   HarmonicKalman kalman;
-  kalman.prepare(1, kHarmonics);
+  kalman.prepare(1, kHarmonics, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(lambda, kHarmonics));
   kalman.align(0.0, step);
   std::mt19937 engine(5);
@@ -68,7 +69,8 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
     const double x =
         std::cos(step * k + 0.3) + 0.5 * std::sin(3.0 * step * k) + 0.4 * std::sin(0.21 * k) + 0.2 * normal(engine);
     double rest = 0.0;
-    kalman.process(&x, &rest);
+    kalman.process(0, &x, &rest, 1);
+    kalman.advance(1);
     const double truth = oracle.process(x);
     if (k < 10000) continue;
     difference += (rest - truth) * (rest - truth);
@@ -83,7 +85,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
 
 TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
   HarmonicKalman kalman;
-  kalman.prepare(1, 16);
+  kalman.prepare(1, 16, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(1e-6, 16));
   double angle = 0.0;
   double worst = 0.0;
@@ -92,7 +94,8 @@ TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
     kalman.align(angle, step);
     const double x = std::cos(angle) + 0.5 * std::cos(2.0 * angle + 1.0);
     double rest = 0.0;
-    kalman.process(&x, &rest);
+    kalman.process(0, &x, &rest, 1);
+    kalman.advance(1);
     if (k > 19000) worst = std::max(worst, std::abs(rest));
     angle += step;
   }

@@ -10,6 +10,7 @@
 #include "core/detect/line_finder.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/turn_difference.h"
+#include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
 namespace {
@@ -22,12 +23,13 @@ double tone(double hertz, int k) {
 
 TEST(EnergySeparation, FindsAmplitudeAndFrequencyOfATone) {
   EnergySeparation bands;
-  bands.prepare(1, 6, Hertz(kRate), Hertz(200.0));
+  bands.prepare(1, 6, Hertz(kRate), Hertz(200.0), dsp::kernels::bestKernels());
   bands.tune(Hertz(366.7), Hertz(90.0));
   for (int k = 0; k < 12800; ++k) {
     if (k == 12000) bands.estimate();
     const double x = 3.0 * tone(935.0, k);  // band 3: 733..1100 Hz, flat there
-    bands.process(&x);
+    bands.process(0, &x, 1);
+    bands.advance(1);
   }
   bands.estimate();
   const BandEstimate& b = bands.band(0, 2);
@@ -38,10 +40,13 @@ TEST(EnergySeparation, FindsAmplitudeAndFrequencyOfATone) {
 
 TEST(EnergySeparation, SilenceGivesNoEstimateAndNoNan) {
   EnergySeparation bands;
-  bands.prepare(1, 3, Hertz(kRate), Hertz(200.0));
+  bands.prepare(1, 3, Hertz(kRate), Hertz(200.0), dsp::kernels::bestKernels());
   bands.tune(Hertz(366.7), Hertz(90.0));
   const double zero = 0.0;
-  for (int k = 0; k < 1000; ++k) bands.process(&zero);
+  for (int k = 0; k < 1000; ++k) {
+    bands.process(0, &zero, 1);
+    bands.advance(1);
+  }
   bands.estimate();
   for (int m = 0; m < 3; ++m) {
     EXPECT_FALSE(bands.band(0, m).valid);

@@ -1,0 +1,99 @@
+// Kernels: the loops that run once per sample, compiled for several instruction sets and chosen once, at prepare().
+//
+// Every set gives the same bits. Sums run in kLanes fixed lanes and are added up by one fixed tree, there is no
+// fast-math and no contraction to fused multiply-adds, so a recording replays the same verdicts on any machine; a test
+// holds every set that the machine has to the baseline bit for bit. (Fused multiply-adds would save nothing here: the
+// loops wait for their recursions.) Kernels do not look at their numbers: callers check that results are finite.
+//
+// Rules for files in this folder that are compiled per set: nothing but kernels.h, lanes.h and <cstddef> is included,
+// and everything lives in the set's own namespace, or an inline function compiled for one machine would be linked into
+// the code of another.
+// Thread: values and pure functions of their arguments; real-time.
+#pragma once
+
+#include <cstddef>
+
+namespace stillcut::dsp::kernels {
+
+inline constexpr std::size_t kLanes = 8;
+constexpr std::size_t wholeLanes(std::size_t n) {
+  return (n + kLanes - 1) / kLanes * kLanes;
+}
+
+enum class InstructionSet { Baseline, Avx2, Avx512 };
+
+// One signal through harmonics that turn with the spindle (Caliskan 2018 eq. 16-22 with a settled gain; van Dijk 2010
+// eq. 19 with its leak in `turn`): rest = x - sum Re q; q = turn (q + gain rest).
+struct HarmonicRun {
+  const double* x = nullptr;
+  double* rest = nullptr;  // before correction, times `after`
+  std::size_t frames = 0;
+  std::size_t lanes = 0;  // harmonics, in whole lanes; turn is 0 in those without a harmonic
+  double* re = nullptr;   // state q
+  double* im = nullptr;
+  const double* turnRe = nullptr;
+  const double* turnIm = nullptr;
+  double gain = 0.0;
+  double after = 1.0;
+};
+
+// One signal through a bank of filters of two sections each, lanes = bands:
+// gain (1 - z^-2)^2 / ((1 + a1 z^-1 + a2 z^-2)(1 + b1 z^-1 + b2 z^-2)).
+struct BankRun {
+  const double* x = nullptr;
+  std::size_t frames = 0;
+  std::size_t lanes = 0;                 // bands, in whole lanes
+  std::size_t stride = 0;                // of the rows below
+  const double* coefficients = nullptr;  // rows gain, a1, a2, b1, b2
+  double* state = nullptr;               // 4 rows
+  double* const* out = nullptr;          // per lane; kLanes - 1 doubles after `frames` are overwritten
+};
+
+// Analogue band edges tan(pi f / rate) of each band to the coefficients of a BankRun: Butterworth, 4 poles.
+struct BankDesign {
+  const double* low = nullptr;
+  const double* high = nullptr;
+  std::size_t lanes = 0;
+  std::size_t stride = 0;
+  double* coefficients = nullptr;
+};
+
+// Sums of the energy operator over a stretch of one band (Caliskan 2018 eq. 26, 27); 4 lags before it must be there.
+struct OperatorRun {
+  const double* first = nullptr;
+  std::size_t frames = 0;  // kLanes - 1 doubles after them are read, not used
+  std::size_t lag = 1;
+  double* signal = nullptr;      // += Psi[s]
+  double* difference = nullptr;  // += Psi[y_{k-D}] + Psi[y_{k-2D}]
+};
+
+// Amplitude squared and frequency from those sums; a band that gives none keeps what it had.
+struct SeparationRun {
+  double* signal = nullptr;  // per lane; both are 0 afterwards
+  double* difference = nullptr;
+  std::size_t lanes = 0;
+  double frames = 1.0;
+  const double* scale = nullptr;  // rate / (2 pi lag)
+  double* power = nullptr;
+  double* frequency = nullptr;
+  double* valid = nullptr;  // 1: of this stretch, 0: kept
+};
+
+struct Kernels {
+  InstructionSet set = InstructionSet::Baseline;
+  // turn^1 .. turn^n of the unit number (c, s).
+  void (*powers)(double c, double s, std::size_t n, double* re, double* im) noexcept = nullptr;
+  // q *= turn
+  void (*turn)(double* re, double* im, const double* turnRe, const double* turnIm,
+               std::size_t lanes) noexcept = nullptr;
+  void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
+  void (*bank)(const BankRun&) noexcept = nullptr;
+  void (*designBank)(const BankDesign&) noexcept = nullptr;
+  void (*operatorSums)(const OperatorRun&) noexcept = nullptr;
+  void (*separate)(const SeparationRun&) noexcept = nullptr;
+  // sum weight (re^2 + im^2), whole lanes
+  double (*weightedPower)(const double* re, const double* im, const double* weight,
+                          std::size_t lanes) noexcept = nullptr;
+};
+
+}  // namespace stillcut::dsp::kernels

@@ -1,0 +1,17 @@
+// What one instruction set's files define. See kernels.h.
+#pragma once
+
+#include "core/dsp/kernels/lanes.h"
+
+namespace stillcut::dsp::kernels::STILLCUT_SET {
+
+void powers(double c, double s, std::size_t n, double* re, double* im) noexcept;
+void turn(double* re, double* im, const double* turnRe, const double* turnIm, std::size_t lanes) noexcept;
+void harmonics(const HarmonicRun& run) noexcept;
+double weightedPower(const double* re, const double* im, const double* weight, std::size_t lanes) noexcept;
+void bank(const BankRun& run) noexcept;
+void designBank(const BankDesign& design) noexcept;
+void operatorSums(const OperatorRun& run) noexcept;
+void separate(const SeparationRun& run) noexcept;
+
+}  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -1,0 +1,17 @@
+#include "core/dsp/kernels/set.h"
+#include "core/dsp/kernels/tables.h"
+
+namespace stillcut::dsp::kernels::STILLCUT_SET {
+
+void fill(Kernels& k) noexcept {
+  k.powers = powers;
+  k.turn = turn;
+  k.harmonics = harmonics;
+  k.weightedPower = weightedPower;
+  k.bank = bank;
+  k.designBank = designBank;
+  k.operatorSums = operatorSums;
+  k.separate = separate;
+}
+
+}  // namespace stillcut::dsp::kernels::STILLCUT_SET

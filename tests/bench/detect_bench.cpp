@@ -1,0 +1,66 @@
+// What the detectors' methods cost per sample and channel at 25.6 kHz, double, one core (best_of.h), with every
+// instruction set that the machine has.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/detect/energy_chain.h"
+#include "core/dsp/kernels/choose.h"
+#include "tests/bench/best_of.h"
+
+namespace stillcut::detect {
+namespace {
+
+using dsp::kernels::InstructionSet;
+
+constexpr double kRate = 25600.0;
+constexpr std::size_t kFrames = 6400;
+
+// A cut: harmonics of the spindle, chatter, something like noise.
+std::vector<double> cut(Hertz spindle, double phase) {
+  std::vector<double> x(kFrames);
+  double noise = 0.3;
+  for (std::size_t k = 0; k < kFrames; ++k) {
+    const double t = static_cast<double>(k) / kRate;
+    noise = 3.99 * noise * (1.0 - noise);
+    x[k] = 0.1 * noise + 0.3 * std::sin(kTwoPi * 1234.0 * t);
+    for (int n = 1; n <= 32; ++n) x[k] += std::cos(n * (kTwoPi * spindle.value * t + phase)) / n;
+  }
+  return x;
+}
+
+// Hops of an eighth of a turn, the energy ratio at the end of each.
+void energyChain(benchmark::State& state, InstructionSet set) {
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  EnergyChain chain;
+  chain.prepare({1, 32, 14, 2, Hertz(kRate), spindle * 0.5}, dsp::kernels::kernelsOf(set));
+  chain.tune(spindle, 2.0 / 512.0);
+  const double step = kTwoPi * spindle.value / kRate;
+  constexpr std::size_t kHop = 32;
+  bench::bestOf(state, {kFrames, 50.0, 1.0 / kRate}, [&] {
+    double ratio = 0.0;
+    for (std::size_t k = 0; k < kFrames; k += kHop) {
+      chain.align(step * static_cast<double>(k), step);
+      chain.process(x.data() + k, 0, kHop);
+      chain.endHop();
+      ratio += chain.ratio(0, -1);
+    }
+    benchmark::DoNotOptimize(ratio);
+  });
+}
+
+[[maybe_unused]] const bool kRegistered = [] {
+  for (const InstructionSet set : dsp::kernels::availableSets()) {
+    const std::string name(dsp::kernels::nameOf(set));
+    benchmark::RegisterBenchmark(("energy-ratio chain N=32 M=14, " + name).c_str(), energyChain, set);
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace stillcut::detect
+
+BENCHMARK_MAIN();

@@ -1,0 +1,171 @@
+// Every instruction set against the baseline, bit by bit, and the baseline against plain sums.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "core/dsp/butterworth.h"
+#include "core/dsp/kernels/choose.h"
+
+namespace stillcut::dsp::kernels {
+namespace {
+
+using Values = std::vector<double>;
+
+Values noise(std::size_t n, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  Values x(n);
+  for (double& v : x) v = normal(engine);
+  return x;
+}
+
+// What `work` makes with each set; all the same.
+template <class Work>
+Values sameWithEverySet(const Work& work) {
+  Values baseline = work(kernelsOf(InstructionSet::Baseline));
+  for (const InstructionSet set : availableSets()) {
+    EXPECT_EQ(kernelsOf(set).set, set);
+    EXPECT_EQ(work(kernelsOf(set)), baseline) << nameOf(set);
+  }
+  return baseline;
+}
+
+struct Harmonics {
+  explicit Harmonics(std::size_t lanes) : re(lanes), im(lanes), c(lanes), s(lanes) {}
+  Values re, im, c, s;
+};
+
+TEST(Kernels, HarmonicsAreTheRecursionWrittenOut) {
+  constexpr double kStep = 0.0317;
+  constexpr double kGain = 0.004;
+  for (const std::size_t count : {1U, 8U, 12U, 32U, 53U}) {
+    const Values x = noise(777, 1);
+    const std::size_t lanes = wholeLanes(count);
+    const Values rest = sameWithEverySet([&](const Kernels& k) {
+      Harmonics h(lanes);
+      k.powers(std::cos(kStep), std::sin(kStep), count, h.c.data(), h.s.data());
+      Values out(x.size());
+      k.harmonics({x.data(), out.data(), 500, lanes, h.re.data(), h.im.data(), h.c.data(), h.s.data(), kGain, 0.9});
+      k.harmonics(
+          {x.data() + 500, out.data() + 500, 277, lanes, h.re.data(), h.im.data(), h.c.data(), h.s.data(), kGain, 0.9});
+      out.push_back(k.weightedPower(h.re.data(), h.im.data(), h.c.data(), lanes));
+      return out;
+    });
+    std::vector<std::complex<double>> q(count);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      double e = x[k];
+      for (const auto& v : q) e -= v.real();
+      for (std::size_t n = 0; n < count; ++n) {
+        q[n] = (q[n] + kGain * e) * std::polar(1.0, kStep * static_cast<double>(n + 1));
+      }
+      ASSERT_NEAR(rest[k], 0.9 * e, 1e-11) << k << " of " << count;
+    }
+    double power = 0.0;
+    for (std::size_t n = 0; n < count; ++n) power += std::cos(kStep * static_cast<double>(n + 1)) * std::norm(q[n]);
+    EXPECT_NEAR(rest.back(), power, 1e-11);
+  }
+}
+
+TEST(Kernels, TheBankIsButterworth) {
+  constexpr Hertz kRate(25600.0);
+  constexpr std::size_t kLanesUsed = 24;
+  constexpr std::size_t kFrames = 1003;           // not whole lanes
+  constexpr std::size_t kRow = kFrames + kLanes;  // a run may write beyond its end
+  const Values x = noise(kFrames, 2);
+  const auto edge = [&](std::size_t m) { return Hertz(m == 0 ? 60.0 : 440.0 * static_cast<double>(m)); };
+  const Values out = sameWithEverySet([&](const Kernels& k) {
+    Values low(kLanesUsed);
+    Values high(kLanesUsed);
+    for (std::size_t m = 0; m < kLanesUsed; ++m) {
+      low[m] = std::tan(std::numbers::pi * (edge(m) / kRate));
+      high[m] = std::tan(std::numbers::pi * (edge(m + 1) / kRate));
+    }
+    Values coefficients(5 * kLanesUsed);
+    Values state(4 * kLanesUsed);
+    k.designBank({low.data(), high.data(), kLanesUsed, kLanesUsed, coefficients.data()});
+    Values rows(kLanesUsed * kRow);
+    std::vector<double*> to(kLanesUsed);
+    for (std::size_t from = 0; from < kFrames; from += 37) {
+      const std::size_t frames = std::min<std::size_t>(37, kFrames - from);
+      for (std::size_t m = 0; m < kLanesUsed; ++m) to[m] = rows.data() + m * kRow + from;
+      k.bank({x.data() + from, frames, kLanesUsed, kLanesUsed, coefficients.data(), state.data(), to.data()});
+    }
+    return rows;
+  });
+  for (std::size_t m = 0; m < kLanesUsed; ++m) {
+    Butterworth filter;
+    filter.bandPass(4, edge(m), edge(m + 1), kRate);
+    for (std::size_t k = 0; k < kFrames; ++k) {
+      ASSERT_NEAR(out[m * kRow + k], filter.process(x[k]), 1e-11) << "band " << m << " frame " << k;
+    }
+  }
+}
+
+TEST(Kernels, OperatorSumsAreTheOperatorWrittenOut) {
+  const Values s = noise(600, 3);
+  for (const std::size_t lag : {1U, 3U, 64U}) {
+    for (const std::size_t frames : {1U, 7U, 8U, 29U, 256U}) {
+      const Values sums = sameWithEverySet([&](const Kernels& k) {
+        Values sum(2, 0.5);
+        k.operatorSums({s.data() + 300, frames, lag, &sum[0], &sum[1]});
+        return sum;
+      });
+      const auto psi = [lag](const auto& x, std::size_t k) { return x(k) * x(k) - x(k - lag) * x(k + lag); };
+      const auto signal = [&](std::size_t k) { return s[k]; };
+      const auto difference = [&](std::size_t k) { return s[k] - s[k - lag]; };
+      double plain = 0.5;
+      double plainDifference = 0.5;
+      for (std::size_t k = 300; k < 300 + frames; ++k) {
+        plain += psi(signal, k - 2 * lag);
+        plainDifference += psi(difference, k - lag) + psi(difference, k - 2 * lag);
+      }
+      EXPECT_NEAR(sums[0], plain, 1e-10);
+      EXPECT_NEAR(sums[1], plainDifference, 1e-10);
+    }
+  }
+}
+
+TEST(Kernels, SeparationGivesAmplitudeAndAngleAndKeepsWhatItCannotTell) {
+  constexpr std::size_t kBands = 64;
+  // Angles over the whole circle half, then bands that say nothing: no energy, cosine beyond 1, not a number.
+  Values angles(kBands);
+  for (std::size_t m = 0; m < kBands; ++m) {
+    angles[m] = 0.05 + (std::numbers::pi - 0.1) * static_cast<double>(m) / (kBands - 1);
+  }
+  constexpr double kFrames = 20.0;
+  constexpr double kPower = 9.0;
+  constexpr std::size_t kSilent = 5;
+  constexpr std::size_t kWild = 23;
+  constexpr std::size_t kBroken = 40;
+  const Values all = sameWithEverySet([&](const Kernels& k) {
+    Values signal(kBands);
+    Values difference(kBands);
+    for (std::size_t m = 0; m < kBands; ++m) {
+      signal[m] = kFrames * kPower * std::pow(std::sin(angles[m]), 2);
+      difference[m] = 4.0 * signal[m] * (1.0 - std::cos(angles[m]));
+    }
+    signal[kSilent] = 0.0;
+    difference[kWild] *= 10.0;
+    signal[kWild] = 1.0;
+    signal[kBroken] = std::numeric_limits<double>::quiet_NaN();
+    const Values scale(kBands, 2.0);
+    Values out(3 * kBands, 77.0);
+    k.separate({signal.data(), difference.data(), kBands, kFrames, scale.data(), out.data(), out.data() + kBands,
+                out.data() + 2 * kBands});
+    for (const Values* v : {&signal, &difference}) EXPECT_EQ(*v, Values(kBands, 0.0));
+    return out;
+  });
+  for (std::size_t m = 0; m < kBands; ++m) {
+    const bool told = m != kSilent && m != kWild && m != kBroken;
+    EXPECT_EQ(all[2 * kBands + m], told ? 1.0 : 0.0) << m;
+    EXPECT_NEAR(all[m], told ? kPower : 77.0, 1e-9) << m;
+    // 1 - cos loses digits where the angle is small.
+    EXPECT_NEAR(all[kBands + m], told ? 2.0 * angles[m] : 77.0, 1e-12) << m;
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::dsp::kernels
