@@ -1,5 +1,10 @@
 // Speed of the stability methods against what is asked of them; the counter `of_target` is time/target: below 1 is met.
 #include <benchmark/benchmark.h>
+#include <ctime>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
 
 #include "core/milling/stability/lobe_sweep.h"
 
@@ -36,21 +41,83 @@ void limitCurve(benchmark::State& state) {
 }
 BENCHMARK(limitCurve)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond);
 
-// 401 speeds x 201 depths, exact, two degrees of freedom; the argument is the number of threads.
-void chart(benchmark::State& state) {
-  const auto speeds = speedSteps(Rpm(5000), Rpm(25000), Rpm(50), "bench").value();
+// 401 speeds x 201 depths, exact, two degrees of freedom.
+void computeChart(int threads) {
+  static const std::vector<Rpm> kSpeeds = speedSteps(Rpm(5000), Rpm(25000), Rpm(50), "bench").value();
   std::vector<Metres> depths;
   for (int i = 0; i <= 200; ++i) depths.emplace_back(4e-3 * i / 200);
   SweepOptions options;
   options.limits = {Metres(4e-3), false, false, {}};
-  options.threads = static_cast<int>(state.range(0));
-  for (auto _ : state) {
-    const auto sweep = sweepLobes(textbook(2), speeds, options, "bench");
-    benchmark::DoNotOptimize(makeChart(*sweep, depths));
-  }
+  options.threads = threads;
+  const auto sweep = sweepLobes(textbook(2), kSpeeds, options, "bench");
+  benchmark::DoNotOptimize(makeChart(*sweep, depths));
+}
+
+void chart(benchmark::State& state) {
+  for (auto _ : state) computeChart(static_cast<int>(state.range(0)));
   compare(state, 4.0);
 }
 BENCHMARK(chart)->Arg(1)->Arg(2)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+double seconds(clockid_t clock) {
+  timespec t{};
+  clock_gettime(clock, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+// One thread against two, best of each. `by_clock` needs two idle cores; `by_share` is what they would give: the
+// processor time of one thread over that of the busier of two, which counts what the division of the work costs.
+void speedUpOfTwoCores(benchmark::State& state) {
+  double oneClock = 1e300, twoClock = 1e300, oneWork = 1e300, busier = 1e300;
+  for (auto _ : state) {
+    const double from = seconds(CLOCK_MONOTONIC);
+    const double work = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    computeChart(1);
+    oneClock = std::min(oneClock, seconds(CLOCK_MONOTONIC) - from);
+    oneWork = std::min(oneWork, seconds(CLOCK_PROCESS_CPUTIME_ID) - work);
+    const double again = seconds(CLOCK_MONOTONIC);
+    const double all = seconds(CLOCK_PROCESS_CPUTIME_ID);
+    const double own = seconds(CLOCK_THREAD_CPUTIME_ID);
+    computeChart(2);
+    const double mine = seconds(CLOCK_THREAD_CPUTIME_ID) - own;
+    const double others = seconds(CLOCK_PROCESS_CPUTIME_ID) - all - mine;
+    twoClock = std::min(twoClock, seconds(CLOCK_MONOTONIC) - again);
+    busier = std::min(busier, std::max(mine, others));
+  }
+  state.counters["by_clock"] = oneClock / twoClock;
+  state.counters["by_share"] = oneWork / busier;
+  state.counters["of_target"] = 1.8 / (oneWork / busier);
+}
+BENCHMARK(speedUpOfTwoCores)->Unit(benchmark::kMillisecond)->Iterations(10);
+
+// From the request to stop until sweepLobes() has returned, at the speeds where one expansion takes longest.
+void cancelling(benchmark::State& state) {
+  const auto speeds = speedSteps(Rpm(40), Rpm(100), Rpm(1), "bench").value();
+  SweepOptions options;
+  options.method = static_cast<LobeMethod>(state.range(0));
+  options.limits = {Metres(1.0), false, true, {}};
+  options.sdm = {2000, 1};
+  double worst = 0.0;
+  int after = 0;
+  for (auto _ : state) {
+    std::stop_source stop;
+    std::jthread worker(
+        [&] { benchmark::DoNotOptimize(sweepLobes(textbook(2), speeds, options, "bench", stop.get_token())); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20 + 13 * (after++ % 20)));
+    const double asked = seconds(CLOCK_MONOTONIC);
+    stop.request_stop();
+    worker.join();
+    worst = std::max(worst, seconds(CLOCK_MONOTONIC) - asked);
+  }
+  state.counters["worst_ms"] = 1e3 * worst;
+  state.counters["of_target"] = worst / 0.050;
+}
+BENCHMARK(cancelling)
+    ->Arg(static_cast<int>(LobeMethod::Exact))
+    ->Arg(static_cast<int>(LobeMethod::SemiDiscretization))
+    ->Arg(static_cast<int>(LobeMethod::ZerothOrder))
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(20);
 
 void semiDiscretizationPoint(benchmark::State& state) {
   const auto modes = static_cast<int>(state.range(0));

@@ -16,6 +16,7 @@ namespace detail {
 template <class F>
 double bisectedChange(const F& f, double a, std::complex<double> fa, double b, std::complex<double> fb, int level,
                       bool& touches) {
+  if (touches) return 0.0;
   const double m = 0.5 * (a + b);
   const std::complex<double> fm = f(m);
   const double first = std::arg(fm / fa);

@@ -1,13 +1,17 @@
 // One period of the semi-discretized cut at one speed and depth: u_(i+1) = P_i u_i + R0_i x_(i-k) + R1_i x_(i-k+1).
+// When the meter stops, what is computed is NaN.
 // N is the number of states (2 or 4 at compile time, otherwise Eigen::Dynamic), A that of the axes x has (1 or 2).
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <vector>
 
 #include "core/milling/stability/regenerative_system.h"
+#include "core/milling/stability/work_meter.h"
 
 namespace stillcut::milling {
 
@@ -50,7 +54,8 @@ class CellMap {
   using Planar2 = Eigen::Matrix<double, A, A>;
   using Complexes = Eigen::Matrix<std::complex<double>, N, N>;
 
-  CellMap(const RegenerativeSystem& system, Rpm speed, double depth, int cells, int order) {
+  CellMap(const RegenerativeSystem& system, Rpm speed, double depth, int cells, int order, WorkMeter& meter)
+      : meter_(&meter) {
     const auto n = static_cast<Eigen::Index>(system.states());
     Real free = Real::Zero(n, n);
     Inject in = Inject::Zero(n, A);
@@ -68,7 +73,8 @@ class CellMap {
     const double dt = system.toothPeriod(speed) / cells;
     const PhiFunctions<Real> air(free * dt);
     cells_.reserve(static_cast<std::size_t>(cells));
-    for (int i = 0; i < cells; ++i) {
+    const double cube = std::pow(static_cast<double>(n), 3);
+    for (int i = 0; i < cells && meter.proceed(100.0 + 60.0 * cube); ++i) {
       const Planar h = system.mean(system.toothAngle * i / cells, system.toothAngle * (i + 1) / cells);
       Planar2 force;
       for (int r = 0; r < A; ++r) {
@@ -135,7 +141,17 @@ class CellMap {
                  std::vector<std::complex<double>>* motion) const {
     using Tip = Eigen::Matrix<std::complex<double>, A, Columns::ColsAtCompileTime>;
     const std::complex<double> nu = 1.0 / mu;
+    const double effort = 30.0 + 4.0 * static_cast<double>(u.size() * (u.rows() + 4 * A));
+    double ahead = 0.0;  // operations the meter has been told of and that are still to be done
     for (const Cell& cell : cells_) {
+      if (ahead <= 0.0) {
+        ahead = std::max(effort, 1e6);
+        if (!meter_->proceed(ahead)) {
+          u.setConstant(std::numeric_limits<double>::quiet_NaN());
+          return u;
+        }
+      }
+      ahead -= effort;
       Tip x = observe_ * u;
       if (motion != nullptr) {
         motion->push_back(x(0, 0));
@@ -174,6 +190,7 @@ class CellMap {
     }
   }
 
+  WorkMeter* meter_;
   Observe observe_;
   std::vector<Cell> cells_;
 };

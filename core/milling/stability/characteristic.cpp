@@ -34,11 +34,17 @@ Complex hessenbergDeterminant(const Eigen::MatrixXcd& h, Complex mu, Eigen::Matr
   return det * work(n - 1, n - 1);
 }
 
+// Operations of characteristicCoefficients(): reduction to Hessenberg form and one determinant per state, complex.
+double coefficientEffort(int states) {
+  const double n = states;
+  return 40.0 * n * n * n;
+}
+
 // One value of f's s-dependence: coefficient vectors on the circle, nodes in the order of their angle.
 class CircleNodes {
  public:
-  CircleNodes(const TransitionMatrix& transition, Complex centre, double radius)
-      : transition_(transition), centre_(centre), radius_(radius), real_(centre.imag() == 0.0) {}
+  CircleNodes(const TransitionMatrix& transition, Complex centre, double radius, WorkMeter& meter)
+      : transition_(transition), meter_(meter), centre_(centre), radius_(radius), real_(centre.imag() == 0.0) {}
 
   std::size_t count() const { return count_; }
   std::size_t inner() const { return static_cast<std::size_t>(transition_.states()) - 1; }
@@ -47,7 +53,7 @@ class CircleNodes {
   const Complex& value(std::size_t node, std::size_t k) const { return values_[node * inner() + k]; }
 
   // Doubles the nodes (or starts with 16), evaluating only the new ones; a real centre needs only the upper half.
-  bool refine(const std::stop_token& stop) {
+  bool refine() {
     const std::size_t wanted = count_ == 0 ? 16 : 2 * count_;
     std::vector<Complex> next(wanted * inner());
     std::vector<std::size_t> fresh;
@@ -61,25 +67,25 @@ class CircleNodes {
     }
     values_ = std::move(next);
     count_ = wanted;
-    return evaluate(fresh, stop);
+    return evaluate(fresh);
   }
 
  private:
-  bool evaluate(const std::vector<std::size_t>& fresh, const std::stop_token& stop) {
+  bool evaluate(const std::vector<std::size_t>& fresh) {
     const auto n = static_cast<std::size_t>(transition_.states());
     std::vector<Complex> s;
     std::vector<Complex> psi(8 * n * n);
     std::vector<Complex> c(n);
     for (std::size_t first = 0; first < fresh.size(); first += 8) {
-      if (stop.stop_requested()) return false;
       const std::size_t lanes = std::min<std::size_t>(8, fresh.size() - first);
       s.clear();
       for (std::size_t b = 0; b < lanes; ++b) {
         s.push_back(centre_ +
                     std::polar(radius_, kTwoPi * static_cast<double>(fresh[first + b]) / static_cast<double>(count_)));
       }
-      transition_.evaluate(s, psi);
+      if (!transition_.evaluate(s, psi, meter_)) return false;
       for (std::size_t b = 0; b < lanes; ++b) {
+        if (!meter_.proceed(coefficientEffort(transition_.states()))) return false;
         characteristicCoefficients(std::span(psi).subspan(b * n * n, n * n), transition_.states(),
                                    transition_.determinant(), c);
         store(fresh[first + b], c);
@@ -101,6 +107,7 @@ class CircleNodes {
   }
 
   const TransitionMatrix& transition_;
+  WorkMeter& meter_;
   Complex centre_;
   double radius_;
   bool real_;
@@ -168,11 +175,13 @@ void characteristicCoefficients(std::span<const Complex> psi, int states, double
 }
 
 std::optional<Characteristic> Characteristic::build(const TransitionMatrix& transition, Complex centre, double radius,
-                                                    const std::stop_token& stop) {
-  CircleNodes nodes(transition, centre, radius);
+                                                    WorkMeter& meter) {
+  CircleNodes nodes(transition, centre, radius, meter);
   while (nodes.count() < kMostTerms) {
-    if (!nodes.refine(stop)) return std::nullopt;
+    if (!nodes.refine()) return std::nullopt;
     if (nodes.largest() > kRangeLimit * nodes.smallest()) return std::nullopt;
+    const auto m = static_cast<double>(nodes.count());
+    if (!meter.proceed(8.0 * m * m * static_cast<double>(nodes.inner()))) return std::nullopt;
     const std::vector<Complex> c = expand(nodes);
     const double tolerance = nodes.count() < 64 ? kTailTolerance : kNoiseTolerance;
     const std::size_t terms = convergedTerms(c, nodes.inner(), tolerance * nodes.smallest());

@@ -7,7 +7,6 @@
 #include <complex>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <vector>
 
 #include "core/milling/stability/transition_matrix.h"
@@ -23,11 +22,12 @@ class Characteristic {
   // Empty when the expansion does not reach the accuracy wanted within the terms allowed (the disc is too large for
   // it: split it), or when stopped.
   static std::optional<Characteristic> build(const TransitionMatrix& transition, Complex centre, double radius,
-                                             const std::stop_token& stop);
+                                             WorkMeter& meter);
 
   CharacteristicValue at(Complex mu, Complex s) const;
   Complex valueAt(Complex mu, Complex s) const;
   int states() const { return states_; }
+  double effort() const { return 24.0 * static_cast<double>(re_.size()); }  // operations of at(); valueAt() has a third
 
  private:
   Complex centre_;

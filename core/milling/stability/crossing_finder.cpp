@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/milling/stability/argument_principle.h"
@@ -13,7 +14,8 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kInjective = 0.35;  // second order against the smallest stretch of the linear map: one-to-one below
 constexpr double kEdge = 1e-7;       // a zero may lie this far outside its cell, in cells
-constexpr int kDeepest = 26;         // halvings: two zeros closer than 1e-7 of the box are taken as one tangency
+constexpr int kMostCells = 500000;
+constexpr int kDeepest = 26;  // halvings: two zeros closer than 1e-7 of the box are taken as one tangency
 
 struct Cell {
   double angle, depth;  // centre
@@ -40,15 +42,16 @@ double smallestStretch(Complex u, Complex v) {
 
 class Search {
  public:
-  Search(const Characteristic& f, const ThetaDepthBox& box, double caution) : f_(f), box_(box), caution_(caution) {}
+  Search(const Characteristic& f, const ThetaDepthBox& box, double caution, WorkMeter& meter)
+      : f_(f), box_(box), caution_(caution), meter_(meter) {}
 
-  std::vector<CircleCrossing> run(const std::stop_token& stop) {
+  std::optional<std::vector<CircleCrossing>> run() {
     const int across = std::max(1, static_cast<int>(std::lround(6.0 * (box_.angle1 - box_.angle0) / kPi)));
     const double a = 0.5 * (box_.angle1 - box_.angle0) / across;
     const double w = 0.5 * (box_.depth1 - box_.depth0);
     for (int i = 0; i < across; ++i) cells_.push_back({box_.angle0 + (2 * i + 1) * a, box_.depth0 + w, a, w, 0});
     for (int visited = 0; !cells_.empty(); ++visited) {
-      if (visited % 256 == 0 && stop.stop_requested()) break;
+      if (visited > kMostCells || !meter_.proceed(f_.effort())) return std::nullopt;
       const Cell cell = cells_.back();
       cells_.pop_back();
       visit(cell);
@@ -89,7 +92,7 @@ class Search {
   void settle(const Cell& cell) {
     double angle = cell.angle;
     double depth = cell.depth;
-    for (int i = 0; i < 12; ++i) {
+    for (int i = 0; i < 12 && meter_.proceed(f_.effort()); ++i) {
       const CircleValue v = onCircle(f_, angle, depth);
       double da = 0.0;
       double dw = 0.0;
@@ -119,6 +122,7 @@ class Search {
   const Characteristic& f_;
   ThetaDepthBox box_;
   double caution_;
+  WorkMeter& meter_;
   std::vector<Cell> cells_;
   std::vector<CircleCrossing> found_;
 };
@@ -148,14 +152,18 @@ CircleValue onCircle(const Characteristic& characteristic, double angle, double 
   return r;
 }
 
-std::vector<CircleCrossing> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
-                                          double caution, const std::stop_token& stop) {
-  return Search(characteristic, box, caution).run(stop);
+std::optional<std::vector<CircleCrossing>> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
+                                                         double caution, WorkMeter& meter) {
+  return Search(characteristic, box, caution, meter).run();
 }
 
-double argumentChange(const Characteristic& characteristic, double depth, double a, double b) {
+double argumentChange(const Characteristic& characteristic, double depth, double a, double b, WorkMeter& meter) {
   const int pieces = 1 + static_cast<int>((5 + 2 * characteristic.states()) * (b - a) / kPi);
-  return argumentChange([&](double angle) { return circleValue(characteristic, angle, depth); }, a, b, pieces);
+  const auto value = [&](double angle) -> Complex {
+    if (!meter.proceed(characteristic.effort() / 3.0)) return std::numeric_limits<double>::quiet_NaN();
+    return circleValue(characteristic, angle, depth);
+  };
+  return argumentChange(value, a, b, pieces);
 }
 
 }  // namespace stillcut::milling

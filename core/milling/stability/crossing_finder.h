@@ -4,7 +4,7 @@
 // be stepped over, however thin.
 #pragma once
 
-#include <stop_token>
+#include <optional>
 #include <vector>
 
 #include "core/milling/stability/characteristic.h"
@@ -30,13 +30,14 @@ struct CircleValue {
 CircleValue onCircle(const Characteristic& characteristic, double angle, double depth);
 
 // `caution` multiplies the bound on what the second-order terms leave out; 1 is usual, larger is slower and surer.
-// Returns what was found so far when stopped.
-std::vector<CircleCrossing> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
-                                          double caution, const std::stop_token& stop);
+// Empty when stopped, or when the box needs more cells than any cut seen so far by far: f is then lost in its noise.
+std::optional<std::vector<CircleCrossing>> findCrossings(const Characteristic& characteristic, const ThetaDepthBox& box,
+                                                         double caution, WorkMeter& meter);
 
 // Change of arg f along the circle from angle a to b at a depth [rad]; NaN when a multiplier sits on the circle to
-// within what can be told. By the argument principle on f/mu^n (analytic outside the circle, one at infinity) the
-// number of multipliers outside is states - change(0, pi)/pi, the lower half circle mirroring the upper one.
-double argumentChange(const Characteristic& characteristic, double depth, double a, double b);
+// within what can be told, and when stopped. By the argument principle on f/mu^n (analytic outside the circle, one at
+// infinity) the number of multipliers outside is states - change(0, pi)/pi, the lower half circle mirroring the upper
+// one.
+double argumentChange(const Characteristic& characteristic, double depth, double a, double b, WorkMeter& meter);
 
 }  // namespace stillcut::milling

@@ -6,10 +6,13 @@
 #include <span>
 
 #include "core/base/units.h"
+#include "core/milling/stability/work_meter.h"
 
 namespace stillcut::milling {
 
-// `motion` holds x and y, interleaved, at equal times over one period [s]; lines -lines..lines are compared.
-Hertz dominantLine(std::span<const std::complex<double>> motion, double angle, double period, int lines);
+// `motion` holds x and y, interleaved, at equal times over one period [s]; lines -lines..lines are compared. 0 when
+// stopped.
+Hertz dominantLine(std::span<const std::complex<double>> motion, double angle, double period, int lines,
+                   WorkMeter& meter);
 
 }  // namespace stillcut::milling

@@ -1,6 +1,7 @@
 // ExactLobes::dominantMultiplier: the circle |mu| = r is widened or narrowed until the argument principle finds the
 // outermost multiplier just outside it, then Newton.
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -16,10 +17,11 @@ constexpr double kSmallest = 1e-2;  // a multiplier below this is reported as th
 constexpr double kLargest = 1e4;
 
 // Multipliers outside |mu| = r; empty when that cannot be told there.
-std::optional<int> countBeyond(const TransitionMatrix& transition, double depth, double r) {
-  const auto f = Characteristic::build(transition, depth, depth / r, {});
+std::optional<int> countBeyond(const TransitionMatrix& transition, double depth, double r, WorkMeter& meter) {
+  const auto f = Characteristic::build(transition, depth, depth / r, meter);
   if (!f) return std::nullopt;
-  const auto value = [&](double angle) {
+  const auto value = [&](double angle) -> Complex {
+    if (!meter.proceed(f->effort() / 3.0)) return std::numeric_limits<double>::quiet_NaN();
     const Complex mu = std::polar(r, angle);
     return f->valueAt(mu, depth * (1.0 - 1.0 / mu));
   };
@@ -29,7 +31,7 @@ std::optional<int> countBeyond(const TransitionMatrix& transition, double depth,
 }
 
 // Newton on the transition matrix itself, the derivative by a central difference in mu.
-Complex refined(const TransitionMatrix& transition, double depth, Complex mu) {
+Complex refined(const TransitionMatrix& transition, double depth, Complex mu, WorkMeter& meter) {
   const auto n = static_cast<std::size_t>(transition.states());
   std::vector<Complex> psi(3 * n * n);
   std::vector<Complex> c(n);
@@ -39,7 +41,7 @@ Complex refined(const TransitionMatrix& transition, double depth, Complex mu) {
     std::array<Complex, 3> s;
     std::array<Complex, 3> f;
     for (std::size_t j = 0; j < 3; ++j) s[j] = depth * (1.0 - 1.0 / at[j]);
-    transition.evaluate(s, psi);
+    if (!transition.evaluate(s, psi, meter)) break;
     for (std::size_t j = 0; j < 3; ++j) {
       characteristicCoefficients(std::span(psi).subspan(j * n * n, n * n), transition.states(),
                                  transition.determinant(), c);
@@ -56,14 +58,16 @@ Complex refined(const TransitionMatrix& transition, double depth, Complex mu) {
 
 }  // namespace
 
-Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres depth) const {
+Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres depth,
+                                                            const std::stop_token& stop) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
   if (!std::isfinite(depth.value) || depth.value < 0.0 || depth.value > 1.0) {
     return Error{"depth", "must lie between 0 and 1 m", ""};
   }
   const double w = depth.value;
-  const TransitionMatrix rough(system_, speed, 2.0 * w, 1.0);
-  const TransitionMatrix fine(system_, speed, 2.0 * w, 0.3);
+  WorkMeter meter(stop);
+  const TransitionMatrix rough(system_, speed, 2.0 * w, 1.0, meter);
+  const TransitionMatrix fine(system_, speed, 2.0 * w, 0.3, meter);
   const Error lost{"dominant multiplier", "the cut is too unstable for double precision", "take a smaller depth"};
   if (w == 0.0) {
     double slowest = 0.0;
@@ -74,33 +78,33 @@ Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres de
   }
   double inner = 1.0;
   double outer = 1.0;
-  std::optional<int> beyond = countBeyond(rough, w, 1.0);
+  std::optional<int> beyond = countBeyond(rough, w, 1.0, meter);
   if (!beyond) return lost;
   if (*beyond > 0) {
     while (beyond && *beyond > 0 && outer < kLargest) {
       inner = outer;
       outer *= 1.5;
-      beyond = countBeyond(rough, w, outer);
+      beyond = countBeyond(rough, w, outer, meter);
     }
   } else {
     while (beyond && *beyond == 0 && inner > kSmallest) {
       outer = inner;
       inner /= 1.3;
-      beyond = countBeyond(rough, w, inner);
+      beyond = countBeyond(rough, w, inner, meter);
     }
     if (beyond && *beyond == 0) return std::complex<double>(kSmallest);
   }
   if (!beyond) return lost;
-  while (outer / inner > 1.002) {
+  while (outer / inner > 1.002 && !meter.stopped()) {
     const double middle = std::sqrt(inner * outer);
-    beyond = countBeyond(rough, w, middle);
+    beyond = countBeyond(rough, w, middle, meter);
     (beyond.value_or(0) > 0 ? inner : outer) = middle;
   }
-  const auto f = Characteristic::build(rough, w, w / inner, {});
+  const auto f = Characteristic::build(rough, w, w / inner, meter);
   if (!f) return lost;
   Complex best = inner;
   double smallest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= 1024; ++i) {
+  for (int i = 0; i <= 1024 && meter.proceed(f->effort()); ++i) {
     const Complex mu = std::polar(inner, std::numbers::pi * i / 1024);
     const CharacteristicValue v = f->at(mu, w * (1.0 - 1.0 / mu));
     const double distance = std::abs(v.f / (v.fm + v.fs * w / (mu * mu)));
@@ -108,7 +112,8 @@ Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres de
     smallest = distance;
     best = mu;
   }
-  return refined(fine, w, best);
+  if (meter.stopped()) return Error{"dominant multiplier", "was stopped", ""};
+  return refined(fine, w, best, meter);
 }
 
 }  // namespace stillcut::milling

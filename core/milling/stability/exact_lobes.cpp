@@ -58,9 +58,14 @@ Status ExactLobes::checkDepth(Metres largest) {
 }
 
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop) const {
+  WorkMeter meter(stop);
+  return limits(speed, options, meter);
+}
+
+Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
   if (Status ok = checkDepth(options.maxDepth); !ok) return ok.error();
-  return LimitSearch(system_, speed, options, stop).run();
+  return LimitSearch(system_, speed, options, meter).run();
 }
 
 }  // namespace stillcut::milling

@@ -16,6 +16,7 @@
 #include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/milling/stability/regenerative_system.h"
+#include "core/milling/stability/work_meter.h"
 
 namespace stillcut::milling {
 
@@ -64,8 +65,9 @@ class ExactLobes {
   Status checkSpeed(Rpm speed) const;
   static Status checkDepth(Metres largest);  // above 0 and up to 1 m
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
-  // The multiplier of largest modulus at one depth, |mu| > 1 is unstable.
-  Result<std::complex<double>> dominantMultiplier(Rpm speed, Metres depth) const;
+  Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const;
+  // The multiplier of largest modulus at one depth, |mu| > 1 is unstable. An error when stopped.
+  Result<std::complex<double>> dominantMultiplier(Rpm speed, Metres depth, const std::stop_token& stop = {}) const;
 
   const RegenerativeSystem& system() const { return system_; }
   // Effects of the model that the linear cut leaves out, for the reader of the result.

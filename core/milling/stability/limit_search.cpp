@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -17,7 +18,8 @@ constexpr double kFinePhase = 0.25;  // ten digits: its value
 constexpr double kFlipAngle = 1e-6;  // closer to pi than this is a flip; a pair merging with pi is one within 1e-12
 constexpr double kThinBand = 1.2;    // top over bottom of a band that is split by angle
 constexpr double kNodesPerPanel = 48.0;
-constexpr double kMostEffort = 4e8;       // arithmetic spent on bands split by angle, per speed: about a second
+constexpr double kMostBandEffort = 4e8;   // of it on bands split by angle, which get ever thinner
+constexpr double kMostWork = 2e10;        // operations spent on one speed: some ten seconds
 constexpr double kHopelessGrowth = 80.0;  // e-foldings no expansion survives
 constexpr int kMostSplits = 8;
 constexpr int kHopeless = 6;  // with so many multipliers outside and digits running short: not searched deeper
@@ -49,9 +51,8 @@ Disc enclose(const ThetaDepthBox& box) {
 
 }  // namespace
 
-LimitSearch::LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options,
-                         const std::stop_token& stop)
-    : system_(system), options_(options), stop_(stop), cutting_(cuttingShare(system) * system.toothPeriod(speed)) {
+LimitSearch::LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options, WorkMeter& meter)
+    : system_(system), options_(options), meter_(meter), cutting_(cuttingShare(system) * system.toothPeriod(speed)) {
   limits_.speed = speed;
   limits_.verified = true;
 }
@@ -67,9 +68,9 @@ double LimitSearch::growthAt(double depth) const {
 }
 
 std::optional<Characteristic> LimitSearch::expandTo(double depth) {
-  rough_.emplace(system_, limits_.speed, 2.0 * depth, kRoughPhase);
-  fine_.emplace(system_, limits_.speed, 2.0 * depth, kFinePhase);
-  return Characteristic::build(*rough_, depth, depth, stop_);
+  rough_.emplace(system_, limits_.speed, 2.0 * depth, kRoughPhase, meter_);
+  fine_.emplace(system_, limits_.speed, 2.0 * depth, kFinePhase, meter_);
+  return Characteristic::build(*rough_, depth, depth, meter_);
 }
 
 SpeedLimits LimitSearch::run() {
@@ -79,7 +80,7 @@ SpeedLimits LimitSearch::run() {
   if (options_.firstOnly) to = options_.hint.value > 0.0 ? std::min(top, 1.2 * options_.hint.value) : top / 8;
   while (growthAt(to) > kHopelessGrowth) to *= 0.5;
   double growth = 2.0;
-  while (from < top && !stop_.stop_requested()) {
+  while (from < top && !meter_.stopped() && meter_.total() < kMostWork) {
     std::optional<Characteristic> whole = expandTo(to);
     if (!whole && to > kThinBand * from) {
       to = std::max(0.5 * (from + to), 0.999 * kThinBand * from);
@@ -110,7 +111,7 @@ void LimitSearch::addBand(double from, double to, const std::optional<Characteri
     } else {
       cover(box, caution, 0, band);
     }
-    if (!band.complete || stop_.stop_requested()) return;  // searchedTo stays below this band
+    if (!band.complete || meter_.stopped()) return;  // searchedTo stays below this band
     refine(band.crossings);
     int outside = outside_;
     for (const CircleCrossing& c : band.crossings) {
@@ -126,26 +127,31 @@ void LimitSearch::addBand(double from, double to, const std::optional<Characteri
 }
 
 void LimitSearch::searchPanel(const Characteristic& expansion, const ThetaDepthBox& box, double caution, Band& band) {
-  for (const CircleCrossing& c : findCrossings(expansion, box, caution, stop_)) {
+  const auto found = findCrossings(expansion, box, caution, meter_);
+  if (!found) {
+    band.complete = false;
+    return;
+  }
+  for (const CircleCrossing& c : *found) {
     const bool known = std::any_of(band.crossings.begin(), band.crossings.end(), [&](const CircleCrossing& k) {
       return std::abs(k.angle - c.angle) < 1e-6 && std::abs(k.depth - c.depth) < 1e-6 * box.depth1;
     });
     if (!known) band.crossings.push_back(c);
   }
-  band.change += argumentChange(expansion, box.depth1, box.angle0, box.angle1);
+  band.change += argumentChange(expansion, box.depth1, box.angle0, box.angle1, meter_);
 }
 
 // The whole half circle does not fit one expansion: split it by angle.
 void LimitSearch::cover(const ThetaDepthBox& box, double caution, int level, Band& band) {
   if (!band.complete) return;
-  if (stop_.stop_requested() || effort_ > kMostEffort || level > kMostSplits) {
+  if (meter_.stopped() || bandEffort_ > kMostBandEffort || level > kMostSplits) {
     band.complete = false;
     return;
   }
   if (level > 0) {
     const Disc disc = enclose(box);
-    effort_ += kNodesPerPanel * rough_->effort();
-    if (const auto expansion = Characteristic::build(*rough_, disc.centre, disc.radius, stop_)) {
+    bandEffort_ += kNodesPerPanel * rough_->effort();
+    if (const auto expansion = Characteristic::build(*rough_, disc.centre, disc.radius, meter_)) {
       searchPanel(*expansion, box, caution, band);
       return;
     }
@@ -165,7 +171,7 @@ void LimitSearch::refine(std::vector<CircleCrossing>& crossings) const {
     for (int i = 0; i < 8 && det != 0.0; ++i) {
       const Complex mu = std::polar(1.0, x.angle);
       const Complex s = x.depth * (1.0 - std::conj(mu));
-      fine_->evaluate(std::span(&s, 1), psi);
+      if (!fine_->evaluate(std::span(&s, 1), psi, meter_)) return;
       characteristicCoefficients(psi, n, fine_->determinant(), c);
       Complex f = 1.0;
       for (std::size_t k = c.size(); k > 0; --k) f = f * mu + c[k - 1];
@@ -201,7 +207,9 @@ Hertz LimitSearch::chatterFrequency(double angle, double depth) const {
   const Complex mu = std::polar(1.0, angle);
   const Complex s = depth * (1.0 - std::conj(mu));
   Eigen::MatrixXcd psi(n, n);
-  rough_->evaluate(std::span(&s, 1), std::span(psi.data(), static_cast<std::size_t>(psi.size())));
+  if (!rough_->evaluate(std::span(&s, 1), std::span(psi.data(), static_cast<std::size_t>(psi.size())), meter_)) {
+    return Hertz(0.0);
+  }
   psi.diagonal().array() -= mu * (1.0 + 1e-9);
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(psi);
   Eigen::VectorXcd state = Eigen::VectorXcd::Ones(n);
@@ -210,8 +218,9 @@ Hertz LimitSearch::chatterFrequency(double angle, double depth) const {
 
   const double period = rough_->toothPeriod();
   const int lines = 2 + static_cast<int>(1.5 * system_.highestOmega() / kTwoPi * period);
-  return dominantLine(rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), 32 * lines), angle,
-                      period, lines);
+  const auto samples = static_cast<int>(std::bit_ceil(32U * static_cast<unsigned>(lines)));
+  const auto motion = rough_->tipMotion(s, std::span(state.data(), static_cast<std::size_t>(n)), samples, meter_);
+  return dominantLine(motion, angle, period, lines, meter_);
 }
 
 }  // namespace stillcut::milling

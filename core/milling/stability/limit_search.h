@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 #include "core/milling/stability/crossing_finder.h"
@@ -13,7 +12,7 @@ namespace stillcut::milling {
 
 class LimitSearch {
  public:
-  LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options, const std::stop_token& stop);
+  LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options, WorkMeter& meter);
   SpeedLimits run();
 
  private:
@@ -36,13 +35,13 @@ class LimitSearch {
 
   const RegenerativeSystem& system_;
   LimitOptions options_;
-  std::stop_token stop_;
+  WorkMeter& meter_;
   double cutting_;                         // time in the cut per tooth period [s]
   std::optional<TransitionMatrix> rough_;  // for the expansions
   std::optional<TransitionMatrix> fine_;   // for the refinement
   SpeedLimits limits_;
   int outside_ = 0;  // at the depth reached
-  double effort_ = 0.0;
+  double bandEffort_ = 0.0;
 };
 
 }  // namespace stillcut::milling

@@ -128,7 +128,7 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
   warnings.push_back(zoa->warning());
-  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxDepth); };
+  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxDepth, stop); };
   return sweepWith(solve, speeds, options, stop, std::move(warnings));
 }
 

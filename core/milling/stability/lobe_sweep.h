@@ -1,6 +1,6 @@
 // Limits over many speeds, in parallel, and the chart made of them. The same numbers come out whatever the number of
 // threads. Progress is reported from the working threads, one call at a time; a stop request ends the work within one
-// expansion (a few milliseconds), and what is then returned is marked unfinished.
+// piece (work_meter.h: some 20 ms at the most), and what is then returned is marked unfinished.
 #pragma once
 
 #include <cstdint>

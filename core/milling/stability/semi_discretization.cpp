@@ -16,9 +16,10 @@ constexpr double kPi = std::numbers::pi;
 
 // Calls `use` with the cell map of the right size.
 template <class Use>
-auto withMap(const RegenerativeSystem& system, Rpm speed, double depth, const SdmOptions& options, const Use& use) {
+auto withMap(const RegenerativeSystem& system, Rpm speed, double depth, const SdmOptions& options, WorkMeter& meter,
+             const Use& use) {
   const auto run = [&]<int N, int A>() {
-    return use(CellMap<N, A>(system, speed, depth, options.cells, options.order));
+    return use(CellMap<N, A>(system, speed, depth, options.cells, options.order, meter));
   };
   if (system.states() == 2) return run.template operator()<2, 1>();
   if (system.states() == 4 && system.axes == 2) return run.template operator()<4, 2>();
@@ -41,16 +42,16 @@ struct CirclePoint {
 
 class SdmRoot {
  public:
-  SdmRoot(const RegenerativeSystem& system, Rpm speed, const SdmOptions& options)
-      : system_(system), speed_(speed), options_(options) {}
+  SdmRoot(const RegenerativeSystem& system, Rpm speed, const SdmOptions& options, WorkMeter& meter)
+      : system_(system), speed_(speed), options_(options), meter_(meter) {}
 
   // Narrows [stable, unstable] to a thousandth, then Newton in (theta, w); bisection to the end where that leaves the
   // bracket.
   CirclePoint find(double stable, double unstable) const {
     double low = stable;
     double high = unstable;
-    for (double width = 1e-3; high - low > 1e-10 * high; width *= 1e-2) {
-      while (high - low > width * high) halve(low, high);
+    for (double width = 1e-3; high - low > 1e-10 * high && !meter_.stopped(); width *= 1e-2) {
+      while (high - low > width * high && !meter_.stopped()) halve(low, high);
       const double middle = 0.5 * (low + high);
       if (const auto root = newton({closestAngle(middle), middle}); root && root->depth >= low && root->depth <= high) {
         return *root;
@@ -62,19 +63,19 @@ class SdmRoot {
 
  private:
   std::complex<double> value(double angle, double depth) const {
-    return withMap(system_, speed_, depth, options_,
+    return withMap(system_, speed_, depth, options_, meter_,
                    [&](const auto& map) { return map.characteristic(std::polar(1.0, angle)); });
   }
 
   void halve(double& low, double& high) const {
     const double middle = 0.5 * (low + high);
     const auto outside =
-        withMap(system_, speed_, middle, options_, [](const auto& map) { return countBeyond(map, 1.0); });
+        withMap(system_, speed_, middle, options_, meter_, [](const auto& map) { return countBeyond(map, 1.0); });
     (outside.value_or(1) > 0 ? high : low) = middle;
   }
 
   double closestAngle(double depth) const {
-    return withMap(system_, speed_, depth, options_, [](const auto& map) {
+    return withMap(system_, speed_, depth, options_, meter_, [](const auto& map) {
       double best = 0.0;
       double smallest = std::numeric_limits<double>::infinity();
       for (int i = 0; i <= 180; ++i) {
@@ -89,7 +90,7 @@ class SdmRoot {
   }
 
   std::optional<CirclePoint> newton(CirclePoint at) const {
-    for (int i = 0; i < 15; ++i) {
+    for (int i = 0; i < 15 && !meter_.stopped(); ++i) {
       const double ha = 1e-5;
       const double hw = 1e-5 * at.depth;
       const auto f = value(at.angle, at.depth);
@@ -109,6 +110,7 @@ class SdmRoot {
   const RegenerativeSystem& system_;
   Rpm speed_;
   SdmOptions options_;
+  WorkMeter& meter_;
 };
 
 }  // namespace
@@ -127,11 +129,18 @@ Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const
 }
 
 std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
-  return withMap(lobes_.system(), speed, depth.value, options_, [](const auto& map) { return countBeyond(map, 1.0); });
+  WorkMeter meter;
+  return outside(speed, depth, meter);
+}
+
+std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth, WorkMeter& meter) const {
+  return withMap(lobes_.system(), speed, depth.value, options_, meter,
+                 [](const auto& map) { return countBeyond(map, 1.0); });
 }
 
 double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
-  return withMap(lobes_.system(), speed, depth.value, options_, [](const auto& map) {
+  WorkMeter meter;
+  return withMap(lobes_.system(), speed, depth.value, options_, meter, [](const auto& map) {
     double inner = 1e-3;
     double outer = 1e3;
     while (outer / inner > 1.0 + 1e-9) {
@@ -143,33 +152,45 @@ double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
 }
 
 Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, const std::stop_token& stop) const {
+  WorkMeter meter(stop);
+  return limit(speed, maxDepth, scan, meter);
+}
+
+Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, WorkMeter& meter) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
   if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
   SpeedLimits result;
   result.speed = speed;
-  for (int i = 1; i <= scan && !stop.stop_requested(); ++i) {
-    const double depth = maxDepth.value * i / scan;
-    const std::optional<int> count = outside(speed, Metres(depth));
+  for (int i = 1; i <= scan; ++i) {
+    const double depth = i == scan ? maxDepth.value : maxDepth.value * i / scan;
+    const std::optional<int> count = outside(speed, Metres(depth), meter);
+    if (meter.stopped()) return result;
+    if (!count || *count != 0) {
+      const double below = maxDepth.value * (i - 1) / scan;
+      const CirclePoint root = SdmRoot(lobes_.system(), speed, options_, meter).find(below, depth);
+      if (!meter.stopped()) result.crossings.push_back(limitAt(speed, root.angle, root.depth, meter));
+    }
+    if (meter.stopped()) return result;
     result.searchedTo = Metres(depth);
-    if (count && *count == 0) continue;
-    const double below = maxDepth.value * (i - 1) / scan;
-    const CirclePoint root = SdmRoot(lobes_.system(), speed, options_).find(below, depth);
-    StabilityLimit limit;
-    limit.speed = speed;
-    limit.depth = Metres(root.depth);
-    const double angle = std::abs(std::remainder(root.angle, kTwoPi));
-    limit.kind = kPi - angle < 1e-6 ? CrossingKind::Flip : CrossingKind::Hopf;
-    limit.angle = Radians(angle);
-    limit.after = limit.kind == CrossingKind::Flip ? 1 : 2;
-    limit.frequency = withMap(lobes_.system(), speed, root.depth, options_, [&](const auto& map) {
-      return dominantLine(map.tipMotion(std::polar(1.0, angle)), angle, lobes_.system().toothPeriod(speed),
-                          std::max(1, options_.cells / 2 - 1));
-    });
-    result.crossings.push_back(limit);
-    break;
+    if (result.hasLimit()) break;
   }
-  result.verified = !stop.stop_requested();
+  result.verified = true;
   return result;
+}
+
+StabilityLimit SemiDiscretization::limitAt(Rpm speed, double rootAngle, double depth, WorkMeter& meter) const {
+  StabilityLimit limit;
+  limit.speed = speed;
+  limit.depth = Metres(depth);
+  const double angle = std::abs(std::remainder(rootAngle, kTwoPi));
+  limit.kind = kPi - angle < 1e-6 ? CrossingKind::Flip : CrossingKind::Hopf;
+  limit.angle = Radians(angle);
+  limit.after = limit.kind == CrossingKind::Flip ? 1 : 2;
+  limit.frequency = withMap(lobes_.system(), speed, depth, options_, meter, [&](const auto& map) {
+    return dominantLine(map.tipMotion(std::polar(1.0, angle)), angle, lobes_.system().toothPeriod(speed),
+                        std::max(1, options_.cells / 2 - 1), meter);
+  });
+  return limit;
 }
 
 }  // namespace stillcut::milling

@@ -14,6 +14,7 @@
 
 #include "core/base/result.h"
 #include "core/milling/stability/exact_lobes.h"
+#include "core/milling/stability/work_meter.h"
 
 namespace stillcut::milling {
 
@@ -26,15 +27,20 @@ class SemiDiscretization {
  public:
   static Result<SemiDiscretization> make(const CutModel& model, const SdmOptions& options, const std::string& where);
 
-  // Multipliers of the discretized cut outside the unit circle; empty when one sits on it. 0 is stable.
+  // Multipliers of the discretized cut outside the unit circle; empty when one sits on it, or when the cut is so
+  // unstable that numbers overflow. 0 is stable.
   std::optional<int> outside(Rpm speed, Metres depth) const;
   // Largest |mu| of the discretized cut, by bisection on the circle's radius.
   double largestMultiplier(Rpm speed, Metres depth) const;
   // The first depth up to maxDepth at which a multiplier leaves, found on a scan of `scan` depths and refined to
-  // 1e-9; an island thinner than a scan step may be stepped over, unlike in ExactLobes. crossings holds 0 or 1 entry.
+  // 1e-9; an island thinner than a scan step may be stepped over, unlike in ExactLobes. crossings holds 0 or 1 entry;
+  // when stopped none, and searchedTo is where the scan was.
   Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, int scan = 80, const std::stop_token& stop = {}) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, int scan, WorkMeter& meter) const;
 
  private:
+  std::optional<int> outside(Rpm speed, Metres depth, WorkMeter& meter) const;
+  StabilityLimit limitAt(Rpm speed, double rootAngle, double depth, WorkMeter& meter) const;
   SemiDiscretization(ExactLobes lobes, const SdmOptions& options) : lobes_(std::move(lobes)), options_(options) {}
 
   ExactLobes lobes_;  // the checked system and its limits on speed

@@ -24,7 +24,9 @@ double moveWeight(std::size_t j) {  // j = 0 .. 10
   return i < 5 ? kMove[i] : 1.0 - 2.0 * (kMove[0] + kMove[1] + kMove[2] + kMove[3] + kMove[4]);
 }
 
-constexpr std::size_t kLanes = 8;  // values of s that run together, so that the compiler can use vector registers
+constexpr double kStageSetUp = 60.0;   // operations to prepare a stage, most of them in two trigonometric functions
+constexpr double kBetweenLooks = 2e6;  // operations after which the meter is asked again
+constexpr std::size_t kLanes = 8;      // values of s that run together, so that the compiler can use vector registers
 
 Planar scaled(Planar h, double by) {
   for (double& v : h) v *= by;
@@ -33,19 +35,20 @@ Planar scaled(Planar h, double by) {
 
 }  // namespace
 
-TransitionMatrix::TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep)
+TransitionMatrix::TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep,
+                                   WorkMeter& meter)
     : system_(system), states_(system.states()), period_(system.toothPeriod(speed)) {
   spindle_ = kTwoPi * toHertz(speed).value;
   const double omega = system.highestOmega();
   const double fastest = std::sqrt(omega * omega + 0.5 * largestS * system.stiffening());
-  for (const ForceArc& arc : system.arcs) addArc(arc, spindle_, phasePerStep, fastest);
+  for (const ForceArc& arc : system.arcs) addArc(arc, spindle_, phasePerStep, fastest, meter);
   double damping = 0.0;
   for (const auto& o : system.oscillators) damping += o.zeta * o.omega;
   determinant_ = std::exp(-2.0 * damping * period_);
 }
 
 double TransitionMatrix::effort() const {
-  return static_cast<double>(stages_.size()) * states_ * (8.0 * states_ + 16.0);
+  return static_cast<double>(stages_.size()) * stageEffort();
 }
 
 std::size_t TransitionMatrix::addDrift(double time) {
@@ -60,7 +63,8 @@ std::size_t TransitionMatrix::addDrift(double time) {
   return row;
 }
 
-void TransitionMatrix::addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest) {
+void TransitionMatrix::addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest,
+                              WorkMeter& meter) {
   const double time = (arc.to - arc.from) / spindle;
   if (!arc.cutting) {
     stages_.push_back({false, addDrift(time), {}});
@@ -76,6 +80,7 @@ void TransitionMatrix::addArc(const ForceArc& arc, double spindle, double phaseP
   double t = 0.0;
   double carried = 0.0;  // the last kick of a step and the first of the next happen at the same time
   for (std::size_t n = 0; n < steps; ++n) {
+    if (!meter.proceed(kStages * kStageSetUp)) return;
     t = static_cast<double>(n) * h;
     for (std::size_t j = 0; j < kStages; ++j) {
       const double weight = h * kickWeight(j) + (j == 0 ? carried : 0.0);
@@ -87,17 +92,19 @@ void TransitionMatrix::addArc(const ForceArc& arc, double spindle, double phaseP
   stages_.push_back({true, stay, scaled(arc.at(arc.to), carried)});
 }
 
-void TransitionMatrix::evaluate(std::span<const Complex> s, std::span<Complex> psi) const {
+bool TransitionMatrix::evaluate(std::span<const Complex> s, std::span<Complex> psi, WorkMeter& meter) const {
   std::vector<double> scratch;
   const auto size = static_cast<std::size_t>(states_) * static_cast<std::size_t>(states_);
   for (std::size_t i = 0; i < s.size(); i += kLanes) {
-    run(s.data() + i, std::min(kLanes, s.size() - i), scratch, psi.data() + i * size);
+    if (!run(s.data() + i, std::min(kLanes, s.size() - i), scratch, psi.data() + i * size, meter)) return false;
   }
+  return true;
 }
 
 // Layout: per mode a row of q and a row of p; a row holds the real parts (column by column, lanes fastest), then the
 // imaginary parts. Every loop below runs over contiguous doubles.
-void TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi) const {
+bool TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi,
+                           WorkMeter& meter) const {
   const auto n = static_cast<std::size_t>(states_);
   const std::size_t modes = n / 2;
   const std::size_t half = n * lanes;
@@ -127,7 +134,14 @@ void TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
       f[half + k] = -(sr[k] * im + si[k] * re);
     }
   };
+  const double effort = stageEffort() * static_cast<double>(lanes);
+  double ahead = 0.0;  // operations the meter has been told of and that are still to be done
   for (const Stage& stage : stages_) {
+    if (ahead <= 0.0) {
+      ahead = std::max(effort, kBetweenLooks);
+      if (!meter.proceed(ahead)) return false;
+    }
+    ahead -= effort;
     if (stage.kick) {
       std::fill(x, x + (planar ? 2 : 1) * row, 0.0);
       for (std::size_t i = 0; i < modes; ++i) {
@@ -174,9 +188,11 @@ void TransitionMatrix::run(const Complex* s, std::size_t lanes, std::vector<doub
       }
     }
   }
+  return true;
 }
 
-std::vector<Complex> TransitionMatrix::tipMotion(Complex s, std::span<const Complex> state, int samples) const {
+std::vector<Complex> TransitionMatrix::tipMotion(Complex s, std::span<const Complex> state, int samples,
+                                                 WorkMeter& meter) const {
   const double h = period_ / samples;
   const std::size_t modes = system_.oscillators.size();
   std::vector<Complex> now(state.begin(), state.end());
@@ -189,7 +205,8 @@ std::vector<Complex> TransitionMatrix::tipMotion(Complex s, std::span<const Comp
     const double v = decay * std::sin(o.omega * h);
     step.push_back({c + o.zeta * v, v, -v, c - o.zeta * v});
   }
-  for (int k = 0; k < samples; ++k) {
+  const double effort = 100.0 + 60.0 * static_cast<double>(modes);
+  for (int k = 0; k < samples && meter.proceed(effort); ++k) {
     Complex x = 0.0;
     Complex y = 0.0;
     for (std::size_t i = 0; i < modes; ++i) {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/milling/stability/regenerative_system.h"
+#include "core/milling/stability/work_meter.h"
 
 namespace stillcut::milling {
 
@@ -23,18 +24,21 @@ class TransitionMatrix {
  public:
   // `phasePerStep`: how far the fastest mode (stiffened by the largest |s| expected) turns within a step of 11 stages
   // [rad]. About 2 gives six digits, 1 about nine.
-  TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep);
+  // Of no use when the meter has stopped, and then to be thrown away.
+  TransitionMatrix(const RegenerativeSystem& system, Rpm speed, double largestS, double phasePerStep, WorkMeter& meter);
 
   int states() const { return states_; }
   double toothPeriod() const { return period_; }
   double effort() const;                               // arithmetic operations of one evaluation, roughly
   double determinant() const { return determinant_; }  // of Psi: the same for every s
 
-  // Writes count matrices of states x states, column major, one after another. Any thread; allocates scratch.
-  void evaluate(std::span<const Complex> s, std::span<Complex> psi) const;
+  // Writes count matrices of states x states, column major, one after another; false when stopped. Any thread;
+  // allocates scratch.
+  bool evaluate(std::span<const Complex> s, std::span<Complex> psi, WorkMeter& meter) const;
   // Tip motion x (one or two axes, interleaved) at `samples` equal times over the period when it starts from `state`.
   // Steps across the edges of the cut: good to see which harmonic is largest, not for limits.
-  std::vector<Complex> tipMotion(Complex s, std::span<const Complex> state, int samples) const;
+  // Ends early when stopped.
+  std::vector<Complex> tipMotion(Complex s, std::span<const Complex> state, int samples, WorkMeter& meter) const;
 
  private:
   struct Stage {
@@ -48,8 +52,9 @@ class TransitionMatrix {
   };
 
   std::size_t addDrift(double time);
-  void addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest);
-  void run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi) const;
+  void addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest, WorkMeter& meter);
+  double stageEffort() const { return states_ * (8.0 * states_ + 16.0); }
+  bool run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi, WorkMeter& meter) const;
 
   RegenerativeSystem system_;
   int states_ = 0;

@@ -32,6 +32,12 @@ Complex orientedEigenvalue(const RegenerativeSystem& system, const Planar& h, do
   return branch == 0 ? half + root : half - root;
 }
 
+SpeedLimits stoppedAt(Rpm speed) {
+  SpeedLimits nothing;
+  nothing.speed = speed;
+  return nothing;
+}
+
 }  // namespace
 
 // A depth at which the mean cut is on the border at a frequency, were the speed right; `turn` is exp(i(omega tau +
@@ -94,10 +100,16 @@ std::vector<double> ZerothOrder::frequencies(double period) const {
   return list;
 }
 
-Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth) const {
+Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth, const std::stop_token& stop) const {
+  WorkMeter meter(stop);
+  return limit(speed, maxDepth, meter);
+}
+
+Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth, WorkMeter& meter) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
   if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
   const double period = lobes_.system().toothPeriod(speed);
+  const double effort = 200.0 + 60.0 * static_cast<double>(lobes_.system().oscillators.size());
   SpeedLimits result;
   result.speed = speed;
   result.searchedTo = maxDepth;
@@ -107,6 +119,7 @@ Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth) const {
   for (int branch = 0; branch < lobes_.system().axes; ++branch) {
     BorderPoint before;
     for (double omega : omegas) {
+      if (!meter.proceed(effort)) return stoppedAt(speed);
       BorderPoint now = at(omega, period, branch);
       // The square root may change its sheet between two frequencies: follow the nearer eigenvalue.
       const bool swapped = lobes_.system().axes == 2 && before.onBorder &&

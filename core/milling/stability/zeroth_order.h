@@ -5,6 +5,7 @@
 // allow more than twice the true depth. Every result carries that warning.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ class ZerothOrder {
   static Result<ZerothOrder> make(const CutModel& model, const std::string& where);
 
   // crossings holds 0 or 1 entry; `frequency` is the chatter frequency, omega/2 pi.
-  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth) const;
+  // When stopped: nothing, searchedTo 0.
+  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, const std::stop_token& stop = {}) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, WorkMeter& meter) const;
   // One sentence that belongs beside every result; stronger where teeth cut only part of the time.
   const std::string& warning() const { return warning_; }
 

@@ -13,7 +13,8 @@ namespace {
 
 std::vector<Complex> psi(const TransitionMatrix& t, Complex s) {
   std::vector<Complex> matrix(static_cast<std::size_t>(t.states() * t.states()));
-  t.evaluate(std::span(&s, 1), matrix);
+  WorkMeter meter;
+  EXPECT_TRUE(t.evaluate(std::span(&s, 1), matrix, meter));
   return matrix;
 }
 
@@ -25,7 +26,8 @@ double distance(const std::vector<Complex>& a, const std::vector<Complex>& b) {
 
 TEST(TransitionMatrix, WithoutForceItIsTheFreeDecay) {
   const auto system = makeRegenerativeSystem(textbookSlot(), "slot").value();
-  const TransitionMatrix t(system, Rpm(5000), 2e-3, 1.0);
+  WorkMeter meter;
+  const TransitionMatrix t(system, Rpm(5000), 2e-3, 1.0, meter);
   const auto m = psi(t, 0.0);
   const double omega = kTwoPi * 922.0;
   const double tau = 0.006;
@@ -38,10 +40,11 @@ TEST(TransitionMatrix, WithoutForceItIsTheFreeDecay) {
 TEST(TransitionMatrix, TheStepIsOfSixthOrder) {
   for (const CutModel& model : {textbookSlot(), textbookHalf()}) {
     const auto system = makeRegenerativeSystem(model, "cut").value();
+    WorkMeter meter;
     const Complex s(1e-3, 0.7e-3);
-    const auto reference = psi(TransitionMatrix(system, Rpm(5000), 2e-3, 0.15), s);
-    const double coarse = distance(psi(TransitionMatrix(system, Rpm(5000), 2e-3, 1.6), s), reference);
-    const double fine = distance(psi(TransitionMatrix(system, Rpm(5000), 2e-3, 0.8), s), reference);
+    const auto reference = psi(TransitionMatrix(system, Rpm(5000), 2e-3, 0.15, meter), s);
+    const double coarse = distance(psi(TransitionMatrix(system, Rpm(5000), 2e-3, 1.6, meter), s), reference);
+    const double fine = distance(psi(TransitionMatrix(system, Rpm(5000), 2e-3, 0.8, meter), s), reference);
     EXPECT_LT(fine, coarse / 40.0);  // 64 in the limit
   }
 }
@@ -49,7 +52,8 @@ TEST(TransitionMatrix, TheStepIsOfSixthOrder) {
 // Liouville: the force does not change the volume, the damping shrinks it.
 TEST(TransitionMatrix, DeterminantDependsOnDampingAlone) {
   const auto system = makeRegenerativeSystem(textbookSlot(), "slot").value();
-  const TransitionMatrix t(system, Rpm(7000), 4e-3, 1.0);
+  WorkMeter meter;
+  const TransitionMatrix t(system, Rpm(7000), 4e-3, 1.0, meter);
   for (Complex s : {Complex(0.0), Complex(2e-3, 1e-3), Complex(3e-3, -2e-3)}) {
     const auto m = psi(t, s);
     EXPECT_NEAR(std::abs(m[0] * m[3] - m[1] * m[2] - t.determinant()), 0.0, 1e-10);
@@ -58,8 +62,9 @@ TEST(TransitionMatrix, DeterminantDependsOnDampingAlone) {
 
 TEST(Characteristic, ExpansionAgreesWithTheMatrixAndItsDerivativesWithDifferences) {
   const auto system = makeRegenerativeSystem(textbookHalf(), "half").value();
-  const TransitionMatrix t(system, Rpm(6000), 2e-3, 1.0);
-  const auto f = Characteristic::build(t, 1e-3, 1e-3, {});
+  WorkMeter meter;
+  const TransitionMatrix t(system, Rpm(6000), 2e-3, 1.0, meter);
+  const auto f = Characteristic::build(t, 1e-3, 1e-3, meter);
   ASSERT_TRUE(f.has_value());
   for (double angle : {0.3, 1.4, 2.9}) {
     const Complex mu = std::polar(1.0, angle);
@@ -82,8 +87,9 @@ TEST(Characteristic, ExpansionAgreesWithTheMatrixAndItsDerivativesWithDifference
 
 TEST(CrossingFinder, FirstAndSecondDerivativesOnTheCircle) {
   const auto system = makeRegenerativeSystem(textbookSlot(), "slot").value();
-  const TransitionMatrix t(system, Rpm(6000), 2e-3, 1.0);
-  const auto f = Characteristic::build(t, 2e-3, 2e-3, {});
+  WorkMeter meter;
+  const TransitionMatrix t(system, Rpm(6000), 2e-3, 1.0, meter);
+  const auto f = Characteristic::build(t, 2e-3, 2e-3, meter);
   ASSERT_TRUE(f.has_value());
   const double a = 1.1;
   const double w = 1.3e-3;
