@@ -1,5 +1,6 @@
 #include "core/config/toml_reader.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -68,6 +69,14 @@ void refuseUnasked(TomlDocument& document, const toml::table& table, const std::
       }
     }
   }
+}
+
+// The parser quotes what it found, line ends included.
+std::string oneLine(std::string_view text) {
+  std::string line(text);
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return line;
 }
 
 }  // namespace
@@ -306,6 +315,13 @@ TomlReader TomlReader::file(const std::string& path) {
                      std::filesystem::exists(path, code) ? "not a readable file" : "no such file");
     return TomlReader(std::move(document));
   }
+  constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20U;
+  if (std::filesystem::file_size(path, code) > kLargest && !code) {
+    auto document = std::make_unique<detail::TomlDocument>();
+    document->name = path;
+    document->refuse(path, "is larger than 16 MB: no file of settings");
+    return TomlReader(std::move(document));
+  }
   std::stringstream content;
   content << in.rdbuf();
   return text(content.str(), path);
@@ -318,7 +334,7 @@ TomlReader TomlReader::text(std::string_view content, const std::string& name) {
     document->root = toml::parse(content);
     if (document->root.empty()) document->refuse(name, "is empty");
   } catch (const toml::parse_error& wrong) {
-    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), std::string(wrong.description()));
+    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), oneLine(wrong.description()));
   }
   return TomlReader(std::move(document));
 }

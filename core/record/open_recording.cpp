@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "core/record/hdf5_import.h"
+#include "core/record/hdf5_probe.h"
 #include "core/record/mat_import.h"
-#include "core/record/session_open.h"
 #include "core/record/session_reader.h"
 #include "core/record/text_reader.h"
 #include "core/record/uff/uff58.h"
@@ -55,11 +55,6 @@ Status checkFile(const std::string& path) {
   return Done{};
 }
 
-bool isSession(const std::string& path) {
-  const Result<OpenedSession> opened = openSessionFile(path);
-  return !opened || readText(opened->file.get(), "format").has_value();
-}
-
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
@@ -71,11 +66,11 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   file.read(bytes.data(), bytes.size());
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (head.empty()) return Error{name, "the file is empty", ""};
-  if (isHdf5File(name)) {
-    const bool session = inner.empty() && isSession(name);
-    return session ? openSession(name, options) : openHdf5(name, inner, options);
+  if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
+    const Result<bool> session = probeHdf5(name, inner, options);
+    if (!session) return session.error();
+    return *session ? openSession(name, options) : openHdf5(name, inner, options);
   }
-  if (head.starts_with("MATLAB 7.3")) return openHdf5(name, inner, options);
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
   if (!inner.empty()) return Error{path, "only HDF5 and MATLAB files have places inside", ""};
   if (hasSuffix(name, ".mat")) return Error{name, "is no MATLAB file of version 5 to 7.3", "its header is missing"};

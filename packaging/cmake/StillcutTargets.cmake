@@ -11,7 +11,7 @@ if(STILLCUT_SANITIZE)
   target_compile_options(stillcut_options INTERFACE -fsanitize=${STILLCUT_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(stillcut_options INTERFACE -fsanitize=${STILLCUT_SANITIZE})
   # The instrumentation hides initialisations from GCC 12's flow analysis: it warns of uses that are not there.
-  target_compile_options(stillcut_options INTERFACE -Wno-maybe-uninitialized)
+  target_compile_options(stillcut_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   if(STILLCUT_SANITIZE MATCHES "undefined")
     target_compile_options(stillcut_options INTERFACE -fno-sanitize-recover=undefined)
   endif()

@@ -276,7 +276,7 @@ TEST_F(BadInput, Outputs) {
       {{"analyze", "cut.wav", "--series", "x", "--events", "x"}, "the same file"},
       {{"simulate", "cut.toml", "--out", "cut.flac"}, "the suffix must be .h5 or .wav"},
       {{"simulate", "cut.toml", "--out", "lost/cut.h5"}, "there is no folder 'lost'"},
-      {{"convert", "cut.wav", "cut.xyz"}, "cut.mat: cannot be written (the suffix must be .wav or .csv)"},
+      {{"convert", "cut.wav", "cut.xyz"}, "cut.xyz: cannot be written (the suffix must be one of .wav .flac .csv"},
       {{"convert", "cut.wav", "cut.wav"}, "it is the file that is read"},
       {{"convert", "case.json", "case.csv"}, "becomes a .toml file"},
       {{"lobes", "cut.toml", "--out", "lost/l.csv"}, "there is no folder 'lost'"},

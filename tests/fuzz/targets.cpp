@@ -1,0 +1,133 @@
+#include "tests/fuzz/targets.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "core/config/profile.h"
+#include "core/milling/case_json.h"
+#include "core/milling/scenario.h"
+#include "core/milling/stability/lobe_case.h"
+#include "core/record/open_recording.h"
+#include "core/record/uff/uff58.h"
+
+namespace stillcut::fuzz {
+namespace {
+
+[[noreturn]] void broken(const std::string& promise) {
+  std::fprintf(stderr, "fuzz: %s\n", promise.c_str());
+  std::abort();
+}
+
+void checkError(const Error& error) {
+  const std::string line = error.line();
+  if (line.empty()) broken("an error says nothing");
+  if (line.find('\n') != std::string::npos) broken("an error has several lines: " + line);
+}
+
+// The bytes as a file, in memory where there is such a place.
+std::string asFile(std::string_view bytes, std::string_view suffix) {
+  static const std::string kFolder = std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp";
+  const std::string path = kFolder + "/stillcut-fuzz-" + std::to_string(getpid()) + std::string(suffix);
+  std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  return path;
+}
+
+void readEverything(const std::string& path) {
+  record::ReadOptions options;
+  options.rate = Hertz(1000.0);  // so that a missing rate does not hide what comes after it
+  auto reader = record::openRecording(path, options);
+  if (!reader) return checkError(reader.error());
+  const record::RecordingFormat& format = (*reader)->format();
+  if (format.channels.empty() || !(format.rate.value > 0.0)) broken("a recording without channels or rate");
+  SampleBlock block;
+  block.allocate(static_cast<int>(format.channels.size()), std::max(512, format.blockFrames));
+  // Compressed silence may be long: what was right for so many blocks is taken to be right.
+  constexpr int kMostBlocks = 2000;
+  for (int n = 0; n < kMostBlocks; ++n) {
+    const Result<bool> more = (*reader)->read(block);
+    if (!more) return checkError(more.error());
+    if (!*more) return;
+    if (block.frames <= 0 || block.frames > block.capacityFrames) broken("a block of an impossible length");
+    for (int c = 0; c < block.channels; ++c) {
+      for (const float v : block.channel(c)) {
+        if (!std::isfinite(v)) broken("a sample that is no finite number");
+      }
+    }
+  }
+}
+
+template <const char* const& Suffix>
+void readRecording(std::string_view bytes) {
+  const std::string path = asFile(bytes, Suffix);
+  readEverything(path);
+  std::remove(path.c_str());
+}
+
+void readUffInMemory(std::string_view bytes) {
+  const auto sets = uff::parseUff58(bytes, "fuzz.uff");
+  if (!sets) return checkError(sets.error());
+  for (const uff::Uff58Dataset& set : *sets) {
+    if (set.x.size() != set.y.size()) broken("points without abscissa");
+  }
+}
+
+template <class Loaded>
+void expectOneLine(const Loaded& loaded) {
+  if (!loaded) checkError(loaded.error());
+}
+
+void readToml(std::string_view bytes) {
+  expectOneLine(config::parseProfile(bytes, "fuzz.toml", config::ParamCatalog{}));
+  const std::string path = asFile(bytes, ".toml");
+  expectOneLine(milling::loadScenario(path));
+  expectOneLine(milling::loadLobeCase(path));
+  std::remove(path.c_str());
+}
+
+void readJson(std::string_view bytes) {
+  const std::string path = asFile(bytes, ".json");
+  expectOneLine(milling::loadCaseJson(path));
+  expectOneLine(milling::importLobeJson(path));
+  std::remove(path.c_str());
+}
+
+const char* const kWav = ".wav";
+const char* const kFlac = ".flac";
+const char* const kCsv = ".csv";
+const char* const kUff = ".uff";
+const char* const kMat = ".mat";
+const char* const kHdf5 = ".h5";
+
+constexpr std::array<Target, 9> kTargets{{
+    {"wav", ".wav", readRecording<kWav>},
+    {"flac", ".flac", readRecording<kFlac>},
+    {"text", ".csv", readRecording<kCsv>},
+    {"uff", ".uff", readRecording<kUff>},
+    {"uff-memory", ".uff", readUffInMemory},
+    {"mat", ".mat", readRecording<kMat>},
+    {"hdf5", ".h5", readRecording<kHdf5>},
+    {"toml", ".toml", readToml},
+    {"json", ".json", readJson},
+}};
+
+}  // namespace
+
+std::span<const Target> targets() {
+  return kTargets;
+}
+
+const Target* findTarget(std::string_view name) {
+  for (const Target& target : kTargets) {
+    if (target.name == name) return &target;
+  }
+  return nullptr;
+}
+
+}  // namespace stillcut::fuzz
