@@ -30,6 +30,7 @@ class RecorderTap final : public pipeline::StepTap {
   bool push(const StepInput& input, const StepOutput& output) noexcept override {
     return recorder_.push(input, output);
   }
+  bool stopped() const noexcept override { return recorder_.stopped(); }
 
  private:
   record::Recorder& recorder_;
@@ -110,10 +111,13 @@ cnc::LinkInfo Rig::linkInfo() const {
   return spec_.link ? spec_.link->describe() : cnc::LinkInfo{};
 }
 
-Status Rig::recordTo(const std::string& path, const std::string& origin) {
-  const std::string configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
-  auto recorder = record::Recorder::create(
-      path, {spec_.setup, configuration, STILLCUT_VERSION, spec_.link && spec_.link->describe().simulated});
+Status Rig::recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options) {
+  record::SessionHeader header;
+  header.setup = spec_.setup;
+  header.configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
+  header.programVersion = STILLCUT_VERSION;
+  header.simulated = spec_.link && spec_.link->describe().simulated;
+  auto recorder = record::Recorder::create(path, header, options);
   if (!recorder) return recorder.error();
   recorder_ = std::move(recorder).value();
   tap_ = std::make_unique<RecorderTap>(*recorder_);

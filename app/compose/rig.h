@@ -59,7 +59,7 @@ class Rig {
 
   // Before the first step: everything goes to the session file `path` as well, with the whole wiring of this run (see
   // run_text.h). `origin`: the scenario or profile it was made from, as text, kept for the reader.
-  Status recordTo(const std::string& path, const std::string& origin);
+  Status recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options = {});
   // Null: nothing is recorded.
   record::Recorder* recorder() { return recorder_.get(); }
 

@@ -16,8 +16,9 @@ enum class OperatorAction : std::uint8_t {
   BackToProgrammed,  // 100 %, and authority Off
   Hold,              // keep the present overrides
   EndHold,
-  TrueAlarm,   // "that was chatter"
-  FalseAlarm,  // "that was not chatter"
+  TrueAlarm,    // "that was chatter"
+  FalseAlarm,   // "that was not chatter"
+  HearChatter,  // "I hear it now"
 };
 
 struct OperatorInput {

@@ -18,10 +18,19 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
   previous_ = input.block.end();
   started_ = true;
 
-  if (parts_.tap != nullptr && !parts_.tap->push(input, output_)) ++health_.tapDropped;
+  if (parts_.tap != nullptr) tap(input);
   measure(input, done, began);
   if (parts_.publisher != nullptr) parts_.publisher->publish(input, output_, done, log_, health_);
   return done;
+}
+
+void StepLoop::tap(const StepInput& input) noexcept {
+  if (!tapStopTold_ && parts_.tap->stopped() && output_.eventCount < kMaxEventsPerStep) {
+    tapStopTold_ = true;
+    output_.events[static_cast<std::size_t>(output_.eventCount++)] = {
+        input.block.end(), 0, EventLevel::Fault, {ReasonCode::RecorderStopped, {}}};
+  }
+  if (!parts_.tap->push(input, output_)) ++health_.tapDropped;
 }
 
 void StepLoop::measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept {

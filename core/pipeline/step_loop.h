@@ -19,6 +19,8 @@ class StepTap {
  public:
   virtual ~StepTap() = default;
   virtual bool push(const StepInput& input, const StepOutput& output) noexcept = 0;
+  // It has given up for good; the loop says so once, and goes on.
+  virtual bool stopped() const noexcept { return false; }
 };
 
 struct StepLoopParts {
@@ -43,6 +45,7 @@ class StepLoop {
   const InterventionLog& interventions() const { return log_; }
 
  private:
+  void tap(const StepInput& input) noexcept;
   void measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept;
 
   StepLoopParts parts_;
@@ -50,6 +53,7 @@ class StepLoop {
   StepOutput output_;
   PathHealth health_;
   bool started_ = false;
+  bool tapStopTold_ = false;
   Instant previous_{};
 };
 

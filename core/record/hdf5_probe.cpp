@@ -12,7 +12,7 @@ constexpr int kOther = 10;
 constexpr int kSession = 11;
 
 bool isSession(const std::string& path) {
-  const Result<OpenedSession> opened = openSessionFile(path);
+  const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
   return opened && readText(opened->file.get(), "format").has_value();
 }
 

@@ -38,7 +38,7 @@ void copyBlock(const SampleBlock& from, SampleBlock& to) noexcept {
 
 Result<std::unique_ptr<Recorder>> Recorder::create(const std::string& path, const SessionHeader& header,
                                                    const RecorderOptions& options) {
-  Result<std::unique_ptr<SessionWriter>> writer = SessionWriter::create(path, header);
+  Result<std::unique_ptr<SessionWriter>> writer = SessionWriter::create(path, header, {false, true, options.disk});
   if (!writer) return writer.error();
   return std::unique_ptr<Recorder>(new Recorder(std::move(*writer), header, options));
 }
@@ -56,7 +56,9 @@ Recorder::~Recorder() {
 }
 
 void Recorder::startThread() {
-  if (!thread_) thread_.emplace(rt::ThreadRequest{"recorder"}, [this](const std::stop_token& stop) { run(stop); });
+  if (thread_) return;
+  if (writer_) writer_->setPowerSafe();
+  thread_.emplace(rt::ThreadRequest{"recorder"}, [this](const std::stop_token& stop) { run(stop); });
 }
 
 bool Recorder::push(const StepInput& input, const StepOutput& output) STILLCUT_RT {
@@ -108,7 +110,7 @@ void Recorder::run(const std::stop_token& stop) {
     if (now - onDisk < kToDiskEvery) continue;
     onDisk = now;
     Status s = checkSpace();
-    if (s) s = writer_->flush(true);
+    if (s) s = writer_->flush();
     if (!s) stopWith(s.error().line());
   }
 }

@@ -22,6 +22,7 @@ namespace stillcut::record {
 struct RecorderOptions {
   Seconds buffer{4.0};                        // of steps that may wait for a slow disk
   std::uint64_t reserveBytes = 64ULL << 20U;  // stop, and close cleanly, before the disk is fuller than this
+  Disk* disk = nullptr;                       // null: the system's
 };
 
 struct RecorderStatus {
@@ -45,6 +46,8 @@ class Recorder {
   void startThread();
   // Worker. False: dropped and counted; the next step that is taken carries the gap.
   bool push(const StepInput& input, const StepOutput& output) STILLCUT_RT;
+  // Worker: recording has stopped by itself.
+  bool stopped() const STILLCUT_RT { return !recording_.load(std::memory_order_relaxed); }
   // The writing thread (startThread() does it by itself): writes everything that waits. False: recording has stopped.
   bool drain();
   // Thread of drain(), before finish(): truth of a simulated cut, and other late knowledge. Null once stopped.

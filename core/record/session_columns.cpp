@@ -1,4 +1,4 @@
-// The tables of a session file, column by column, as resources/manual/recordings.md describes them.
+// The tables of a session file, column by column, as resources/manual/files.md describes them.
 #include "core/record/session_rows.h"
 
 namespace stillcut::record {
@@ -120,6 +120,28 @@ std::span<const Column> columnsOf<EventRow>() {
        {"level", offsetof(EventRow, level), T::U8},
        {"reason", offsetof(EventRow, reason) + kReasonCode, T::U16},
        {"reason_numbers", offsetof(EventRow, reason) + kReasonNumbers, T::F64, 4}}};
+  return kColumns;
+}
+
+template <>
+std::span<const Column> columnsOf<SegmentRow>() {
+  static constexpr std::array<Column, 4> kColumns{{{"step", offsetof(SegmentRow, step), T::U64},
+                                                   {"offset", offsetof(SegmentRow, offset), T::U64},
+                                                   {"first_sample_ns", offsetof(SegmentRow, firstSample), T::I64},
+                                                   {"rate_hz", offsetof(SegmentRow, rate), T::F64}}};
+  return kColumns;
+}
+
+template <>
+std::span<const Column> columnsOf<MarkerRow>() {
+  static constexpr std::array<Column, 8> kColumns{{{"number", offsetof(MarkerRow, number), T::U64},
+                                                   {"begin_ns", offsetof(MarkerRow, begin), T::I64},
+                                                   {"end_ns", offsetof(MarkerRow, end), T::I64},
+                                                   {"made_utc_ns", offsetof(MarkerRow, made), T::I64},
+                                                   {"removed", offsetof(MarkerRow, removed), T::U8},
+                                                   {"label", offsetof(MarkerRow, label), T::Text, kMarkerLabelSize},
+                                                   {"author", offsetof(MarkerRow, author), T::Text, kMarkerAuthorSize},
+                                                   {"note", offsetof(MarkerRow, note), T::Text, kMarkerNoteSize}}};
   return kColumns;
 }
 

@@ -1,4 +1,4 @@
-// Names and limits of session files that writer and reader share. Documented in resources/manual/recordings.md.
+// Names and limits of session files that writer and reader share. Documented in resources/manual/files.md.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,8 @@ inline constexpr const char* kInputsPath = "operator_inputs";
 inline constexpr const char* kVerdictsPath = "verdicts";
 inline constexpr const char* kCommandsPath = "commands";
 inline constexpr const char* kEventsPath = "events";
+inline constexpr const char* kSegmentsPath = "steps/segments";
+inline constexpr const char* kMarkersPath = "markers";
 inline constexpr const char* kTruthPath = "truth/values";
 inline constexpr const char* kTruthSeriesPath = "truth/series";
 

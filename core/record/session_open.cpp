@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/record/journaled_driver.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_reader.h"
 #include "core/record/session_writer.h"
@@ -62,16 +63,12 @@ bool isHdf5File(const std::string& path) {
   return file.gcount() == 8 && std::string_view(head.data(), head.size()) == kSignature;
 }
 
-Result<OpenedSession> openSessionFile(const std::string& path) {
-  quietHdf5();
-  OpenedSession opened;
-  opened.file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (opened.file) return opened;
-  const std::string cause = hdf5Cause();
-  opened.closedCleanly = false;
-  // A writer is at work or was killed (its mark is in the file), or the end is missing (full disk, copy cut short). The
-  // second keeps HDF5 from opening unless it is told, with h5clear's own property, not to compare lengths.
-  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
+namespace {
+
+// Beside a writer, after a crash that cannot be repaired here, or of a file whose end is missing (full disk, copy cut
+// short). The last keeps HDF5 from opening unless it is told, with h5clear's own property, not to compare lengths.
+Hdf5Id openAsItIs(const std::string& path, JournaledFile* journaled) {
+  const Hdf5Id access = journaled != nullptr ? journaledAccess(*journaled) : Hdf5Id(H5Pcreate(H5P_FILE_ACCESS));
   const hbool_t yes = 1;
   H5Pset(access.get(), "skip_eof_check", &yes);
   // Beside a writer a piece of metadata may be caught half written and is read again; what a crash has torn stays torn,
@@ -79,9 +76,36 @@ Result<OpenedSession> openSessionFile(const std::string& path) {
   constexpr unsigned kAttempts = 4;
   H5Pset_metadata_read_attempts(access.get(), kAttempts);
   for (const unsigned mode : {H5F_ACC_RDONLY, H5F_ACC_RDONLY | H5F_ACC_SWMR_READ}) {
-    opened.file = Hdf5Id(H5Fopen(path.c_str(), mode, access.get()));
+    Hdf5Id file(H5Fopen(path.c_str(), mode, access.get()));
+    if (file) return file;
+  }
+  return Hdf5Id();
+}
+
+}  // namespace
+
+Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
+  quietHdf5();
+  const Result<Recovery> recovery =
+      repair == Repair::Yes ? recoverFromJournal(path) : Result<Recovery>(Recovery::NothingToDo);
+  if (!recovery) return recovery.error();
+  OpenedSession opened;
+  if (recovery.value() == Recovery::Recovered) {
+    opened.closedCleanly = false;
+    (void)repairSession(path).ok();  // what that cannot mend may still be readable
+  }
+  if (recovery.value() == Recovery::NotWritable) {
+    Result<std::unique_ptr<JournaledFile>> beside = JournaledFile::open(path, JournaledFile::Access::Read);
+    if (!beside) return beside.error();
+    opened.journaled = std::move(*beside);
+  } else {
+    opened.file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     if (opened.file) return opened;
   }
+  const std::string cause = hdf5Cause();
+  opened.closedCleanly = false;
+  opened.file = openAsItIs(path, opened.journaled.get());
+  if (opened.file) return opened;
   return Error{path, "the session file cannot be opened", cause};
 }
 
@@ -90,9 +114,10 @@ Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path) {
     return Error{path, "is an HDF5 file, but not a Stillcut session", ""};
   }
   const std::int64_t version = readInteger(file, "format_version").value_or(0);
-  if (version != kSessionVersion) {
+  if (version < kOldestSessionVersion || version > kSessionVersion) {
     return Error{path, "is a session of version " + std::to_string(version),
-                 "this program reads version " + std::to_string(kSessionVersion)};
+                 "this program reads versions " + std::to_string(kOldestSessionVersion) + " to " +
+                     std::to_string(kSessionVersion)};
   }
   Result<CutSetup> setup = readSetup(file, path);
   if (!setup) return setup.error();

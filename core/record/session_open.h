@@ -1,20 +1,26 @@
 // Opening a session file for reading, whatever state it was left in. Shared by the reader and by what counts in it.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 #include "core/record/hdf5_file.h"
+#include "core/record/journaled_file.h"
 #include "core/record/recording_reader.h"
 
 namespace stillcut::record {
 
 struct OpenedSession {
+  std::unique_ptr<JournaledFile> journaled;  // where a journal must be read along with the file; goes after it
   Hdf5Id file;
   bool closedCleanly = true;
 };
 
-// A file still being written, or left by a crash, is opened as a reader beside its writer; nothing is changed on disk.
-Result<OpenedSession> openSessionFile(const std::string& path);
+// A file left by a crash is repaired where it can be written, else read as if it had been; one that is still being
+// written is opened as a reader beside its writer.
+enum class Repair : std::uint8_t { Yes, No };  // No: a glance, nothing is changed
+Result<OpenedSession> openSessionFile(const std::string& path, Repair repair = Repair::Yes);
 // Everything in the header, checked against nonsense. `frames` and `blocks` are left 0.
 Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path);
 

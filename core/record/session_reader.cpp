@@ -36,9 +36,10 @@ class StepRows {
 
 class SessionReader final : public RecordingReader {
  public:
-  static Result<std::unique_ptr<RecordingReader>> open(const std::string& path, const ReadOptions& options) {
+  static Result<std::unique_ptr<RecordingReader>> open(OpenedSession opened, const std::string& path,
+                                                       const ReadOptions& options) {
     std::unique_ptr<SessionReader> reader(new SessionReader(path));
-    if (const Status s = reader->openFile(options); !s) return s.error();
+    if (const Status s = reader->use(std::move(opened), options); !s) return s.error();
     return std::unique_ptr<RecordingReader>(std::move(reader));
   }
 
@@ -77,14 +78,13 @@ class SessionReader final : public RecordingReader {
  private:
   explicit SessionReader(std::string path) : path_(std::move(path)) {}
 
-  Status openFile(const ReadOptions& options) {
-    Result<OpenedSession> opened = openSessionFile(path_);
-    if (!opened) return opened.error();
-    file_ = std::move(opened->file);
+  Status use(OpenedSession opened, const ReadOptions& options) {
+    journaled_ = std::move(opened.journaled);
+    file_ = std::move(opened.file);
     Result<RecordingFormat> format = readSessionFormat(file_.get(), path_);
     if (!format) return format.error();
     format_ = std::move(*format);
-    format_.closedCleanly = opened->closedCleanly;
+    format_.closedCleanly = opened.closedCleanly;
     reasons_ = ReasonCodes(readText(file_.get(), "reason_codes").value_or(""));
     std::uint64_t frames = 0;
     picked_ = options.channels;
@@ -190,6 +190,7 @@ class SessionReader final : public RecordingReader {
   }
 
   std::string path_;
+  std::unique_ptr<JournaledFile> journaled_;
   Hdf5Id file_;
   RecordingFormat format_;
   ReasonCodes reasons_{""};
@@ -211,7 +212,9 @@ class SessionReader final : public RecordingReader {
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openSession(const std::string& path, const ReadOptions& options) {
-  return SessionReader::open(path, options);
+  Result<OpenedSession> opened = openSessionFile(path);
+  if (!opened) return opened.error();
+  return SessionReader::open(std::move(*opened), path, options);
 }
 
 }  // namespace stillcut::record

@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/record/journaled_driver.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_open.h"
 #include "core/record/session_reader.h"
@@ -15,22 +16,41 @@ std::string textOf(const std::array<char, kTruthNameSize>& name) {
   return {name.data(), strnlen(name.data(), name.size())};
 }
 
+// The property h5clear itself sets: opening for writing then clears the marks of the dead writer.
+Status clearMarks(const std::string& path, JournaledFile& journaled) {
+  const Hdf5Id access = journaledAccess(journaled);
+  const hbool_t yes = 1;
+  if (H5Pset(access.get(), "clear_status_flags", &yes) < 0 || H5Pset(access.get(), "skip_eof_check", &yes) < 0) {
+    return Error{path, "this HDF5 library cannot repair files", hdf5Cause()};
+  }
+  Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
+  const bool opened = static_cast<bool>(file);
+  if (!opened || !file.reset()) {
+    const std::string cause = hdf5Cause();
+    journaled.abandon();
+    journaled.removeJournal();
+    return Error{path, opened ? "the repaired file could not be written" : "the session file cannot be repaired",
+                 cause};
+  }
+  return journaled.commit(true);
+}
+
 }  // namespace
 
 Result<bool> repairSession(const std::string& path) {
   quietHdf5();
   if (!isHdf5File(path)) return Error{path, "is no session file", ""};
-  if (const Hdf5Id clean(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)); clean) return false;
-  // The property h5clear itself sets: opening for writing then clears the marks of the dead writer.
-  const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
-  const hbool_t yes = 1;
-  H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-  if (H5Pset(access.get(), "clear_status_flags", &yes) < 0 || H5Pset(access.get(), "skip_eof_check", &yes) < 0) {
-    return Error{path, "this HDF5 library cannot repair files", hdf5Cause()};
+  const Result<Recovery> recovery = recoverFromJournal(path);
+  if (!recovery) return recovery.error();
+  if (recovery.value() == Recovery::WriterAlive) return Error{path, "is still being recorded", ""};
+  const bool marked = !Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (!marked && recovery.value() == Recovery::NothingToDo) return false;
+  Result<std::unique_ptr<JournaledFile>> journaled = JournaledFile::open(path, JournaledFile::Access::Write);
+  if (!journaled) return journaled.error();
+  if (marked) {
+    if (const Status cleared = clearMarks(path, **journaled); !cleared) return cleared.error();
   }
-  Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
-  if (!file) return Error{path, "the session file cannot be repaired", hdf5Cause()};
-  if (!file.reset()) return Error{path, "the repaired file could not be written", hdf5Cause()};
+  (*journaled)->removeJournal();
   return true;
 }
 

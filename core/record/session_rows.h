@@ -103,6 +103,30 @@ struct TruthSampleRow {
   double value = 0.0;
 };
 
+// Steps without a gap between them: where a time is looked up. A new one begins after a gap and wherever the clock of
+// the samples has left the rate by more than kSegmentDrift.
+struct SegmentRow {
+  std::uint64_t step = 0;    // the first
+  std::uint64_t offset = 0;  // of its first frame in the samples
+  std::int64_t firstSample = 0;
+  double rate = 0.0;
+};
+inline constexpr Duration kSegmentDrift = std::chrono::milliseconds(1);
+
+inline constexpr std::size_t kMarkerLabelSize = 32;
+inline constexpr std::size_t kMarkerAuthorSize = 64;
+inline constexpr std::size_t kMarkerNoteSize = 512;
+
+// A later row of the same number replaces the one before.
+struct MarkerRow {
+  std::uint64_t number = 0;
+  std::int64_t begin = 0, end = 0, made = 0;
+  std::uint8_t removed = 0;
+  std::array<char, kMarkerLabelSize> label{};
+  std::array<char, kMarkerAuthorSize> author{};
+  std::array<char, kMarkerNoteSize> note{};
+};
+
 template <class Row>
 std::span<const Column> columnsOf();
 

@@ -1,64 +1,23 @@
 #include "core/record/session_writer.h"
 
-#include <unistd.h>
-
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <utility>
 #include <vector>
 
 #include "core/record/hdf5_file.h"
+#include "core/record/journaled_driver.h"
 #include "core/record/session_layout.h"
+#include "core/record/session_markers.h"
+#include "core/record/session_reader.h"
+#include "core/record/session_samples.h"
+#include "core/record/session_segments.h"
 #include "core/record/session_table.h"
 
 namespace stillcut::record {
 namespace {
-
-// One channel's samples, as recorded.
-class SampleColumn {
- public:
-  bool create(hid_t file, int index, const ChannelInfo& info) {
-    const hsize_t none = 0;
-    const hsize_t unlimited = H5S_UNLIMITED;
-    const hsize_t chunk = kSampleChunk;
-    const Hdf5Id space(H5Screate_simple(1, &none, &unlimited));
-    const Hdf5Id properties(H5Pcreate(H5P_DATASET_CREATE));
-    H5Pset_chunk(properties.get(), 1, &chunk);
-    const Hdf5Id links(H5Pcreate(H5P_LINK_CREATE));
-    H5Pset_create_intermediate_group(links.get(), 1);
-    dataset_ = Hdf5Id(H5Dcreate2(file, samplesPath(index).c_str(), H5T_NATIVE_FLOAT, space.get(), links.get(),
-                                 properties.get(), H5P_DEFAULT));
-    return dataset_ && writeText(dataset_.get(), "name", info.name) &&
-           writeText(dataset_.get(), "quantity", std::string(name(info.quantity))) &&
-           writeText(dataset_.get(), "unit", std::string(siUnit(info.quantity))) &&
-           writeNumber(dataset_.get(), "scale", info.scale) && writeText(dataset_.get(), "axis", info.axis);
-  }
-  void add(std::span<const float> samples) { pending_.insert(pending_.end(), samples.begin(), samples.end()); }
-  std::size_t pending() const { return pending_.size(); }
-  bool write() {
-    if (pending_.empty()) return true;
-    const hsize_t start = frames_;
-    const hsize_t size = pending_.size();
-    const hsize_t length = start + size;
-    if (H5Dset_extent(dataset_.get(), &length) < 0) return false;
-    const Hdf5Id file(H5Dget_space(dataset_.get()));
-    const Hdf5Id memory(H5Screate_simple(1, &size, nullptr));
-    H5Sselect_hyperslab(file.get(), H5S_SELECT_SET, &start, nullptr, &size, nullptr);
-    if (H5Dwrite(dataset_.get(), H5T_NATIVE_FLOAT, memory.get(), file.get(), H5P_DEFAULT, pending_.data()) < 0) {
-      return false;
-    }
-    frames_ = length;
-    pending_.clear();
-    return H5Dflush(dataset_.get()) >= 0;
-  }
-  void close() { dataset_.reset(); }
-
- private:
-  Hdf5Id dataset_;
-  std::vector<float> pending_;
-  std::uint64_t frames_ = 0;
-};
 
 bool writeHeader(hid_t file, const SessionHeader& header) {
   const CutSetup& s = header.setup;
@@ -67,7 +26,8 @@ bool writeHeader(hid_t file, const SessionHeader& header) {
          writeText(file, "program", "Stillcut") && writeText(file, "program_version", header.programVersion) &&
          writeText(file, "configuration", header.configuration) &&
          writeText(file, "reason_codes", reasonIdentifiers()) &&
-         writeInteger(file, "simulated", header.simulated ? 1 : 0) && setup &&
+         writeInteger(file, "simulated", header.simulated ? 1 : 0) &&
+         writeText(file, "operator", header.operatorName) && writeInteger(file, "started_utc_ns", nowUtc()) && setup &&
          writeText(setup.get(), "machine", s.machine) && writeText(setup.get(), "tool", s.tool) &&
          writeInteger(setup.get(), "teeth", s.teeth) &&
          writeNumber(setup.get(), "tool_diameter_m", s.toolDiameter.value) &&
@@ -84,58 +44,78 @@ std::array<char, kTruthNameSize> truthName(std::string_view name) {
   return text;
 }
 
+// What the operator's touch says about the cut; null: nothing.
+const char* labelOf(OperatorAction action) {
+  switch (action) {
+    case OperatorAction::TrueAlarm:
+      return kLabelTrueAlarm;
+    case OperatorAction::FalseAlarm:
+      return kLabelFalseAlarm;
+    case OperatorAction::HearChatter:
+      return kLabelHeard;
+    default:
+      return nullptr;
+  }
+}
+
 }  // namespace
 
 struct SessionWriter::Impl {
+  std::unique_ptr<JournaledFile> journaled;
   Hdf5Id file;
-  std::vector<SampleColumn> samples;
+  std::string operatorName;
+  bool keepSamples = true;
+  bool powerSafe = false;
+  std::vector<SampleWriter> samples;
   TableWriter<MachineRow> machine;
   TableWriter<DecisionRow> decisions;
   TableWriter<InputRow> inputs;
   TableWriter<VerdictRow> verdicts;
   TableWriter<CommandRow> commands;
   TableWriter<EventRow> events;
+  TableWriter<MarkerRow> markers;
   TableWriter<TruthRow> truth;
   TableWriter<TruthSampleRow> truthSeries;
+  TableWriter<SegmentRow> segments;
   TableWriter<BlockRow> blocks;
+  SegmentFinder segmentFinder;
   std::uint64_t steps = 0;
   std::uint64_t frames = 0;
+  std::uint64_t markerCount = 0;
   Instant flushedUpTo{};
   bool closed = false;
 
+  // Tables in the order in which they are written.
+  template <class Do>
+  bool each(Do act) {
+    return act(machine) && act(decisions) && act(inputs) && act(verdicts) && act(commands) && act(events) &&
+           act(markers) && act(truth) && act(truthSeries) && act(segments) && act(blocks);
+  }
+  bool createTables() {
+    const hid_t f = file.get();
+    return machine.create(f, kMachinePath) && decisions.create(f, kDecisionsPath) && inputs.create(f, kInputsPath) &&
+           verdicts.create(f, kVerdictsPath) && commands.create(f, kCommandsPath) && events.create(f, kEventsPath) &&
+           markers.create(f, kMarkersPath) && truth.create(f, kTruthPath) && truthSeries.create(f, kTruthSeriesPath) &&
+           segments.create(f, kSegmentsPath) && blocks.create(f, kBlocksPath);
+  }
   bool create(const std::string& part, const SessionHeader& header) {
-    const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
-    H5Pset_libver_bounds(access.get(), H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
-    file = Hdf5Id(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.get()));
+    file = Hdf5Id(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, journaledAccess(*journaled).get()));
     if (!file || !writeHeader(file.get(), header)) return false;
     samples.resize(header.setup.channels.size());
     for (std::size_t c = 0; c < samples.size(); ++c) {
       if (!samples[c].create(file.get(), static_cast<int>(c), header.setup.channels[c])) return false;
     }
-    return machine.create(file.get(), kMachinePath) && decisions.create(file.get(), kDecisionsPath) &&
-           inputs.create(file.get(), kInputsPath) && verdicts.create(file.get(), kVerdictsPath) &&
-           commands.create(file.get(), kCommandsPath) && events.create(file.get(), kEventsPath) &&
-           truth.create(file.get(), kTruthPath) && truthSeries.create(file.get(), kTruthSeriesPath) &&
-           blocks.create(file.get(), kBlocksPath) && H5Fstart_swmr_write(file.get()) >= 0;
+    return createTables() && H5Fstart_swmr_write(file.get()) >= 0 && H5Fflush(file.get(), H5F_SCOPE_LOCAL) >= 0;
   }
   // The blocks go last: a reader that sees a block finds everything that belongs to it.
   bool write() {
-    return std::all_of(samples.begin(), samples.end(), [](SampleColumn& s) { return s.write(); }) && machine.write() &&
-           decisions.write() && inputs.write() && verdicts.write() && commands.write() && events.write() &&
-           truth.write() && truthSeries.write() && blocks.write() && H5Fflush(file.get(), H5F_SCOPE_LOCAL) >= 0;
+    return std::all_of(samples.begin(), samples.end(), [](SampleWriter& s) { return s.write(); }) &&
+           each([](auto& table) { return table.write(); }) && H5Fflush(file.get(), H5F_SCOPE_LOCAL) >= 0;
   }
   bool close() {
     closed = true;
-    for (SampleColumn& s : samples) s.close();
-    machine.close();
-    decisions.close();
-    inputs.close();
-    verdicts.close();
-    commands.close();
-    events.close();
-    truth.close();
-    truthSeries.close();
-    blocks.close();
+    for (SampleWriter& s : samples) s.close();
+    each([](auto& table) { return table.close(), true; });
     return file.reset();
   }
 };
@@ -147,17 +127,31 @@ SessionWriter::~SessionWriter() {
   (void)close().ok();
 }
 
-Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path, const SessionHeader& header) {
+Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path, const SessionHeader& header,
+                                                             const SessionWriterOptions& options) {
   quietHdf5();
   const auto channels = static_cast<int>(header.setup.channels.size());
   if (channels < 1 || channels > kMostChannels || !(header.setup.rate.value > 0.0) || header.setup.blockFrames < 1) {
     return Error{path, "cannot be recorded", "channels, rate and block length must be known before"};
   }
   const std::string part = path + ".part";
+  Disk& disk = options.disk != nullptr ? *options.disk : systemDisk();
+  Result<std::unique_ptr<JournaledFile>> file = JournaledFile::open(part, JournaledFile::Access::Create, disk);
+  if (!file) return Error{path, "the session file cannot be created", file.error().why};
   auto impl = std::make_unique<Impl>();
-  if (!impl->create(part, header) || std::rename(part.c_str(), path.c_str()) != 0) {
-    const std::string cause = hdf5Cause();
+  impl->journaled = std::move(*file);
+  impl->operatorName = header.operatorName;
+  impl->keepSamples = options.samples;
+  impl->powerSafe = options.powerSafe;
+  Status begun = Done{};
+  const bool made = impl->create(part, header) && (begun = impl->journaled->beginJournal(path)).ok() &&
+                    std::rename(part.c_str(), path.c_str()) == 0;
+  if (!made) {
+    const std::string& reason = impl->journaled->error();
+    const std::string cause = !begun ? begun.error().what : !reason.empty() ? reason : std::strerror(errno);
+    impl->journaled->abandon();
     impl->close();
+    if (begun) impl->journaled->removeJournal();
     std::remove(part.c_str());
     return Error{path, "the session file cannot be created", cause};
   }
@@ -165,9 +159,17 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
 }
 
 Status SessionWriter::failed(const char* doing) {
-  const std::string cause = hdf5Cause();
+  const std::string& disk = impl_->journaled->error();
+  return failed(Error{path_, std::string("recording failed while ") + doing, disk.empty() ? hdf5Cause() : disk});
+}
+
+// What the last flush has brought is closed; what came after it is gone.
+Status SessionWriter::failed(const Error& error) {
+  impl_->journaled->abandon();
   impl_->close();
-  return Error{path_, std::string("recording failed while ") + doing, cause};
+  impl_->journaled.reset();
+  (void)repairSession(path_).ok();
+  return error;
 }
 
 Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
@@ -176,27 +178,35 @@ Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
   if (block.channels != static_cast<int>(impl_->samples.size())) {
     return Error{path_, "a block has " + std::to_string(block.channels) + " channels", "the session has others"};
   }
-  const std::uint64_t step = impl_->steps++;
-  for (int c = 0; c < block.channels; ++c) impl_->samples[static_cast<std::size_t>(c)].add(block.channel(c));
-  impl_->blocks.add(toRow(block, impl_->frames));
-  impl_->frames += static_cast<std::uint64_t>(block.frames);
-  impl_->machine.add(toRow(input.machine));
-  impl_->decisions.add(toRow(output));
-  for (int i = 0; i < input.inputCount; ++i) impl_->inputs.add(toRow(input.inputs[static_cast<std::size_t>(i)], step));
+  Impl& w = *impl_;
+  const std::uint64_t step = w.steps++;
+  for (int c = 0; w.keepSamples && c < block.channels; ++c) {
+    w.samples[static_cast<std::size_t>(c)].add(block.channel(c));
+  }
+  BlockRow row = toRow(block, w.frames);
+  if (!w.keepSamples) row.frames = 0;
+  w.blocks.add(row);
+  if (w.segmentFinder.begins(row)) w.segments.add({step, row.offset, row.firstSample, row.rate});
+  w.frames += static_cast<std::uint64_t>(row.frames);
+  w.machine.add(toRow(input.machine));
+  w.decisions.add(toRow(output));
+  for (int i = 0; i < input.inputCount; ++i) {
+    const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
+    w.inputs.add(toRow(asked, step));
+    if (const char* label = labelOf(asked.action)) {
+      if (Status s = addMarker({0, block.end(), block.end(), label, w.operatorName, "", 0}); !s) return s;
+    }
+  }
   for (int i = 0; i < output.verdictCount; ++i) {
-    impl_->verdicts.add(toRow(output.verdicts[static_cast<std::size_t>(i)], i, step));
+    w.verdicts.add(toRow(output.verdicts[static_cast<std::size_t>(i)], i, step));
   }
-  if (output.hasCommand) impl_->commands.add(toRow(output.command, step));
-  for (int i = 0; i < output.eventCount; ++i)
-    impl_->events.add(toRow(output.events[static_cast<std::size_t>(i)], step));
+  if (output.hasCommand) w.commands.add(toRow(output.command, step));
+  for (int i = 0; i < output.eventCount; ++i) w.events.add(toRow(output.events[static_cast<std::size_t>(i)], step));
   constexpr Duration kFlushEvery = std::chrono::milliseconds(500);
-  if (step == 0) impl_->flushedUpTo = block.firstSample;
-  const bool due = block.end() - impl_->flushedUpTo >= kFlushEvery;
-  if (due || impl_->samples.front().pending() >= kSampleChunk) {
-    impl_->flushedUpTo = block.end();
-    return flush();
-  }
-  return Done{};
+  if (step == 0) w.flushedUpTo = block.firstSample;
+  if (block.end() - w.flushedUpTo < kFlushEvery) return Done{};
+  w.flushedUpTo = block.end();
+  return flush();
 }
 
 Status SessionWriter::addTruth(std::string_view name, double value) {
@@ -211,17 +221,25 @@ Status SessionWriter::addTruth(std::string_view name, Instant time, double value
   return Done{};
 }
 
-Status SessionWriter::flush(bool toDisk) {
+Status SessionWriter::addMarker(Marker marker) {
+  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  marker.number = impl_->markerCount++;
+  if (marker.made_ns == 0) marker.made_ns = nowUtc();
+  Result<MarkerRow> row = toRow(marker);
+  if (!row) return row.error();
+  impl_->markers.add(*row);
+  return Done{};
+}
+
+void SessionWriter::setPowerSafe() {
+  impl_->powerSafe = true;
+}
+
+Status SessionWriter::flush() {
   if (impl_->closed) return Error{path_, "the session is closed", ""};
   quietHdf5();
   if (!impl_->write()) return failed("writing");
-  int* descriptor = nullptr;
-  if (toDisk && H5Fget_vfd_handle(impl_->file.get(), H5P_DEFAULT, reinterpret_cast<void**>(&descriptor)) >= 0 &&
-      fdatasync(*descriptor) != 0) {
-    const std::string cause = std::strerror(errno);
-    impl_->close();
-    return Error{path_, "recording failed while writing to disk", cause};
-  }
+  if (!impl_->journaled->commit(impl_->powerSafe)) return failed("writing");
   return Done{};
 }
 
@@ -229,6 +247,10 @@ Status SessionWriter::close() {
   if (impl_->closed) return Done{};
   if (const Status s = flush(); !s) return s.error();
   if (!impl_->close()) return Error{path_, "the session file was not closed cleanly", hdf5Cause()};
+  if (const Status s = impl_->journaled->commit(true); !s) {
+    return Error{path_, "the session file was not closed cleanly", impl_->journaled->error()};
+  }
+  impl_->journaled->removeJournal();
   return Done{};
 }
 

@@ -28,6 +28,7 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
         break;
       case OperatorAction::TrueAlarm:
       case OperatorAction::FalseAlarm:
+      case OperatorAction::HearChatter:
         break;  // for the detectors' thresholds and the record, not for the machine
     }
   }

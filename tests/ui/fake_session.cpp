@@ -78,6 +78,7 @@ void FakeSession::send(const OperatorInput& input) {
       break;
     case OperatorAction::TrueAlarm:
     case OperatorAction::FalseAlarm:
+    case OperatorAction::HearChatter:
       break;
   }
 }

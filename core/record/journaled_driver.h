@@ -1,0 +1,15 @@
+// Lets the HDF5 library read and write through a JournaledFile (a "virtual file driver" in its words).
+#pragma once
+
+#include <hdf5.h>
+
+#include "core/record/hdf5_file.h"
+#include "core/record/journaled_file.h"
+
+namespace stillcut::record {
+
+// A file access list that opens `file`, which must outlive the HDF5 file; the name given to the library only shows in
+// its messages. Commits are the caller's: after a flush, and after closing.
+Hdf5Id journaledAccess(JournaledFile& file);
+
+}  // namespace stillcut::record

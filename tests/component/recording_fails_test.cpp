@@ -1,0 +1,98 @@
+// The disk can die without the cut noticing: the same verdicts and commands, and one event that says so.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <vector>
+
+#include "app/compose/rig.h"
+#include "core/cnc/simulated_machine.h"
+#include "core/daq/simulated_source.h"
+#include "core/record/open_recording.h"
+#include "tests/component/demo_cut.h"
+#include "tests/component/same_bits.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::app {
+namespace {
+
+// Gives up at the given write.
+class DyingDisk final : public record::Disk {
+ public:
+  explicit DyingDisk(int writes) : left_(writes) {}
+  bool write(int file, std::uint64_t offset, std::span<const std::byte> bytes) override {
+    if (left_-- > 0) return Disk::write(file, offset, bytes);
+    errno = EIO;
+    return false;
+  }
+
+ private:
+  int left_;
+};
+
+struct Ran {
+  std::vector<StepOutput> outputs;
+  int stopEvents = 0;
+  std::string recording;  // what it said about itself at the end
+};
+
+Ran run(const std::string& path, record::Disk* disk) {
+  const milling::Scenario cut = test::demoCut();
+  auto port = std::make_shared<milling::PlantPort>();
+  RigSpec spec;
+  spec.device = std::make_unique<daq::SimulatedSource>(cut, 0, port, daq::SimulatedPace{});
+  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
+  spec.setup = cut.cutSetup();
+  spec.autoAllowed = true;
+  spec.watched = true;
+  auto rig = Rig::build(std::move(spec));
+  Ran ran;
+  EXPECT_TRUE(rig.ok());
+  if (!rig) return ran;
+  record::RecorderOptions options;
+  options.disk = disk;
+  if (!path.empty()) {
+    EXPECT_TRUE((*rig)->recordTo(path, "", options).ok());
+  }
+  (*rig)->send({OperatorAction::SetAuthority, Authority::Auto});
+  std::uint64_t seen = 0;
+  (*rig)->runToEnd([&](const StepInput&, const StepOutput& output) {
+    ran.outputs.push_back(output);
+    const Snapshot* picture = (*rig)->read();
+    for (; seen < picture->eventCount; ++seen) {
+      const Event& event = picture->events[seen % kEventsShown];
+      ran.stopEvents += event.reason.code == ReasonCode::RecorderStopped && event.level == EventLevel::Fault ? 1 : 0;
+    }
+  });
+  if (!path.empty()) {
+    const Status finished = (*rig)->recorder()->finish();
+    if (!finished) ran.recording = finished.error().line();
+  }
+  return ran;
+}
+
+TEST(RecordingFails, ControlGoesOnAndSaysOnceThatNothingIsRecorded) {
+  const record::TempFolder folder;
+  const Ran undisturbed = run("", nullptr);
+  ASSERT_GT(undisturbed.outputs.size(), 400U);
+  EXPECT_EQ(undisturbed.stopEvents, 0);
+  for (const int writes : {200, 300}) {
+    DyingDisk disk(writes);
+    const std::string path = folder / "cut.h5";
+    const Ran ran = run(path, &disk);
+    EXPECT_EQ(ran.stopEvents, 1) << writes;
+    EXPECT_THAT(ran.recording, testing::HasSubstr("Input/output error"));
+    EXPECT_EQ(ran.recording.find('\n'), std::string::npos);
+    ASSERT_EQ(ran.outputs.size(), undisturbed.outputs.size());
+    for (std::size_t i = 0; i < ran.outputs.size(); ++i) {
+      ASSERT_EQ(test::difference(ran.outputs[i], undisturbed.outputs[i]), "") << "step " << i;
+    }
+    const auto reader = record::openRecording(path);
+    ASSERT_TRUE(reader.ok()) << reader.error().line();
+    EXPECT_GT((*reader)->format().blocks, 0);
+    EXPECT_LT((*reader)->format().blocks, static_cast<std::int64_t>(ran.outputs.size()));
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::app
