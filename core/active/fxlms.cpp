@@ -1,0 +1,73 @@
+#include "core/active/fxlms.h"
+
+#include <cmath>
+
+namespace stillcut::active {
+
+namespace {
+
+// Centre of gravity of the energy of the impulse response [samples].
+double delayOf(const PathModel& model) {
+  double energy = 0.0;
+  double moment = 0.0;
+  const std::vector<double> impulse = model.impulse(4 * kMostTaps);
+  for (std::size_t n = 0; n < impulse.size(); ++n) {
+    energy += impulse[n] * impulse[n];
+    moment += static_cast<double>(n + 1) * impulse[n] * impulse[n];
+  }
+  return energy > 0.0 ? moment / energy : 0.0;
+}
+
+}  // namespace
+
+void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& model) {
+  options_ = options;
+  const auto taps = static_cast<std::size_t>(options.filter.taps);
+  reference_.prepare(taps);
+  filtered_.prepare(taps);
+  weights_.assign(reference_.size(), 0.0);
+  heard_.prepare(model);
+  shaped_.prepare(model);
+  delay_ = delayOf(model);
+  forget_ = 1.0 / (8.0 * static_cast<double>(taps));
+  reset();
+}
+
+void FxlmsController::reset() noexcept {
+  std::fill(weights_.begin(), weights_.end(), 0.0);
+  reference_.reset();
+  filtered_.reset();
+  heard_.reset();
+  shaped_.reset();
+  power_ = disturbance_ = wanted_ = error_ = 0.0;
+}
+
+double FxlmsController::largestStep() const noexcept {
+  constexpr double kSilence = 1e-30;
+  return power_ > kSilence ? 1.0 / (power_ * (options_.filter.taps + delay_)) : 0.0;
+}
+
+double FxlmsController::process(double error, double reference) STILLCUT_RT {
+  error_ = error;
+  disturbance_ = error + heard_.arrive();
+  const double x = options_.reference == Reference::Feedforward     ? reference
+                   : options_.reference == Reference::ErrorFeedback ? error
+                                                                    : disturbance_;
+  const double filtered = shaped_.arrive();
+  shaped_.push(x);
+  filtered_.push(filtered);
+  reference_.push(x);
+  power_ += forget_ * (filtered * filtered - power_);
+  wanted_ = dot(weights_.data(), reference_.data(), weights_.size());
+  return wanted_;
+}
+
+void FxlmsController::written(double output) STILLCUT_RT {
+  heard_.push(output);
+  const bool limited = output != wanted_;
+  const double step = options_.filter.normalised ? options_.filter.step * largestStep() : options_.filter.step;
+  steer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error_, filtered_.data(), weights_.size());
+  std::fill(weights_.begin() + options_.filter.taps, weights_.end(), 0.0);
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,64 @@
+// The adaptive controller of one axis (Ford 2013 section "Adaptive control theory"; Kuo and Morgan 1996): leaky FXLMS.
+//   y(n) = sum w_k x(n-k),  e(n) = d(n) - (s * y)(n),  x' = s^ * x,  w <- leak w + 2 mu e(n) x'(n-k)      (eq. 2, 3a)
+// s is the path from output to sensor (path_model.h), s^ its model. Eq. 2 prints a minus; see lms.h. The reference x is
+//   Feedforward:     a signal of its own (a tooth-passing tone, a sensor near the cutter)
+//   ErrorFeedback:   the error itself (Hakansson; Stothers): x = e
+//   InternalModel:   the disturbance as the model sees it: x = d^ = e + s^ * y, the error with the model's part taken
+//   out
+//                    (Morari and Zafiriou)
+// The automatic step is a share of 1/(P (L + D)): P the mean square of x', L the taps, D the samples the path delays by
+// (Elliott, Signal Processing for Active Control, 2001, section 3.4).
+// What leaves the output limited (written()) is what went through the path: the model is fed with it, and while
+// it was limited the weights only leak, so that nothing winds up.
+// Thread: one; everything but prepare() is real-time.
+#pragma once
+
+#include <vector>
+
+#include "core/active/lms.h"
+#include "core/active/path_filter.h"
+
+namespace stillcut::active {
+
+enum class Reference { Feedforward, ErrorFeedback, InternalModel };
+
+struct FxlmsOptions {
+  LmsOptions filter;  // step: mu, or with `normalised` the share of the automatic bound
+  Reference reference = Reference::InternalModel;
+};
+
+class FxlmsController {
+ public:
+  // `model` has passed checkPath().
+  void prepare(const FxlmsOptions& options, const PathModel& model);
+  void reset() noexcept;
+  void setStep(double step) noexcept { options_.filter.step = step; }  // no jump: weights stay
+  void setLeak(double leak) noexcept { options_.filter.leak = leak; }
+
+  // Once a sample: the error just read (and the reference, for Feedforward) give the output wanted.
+  double process(double error, double reference = 0.0) STILLCUT_RT;
+  // And what was really written of it, after every limit.
+  void written(double output) STILLCUT_RT;
+
+  // The disturbance as the model sees it, e + s^ * y: what the error would be without control.
+  double disturbance() const noexcept { return disturbance_; }
+  // Power of the filtered reference and the largest step that is stable in the mean at it; 0 in silence.
+  double referencePower() const noexcept { return power_; }
+  double largestStep() const noexcept;
+  const double* weights() const noexcept { return weights_.data(); }
+  int taps() const noexcept { return options_.filter.taps; }
+
+ private:
+  FxlmsOptions options_;
+  std::vector<double> weights_;
+  TapLine reference_, filtered_;
+  PathFilter heard_, shaped_;  // s^ * y and s^ * x
+  double delay_ = 0.0;         // of the model [samples]
+  double power_ = 0.0;         // of the filtered reference, over about 8 filter lengths
+  double forget_ = 0.0;
+  double disturbance_ = 0.0;
+  double wanted_ = 0.0;
+  double error_ = 0.0;
+};
+
+}  // namespace stillcut::active

@@ -1,0 +1,129 @@
+#include "core/active/identify_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/active/lms.h"
+#include "core/active/path_filter.h"
+#include "core/dsp/spectrum.h"
+
+namespace stillcut::active {
+
+namespace {
+
+constexpr int kSegment = 512;
+constexpr double kCoherent = 0.8;
+constexpr double kUseless = 0.9;  // a model that leaves so much of the reading unexplained is no model
+
+double meanSquare(std::span<const double> x) {
+  double sum = 0.0;
+  for (double v : x) sum += v * v;
+  return sum / static_cast<double>(x.size());
+}
+
+// rms of the reading less the model's prediction over that of the reading.
+double residualOf(const PathModel& model, std::span<const double> output, std::span<const double> reading) {
+  PathFilter filter;
+  filter.prepare(model);
+  double left = 0.0;
+  for (std::size_t n = 0; n < output.size(); ++n) {
+    const double rest = reading[n] - filter.arrive();
+    left += rest * rest;
+    filter.push(output[n]);
+  }
+  return std::sqrt(left / static_cast<double>(output.size()) / meanSquare(reading));
+}
+
+PathModel learn(std::span<const double> output, std::span<const double> reading, const IdentifierOptions& options,
+                int passes) {
+  PathIdentifier identifier;
+  identifier.prepare(options);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (std::size_t n = 0; n < output.size(); ++n) {
+      identifier.reading(reading[n]);
+      identifier.output(output[n]);
+    }
+  }
+  return identifier.model();
+}
+
+// Welch's estimate, half overlapped.
+void measure(std::span<const double> output, std::span<const double> reading, Hertz rate, PathReport& report) {
+  dsp::Spectrum y;
+  dsp::Spectrum r;
+  y.prepare(kSegment, rate, dsp::WindowKind::Hann);
+  r.prepare(kSegment, rate, dsp::WindowKind::Hann);
+  const auto bins = static_cast<std::size_t>(y.bins());
+  std::vector<double> yy(bins), rr(bins);
+  std::vector<std::complex<double>> yr(bins);
+  for (std::size_t at = 0; at + kSegment <= output.size(); at += kSegment / 2) {
+    y.transform(output.subspan(at, kSegment));
+    r.transform(reading.subspan(at, kSegment));
+    for (std::size_t k = 0; k < bins; ++k) {
+      yy[k] += std::norm(y.values()[k]);
+      rr[k] += std::norm(r.values()[k]);
+      yr[k] += std::conj(y.values()[k]) * r.values()[k];
+    }
+  }
+  for (std::size_t k = 1; k + 1 < bins; ++k) {
+    if (!(yy[k] > 0.0) || !(rr[k] > 0.0)) continue;
+    report.frequency.push_back(static_cast<double>(k) * y.binWidth());
+    report.measured.push_back(yr[k] / yy[k]);
+    report.coherence.push_back(std::norm(yr[k]) / (yy[k] * rr[k]));
+  }
+}
+
+void judge(const PathModel& model, Hertz rate, PathReport& report) {
+  for (std::size_t k = 0; k < report.frequency.size(); ++k) {
+    const Hertz f(report.frequency[k]);
+    report.modelled.push_back(model.response(f, rate));
+    if (report.coherence[k] < kCoherent) continue;
+    const double error = std::abs(phaseError(model, report.measured[k], f, rate));
+    if (error <= report.worstPhase) continue;
+    report.worstPhase = error;
+    report.worstAt = f.value;
+  }
+  report.phaseLeft = 0.5 * std::numbers::pi - report.worstPhase;
+}
+
+}  // namespace
+
+Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<const double> reading, Hertz rate,
+                                    const PathRequest& request, const std::string& where) {
+  if (output.size() != reading.size()) return Error{where, "output and reading differ in length", ""};
+  if (output.size() < 4 * kSegment) {
+    return Error{where, "too short to identify a path from", "at least " + std::to_string(4 * kSegment) + " samples"};
+  }
+  const auto finite = [](std::span<const double> x) {
+    return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+  };
+  if (!finite(output) || !finite(reading)) return Error{where, "holds a value that is not finite", ""};
+  if (meanSquare(output) <= 0.0) return Error{where, "nothing was written to the actuator", ""};
+  if (meanSquare(reading) <= 0.0) return Error{where, "the sensor read nothing", "is it connected?"};
+
+  IdentifiedPath found;
+  IdentifierOptions finiteResponse = request.filter;
+  finiteResponse.backward = 0;
+  found.model = learn(output, reading, finiteResponse, request.passes);
+  found.report.residual = residualOf(found.model, output, reading);
+  if (request.filter.backward > 0) {
+    const PathModel recursive = learn(output, reading, request.filter, request.passes);
+    if (checkPath(recursive, where).ok()) {
+      const double residual = residualOf(recursive, output, reading);
+      if (residual < found.report.residual) {
+        found.model = recursive;
+        found.report.residual = residual;
+      }
+    }
+  }
+  if (Status ok = checkPath(found.model, where); !ok) return ok.error();
+  if (!(found.report.residual < kUseless)) {
+    return Error{where, "the reading does not follow the actuator", "noise, or a sensor that is not on the table"};
+  }
+  measure(output, reading, rate, found.report);
+  judge(found.model, rate, found.report);
+  return found;
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,31 @@
+#include "core/active/lms.h"
+
+namespace stillcut::active {
+
+void Lms::prepare(const LmsOptions& options) {
+  options_ = options;
+  line_.prepare(static_cast<std::size_t>(options.taps));
+  weights_.assign(line_.size(), 0.0);
+}
+
+void Lms::reset() noexcept {
+  line_.reset();
+  std::fill(weights_.begin(), weights_.end(), 0.0);
+}
+
+double Lms::process(double x, double wanted) STILLCUT_RT {
+  line_.push(x);
+  const auto taps = static_cast<std::size_t>(options_.taps);
+  const double error = wanted - dot(weights_.data(), line_.data(), weights_.size());
+  double step = options_.step;
+  if (options_.normalised) {
+    double power = 0.0;
+    for (std::size_t k = 0; k < taps; ++k) power += line_.data()[k] * line_.data()[k];
+    step = normalisedStep(options_.step, power);
+  }
+  steer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), weights_.size());
+  std::fill(weights_.begin() + options_.taps, weights_.end(), 0.0);  // the padding learns nothing
+  return error;
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,45 @@
+#include "core/active/path_identifier.h"
+
+#include "core/active/lms.h"
+
+namespace stillcut::active {
+
+void PathIdentifier::prepare(const IdentifierOptions& options) {
+  options_ = options;
+  outputs_.prepare(static_cast<std::size_t>(options.forward));
+  predictions_.prepare(static_cast<std::size_t>(options.backward));
+  forward_.assign(outputs_.size(), 0.0);
+  backward_.assign(predictions_.size(), 0.0);
+}
+
+void PathIdentifier::reset() noexcept {
+  outputs_.reset();
+  predictions_.reset();
+  std::fill(forward_.begin(), forward_.end(), 0.0);
+  std::fill(backward_.begin(), backward_.end(), 0.0);
+}
+
+double PathIdentifier::reading(double r) STILLCUT_RT {
+  const double predicted = dot(forward_.data(), outputs_.data(), forward_.size()) +
+                           dot(backward_.data(), predictions_.data(), backward_.size());
+  const double error = r - predicted;
+  double step = options_.step;
+  if (options_.normalised) {
+    const double power = dot(outputs_.data(), outputs_.data(), outputs_.size()) +
+                         dot(predictions_.data(), predictions_.data(), predictions_.size());
+    step = normalisedStep(options_.step, power);
+  }
+  steer(forward_.data(), 1.0, 2.0 * step * error, outputs_.data(), forward_.size());
+  steer(backward_.data(), 1.0, 2.0 * step * error, predictions_.data(), backward_.size());
+  std::fill(forward_.begin() + options_.forward, forward_.end(), 0.0);
+  std::fill(backward_.begin() + options_.backward, backward_.end(), 0.0);
+  predictions_.push(predicted);
+  return error;
+}
+
+PathModel PathIdentifier::model() const {
+  return {{forward_.begin(), forward_.begin() + options_.forward},
+          {backward_.begin(), backward_.begin() + options_.backward}};
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,63 @@
+#include "core/active/path_model.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "core/active/lms.h"
+
+namespace stillcut::active {
+
+std::complex<double> PathModel::response(Hertz frequency, Hertz rate) const {
+  const std::complex<double> back = std::polar(1.0, -kTwoPi * frequency.value / rate.value);
+  const auto polynomial = [&](const std::vector<double>& c) {
+    std::complex<double> sum = 0.0;
+    for (std::size_t k = c.size(); k > 0; --k) sum = (sum + c[k - 1]) * back;
+    return sum;
+  };
+  return polynomial(forward) / (1.0 - polynomial(backward));
+}
+
+std::vector<double> PathModel::impulse(int samples) const {
+  std::vector<double> r(static_cast<std::size_t>(samples), 0.0);
+  for (std::size_t n = 0; n < r.size(); ++n) {
+    r[n] = n < forward.size() ? forward[n] : 0.0;
+    for (std::size_t k = 0; k < std::min(n, backward.size()); ++k) r[n] += backward[k] * r[n - 1 - k];
+  }
+  return r;
+}
+
+double PathModel::largestPole() const {
+  if (backward.empty()) return 0.0;
+  const auto n = static_cast<Eigen::Index>(backward.size());
+  Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k) companion(0, k) = backward[static_cast<std::size_t>(k)];
+  companion.diagonal(-1).setOnes();
+  if (!companion.allFinite()) return HUGE_VAL;
+  return Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+Status checkPath(const PathModel& model, const std::string& where) {
+  const auto finite = [](const std::vector<double>& c) {
+    return std::all_of(c.begin(), c.end(), [](double v) { return std::isfinite(v); });
+  };
+  if (model.empty()) return Error{where, "no model of the path from actuator to sensor", "identify it first"};
+  if (model.forward.size() > kMostTaps || model.backward.size() > kMostTaps) {
+    return Error{where, "the path's model has more than " + std::to_string(kMostTaps) + " taps", ""};
+  }
+  if (!finite(model.forward) || !finite(model.backward)) {
+    return Error{where, "the path's model holds a number that is not finite", ""};
+  }
+  if (std::all_of(model.forward.begin(), model.forward.end(), [](double v) { return v == 0.0; })) {
+    return Error{where, "the path's model says that the actuator does nothing", ""};
+  }
+  if (model.largestPole() >= 1.0) return Error{where, "the path's model is unstable", "identify it again"};
+  return Done{};
+}
+
+double phaseError(const PathModel& model, std::complex<double> measured, Hertz frequency, Hertz rate) {
+  return std::arg(model.response(frequency, rate) / measured);
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,64 @@
+// The last values of a signal, newest first, always in one piece of memory; and the two sums that adaptive filters are
+// made of. Sums run in kLanes independent lanes, so that vector code adds in the same order as plain code.
+// Thread: one; everything but prepare() is real-time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace stillcut::active {
+
+inline constexpr std::size_t kLanes = 8;
+
+inline std::size_t wholeLanes(std::size_t taps) {
+  return (taps + kLanes - 1) / kLanes * kLanes;
+}
+
+// sum a[k] b[k]; n is a multiple of kLanes.
+inline double dot(const double* a, const double* b, std::size_t n) noexcept {
+  std::array<double, kLanes> sum{};
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += a[k + lane] * b[k + lane];
+  }
+  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+// a[k] = keep a[k] + step b[k]; n is a multiple of kLanes.
+inline void steer(double* a, double keep, double step, const double* b, std::size_t n) noexcept {
+  for (std::size_t k = 0; k < n; k += kLanes) {
+    for (std::size_t lane = 0; lane < kLanes; ++lane) a[k + lane] = keep * a[k + lane] + step * b[k + lane];
+  }
+}
+
+class TapLine {
+ public:
+  void prepare(std::size_t taps) {
+    size_ = wholeLanes(std::max<std::size_t>(1, taps));
+    room_ = 8 * size_;
+    values_.assign(room_ + size_, 0.0);
+    at_ = room_;
+  }
+  void reset() noexcept {
+    std::fill(values_.begin(), values_.end(), 0.0);
+    at_ = room_;
+  }
+  void push(double value) noexcept {
+    if (at_ == 0) {  // once in `room_` values: bring the newest back to the end
+      std::copy(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(size_),
+                values_.begin() + static_cast<std::ptrdiff_t>(room_));
+      at_ = room_;
+    }
+    values_[--at_] = value;
+  }
+  // data()[k] is the value k steps ago; size() of them, a multiple of kLanes.
+  const double* data() const noexcept { return values_.data() + at_; }
+  std::size_t size() const noexcept { return size_; }
+
+ private:
+  std::vector<double> values_;
+  std::size_t size_ = 0, room_ = 0, at_ = 0;
+};
+
+}  // namespace stillcut::active

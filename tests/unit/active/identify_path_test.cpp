@@ -1,0 +1,92 @@
+#include "core/active/identify_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/unit/active/plain.h"
+
+namespace stillcut::active {
+namespace {
+
+const Hertz kRate(5000.0);
+const std::vector<double> kForward{0.0, 0.5, 0.3, -0.1};
+const std::vector<double> kBackward{1.2, -0.85};  // rings for a while: too long for a finite response of 35 taps
+
+TEST(PathIdentifier, AgreesWithFeintuchsEquationsWrittenOut) {
+  const auto y = whiteNoise(600, 1);
+  const auto r = plainPath(kForward, kBackward, y);
+  const std::size_t taps = 5;
+  const double mu = 0.002;
+  std::vector<double> a(taps, 0.0), b(taps, 0.0), predicted(y.size(), 0.0);
+  for (std::size_t n = 0; n < y.size(); ++n) {
+    for (std::size_t k = 0; k < taps; ++k) predicted[n] += a[k] * past(y, n, k + 1) + b[k] * past(predicted, n, k + 1);
+    const double e = r[n] - predicted[n];
+    for (std::size_t k = 0; k < taps; ++k) {
+      a[k] += 2.0 * mu * e * past(y, n, k + 1);
+      b[k] += 2.0 * mu * e * past(predicted, n, k + 1);
+    }
+  }
+  PathIdentifier identifier;
+  identifier.prepare({.forward = 5, .backward = 5, .step = mu});
+  for (std::size_t n = 0; n < y.size(); ++n) {
+    identifier.reading(r[n]);
+    identifier.output(y[n]);
+  }
+  const PathModel model = identifier.model();
+  for (std::size_t k = 0; k < taps; ++k) {
+    EXPECT_NEAR(model.forward[k], a[k], 1e-11);
+    EXPECT_NEAR(model.backward[k], b[k], 1e-11);
+  }
+}
+
+TEST(IdentifyPath, FindsARingingPathFromWhiteNoise) {
+  const auto y = whiteNoise(20000, 2);
+  auto r = plainPath(kForward, kBackward, y);
+  const auto noise = whiteNoise(r.size(), 3, 0.02);
+  for (std::size_t n = 0; n < r.size(); ++n) r[n] += noise[n];
+  const auto found = identifyPath(y, r, kRate, {}, "test");
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  EXPECT_LT(found->report.residual, 0.1);
+  const PathModel truth{kForward, kBackward};
+  for (double f : {200.0, 471.0, 700.0, 1024.0, 1800.0}) {
+    EXPECT_LT(std::abs(phaseError(found->model, truth.response(Hertz(f), kRate), Hertz(f), kRate)), 0.15) << f;
+    EXPECT_NEAR(std::abs(found->model.response(Hertz(f), kRate)) / std::abs(truth.response(Hertz(f), kRate)), 1.0, 0.1)
+        << f;
+  }
+  EXPECT_GT(found->report.phaseLeft, 0.5 * std::numbers::pi - 0.4);
+  ASSERT_FALSE(found->report.coherence.empty());
+  for (double c : found->report.coherence) {
+    EXPECT_GE(c, 0.0);
+    EXPECT_LE(c, 1.0 + 1e-12);
+  }
+}
+
+TEST(IdentifyPath, TheReportSeesAPhaseThatIsWrong) {
+  const auto y = whiteNoise(20000, 4);
+  const auto r = plainPath({0.0, 0.0, 0.0, 0.0, 1.0}, {}, y);
+  PathRequest request;
+  request.filter.forward = 5;
+  request.filter.backward = 0;
+  const auto found = identifyPath(y, r, kRate, request, "test");
+  ASSERT_TRUE(found.ok());
+  EXPECT_LT(found->report.worstPhase, 0.2);
+  EXPECT_NEAR(found->report.phaseLeft, 0.5 * std::numbers::pi - found->report.worstPhase, 1e-12);
+}
+
+TEST(IdentifyPath, RefusesWhatTeachesNothing) {
+  const auto y = whiteNoise(5000, 5);
+  const std::vector<double> silence(5000, 0.0);
+  auto broken = y;
+  broken[100] = std::nan("");
+  EXPECT_FALSE(identifyPath(y, silence, kRate, {}, "dead sensor").ok());
+  EXPECT_FALSE(identifyPath(silence, y, kRate, {}, "no output").ok());
+  EXPECT_FALSE(identifyPath(y, broken, kRate, {}, "not finite").ok());
+  EXPECT_FALSE(identifyPath(y, whiteNoise(4000, 6), kRate, {}, "lengths").ok());
+  EXPECT_FALSE(identifyPath(whiteNoise(100, 7), whiteNoise(100, 8), kRate, {}, "short").ok());
+  EXPECT_FALSE(identifyPath(y, whiteNoise(5000, 9), kRate, {}, "unrelated").ok());
+}
+
+}  // namespace
+}  // namespace stillcut::active
