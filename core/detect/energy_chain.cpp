@@ -6,7 +6,7 @@ namespace stillcut::detect {
 
 void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels) {
   size_ = size;
-  kalman_.prepare(size.channels, size.harmonics, kernels);
+  harmonics_.prepare(size.channels, size.harmonics, kernels);
   bands_.prepare(size.channels, size.bands, size.rate, size.lowestSpindle * size.bandOrders, kernels);
   const std::size_t lanes = dsp::kernels::wholeLanes(static_cast<std::size_t>(size.harmonics));
   for (auto& weights : weights_) weights.assign(lanes, 1.0);
@@ -19,14 +19,14 @@ void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels
 }
 
 void EnergyChain::reset() noexcept {
-  kalman_.reset();
+  harmonics_.reset();
   bands_.reset();
 }
 
 void EnergyChain::tune(Hertz spindle, double gain) noexcept {
   spindle_ = spindle;
-  kalman_.setActive(static_cast<int>(kUsableBand * size_.rate.value / spindle.value));
-  kalman_.setGain(gain);
+  harmonics_.setActive(static_cast<int>(kUsableBand * size_.rate.value / spindle.value));
+  harmonics_.setGain(gain);
   bands_.tune(spindle * size_.bandOrders, spindle * 0.5);
 }
 
@@ -34,10 +34,11 @@ void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t fr
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, bands_.room());
     for (int c = 0; c < size_.channels; ++c) {
-      kalman_.process(c, x + c * stride + static_cast<std::ptrdiff_t>(done), rest_.data(), now);
+      harmonics_.process(c, x + c * stride + static_cast<std::ptrdiff_t>(done), rest_.data(), now,
+                         harmonics_.afterCorrection());
       bands_.process(c, rest_.data(), now);
     }
-    kalman_.advance(now);
+    harmonics_.advance(now);
     bands_.advance(now);
     done += now;
   }
@@ -47,7 +48,7 @@ double EnergyChain::ratio(int channel, int eta) const noexcept {
   const double f2 = spindle_.value * spindle_.value;
   const double unit = eta == 0 ? 1.0 : eta > 0 ? f2 : 1.0 / f2;
   const double chatter = bands_.weightedPower(channel, eta);
-  const double forced = unit * kalman_.weightedPower(channel, weights_[static_cast<std::size_t>(eta + 1)].data());
+  const double forced = unit * harmonics_.weightedPower(channel, weights_[static_cast<std::size_t>(eta + 1)].data());
   const double all = forced + chatter;
   return all > 0.0 ? chatter / all : 0.0;
 }

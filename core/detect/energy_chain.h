@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/detect/energy_separation.h"
-#include "core/detect/harmonic_kalman.h"
+#include "core/detect/turning_harmonics.h"
 
 namespace stillcut::detect {
 
@@ -28,26 +28,26 @@ class EnergyChain {
   void prepare(const Size& size, const dsp::kernels::Kernels& kernels);
   void reset() noexcept;
 
-  // Follows the speed; gain: of the harmonic filter (harmonic_kalman.h).
+  // Follows the speed; gain: of the harmonic filter (turning_harmonics.h).
   void tune(Hertz spindle, double gain) noexcept;
   // Spindle angle of the next frame and turn per frame [rad].
-  void align(double angle, double step) noexcept { kalman_.align(angle, step); }
+  void align(double angle, double step) noexcept { harmonics_.align(angle, step); }
   // Any number of frames at that turn; x[channel * stride + frame].
   void process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Ends a hop: the estimates are the means since the last call.
   void endHop() noexcept { bands_.estimate(); }
 
   // Harmonics below the end of the usable band at this speed.
-  int active() const noexcept { return kalman_.active(); }
+  int active() const noexcept { return harmonics_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
   double ratio(int channel, int eta) const noexcept;
-  const HarmonicKalman& harmonics() const noexcept { return kalman_; }
+  const TurningHarmonics& harmonics() const noexcept { return harmonics_; }
   const EnergySeparation& bands() const noexcept { return bands_; }
 
  private:
   Size size_;
   Hertz spindle_{};
-  HarmonicKalman kalman_;
+  TurningHarmonics harmonics_;
   EnergySeparation bands_;
   std::array<std::vector<double>, 3> weights_;  // (n f)^(2 eta) / f^(2 eta), by eta + 1
   std::array<double, EnergySeparation::kMostFrames> rest_{};

@@ -1,6 +1,6 @@
 // Detector "energy-ratio": Caliskan, Kilic, Altintas 2018, "On-line energy based milling chatter detection".
 //
-// Equations: harmonics removed by the rotating Kalman filter (16-22: harmonic_kalman.h), band-pass bank following the
+// Equations: harmonics removed by the rotating Kalman filter (16-22: turning_harmonics.h), band-pass bank following the
 // speed and energy separation with lag (23-27: energy_separation.h), energy ratio (28, 29) with eta by quantity
 // (energy_chain.h). ER >= 0.2 is the paper's threshold for full chatter (ratio_judge.h decides).
 //

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -57,14 +59,16 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   varianceLimit_ = params.isAutomatic(kParVariance) ? 0.0 : params.real(kParVariance);
   rootLimit_ = params.real(kParRoot);
   chatterRatio_ = params.real(kParChatter);
-  phi_.prepare(harmonics_);
+  most_ = static_cast<std::size_t>(std::max(setup.blockFrames, 1));
+  thinned_.assign(setup.channels.size() * most_, 0.0);
+  rest_.assign(most_, 0.0);
+  recursions_.prepare(static_cast<int>(setup.channels.size()), harmonics_,
+                      {params.real(kParRv), params.real(kParRw), kStartVariance}, dsp::kernels::bestKernels());
   judge_.prepare(setup.teeth, chatterRatio_);
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
     c.eta = integrationFactor(setup.channels[i].quantity);
-    c.periodic.prepare(harmonics_);
-    c.perturbation.prepare(params.real(kParRv), params.real(kParRw), kStartVariance);
     c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
     if (factor_ > 1) {
       c.lowPass.resize(1);
@@ -82,15 +86,13 @@ void ParametricDetector::reset() noexcept {
 }
 
 void ParametricDetector::restart() noexcept {
+  recursions_.reset();
   for (Channel& c : channels_) {
     for (auto& filter : c.lowPass) filter.reset();
-    c.periodic.reset();
-    c.perturbation.reset();
     c.residualSum = c.inputSum = c.variance = c.power = c.root = c.density = c.severity = 0.0;
     c.frequency = {};
     c.theta = c.thetaSum = {};
   }
-  alignedStep_ = -1.0;
   phase_ = 0;
   inStep_ = 0;
   steadyTurns_ = 0.0;
@@ -109,39 +111,62 @@ void ParametricDetector::tune(const ConditionedBlock& block) noexcept {
   const int active = std::clamp(static_cast<int>(kUsableBand * rate_ / spindle_.value), 1, harmonics_);
   const double mu = mu_ > 0.0 ? mu_ : std::min(1.0, active / (kMemoryTurns * turn));
   const double lambda = lambda_ > 0.0 ? lambda_ : 1.0 - kLeakLeaves * mu / active;
-  if (active != phi_.active()) {
-    phi_.setActive(active);
-    alignedStep_ = -1.0;
-  }
-  for (Channel& c : channels_) c.periodic.setGain(mu, lambda, active);
+  recursions_.tune(active, mu, lambda);
 }
 
-void ParametricDetector::pushFrame(const ConditionedBlock& block, int frame) noexcept {
-  const bool keep = phase_ == 0;
-  phase_ = phase_ + 1 == factor_ ? 0 : phase_ + 1;
-  if (keep && block.angleStep[frame] != alignedStep_) {
-    alignedStep_ = block.angleStep[frame];
-    phi_.align(block.angle[frame], alignedStep_ * factor_);
+// Low-passes every frame of the block and keeps one of `factor`. Number of frames kept.
+std::size_t ParametricDetector::thin(const ConditionedBlock& block) noexcept {
+  first_ = (factor_ - phase_) % factor_;
+  phase_ = (phase_ + block.frames) % factor_;
+  const std::size_t count =
+      block.frames > first_ ? static_cast<std::size_t>((block.frames - first_ - 1) / factor_) + 1 : 0;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    const std::span<const double> in = block.channel(static_cast<int>(i));
+    double* out = thinned_.data() + i * most_;
+    auto& filters = channels_[i].lowPass;
+    if (filters.empty()) {
+      std::copy(in.begin(), in.end(), out);
+      continue;
+    }
+    int wait = first_;
+    for (const double x : in) {
+      const double y = filters[0].process(x);
+      if (wait-- > 0) continue;
+      *out++ = y;
+      wait = factor_ - 1;
+    }
   }
+  return count;
+}
+
+// Frames kept, from `from` on, that belong to one step and one turn per frame.
+std::size_t ParametricDetector::stretch(const ConditionedBlock& block, std::size_t from,
+                                        std::size_t count) const noexcept {
+  const double* step = block.angleStep + first_;
+  const auto most = static_cast<std::size_t>(std::max(stepFrames_ - inStep_, 1L));
+  std::size_t n = 1;
+  while (n < most && from + n < count && step[(from + n) * factor_] == step[from * factor_]) ++n;
+  return n;
+}
+
+void ParametricDetector::processFrames(std::size_t from, std::size_t count) noexcept {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
-    double x = block.samples[static_cast<std::ptrdiff_t>(i) * block.stride + frame];
-    if (!c.lowPass.empty()) x = c.lowPass[0].process(x);
-    if (!keep) continue;
-    const double e = c.periodic.process(x, phi_);
-    c.perturbation.process(e * c.scale);
-    for (std::size_t n = 0; n < c.theta.size(); ++n) c.thetaSum[n] += c.perturbation.theta()[n];
-    c.residualSum += e * e;
-    c.inputSum += x * x;
+    const double* x = thinned_.data() + i * most_ + from;
+    recursions_.process(static_cast<int>(i), x, rest_.data(), count, c.scale, c.thetaSum);
+    for (std::size_t k = 0; k < count; ++k) {
+      c.residualSum += rest_[k] * rest_[k];
+      c.inputSum += x[k] * x[k];
+    }
   }
-  if (!keep) return;
-  phi_.advance();
-  if (++inStep_ >= stepFrames_) endStep(block.phase);
+  recursions_.advance(count);
+  inStep_ += static_cast<long>(count);
 }
 
-void ParametricDetector::readModel(Channel& c) noexcept {
-  ArRoots newest = rootsOf(c.perturbation.theta());
-  if (reflect(newest, delta_)) c.perturbation.setTheta(thetaOf(newest));
+void ParametricDetector::readModel(std::size_t channel) noexcept {
+  Channel& c = channels_[channel];
+  ArRoots newest = rootsOf(recursions_.theta(static_cast<int>(channel)));
+  if (reflect(newest, delta_)) recursions_.setTheta(static_cast<int>(channel), thetaOf(newest));
   const double rate = 1.0 - std::exp(-1.0 / (kModelTurns * kStepsPerTurn));
   for (std::size_t n = 0; n < c.theta.size(); ++n) {
     c.theta[n] += rate * (c.thetaSum[n] / static_cast<double>(inStep_) - c.theta[n]);
@@ -156,12 +181,15 @@ void ParametricDetector::readModel(Channel& c) noexcept {
 }
 
 // Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
-double ParametricDetector::severity(const Channel& c) const noexcept {
+double ParametricDetector::severity(std::size_t channel) const noexcept {
+  const Channel& c = channels_[channel];
   const auto weight = [&c](double f) { return c.eta == 0 ? 1.0 : c.eta > 0 ? f * f : 1.0 / (f * f); };
   if (!(c.frequency.value > 0.0)) return 0.0;
   const double chatter = c.variance * weight(c.frequency.value);
   double forced = 0.0;
-  for (int l = 1; l <= phi_.active(); ++l) forced += c.periodic.power(l) * weight(l * spindle_.value);
+  for (int l = 1; l <= recursions_.active(); ++l) {
+    forced += recursions_.power(static_cast<int>(channel), l) * weight(l * spindle_.value);
+  }
   return chatter > 0.0 ? chatter / (chatter + forced) : 0.0;
 }
 
@@ -171,7 +199,8 @@ double ParametricDetector::part(const Channel& c) noexcept {
   return all > 0.0 ? c.variance / all : 0.0;
 }
 
-void ParametricDetector::endChannelStep(Channel& c, CutPhase phase) noexcept {
+void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noexcept {
+  Channel& c = channels_[channel];
   const auto n = static_cast<double>(inStep_);
   const double turns = 1.0 / kStepsPerTurn;
   const double input = c.inputSum / n;
@@ -184,8 +213,8 @@ void ParametricDetector::endChannelStep(Channel& c, CutPhase phase) noexcept {
   } else if (judge_.calm()) {
     c.scale += turns / kScaleTurns * (scale - c.scale);
   }
-  readModel(c);
-  c.severity = severity(c);
+  readModel(channel);
+  c.severity = severity(channel);
   if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns || !(c.power > 0.0)) return;
   c.onset.update(part(c), turns, judge_.calm());
 }
@@ -209,7 +238,7 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
   leading_ = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
-    endChannelStep(c, phase);
+    endChannelStep(i, phase);
     const bool over = varianceLimit_ > 0.0 ? c.variance > varianceLimit_ : c.onset.alarm();
     grown = grown || over;
     begins = begins || (over && c.root >= rootLimit_);
@@ -242,8 +271,15 @@ Verdict ParametricDetector::process(const ConditionedBlock& block) noexcept {
   if (!block.valid || channels_.empty()) return judge_.verdict(block);
   if (block.afterGap) restart();
   tune(block);
-  alignedStep_ = -1.0;  // the sums of angles start anew with every block
-  for (int f = 0; f < block.frames; ++f) pushFrame(block, f);
+  const std::size_t count = thin(block);
+  for (std::size_t k = 0; k < count;) {
+    const std::size_t frame = static_cast<std::size_t>(first_) + k * static_cast<std::size_t>(factor_);
+    const std::size_t frames = stretch(block, k, count);
+    recursions_.align(block.angle[frame], block.angleStep[frame] * factor_);
+    processFrames(k, frames);
+    k += frames;
+    if (inStep_ >= stepFrames_) endStep(block.phase);
+  }
   if (judge_.endBlock(block)) leaveCut();
   return verdict(block);
 }

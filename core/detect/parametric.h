@@ -2,7 +2,7 @@
 // chatter avoidance in the high-speed milling process", section 3.
 //
 // Equations: periodic part by NLMS on the spindle harmonics (19), perturbation as AR(4) by a random-walk Kalman filter
-// (25) (parametric_kernels.h); dominant root, its frequency (27), H(f_c) (26), reflection of unstable roots
+// (25) (parametric_recursions.h); dominant root, its frequency (27), H(f_c) (26), reflection of unstable roots
 // (parametric_model.h); the variance of the residual as the signal that decides, H and |alpha| as indicators.
 //
 // Departures, with their evidence:
@@ -80,17 +80,15 @@ class ParametricDetector final : public Detector {
 
   struct Channel {
     std::vector<dsp::Butterworth> lowPass;  // none or one
-    NlmsHarmonics periodic;
-    ArKalman perturbation;
     OnsetTest onset;
     int eta = 0;
     double residualSum = 0.0;  // this step
     double inputSum = 0.0;
-    double variance = 0.0;        // of the residual, about a turn
-    double power = 0.0;           // of the vibration, several turns
-    double scale = 0.0;           // 1/rms of the stable cut; 0: nothing heard yet
-    ArKalman::Vector thetaSum{};  // this step
-    ArKalman::Vector theta{};     // about two turns
+    double variance = 0.0;      // of the residual, about a turn
+    double power = 0.0;         // of the vibration, several turns
+    double scale = 0.0;         // 1/rms of the stable cut; 0: nothing heard yet
+    ArCoefficients thetaSum{};  // this step
+    ArCoefficients theta{};     // about two turns
     double root = 0.0;
     double density = 0.0;
     Hertz frequency{};
@@ -100,18 +98,22 @@ class ParametricDetector final : public Detector {
   void tune(const ConditionedBlock& block) noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
-  void pushFrame(const ConditionedBlock& block, int frame) noexcept;
+  std::size_t thin(const ConditionedBlock& block) noexcept;
+  std::size_t stretch(const ConditionedBlock& block, std::size_t from, std::size_t count) const noexcept;
+  void processFrames(std::size_t from, std::size_t count) noexcept;
   void endStep(CutPhase phase) noexcept;
-  void endChannelStep(Channel& c, CutPhase phase) noexcept;
-  void readModel(Channel& c) noexcept;
+  void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
+  void readModel(std::size_t channel) noexcept;
   static double part(const Channel& c) noexcept;
-  double severity(const Channel& c) const noexcept;
+  double severity(std::size_t channel) const noexcept;
   bool fromEntry(const Channel& c) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
   AlarmJudge judge_;
-  SpindleRegressors phi_;
+  ParametricRecursions recursions_;
   std::vector<Channel> channels_;
+  std::size_t most_ = 0;                // frames of the longest block
+  std::vector<double> thinned_, rest_;  // [channel * most + frame]; of one channel
   int harmonics_ = 1;
   int factor_ = 1;
   double rate_ = 0.0;  // after thinning
@@ -123,8 +125,8 @@ class ParametricDetector final : public Detector {
   double chatterRatio_ = 0.2;
 
   Hertz spindle_{};
-  double alignedStep_ = -1.0;
-  int phase_ = 0;  // of the thinning
+  int phase_ = 0;  // of the thinning: frames since the last one that was kept, modulo factor
+  int first_ = 0;  // frame of this block that is kept first
   long stepFrames_ = 1;
   long inStep_ = 0;
   double steadyTurns_ = 0.0;

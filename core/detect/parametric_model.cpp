@@ -10,7 +10,7 @@ constexpr int kMostSteps = 100;
 constexpr double kStands = 1e-13;
 constexpr double kOscillates = 1e-6;  // least imaginary part
 
-std::complex<double> polynomial(const ArKalman::Vector& theta, std::complex<double> q) noexcept {
+std::complex<double> polynomial(const ArCoefficients& theta, std::complex<double> q) noexcept {
   std::complex<double> value = 1.0;
   for (const double t : theta) value = value * q - t;
   return value;
@@ -18,7 +18,7 @@ std::complex<double> polynomial(const ArKalman::Vector& theta, std::complex<doub
 
 }  // namespace
 
-ArRoots rootsOf(const ArKalman::Vector& theta) noexcept {
+ArRoots rootsOf(const ArCoefficients& theta) noexcept {
   double radius = 0.0;
   for (const double t : theta) radius = std::max(radius, std::abs(t));
   ArRoots roots;
@@ -42,13 +42,13 @@ ArRoots rootsOf(const ArKalman::Vector& theta) noexcept {
   return roots;
 }
 
-ArKalman::Vector thetaOf(const ArRoots& roots) noexcept {
-  std::array<std::complex<double>, ArKalman::kOrder + 1> c{};
+ArCoefficients thetaOf(const ArRoots& roots) noexcept {
+  std::array<std::complex<double>, kArOrder + 1> c{};
   c[0] = 1.0;
   for (const auto& root : roots) {
     for (std::size_t i = c.size() - 1; i > 0; --i) c[i] -= root * c[i - 1];
   }
-  ArKalman::Vector theta{};
+  ArCoefficients theta{};
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] = -c[i + 1].real();
   return theta;
 }
@@ -79,7 +79,7 @@ Hertz rootFrequency(std::complex<double> root, Hertz rate) noexcept {
   return rate * (std::arg(root) / kTwoPi);
 }
 
-double modelDensity(const ArKalman::Vector& theta, Hertz frequency, Hertz rate) noexcept {
+double modelDensity(const ArCoefficients& theta, Hertz frequency, Hertz rate) noexcept {
   std::complex<double> d = 1.0;
   for (std::size_t n = 0; n < theta.size(); ++n) {
     d -= theta[n] * std::polar(1.0, -kTwoPi * (frequency / rate) * static_cast<double>(n + 1));

@@ -5,16 +5,16 @@
 #include <complex>
 
 #include "core/base/units.h"
-#include "core/detect/parametric_kernels.h"
+#include "core/detect/parametric_recursions.h"
 
 namespace stillcut::detect {
 
-using ArRoots = std::array<std::complex<double>, ArKalman::kOrder>;
+using ArRoots = std::array<std::complex<double>, kArOrder>;
 
 // Roots of q^4 - theta_1 q^3 - .. - theta_4: all at once (Weierstrass), polished until they stand.
-ArRoots rootsOf(const ArKalman::Vector& theta) noexcept;
+ArRoots rootsOf(const ArCoefficients& theta) noexcept;
 // The theta whose roots these are (conjugate pairs and real roots).
-ArKalman::Vector thetaOf(const ArRoots& roots) noexcept;
+ArCoefficients thetaOf(const ArRoots& roots) noexcept;
 // Every root outside the unit circle is put at the radius 1 - delta, its angle kept.
 // True when one was.
 bool reflect(ArRoots& roots, double delta) noexcept;
@@ -24,6 +24,6 @@ std::complex<double> dominantRoot(const ArRoots& roots) noexcept;
 // eq. 27.
 Hertz rootFrequency(std::complex<double> root, Hertz rate) noexcept;
 // eq. 26: |1 / D(f)|^2.
-double modelDensity(const ArKalman::Vector& theta, Hertz frequency, Hertz rate) noexcept;
+double modelDensity(const ArCoefficients& theta, Hertz frequency, Hertz rate) noexcept;
 
 }  // namespace stillcut::detect

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/energy_chain.h"
+#include "core/detect/parametric_recursions.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/bench/best_of.h"
 
@@ -52,10 +53,31 @@ void energyChain(benchmark::State& state, InstructionSet set) {
   });
 }
 
+void parametric(benchmark::State& state, InstructionSet set) {
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  constexpr std::size_t kStep = 64;
+  ParametricRecursions recursions;
+  recursions.prepare(1, 32, {3e-5, 8e-4, 1.0}, dsp::kernels::kernelsOf(set));
+  recursions.tune(32, 0.06, 1.0 - 1e-5);
+  std::vector<double> rest(kStep);
+  const double step = kTwoPi * spindle.value / kRate;
+  bench::bestOf(state, {kFrames, 25.0, 1.0 / kRate}, [&] {
+    ArCoefficients sum{};
+    for (std::size_t k = 0; k < kFrames; k += kStep) {
+      recursions.align(step * static_cast<double>(k), step);
+      recursions.process(0, x.data() + k, rest.data(), kStep, 0.5, sum);
+      recursions.advance(kStep);
+    }
+    benchmark::DoNotOptimize(sum);
+  });
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
   for (const InstructionSet set : dsp::kernels::availableSets()) {
     const std::string name(dsp::kernels::nameOf(set));
     benchmark::RegisterBenchmark(("energy-ratio chain N=32 M=14, " + name).c_str(), energyChain, set);
+    benchmark::RegisterBenchmark(("NLMS 32 + Kalman AR(4), " + name).c_str(), parametric, set);
   }
   return true;
 }();

@@ -79,6 +79,22 @@ struct SeparationRun {
   double* valid = nullptr;  // 1: of this stretch, 0: kept
 };
 
+// van Dijk 2010 eq. 25 with N_d = 4, the sign of 25c.
+struct ArState {
+  double theta[4] = {};
+  double past[4] = {};  // scaled residuals, newest first
+  double p[16] = {};    // Sigma, symmetric
+};
+// NLMS on the harmonics (eq. 19), then the Kalman filter on what they leave.
+struct ParametricRun {
+  HarmonicRun harmonics;  // `after` is 1
+  double scale = 0.0;     // of the residual, for the Kalman filter
+  double rv = 0.0;
+  double rw = 1.0;
+  ArState* ar = nullptr;
+  double* thetaSum = nullptr;  // 4, += theta of every frame
+};
+
 struct Kernels {
   InstructionSet set = InstructionSet::Baseline;
   // turn^1 .. turn^n of the unit number (c, s).
@@ -87,6 +103,7 @@ struct Kernels {
   void (*turn)(double* re, double* im, const double* turnRe, const double* turnIm,
                std::size_t lanes) noexcept = nullptr;
   void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
+  void (*parametric)(const ParametricRun&) noexcept = nullptr;
   void (*bank)(const BankRun&) noexcept = nullptr;
   void (*designBank)(const BankDesign&) noexcept = nullptr;
   void (*operatorSums)(const OperatorRun&) noexcept = nullptr;

@@ -8,6 +8,7 @@ void fill(Kernels& k) noexcept {
   k.turn = turn;
   k.harmonics = harmonics;
   k.weightedPower = weightedPower;
+  k.parametric = parametric;
   k.bank = bank;
   k.designBank = designBank;
   k.operatorSums = operatorSums;

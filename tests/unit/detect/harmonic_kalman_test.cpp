@@ -1,5 +1,5 @@
 // The kernel against the paper's own recursion (Caliskan 2018 eq. 17-20) with its full covariance.
-#include "core/detect/harmonic_kalman.h"
+#include "core/detect/turning_harmonics.h"
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
   const double step = kTwoPi * 100.0 / 10000.0;
   const double lambda = 1e-5;
   Oracle oracle(kHarmonics, step, lambda);
-  HarmonicKalman kalman;
+  TurningHarmonics kalman;
   kalman.prepare(1, kHarmonics, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(lambda, kHarmonics));
   kalman.align(0.0, step);
@@ -69,7 +69,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
     const double x =
         std::cos(step * k + 0.3) + 0.5 * std::sin(3.0 * step * k) + 0.4 * std::sin(0.21 * k) + 0.2 * normal(engine);
     double rest = 0.0;
-    kalman.process(0, &x, &rest, 1);
+    kalman.process(0, &x, &rest, 1, kalman.afterCorrection());
     kalman.advance(1);
     const double truth = oracle.process(x);
     if (k < 10000) continue;
@@ -84,7 +84,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
 }
 
 TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
-  HarmonicKalman kalman;
+  TurningHarmonics kalman;
   kalman.prepare(1, 16, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(1e-6, 16));
   double angle = 0.0;
@@ -94,7 +94,7 @@ TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
     kalman.align(angle, step);
     const double x = std::cos(angle) + 0.5 * std::cos(2.0 * angle + 1.0);
     double rest = 0.0;
-    kalman.process(0, &x, &rest, 1);
+    kalman.process(0, &x, &rest, 1, kalman.afterCorrection());
     kalman.advance(1);
     if (k > 19000) worst = std::max(worst, std::abs(rest));
     angle += step;

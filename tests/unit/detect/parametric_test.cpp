@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/detect/parametric.h"
+#include "core/dsp/kernels/choose.h"
 #include "tests/unit/detect/signals.h"
 
 namespace stillcut::detect::testing {
@@ -56,36 +57,37 @@ TEST(Parametric, NlmsAgreesWithEquation19ThroughSpeedChanges) {
   constexpr int kHarmonics = 20;  // not whole lanes
   const Turning t = turning(20000, 10000.0, 3);
   const std::vector<double> plain = plainNlms(t, kHarmonics, 0.1, 0.9999);
-  SpindleRegressors phi;
-  phi.prepare(kHarmonics);
-  NlmsHarmonics nlms;
-  nlms.prepare(kHarmonics);
-  nlms.setGain(0.1, 0.9999, kHarmonics);
-  double step = -1.0;
-  for (std::size_t k = 0; k < t.x.size(); ++k) {
-    if (t.step[k] != step || k % 256 == 0) {
-      step = t.step[k];
-      phi.align(t.angle[k], step);
-    }
-    // 256 rotations and 20 products leave a few hundred roundings of 1e-16.
-    ASSERT_NEAR(nlms.process(t.x[k], phi), plain[k], 1e-10) << k;
-    phi.advance();
+  ParametricRecursions recursions;
+  recursions.prepare(1, kHarmonics, {}, dsp::kernels::bestKernels());
+  recursions.tune(kHarmonics, 0.1, 0.9999);
+  ArCoefficients sum{};
+  for (std::size_t k = 0; k < t.x.size();) {
+    std::size_t n = 1;  // frames of one turn per frame, at most a block
+    while (n < 256 && k + n < t.x.size() && t.step[k + n] == t.step[k]) ++n;
+    recursions.align(t.angle[k], t.step[k]);
+    std::vector<double> rest(n);
+    recursions.process(0, t.x.data() + k, rest.data(), n, 1.0, sum);
+    recursions.advance(n);
+    // 256 turns and 20 products leave a few hundred roundings of 1e-16.
+    for (std::size_t i = 0; i < n; ++i) ASSERT_NEAR(rest[i], plain[k + i], 1e-10) << k + i;
+    k += n;
   }
 }
 
 TEST(Parametric, NlmsLeavesTheLeaksShareOfAHarmonic) {
   // (1 - lambda) L / mu of the amplitude stays: methods.md's 6 % at L = 60 with the paper's mu and lambda.
-  SpindleRegressors phi;
-  phi.prepare(60);
-  phi.align(0.0, kTwoPi * 70.0 / 10000.0);
-  NlmsHarmonics nlms;
-  nlms.prepare(60);
-  nlms.setGain(0.5, 0.9995, 60);
+  constexpr double kStep = kTwoPi * 70.0 / 10000.0;
+  ParametricRecursions recursions;
+  recursions.prepare(1, 60, {}, dsp::kernels::bestKernels());
+  recursions.tune(60, 0.5, 0.9995);
+  recursions.align(0.0, kStep);
+  ArCoefficients sum{};
   double last = 0.0;
   for (int k = 0; k < 10000; ++k) {
-    const double e = nlms.process(phi.cosines()[6], phi);
+    const double x = std::cos(7.0 * kStep * k);
+    double e = 0.0;
+    recursions.process(0, &x, &e, 1, 0.0, sum);
     if (k >= 9000) last = std::max(last, std::abs(e));
-    phi.advance();
   }
   EXPECT_NEAR(last, 0.0005 * 60 / 0.5, 0.01);
 }
@@ -96,8 +98,10 @@ TEST(Parametric, KalmanAgreesWithEquation25) {
   std::normal_distribution<double> normal;
   constexpr double kRv = 3e-5;
   constexpr double kRw = 8e-4;
-  ArKalman kalman;
-  kalman.prepare(kRv, kRw, 1.0);
+  ParametricRecursions recursions;
+  recursions.prepare(1, 8, {kRv, kRw, 1.0}, dsp::kernels::bestKernels());
+  recursions.tune(8, 0.0, 1.0);  // nothing is taken out
+  ArCoefficients sum{};
   Eigen::Vector4d theta = Eigen::Vector4d::Zero();
   Eigen::Vector4d past = Eigen::Vector4d::Zero();
   Eigen::Matrix4d p = Eigen::Matrix4d::Identity();
@@ -114,18 +118,27 @@ TEST(Parametric, KalmanAgreesWithEquation25) {
     theta += gain * (x - past.dot(theta));
     p += kRv * Eigen::Matrix4d::Identity() - gain * s * gain.transpose();
     past = Eigen::Vector4d(x, past(0), past(1), past(2));
-    kalman.process(x);
-    for (int n = 0; n < 4; ++n) ASSERT_NEAR(kalman.theta()[static_cast<std::size_t>(n)], theta(n), 1e-7) << k;
+    double rest = 0.0;
+    recursions.process(0, &x, &rest, 1, 1.0, sum);
+    for (std::size_t n = 0; n < 4; ++n) ASSERT_NEAR(recursions.theta(0)[n], theta(static_cast<int>(n)), 1e-7) << k;
   }
 }
 
-TEST(Parametric, KalmanComesBackFromAnInfiniteResidual) {
-  ArKalman kalman;
-  kalman.prepare(3e-5, 8e-4, 1.0);
-  kalman.process(1.0);
-  kalman.process(std::numeric_limits<double>::infinity());
-  for (int k = 0; k < 100; ++k) kalman.process(std::sin(0.3 * k));
-  for (const double t : kalman.theta()) EXPECT_TRUE(std::isfinite(t));
+TEST(Parametric, ComesBackFromAnInfiniteValue) {
+  ParametricRecursions recursions;
+  recursions.prepare(1, 8, {3e-5, 8e-4, 1.0}, dsp::kernels::bestKernels());
+  recursions.tune(8, 0.1, 1.0);
+  recursions.align(0.0, 0.1);
+  ArCoefficients sum{};
+  for (int k = 0; k < 200; ++k) {
+    const double x = k == 50 ? std::numeric_limits<double>::infinity() : std::sin(0.3 * k);
+    double rest = 1.0;
+    recursions.process(0, &x, &rest, 1, 1.0, sum);
+    EXPECT_TRUE(std::isfinite(rest));
+  }
+  for (const double t : recursions.theta(0)) EXPECT_TRUE(std::isfinite(t));
+  for (const double t : sum) EXPECT_TRUE(std::isfinite(t));
+  EXPECT_NE(recursions.theta(0)[0], 0.0);
 }
 
 TEST(Parametric, RootsAreTheEigenvaluesOfTheCompanionMatrix) {
@@ -135,7 +148,7 @@ TEST(Parametric, RootsAreTheEigenvaluesOfTheCompanionMatrix) {
   for (int trial = 0; trial < 200; ++trial) {
     const std::complex<double> a = std::polar(size(engine), angle(engine));
     const std::complex<double> b = std::polar(size(engine), angle(engine));
-    const ArKalman::Vector theta = thetaOf({a, std::conj(a), b, std::conj(b)});
+    const ArCoefficients theta = thetaOf({a, std::conj(a), b, std::conj(b)});
     Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
     for (int n = 0; n < 4; ++n) companion(0, n) = theta[static_cast<std::size_t>(n)];
     for (int n = 1; n < 4; ++n) companion(n, n - 1) = 1.0;
@@ -160,7 +173,7 @@ TEST(Parametric, UnstableRootsAreReflectedAndTheirFrequencyKept) {
   EXPECT_NEAR(rootFrequency(dominant, Hertz(10000.0)).value, 10000.0 * 0.9 / kTwoPi, 1e-6);
   EXPECT_FALSE(reflect(roots, 0.001));
   // eq. 26 at that frequency: near the pole 1/|D| is about 1 / (0.001 times the distances to the other roots).
-  const ArKalman::Vector theta = thetaOf(roots);
+  const ArCoefficients theta = thetaOf(roots);
   std::complex<double> product = 1.0;
   for (const auto& root : roots) product *= 1.0 - root * std::polar(1.0, -0.9);
   EXPECT_NEAR(modelDensity(theta, Hertz(10000.0 * 0.9 / kTwoPi), Hertz(10000.0)) * std::norm(product), 1.0, 1e-6);

@@ -44,7 +44,8 @@ inline Recording makeCut(const CutSignal& s) {
   for (std::size_t h = 0; h < amplitude.size(); ++h) {
     const int order = static_cast<int>(h) + 1;
     // Tooth harmonics fall off from 1; runout puts a tenth on the other orders.
-    amplitude[h] = order % s.teeth == 0 ? 1.0 / (order / s.teeth) : 0.1;
+    const int tooth = order / s.teeth;
+    amplitude[h] = order % s.teeth == 0 ? 1.0 / tooth : 0.1;
     start[h] = phase(engine);
   }
   const auto step = [&](double& x, double sd, double memory) {  // Ornstein-Uhlenbeck

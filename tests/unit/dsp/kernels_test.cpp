@@ -69,6 +69,29 @@ TEST(Kernels, HarmonicsAreTheRecursionWrittenOut) {
   }
 }
 
+TEST(Kernels, ParametricIsTheSameWithEverySet) {
+  // Its equations are held to their oracle in tests/unit/detect/parametric_test.cpp.
+  const Values x = noise(600, 4);
+  const Values all = sameWithEverySet([&](const Kernels& k) {
+    Harmonics h(32);
+    k.powers(std::cos(0.05), std::sin(0.05), 29, h.c.data(), h.s.data());
+    Values out(x.size());
+    ArState ar;
+    for (std::size_t i = 0; i < 4; ++i) ar.p[5 * i] = 1.0;
+    Values sum(4);
+    k.parametric({{x.data(), out.data(), x.size(), 32, h.re.data(), h.im.data(), h.c.data(), h.s.data(), 0.004, 1.0},
+                  0.7,
+                  3e-5,
+                  8e-4,
+                  &ar,
+                  sum.data()});
+    out.insert(out.end(), std::begin(ar.p), std::end(ar.p));
+    out.insert(out.end(), sum.begin(), sum.end());
+    return out;
+  });
+  for (const double v : all) EXPECT_TRUE(std::isfinite(v));
+}
+
 TEST(Kernels, TheBankIsButterworth) {
   constexpr Hertz kRate(25600.0);
   constexpr std::size_t kLanesUsed = 24;

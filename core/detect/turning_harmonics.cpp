@@ -1,4 +1,4 @@
-#include "core/detect/harmonic_kalman.h"
+#include "core/detect/turning_harmonics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ double lambdaForGain(double gain, int harmonics) noexcept {
   return p * p / (2.0 * (n * p + 1.0));
 }
 
-void HarmonicKalman::prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels) {
+void TurningHarmonics::prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels) {
   kernels_ = kernels;
   channels_ = channels;
   harmonics_ = harmonics;
@@ -33,15 +33,16 @@ void HarmonicKalman::prepare(int channels, int harmonics, const dsp::kernels::Ke
   for (auto* v : {&re_, &im_}) v->assign(row(channels), 0.0);
   active_ = 0;
   step_ = 0.0;
+  keep_ = 1.0;
   setActive(harmonics);
 }
 
-void HarmonicKalman::reset() noexcept {
+void TurningHarmonics::reset() noexcept {
   std::fill(re_.begin(), re_.end(), 0.0);
   std::fill(im_.begin(), im_.end(), 0.0);
 }
 
-void HarmonicKalman::setActive(int count) noexcept {
+void TurningHarmonics::setActive(int count) noexcept {
   const int clamped = std::clamp(count, 0, harmonics_);
   if (clamped == active_) return;
   active_ = clamped;
@@ -53,12 +54,26 @@ void HarmonicKalman::setActive(int count) noexcept {
     std::fill(re_.begin() + from, re_.begin() + to, 0.0);
     std::fill(im_.begin() + from, im_.begin() + to, 0.0);
   }
-  std::fill(turnRe_.begin(), turnRe_.end(), 0.0);
-  std::fill(turnIm_.begin(), turnIm_.end(), 0.0);
-  kernels_.powers(std::cos(step_), std::sin(step_), n, turnRe_.data(), turnIm_.data());
+  makeTurn();
 }
 
-void HarmonicKalman::align(double angle, double step) noexcept {
+void TurningHarmonics::setGain(double gain, double keep) noexcept {
+  gain_ = gain;
+  if (keep == keep_) return;
+  keep_ = keep;
+  makeTurn();
+}
+
+void TurningHarmonics::makeTurn() noexcept {
+  const auto n = static_cast<std::size_t>(active_);
+  kernels_.powers(std::cos(step_), std::sin(step_), n, turnRe_.data(), turnIm_.data());
+  for (std::size_t i = 0; i < padded_; ++i) {
+    turnRe_[i] = i < n ? keep_ * turnRe_[i] : 0.0;
+    turnIm_[i] = i < n ? keep_ * turnIm_[i] : 0.0;
+  }
+}
+
+void TurningHarmonics::align(double angle, double step) noexcept {
   const auto n = static_cast<std::size_t>(active_);
   const double jump = dsp::wrapPhase(angle - angle_);
   angle_ = angle;
@@ -70,30 +85,46 @@ void HarmonicKalman::align(double angle, double step) noexcept {
   }
   if (step == step_) return;
   step_ = step;
-  kernels_.powers(std::cos(step), std::sin(step), n, turnRe_.data(), turnIm_.data());
+  makeTurn();
 }
 
-void HarmonicKalman::process(int channel, const double* x, double* rest, std::size_t frames) noexcept {
-  double* re = re_.data() + row(channel);
-  double* im = im_.data() + row(channel);
-  // eq. 22 subtracts the corrected estimate: H q = H q^- + H K e, and H K = g N.
-  kernels_.harmonics({x, rest, frames, used_, re, im, turnRe_.data(), turnIm_.data(), gain_, 1.0 - gain_ * active_});
-  if (frames == 0 || std::isfinite(rest[frames - 1])) return;
-  std::fill_n(re, padded_, 0.0);
-  std::fill_n(im, padded_, 0.0);
+dsp::kernels::HarmonicRun TurningHarmonics::run(int channel, const double* x, double* rest, std::size_t frames,
+                                                double after) noexcept {
+  return {x,
+          rest,
+          frames,
+          used_,
+          re_.data() + row(channel),
+          im_.data() + row(channel),
+          turnRe_.data(),
+          turnIm_.data(),
+          gain_ / keep_,
+          after};
+}
+
+bool TurningHarmonics::finished(int channel, double* rest, std::size_t frames) noexcept {
+  if (frames == 0 || std::isfinite(rest[frames - 1])) return true;
+  std::fill_n(re_.data() + row(channel), padded_, 0.0);
+  std::fill_n(im_.data() + row(channel), padded_, 0.0);
   std::fill_n(rest, frames, 0.0);
+  return false;
 }
 
-void HarmonicKalman::advance(std::size_t frames) noexcept {
+void TurningHarmonics::process(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept {
+  kernels_.harmonics(run(channel, x, rest, frames, after));
+  finished(channel, rest, frames);
+}
+
+void TurningHarmonics::advance(std::size_t frames) noexcept {
   angle_ = dsp::wrapPhase(angle_ + static_cast<double>(frames) * step_);
 }
 
-double HarmonicKalman::power(int channel, int n) const noexcept {
+double TurningHarmonics::power(int channel, int n) const noexcept {
   const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
   return re_[i] * re_[i] + im_[i] * im_[i];
 }
 
-double HarmonicKalman::weightedPower(int channel, const double* weight) const noexcept {
+double TurningHarmonics::weightedPower(int channel, const double* weight) const noexcept {
   return kernels_.weightedPower(re_.data() + row(channel), im_.data() + row(channel), weight, used_);
 }
 
