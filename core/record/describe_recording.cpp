@@ -1,6 +1,7 @@
 #include "core/record/describe_recording.h"
 
 #include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "core/record/open_recording.h"
@@ -23,6 +24,22 @@ std::string channelLine(std::size_t index, const RecordedChannel& channel) {
   return line + "\n";
 }
 
+// "2026-11-21T19:02:45Z"
+std::string utcText(std::int64_t sinceEpoch_ns) {
+  const std::time_t seconds = sinceEpoch_ns / 1'000'000'000;
+  std::tm parts{};
+  char text[40] = "";
+  if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+  return text;
+}
+
+std::string markerLine(const Marker& m, Instant begin) {
+  std::string text = "marker       #" + std::to_string(m.number) + " " + number(secondsBetween(begin, m.begin).value);
+  if (m.end > m.begin) text += " to " + number(secondsBetween(begin, m.end).value);
+  text += " s: " + m.label + " (" + m.author + ", " + utcText(m.made_ns) + ")";
+  return text + (m.note.empty() ? "" : " " + m.note) + "\n";
+}
+
 std::string sessionText(const RecordingFormat& format, const SessionCounts& counts) {
   std::string text;
   if (format.setup) {
@@ -40,6 +57,7 @@ std::string sessionText(const RecordingFormat& format, const SessionCounts& coun
   for (const Event& event : counts.firstEvents) {
     text += "event        " + number(sinceEpoch(event.time).value) + " s: " + sentence(event.reason) + "\n";
   }
+  for (const Marker& marker : counts.markers) text += markerLine(marker, counts.begin);
   for (const auto& [key, value] : counts.truthValues) text += "truth        " + key + " = " + number(value) + "\n";
   return text;
 }
@@ -62,6 +80,16 @@ nlohmann::ordered_json sessionJson(const RecordingFormat& format, const SessionC
   session["commands"] = counts.commands;
   session["events"] = counts.events;
   session["operator_inputs"] = counts.inputs;
+  session["markers"] = nlohmann::ordered_json::array();
+  for (const Marker& m : counts.markers) {
+    session["markers"].push_back({{"number", m.number},
+                                  {"t0_s", secondsBetween(counts.begin, m.begin).value},
+                                  {"t1_s", secondsBetween(counts.begin, m.end).value},
+                                  {"label", m.label},
+                                  {"author", m.author},
+                                  {"note", m.note},
+                                  {"made_utc", utcText(m.made_ns)}});
+  }
   for (const auto& [key, value] : counts.truthValues) session["truth"][key] = value;
   session["configuration"] = format.configuration;
   return session;

@@ -55,6 +55,9 @@ class RecordingReader {
   // full blocks, cut short only before missing samples and at the end. Time counts from 0 at the first sample unless
   // recorded. The last block carries kBlockEnd. False: nothing is left. Error: one line, nothing more can be read.
   virtual Result<bool> read(SampleBlock& block) = 0;
+  // The next read() gives the block that holds `time`, or the first after it, as if all before had been read. False:
+  // this recording can only be read from its beginning.
+  virtual Result<bool> seek(Instant /*time*/) { return false; }
   // The complete step recorded with the block last read (machine state, operator inputs, and what the program made of
   // it); null where the recording has none. Valid until the next read().
   virtual const StepRecord* recordedStep() const { return nullptr; }

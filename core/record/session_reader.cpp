@@ -7,6 +7,7 @@
 #include "core/record/session_layout.h"
 #include "core/record/session_open.h"
 #include "core/record/session_samples.h"
+#include "core/record/session_segments.h"
 #include "core/record/session_table.h"
 
 namespace stillcut::record {
@@ -28,6 +29,18 @@ class StepRows {
     ++next_;
     return row;
   }
+  // To the first row of `step`.
+  bool seek(std::uint64_t step) {
+    bool damaged = false;
+    std::uint64_t low = 0, high = reader_.rows();
+    while (low < high && !damaged) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      const Row* row = reader_.at(middle, damaged);
+      (row != nullptr && row->step < step ? low : high) = row != nullptr && row->step < step ? middle + 1 : middle;
+    }
+    next_ = low;
+    return !damaged;
+  }
 
  private:
   TableReader<Row> reader_;
@@ -45,6 +58,28 @@ class SessionReader final : public RecordingReader {
 
   const RecordingFormat& format() const override { return format_; }
   const StepRecord* recordedStep() const override { return haveStep_ ? &current_ : nullptr; }
+
+  Result<bool> seek(Instant time) override {
+    haveStep_ = false;
+    quietHdf5();
+    if (segments_.empty() && !readSegments(file_.get(), segments_)) {
+      return Error{path_, "its times cannot be read", hdf5Cause()};
+    }
+    const std::uint64_t frame = frameAt(segments_, static_cast<std::uint64_t>(format_.frames), time);
+    bool damaged = false;
+    std::uint64_t low = 0, high = steps_;  // the first step that ends after the frame
+    while (low < high && !damaged) {
+      const std::uint64_t middle = low + (high - low) / 2;
+      const BlockRow* row = blocks_.at(middle, damaged);
+      const bool before = row != nullptr && row->offset + static_cast<std::uint64_t>(row->frames) <= frame;
+      (before ? low : high) = before ? middle + 1 : middle;
+    }
+    step_ = low;
+    if (damaged || !inputs_.seek(step_) || !verdicts_.seek(step_) || !commands_.seek(step_) || !events_.seek(step_)) {
+      return Error{path_, "the session file is damaged", hdf5Cause()};
+    }
+    return true;
+  }
 
   Result<bool> read(SampleBlock& block) override {
     haveStep_ = false;
@@ -203,6 +238,7 @@ class SessionReader final : public RecordingReader {
   StepRows<VerdictRow> verdicts_;
   StepRows<CommandRow> commands_;
   StepRows<EventRow> events_;
+  std::vector<SegmentRow> segments_;  // read when first needed
   std::uint64_t steps_ = 0;
   std::uint64_t step_ = 0;
   StepRecord current_;

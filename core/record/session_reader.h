@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "core/model/marker.h"
 #include "core/record/recording_reader.h"
 
 namespace stillcut::record {
@@ -27,6 +28,8 @@ struct SessionCounts {
   std::uint64_t verdicts = 0;
   std::uint64_t commands = 0;
   std::uint64_t events = 0;
+  std::vector<Marker> markers;
+  Instant begin{};                                          // of the first sample
   std::vector<Event> firstEvents;                           // at most a hundred
   std::vector<std::pair<std::string, double>> truthValues;  // simulated cuts
 };

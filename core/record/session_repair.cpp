@@ -5,6 +5,7 @@
 
 #include "core/record/journaled_driver.h"
 #include "core/record/session_layout.h"
+#include "core/record/session_markers.h"
 #include "core/record/session_open.h"
 #include "core/record/session_reader.h"
 #include "core/record/session_table.h"
@@ -55,6 +56,8 @@ Result<bool> repairSession(const std::string& path) {
 }
 
 Result<SessionCounts> countSession(const std::string& path) {
+  Result<std::vector<Marker>> markers = readMarkers(path);
+  if (!markers) return markers.error();
   const Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
   const hid_t file = opened.value().file.get();
@@ -71,6 +74,7 @@ Result<SessionCounts> countSession(const std::string& path) {
   const ReasonCodes reasons(readText(file, "reason_codes").value_or(""));
   constexpr std::uint64_t kMostShown = 100;
   SessionCounts counts;
+  counts.markers = std::move(*markers);
   counts.steps = blocks.rows();
   counts.inputs = inputs.rows();
   counts.verdicts = verdicts.rows();
@@ -78,6 +82,7 @@ Result<SessionCounts> countSession(const std::string& path) {
   counts.events = events.rows();
   bool damaged = false;
   for (std::uint64_t i = 0; const BlockRow* row = blocks.at(i, damaged); ++i) {
+    if (i == 0) counts.begin = instantFromNs(row->firstSample);
     if ((row->flags & kBlockGap) != 0) ++counts.gaps;
   }
   for (std::uint64_t i = 0; i < kMostShown; ++i) {

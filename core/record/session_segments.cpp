@@ -63,6 +63,18 @@ std::uint64_t frameAt(const std::vector<SegmentRow>& segments, std::uint64_t fra
   return frame >= length ? end : segment.offset + static_cast<std::uint64_t>(std::max(0.0, frame));
 }
 
+const SegmentRow& segmentOf(const std::vector<SegmentRow>& segments, std::uint64_t frame) {
+  const auto after = std::upper_bound(segments.begin(), segments.end(), frame,
+                                      [](std::uint64_t f, const SegmentRow& s) { return f < s.offset; });
+  return after == segments.begin() ? segments.front() : *std::prev(after);
+}
+
+bool withinSample(const std::vector<SegmentRow>& segments, std::uint64_t frame, Instant time) {
+  if (segments.empty()) return false;
+  const SegmentRow& segment = segmentOf(segments, frame);
+  return std::abs(secondsBetween(time, timeOf(segment, frame)).value) * segment.rate < 1.0;
+}
+
 Instant timeOf(const SegmentRow& segment, std::uint64_t frame) {
   return instantFromNs(segment.firstSample) + toDuration(Seconds(elapsedNs(segment, frame) * 1e-9));
 }

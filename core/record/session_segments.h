@@ -26,6 +26,10 @@ bool readSegments(hid_t file, std::vector<SegmentRow>& segments);
 
 // The frame that is taken at `time`, and back. Between pieces: the first frame of the next one.
 std::uint64_t frameAt(const std::vector<SegmentRow>& segments, std::uint64_t frames, Instant time);
+// The piece that `frame` lies in; `segments` must not be empty.
+const SegmentRow& segmentOf(const std::vector<SegmentRow>& segments, std::uint64_t frame);
+// Whether `frame` is taken less than a sample from `time`.
+bool withinSample(const std::vector<SegmentRow>& segments, std::uint64_t frame, Instant time);
 Instant timeOf(const SegmentRow& segment, std::uint64_t frame);
 
 }  // namespace stillcut::record

@@ -1,0 +1,129 @@
+// Markers: touched during the cut, added afterwards, listed; nothing else in the file changes.
+#include "core/record/session_markers.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/record/describe_recording.h"
+#include "core/record/hdf5_file.h"
+#include "core/record/session_reader.h"
+#include "tests/unit/record/crash_lab.h"
+#include "tests/unit/record/step_samples.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::record {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr std::int64_t kMade = 1'700'000'000'000'000'000;  // 2023-11-14T22:13:20Z
+
+// Ten blocks of 2.5 ms from 1 s on, with these touches in block 4.
+std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions) {
+  const std::string path = folder / "cut.h5";
+  SessionHeader header = exampleHeader();
+  header.operatorName = "Grace";
+  auto writer = SessionWriter::create(path, header);
+  EXPECT_TRUE(writer.ok());
+  StepRecord step = exampleStep(0);
+  step.input.block.frames = 64;
+  step.input.block.flags = 0;
+  step.input.block.rate = Hertz(25600.0);
+  for (int i = 0; i < 10; ++i) {
+    step.input.block.firstSample = instantFromNs(1'000'000'000 + i * 2'500'000);
+    step.input.inputCount = 0;
+    if (i == 4) {
+      for (const OperatorAction action : actions) {
+        step.input.inputs[static_cast<std::size_t>(step.input.inputCount++)] = {action, Authority::Off};
+      }
+    }
+    EXPECT_TRUE((*writer)->add(step.input, step.output).ok());
+  }
+  EXPECT_TRUE((*writer)->close().ok());
+  return path;
+}
+
+TEST(Markers, ATouchDuringTheCutIsKeptWithItsTimeAndItsAuthor) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {OperatorAction::TrueAlarm, OperatorAction::Hold, OperatorAction::FalseAlarm,
+                                            OperatorAction::HearChatter});
+  const auto markers = readMarkers(path);
+  ASSERT_TRUE(markers.ok()) << markers.error().line();
+  ASSERT_EQ(markers->size(), 3U) << "holding is no marker";
+  const char* labels[] = {"true-alarm", "false-alarm", "heard"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ((*markers.value().begin()).author, "Grace");
+    EXPECT_EQ(markers.value()[i].label, labels[i]);
+    EXPECT_EQ(toNs(markers.value()[i].begin), 1'012'500'000) << "the end of the block that was heard";
+    EXPECT_GT(markers.value()[i].made_ns, kMade);
+  }
+}
+
+TEST(Markers, SpansAndNotesAreAddedChangedAndRemovedAfterwards) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {OperatorAction::HearChatter});
+  const auto before = countSession(path);
+  const Marker span{0,    instantFromNs(1'005'000'000), instantFromNs(1'020'000'000), "chatter", "Ada", "wall \xC3\xBC",
+                    kMade};
+  const auto number = addMarker(path, span);
+  ASSERT_TRUE(number.ok()) << number.error().line();
+  EXPECT_EQ(number.value(), 1U);
+  EXPECT_EQ(addMarker(path, {0, instantFromNs(0), instantFromNs(0), "note", "Ada", "first", kMade}).value(), 2U);
+  auto markers = readMarkers(path);
+  ASSERT_TRUE(markers.ok());
+  ASSERT_EQ(markers->size(), 3U);
+  EXPECT_EQ(markers.value()[0].note, "first") << "by time";
+  EXPECT_EQ(markers.value()[1].label, "chatter");
+  EXPECT_EQ(markers.value()[1].note, span.note);
+  EXPECT_EQ(markers.value()[1].end, span.end);
+  EXPECT_EQ(markers.value()[1].made_ns, kMade);
+
+  Marker moved = markers.value()[1];
+  moved.label = "stable";
+  ASSERT_TRUE(changeMarker(path, moved).ok());
+  ASSERT_TRUE(removeMarker(path, 0).ok());
+  markers = readMarkers(path);
+  ASSERT_TRUE(markers.ok());
+  ASSERT_EQ(markers->size(), 2U);
+  EXPECT_EQ(markers.value()[1].label, "stable");
+  EXPECT_FALSE(removeMarker(path, 0).ok()) << "it is gone";
+  EXPECT_FALSE(removeMarker(path, 77).ok());
+
+  const auto after = countSession(path);
+  ASSERT_TRUE(before.ok() && after.ok());
+  EXPECT_EQ(after.value().steps, before.value().steps);
+  EXPECT_EQ(after.value().verdicts, before.value().verdicts);
+  EXPECT_TRUE(Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT))) << "others can open it";
+  EXPECT_EQ(folder.files(), 1U);
+}
+
+TEST(Markers, WhatDoesNotFitIsRefusedAndTheFileStaysAsItWas) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {});
+  EXPECT_FALSE(addMarker(path, {0, instantFromNs(5), instantFromNs(4), "chatter", "Ada", "", 0}).ok());
+  EXPECT_FALSE(addMarker(path, {0, {}, {}, "", "Ada", "", 0}).ok());
+  const auto tooLong = addMarker(path, {0, {}, {}, "note", "Ada", std::string(512, 'x'), 0});
+  ASSERT_FALSE(tooLong.ok());
+  EXPECT_THAT(tooLong.error().line(), HasSubstr("too long"));
+  EXPECT_FALSE(addMarker(folder / "missing.h5", {0, {}, {}, "note", "Ada", "", 0}).ok());
+  EXPECT_TRUE(readMarkers(path).value().empty());
+  EXPECT_EQ(countSession(path).value().steps, 10U);
+  EXPECT_EQ(folder.files(), 1U);
+}
+
+TEST(Markers, AreListedByInfo) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {OperatorAction::FalseAlarm});
+  ASSERT_TRUE(
+      addMarker(path, {0, instantFromNs(1'000'000'000), instantFromNs(1'020'000'000), "stable", "Ada", "quiet", kMade})
+          .ok());
+  const auto description = describeRecording(path);
+  ASSERT_TRUE(description.ok()) << description.error().line();
+  EXPECT_THAT(toText(description.value()),
+              HasSubstr("marker       #1 0 to 0.02 s: stable (Ada, 2023-11-14T22:13:20Z) quiet\n"));
+  EXPECT_THAT(toText(description.value()), HasSubstr("marker       #0 0.0125 s: false-alarm (Grace, "));
+  EXPECT_THAT(toJson(description.value()), HasSubstr("\"label\": \"false-alarm\""));
+}
+
+}  // namespace
+}  // namespace stillcut::record
