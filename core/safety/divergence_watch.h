@@ -1,0 +1,53 @@
+// DivergenceWatch: tells when an adaptive loop runs away or is at its end, from what goes out and what comes back,
+// without a model. Energies are summed over windows of 4 ms. Given up when
+//   Diverging:  error and output both grew by 30 % in each of four windows in a row, and the error is twice (in
+//   amplitude)
+//               what it was in any window of the quarter second before: growth from outside has no reason to follow the
+//               output
+//   Saturated:  more than half of the last three windows' samples were cut off at a limit, and the error is twice that
+//   too:
+//               the output is at its end and nothing gets better
+//   DeadSensor: the reading has not changed at all for 5 ms while something goes out
+// so that at the latest 16 ms of growth, 12 ms of saturation or 5 ms of silence pass.
+// Thread: one, real-time.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/base/realtime.h"
+#include "core/base/units.h"
+
+namespace stillcut::safety {
+
+enum class LoopHealth { Fine, Diverging, Saturated, DeadSensor };
+
+class DivergenceWatch {
+ public:
+  void prepare(Hertz rate) noexcept;
+  void reset() noexcept;
+  // Once a sample: the error read, what was written, and whether a limit had cut it off.
+  LoopHealth watch(double error, double output, bool limited) STILLCUT_RT;
+
+ private:
+  static constexpr std::size_t kWindows = 64;  // a quarter second
+  static constexpr std::size_t kGrowing = 4;
+  struct Window {
+    double error = 0.0, output = 0.0;
+    int limited = 0;
+  };
+  LoopHealth judge() const STILLCUT_RT;
+  const Window& back(std::size_t windows) const STILLCUT_RT { return ring_[(newest_ + kWindows - windows) % kWindows]; }
+
+  std::array<Window, kWindows> ring_{};
+  std::size_t newest_ = 0;
+  std::size_t filled_ = 0;
+  Window open_;
+  int length_ = 20;  // samples in a window
+  int count_ = 0;
+  int still_ = 0;  // samples without any change
+  int silence_ = 25;
+  double last_ = 0.0;
+};
+
+}  // namespace stillcut::safety

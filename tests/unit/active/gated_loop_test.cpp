@@ -1,0 +1,162 @@
+// Controller, gate and path as one loop: what a wrong model, a dead sensor and a saturated actuator do, and that the
+// gate ends it within 20 ms and is at zero 5 ms later.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "core/active/fxlms.h"
+#include "core/safety/actuator_gate.h"
+#include "tests/support/path_counter.h"
+#include "tests/unit/active/plain.h"
+
+namespace stillcut::active {
+namespace {
+
+constexpr double kRate = 5000.0;
+const PathModel kPath{{0.0, 0.5, 0.3, -0.1}, {0.8, -0.5}};
+
+struct Loop {
+  PathModel truth = kPath;
+  PathModel model = kPath;
+  LmsOptions filter{.taps = 35, .step = 0.1, .normalised = true};
+  double amplitude = 10.0;
+  std::function<double(int, double)> sensor = [](int, double e) { return e; };
+  std::function<double(int)> disturbance = [](int n) {
+    return std::sin(2.0 * std::numbers::pi * 471.0 / kRate * n) +
+           0.3 * std::sin(2.0 * std::numbers::pi * 339.0 / kRate * n);
+  };
+};
+
+struct Course {
+  int beyond = -1;  // sample at which the error first was twice the largest of the disturbance
+  int letGo = -1;
+  int zero = -1;  // after letting go, the output is zero from here on
+  safety::ActuatorRelease why = safety::ActuatorRelease::None;
+  double leftLast = 0.0;  // rms of the error over the last fifth, over that of the disturbance
+};
+
+Course run(const Loop& loop, int samples) {
+  FxlmsController controller;
+  controller.prepare({loop.filter, Reference::InternalModel}, loop.model);
+  safety::ActuatorGate gate;
+  safety::ActuatorLimits limits;
+  limits.amplitude = loop.amplitude;
+  limits.slew = 1e6;
+  EXPECT_TRUE(gate.prepare(limits, Hertz(kRate)).ok());
+  gate.engage();
+  PathFilter path;
+  path.prepare(loop.truth);
+  Course course;
+  double largest = 0.0, left = 0.0, all = 0.0;
+  for (int n = 0; n < samples; ++n) {
+    const double d = loop.disturbance(n);
+    largest = std::max(largest, std::abs(d));
+    const double e = loop.sensor(n, d - path.arrive());
+    if (course.beyond < 0 && n > 500 && std::abs(e) > 2.0 * largest) course.beyond = n;
+    gate.renew();
+    const double y = gate.pass(controller.process(e), e).value();
+    controller.written(y);
+    path.push(y);
+    if (course.letGo < 0 && gate.state() == safety::ActuatorState::RampOut) course.letGo = n;
+    if (y != 0.0) course.zero = -1;
+    if (course.letGo >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
+    if (n > samples * 4 / 5) {
+      left += e * e;
+      all += d * d;
+    }
+  }
+  course.why = gate.why();
+  course.leftLast = std::sqrt(left / all);
+  return course;
+}
+
+// Growth is seen in whole windows, so a window begun before counts.
+void expectCaught(const Course& course) {
+  ASSERT_GE(course.letGo, 0);
+  if (course.beyond >= 0) {
+    EXPECT_LE(course.letGo - course.beyond, 100);  // 20 ms
+  }
+  ASSERT_GE(course.zero, 0);
+  EXPECT_LE(course.zero - course.letGo, 25);  // 5 ms
+}
+
+TEST(GatedLoop, AGoodModelIsLeftAlone) {
+  const Course course = run({}, 20000);
+  EXPECT_EQ(course.letGo, -1);
+  EXPECT_LT(course.leftLast, 0.02);
+}
+
+TEST(GatedLoop, AWrongSignIsCaught) {
+  Loop loop;
+  for (double& a : loop.model.forward) a = -a;
+  for (double share : {0.02, 0.1, 0.5}) {
+    SCOPED_TRACE(share);
+    loop.filter.step = share;
+    expectCaught(run(loop, 20000));
+  }
+}
+
+TEST(GatedLoop, AWrongDelayIsCaught) {
+  Loop loop;
+  loop.truth.forward.insert(loop.truth.forward.begin(), 5, 0.0);  // 1 ms later: half a period of 471 Hz
+  expectCaught(run(loop, 20000));
+}
+
+TEST(GatedLoop, ADeadSensorIsCaught) {
+  Loop loop;
+  loop.sensor = [](int n, double e) { return n < 8000 ? e : 0.25; };
+  const Course course = run(loop, 20000);
+  EXPECT_EQ(course.why, safety::ActuatorRelease::DeadSensor);
+  EXPECT_GE(course.letGo, 8000);
+  EXPECT_LE(course.letGo, 8000 + 100);
+  EXPECT_LE(course.zero - course.letGo, 25);
+}
+
+TEST(GatedLoop, ASaturatedActuatorThatHelpsNoLongerIsCaught) {
+  Loop loop;
+  loop.amplitude = 1.5;
+  loop.disturbance = [](int n) {
+    const double growth = n < 8000 ? 1.0 : std::exp(60.0 * (n - 8000) / kRate);  // chatter that outgrows the stroke
+    return std::min(growth, 1e3) * std::sin(2.0 * std::numbers::pi * 471.0 / kRate * n);
+  };
+  const Course course = run(loop, 20000);
+  EXPECT_GE(course.letGo, 8000);
+  // The stroke is at its end at growth 3 or so, 18 ms after the beginning; the error doubles 12 ms later.
+  EXPECT_LE(course.letGo, 8000 + 300);
+  EXPECT_LE(course.zero - course.letGo, 25);
+}
+
+// A disturbance beyond the stroke, but steady: no reason to let go, and no wind-up.
+TEST(GatedLoop, ASteadySaturationIsHeld) {
+  Loop loop;
+  loop.amplitude = 0.3;
+  const Course course = run(loop, 20000);
+  EXPECT_EQ(course.letGo, -1);
+  EXPECT_LT(course.leftLast, 1.1);
+}
+
+TEST(GatedLoop, TheWholeStepAsksForNoMemoryAndTakesNoLock) {
+  if (!test::PathCounter::works()) GTEST_SKIP() << "the sanitizer counts";
+  for (int taps : {35, 512}) {
+    FxlmsController controller;
+    controller.prepare({{.taps = taps, .step = 0.1, .normalised = true}, Reference::InternalModel}, kPath);
+    safety::ActuatorGate gate;
+    safety::ActuatorLimits limits;
+    limits.amplitude = 3.0;
+    limits.slew = 1e5;
+    ASSERT_TRUE(gate.prepare(limits, Hertz(kRate)).ok());
+    gate.engage();
+    const test::PathCounter counter;
+    for (int n = 0; n < 20000; ++n) {
+      const double e = std::sin(0.6 * n);
+      gate.renew();
+      controller.written(gate.pass(controller.process(e), e).value());
+    }
+    EXPECT_TRUE(counter.counts().none());
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::active
