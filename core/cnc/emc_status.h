@@ -1,0 +1,53 @@
+// What LinuxCNC said, as values: the replies of linuxcncrsh and halrmt taken apart. Each value carries when it was last
+// said; a reply that makes no sense changes nothing.
+// Thread: link thread. Real-time safe.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/base/time.h"
+#include "core/base/units.h"
+
+namespace stillcut::cnc {
+
+template <class T>
+struct Said {
+  T value{};
+  Instant when{};
+  bool ever = false;
+
+  void set(T v, Instant now) noexcept {
+    value = v;
+    when = now;
+    ever = true;
+  }
+  bool fresh(Instant now, Duration atMost) const noexcept { return ever && now - when <= atMost; }
+};
+
+enum class EmcProgram : std::uint8_t { Idle, Running, Paused };
+
+struct EmcStatus {
+  // linuxcncrsh
+  Said<int> feedOverride, spindleOverride;  // %
+  Said<EmcProgram> program;
+  Said<Rpm> speedWord;             // S
+  Said<MetresPerSecond> feedWord;  // F, by G20 or G21
+  Said<bool> machineOn, inControl;
+  // halrmt
+  Said<Rpm> actualSpeed;     // spindle.0.speed-in
+  Said<Rpm> commandedSpeed;  // spindle.0.speed-out: S times the override in force, within the spindle's range
+  Said<bool> atSpeed, feedHold;
+  Said<double> adaptiveFeed;          // 1: no change
+  Said<MetresPerSecond> currentFeed;  // motion.current-vel; machine units are mm
+
+  // One reply line; false: it is none of these.
+  bool take(std::string_view line, Instant now) noexcept;
+
+ private:
+  bool takeCodes(std::string_view words, Instant now) noexcept;
+  bool takePin(std::string_view words, Instant now) noexcept;
+};
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,214 @@
+#include "core/cnc/grbl_link.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
+constexpr int kMostMissed = 4;
+constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
+constexpr Duration kFresh = std::chrono::milliseconds(500);
+constexpr Duration kOpenTime = std::chrono::seconds(3);
+// "Ov:" comes right after a change, and every 10 to 20 reports; a step that has not shown by then was lost.
+constexpr Duration kShowsWithin = std::chrono::milliseconds(700);
+constexpr double kInch = 0.0254;
+
+}  // namespace
+
+GrblLink::GrblLink(const GrblSettings& settings, std::unique_ptr<ByteChannel> wire, const Clock& clock)
+    : settings_(settings), wire_(std::move(wire)), clock_(clock) {}
+
+GrblLink::~GrblLink() {
+  release(clock_.now());
+}
+
+LinkInfo GrblLink::describe() const {
+  LinkInfo info;
+  info.id = "grbl";
+  info.label = "GRBL";
+  info.lowestSpeed = info.lowestFeed = Ratio(kGrblLowest * 0.01);
+  info.highestSpeed = info.highestFeed = Ratio(kGrblHighest * 0.01);
+  return info;
+}
+
+Status GrblLink::open() {
+  const Instant began = clock_.now();
+  while (!read(clock_.now()).valid) {
+    wire_->wait(kWait);
+    if (clock_.now() - began <= kOpenTime) continue;
+    const bool opened = wire_->state() == WireState::Open;
+    return Error{std::string(wire_->address()), opened ? "no GRBL status report" : "cannot be opened",
+                 opened ? "is this the controller's port, and the baud rate right?" : "is it there, and free?"};
+  }
+  wire_->close();  // taken up again by the thread that reads from now on
+  drop(began);
+  return Done{};
+}
+
+void GrblLink::drop(Instant now) noexcept {
+  wire_->close();
+  splitter_.clear();
+  speed_.lost();
+  feed_.lost();
+  waiting_ = ever_ = wordsKnown_ = false;
+  missed_ = 0;
+  nextTry_ = now + kRetry;
+}
+
+void GrblLink::keepUp(Instant now) noexcept {
+  if (wire_->state() != WireState::Closed) return;
+  if (ever_ || waiting_) drop(now);
+  if (now < nextTry_) return;
+  nextTry_ = now + kRetry;
+  wire_->connect();
+}
+
+void GrblLink::listen(Instant now) noexcept {
+  std::array<char, 512> bytes;
+  while (const std::size_t n = wire_->read(bytes)) {
+    splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
+      GrblReport report;
+      switch (readGrblLine(line, report, words_)) {
+        case GrblLine::Report:
+          takeReport(report, now);
+          break;
+        case GrblLine::Words:
+          wordsKnown_ = true;
+          break;
+        case GrblLine::Welcome:  // it has restarted: overrides are back at 100 %
+          speed_.lost();
+          feed_.lost();
+          break;
+        case GrblLine::AlarmNote:
+          report_.state = GrblState::Alarm;
+          break;
+        case GrblLine::Other:
+          break;
+      }
+    });
+    if (n < bytes.size()) break;
+  }
+}
+
+void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
+  if (waiting_) roundTrip_ = now - asked_;
+  const bool askedSinceMove = waiting_ && asked_ >= moved_;
+  waiting_ = false;
+  missed_ = 0;
+  ever_ = true;
+  heard_ = now;
+  report_ = report;
+  if (!report.speedOverride) return;
+  shownSinceMove_ = true;
+  speed_.seen(*report.speedOverride, now);
+  feed_.seen(*report.feedOverride, now);
+  if (askedSinceMove) {  // what this does not show was lost on the way
+    speed_.refused();
+    feed_.refused();
+  }
+}
+
+void GrblLink::ask(Instant now) noexcept {
+  if (waiting_ && now - asked_ <= kPatience) return;
+  if (waiting_ && ++missed_ > kMostMissed) return drop(now);
+  waiting_ = true;
+  asked_ = now;
+  const bool words = settings_.askWords && now - askedWords_ > kWordsEvery;
+  if (words) askedWords_ = now;
+  if (!wire_->write(words ? "?$G\n" : "?")) drop(now);
+}
+
+// One step of a kind, then its "Ov:" is waited for.
+void GrblLink::moveOverrides(Instant now) noexcept {
+  if (!shownSinceMove_ && now - moved_ <= kShowsWithin) return;
+  if (!shownSinceMove_) {
+    speed_.refused();
+    feed_.refused();
+  }
+  move(feed_, kGrblFeedBytes, now);
+  move(speed_, kGrblSpindleBytes, now);
+}
+
+void GrblLink::move(SharedKnob& knob, unsigned char firstByte, Instant now) noexcept {
+  const auto target = knob.due();
+  if (!target) return;
+  const GrblSteps steps = stepToward(*target, knob.shown(), firstByte);
+  std::array<char, 2> bytes{};
+  std::size_t n = 0;
+  for (const unsigned char byte : {steps.coarse, steps.fine}) {
+    if (byte != 0) bytes[n++] = static_cast<char>(byte);
+  }
+  if (n == 0 || !wire_->write({bytes.data(), n})) return;
+  knob.sent(steps.percent, now);
+  shownSinceMove_ = false;
+  moved_ = now;
+}
+
+MachineState GrblLink::read(Instant now) noexcept {
+  keepUp(now);
+  if (wire_->state() == WireState::Open) {
+    listen(now);
+    moveOverrides(now);
+    ask(now);
+    wire_->wait(kWait);
+    listen(now);
+  }
+  return state(now);
+}
+
+MachineState GrblLink::state(Instant now) const noexcept {
+  MachineState m;
+  m.time = heard_;
+  m.linkUp = ever_ && wire_->state() == WireState::Open;
+  const GrblReport& r = report_;
+  m.valid =
+      m.linkUp && now - heard_ <= kFresh && speed_.known() && r.feed && r.speed && (wordsKnown_ || !settings_.askWords);
+  if (!m.valid) return m;
+  m.programRunning = r.state == GrblState::Run || r.state == GrblState::Hold;
+  m.feedHold = r.state == GrblState::Hold;
+  m.speedOverride = Ratio(speed_.shown() * 0.01);
+  m.feedOverride = Ratio(feed_.shown() * 0.01);
+  m.operatorSpeed = speed_.base();
+  m.operatorFeed = feed_.base();
+  const double perMinute = (settings_.inches ? kInch : 1e-3) / 60.0;
+  m.actualFeed = MetresPerSecond(*r.feed * perMinute);
+  m.actualSpeed = Rpm(r.measuredSpeed.value_or(0.0));
+  if (wordsKnown_) {
+    m.programmedSpeed = Rpm(words_.speed);
+    m.programmedFeed = MetresPerSecond(words_.feed * (words_.inches ? kInch : 1e-3) / 60.0);
+  } else {
+    m.programmedSpeed = Rpm(*r.speed / m.speedOverride.value);
+    m.programmedFeed = MetresPerSecond(*r.feed * perMinute / m.feedOverride.value);
+  }
+  m.atSpeed = *r.speed > 0.0;
+  return m;
+}
+
+void GrblLink::apply(const OverrideCommand& command, Instant now) noexcept {
+  const bool set = command.kind() == CommandKind::Set;
+  speed_.want(set ? command.speed() : Ratio(1.0), command.engagement());
+  feed_.want(set ? command.feed() : Ratio(1.0), command.engagement());
+  if (wire_->state() == WireState::Open) moveOverrides(now);
+}
+
+void GrblLink::release(Instant now) noexcept {
+  if (speed_.home() && feed_.home()) return;
+  speed_.letGo();
+  feed_.letGo();
+  // Counted, not only timed: a clock that stands still must not hold the program's end.
+  for (Duration left = kReleaseTime; left > Duration::zero() && !(speed_.home() && feed_.home()); left -= kWait) {
+    read(now);
+    now = std::max(now, clock_.now());
+  }
+  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
+  const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
+  const bool home = speed_.home() && feed_.home();
+  if (!home && wire_->state() == WireState::Open) wire_->write({programmed.data(), programmed.size()});
+}
+
+}  // namespace stillcut::cnc

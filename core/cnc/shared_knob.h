@@ -1,0 +1,65 @@
+// SharedKnob: an override that has one register for everybody. The operator's pendant and we write the same percentage,
+// so our factor must be told apart from the operator's: the base is what stood there before us, ours multiplies it, and
+// any value that shows up without our having sent it is the operator's hand. Then ours is over: the new value is the
+// base, and nothing is sent until the engagement that was running has ended.
+// LinuxCNC's feed and spindle override work so, and GRBL's.
+// Thread: link thread. Real-time safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/base/time.h"
+#include "core/base/units.h"
+
+namespace stillcut::cnc {
+
+class SharedKnob {
+ public:
+  // Percentages this register can hold.
+  SharedKnob(int lowest, int highest) : lowest_(lowest), highest_(highest) {}
+
+  // The register was read: `percent`. Values we sent within the last `settle` may show up late and in order.
+  void seen(int percent, Instant now) noexcept;
+  // Our factor on the base, of engagement `engagement`; ignored while the operator's hand has ended that engagement.
+  void want(Ratio factor, std::uint64_t engagement) noexcept;
+  // The base comes back; what was sent is forgotten once it has been seen.
+  void letGo() noexcept;
+  // A percentage that should be sent now, because the register shows or was last sent another; none before the
+  // register has been seen once. Say sent() when it went out.
+  std::optional<int> due() const noexcept;
+  void sent(int percent, Instant now) noexcept;
+  // The peer refused: what was sent is not on its way.
+  void refused() noexcept;
+  // The connection broke: the register must be seen again before anything is sent.
+  void lost() noexcept;
+
+  // Nothing of ours stands in the register, or all that is left is on its way out.
+  bool home() const { return sentCount_ == 0 || (shown_ && underway_.value_or(*shown_) == base_); }
+  bool known() const { return shown_.has_value(); }
+  int shown() const { return shown_.value_or(100); }
+  // The operator's part, 1.0 is 100 %.
+  Ratio base() const { return Ratio(base_ * 0.01); }
+  bool grabbed() const { return grabbed_; }
+
+ private:
+  struct Sent {
+    int percent = 0;
+    Instant when{};
+  };
+  int target() const noexcept;
+  bool mayBeOurs(int percent, Instant now) const noexcept;
+
+  int lowest_, highest_;
+  std::optional<int> shown_;
+  std::optional<int> underway_;  // sent, not seen yet
+  int base_ = 100;
+  double factor_ = 1.0;
+  std::uint64_t engagement_ = 0;
+  bool grabbed_ = false;
+  std::array<Sent, 64> sent_{};  // a ring
+  std::uint64_t sentCount_ = 0;
+};
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,129 @@
+// LinuxCNC as linuxcncrsh and halrmt show it, with the manners found on the real one: one client is in control, an
+// override's ACK takes 100 ms, under M49 it is acknowledged and read back and has no effect, the overrides stay when
+// the client dies, and a get without the spindle's number crashes the server.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "core/cnc/line_splitter.h"
+#include "tests/protocol/scripted_wire.h"
+
+namespace stillcut::cnc::testing {
+
+struct FakeMill {
+  int feed = 100, spindle = 100;
+  int shownFeed = 100, shownSpindle = 100;  // read-back
+  double s = 8000.0, f = 600.0;
+  bool inches = false;
+  bool machineOn = true, running = true, paused = false;
+  bool locked = false;  // M49
+  const void* owner = nullptr;
+  bool crashed = false;
+  int sets = 0;
+  double actual = 8000.0;  // rev/min
+
+  double commanded() const { return running ? s * (locked ? 1.0 : spindle / 100.0) : 0.0; }
+};
+
+class FakeEmcClient final : public Peer {
+ public:
+  explicit FakeEmcClient(FakeMill& mill) : mill_(mill) {}
+  void connected() override {
+    echo_ = true;
+    verbose_ = greeted_ = false;
+  }
+  void gone() override {
+    if (mill_.owner == this) mill_.owner = nullptr;
+  }
+  void take(std::string_view bytes, Instant, const Answer& answer) override {
+    splitter_.feed(bytes, [&](std::string_view line) { line_(std::string(line), answer); });
+  }
+
+ private:
+  void ack(const std::string& what, bool yes, double delay, const Answer& answer) const {
+    if (verbose_) answer("SET " + what + (yes ? " ACK\n\r" : " NAK\n\r"), delay);
+  }
+  void line_(const std::string& line, const Answer& answer) {
+    if (mill_.crashed) return;
+    if (line.starts_with("hello EMC ")) {
+      greeted_ = true;
+      answer("HELLO ACK EMCNETSVR 1.1\r\n", 0.0);
+      return;
+    }
+    if (!greeted_) {
+      answer("HELLO NAK\r\n", 0.0);
+      return;
+    }
+    if (echo_) answer(line + "\r\n", 0.0);
+    if (line == "set echo off") {
+      echo_ = false;
+    } else if (line == "set verbose on") {
+      verbose_ = true;
+      ack("VERBOSE", true, 0.0, answer);
+    } else if (line == "set enable EMCTOO") {
+      mill_.owner = this;
+      ack("ENABLE", true, 0.0, answer);
+    } else if (line == "set enable off") {
+      if (mill_.owner == this) mill_.owner = nullptr;
+      ack("ENABLE", true, 0.0, answer);
+    } else if (line == "set set_wait received") {
+      ack("SET_WAIT", true, 0.0, answer);
+    } else if (line.starts_with("set feed_override ")) {
+      set(line.substr(18), "FEED_OVERRIDE", mill_.feed, mill_.shownFeed, answer);
+    } else if (line.starts_with("set spindle_override 0 ")) {
+      set(line.substr(23), "SPINDLE_OVERRIDE", mill_.spindle, mill_.shownSpindle, answer);
+    } else if (line.starts_with("set spindle_override") || line == "get spindle_override" || line == "get spindle") {
+      mill_.crashed = true;
+    } else {
+      get(line, answer);
+    }
+  }
+  void set(const std::string& value, const std::string& what, int& inForce, int& shown, const Answer& answer) {
+    if (mill_.owner != this || !mill_.machineOn) {
+      ack(what, false, 0.0, answer);
+      return;
+    }
+    ++mill_.sets;
+    inForce = shown = std::stoi(value);
+    ack(what, true, 0.1, answer);
+  }
+  void get(const std::string& line, const Answer& answer) const {
+    const std::string nl = "\r\n";
+    if (line == "get enable") answer(std::string("ENABLE ") + (mill_.owner == this ? "ON" : "OFF") + nl, 0.0);
+    if (line == "get feed_override") answer("FEED_OVERRIDE " + std::to_string(mill_.shownFeed) + nl, 0.0);
+    if (line == "get spindle_override 0") {
+      answer("SPINDLE_OVERRIDE 0 " + std::to_string(mill_.shownSpindle) + nl, 0.0);
+    }
+    if (line == "get machine") answer(std::string("MACHINE ") + (mill_.machineOn ? "ON" : "OFF") + nl, 0.0);
+    if (line == "get program_status") {
+      answer(std::string("PROGRAM_STATUS ") + (mill_.paused ? "PAUSED" : mill_.running ? "RUNNING" : "IDLE") + nl, 0.0);
+    }
+    if (line == "get program_codes") {
+      answer("PROGRAM_CODES G80 G17 " + std::string(mill_.inches ? "G20" : "G21") + " G90 G94 F" +
+                 std::to_string(mill_.f) + " S" + std::to_string(mill_.s) + nl,
+             0.0);
+    }
+    if (line.starts_with("get pinval ")) pin(line.substr(11), answer);
+  }
+  void pin(const std::string& name, const Answer& answer) const {
+    const auto say = [&](const std::string& n, const std::string& v) { answer("PINVAL " + n + " " + v + "\r\n", 0.0); };
+    if (name == "spindle.0.speed-in") say(name, std::to_string(mill_.actual / 60.0));
+    if (name == "spindle.0.speed-out") {
+      say(name, std::to_string(mill_.commanded()));
+      say(name + "-abs", std::to_string(mill_.commanded()));
+      say(name + "-rps", std::to_string(mill_.commanded() / 60.0));
+    }
+    if (name == "spindle.0.at-speed") say(name, std::abs(mill_.actual - mill_.commanded()) < 100.0 ? "TRUE" : "FALSE");
+    if (name == "motion.feed-hold") say(name, "FALSE");
+    if (name == "motion.current-vel") say(name, std::to_string(mill_.f / 60.0 * mill_.feed / 100.0));
+    if (name == "motion.adaptive-feed") say(name, "1");
+  }
+
+  FakeMill& mill_;
+  LineSplitter splitter_;
+  bool echo_ = true, verbose_ = false, greeted_ = false;
+};
+
+}  // namespace stillcut::cnc::testing

@@ -1,0 +1,218 @@
+// GRBL's manners on a scripted controller, on virtual time.
+#include "core/cnc/grbl_link.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/protocol/commands.h"
+#include "tests/protocol/fake_grbl.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using namespace testing;
+
+struct Bench {
+  Bench() {
+    auto made = std::make_unique<ScriptedWire>(clock, faults, grbl);
+    wire = made.get();
+    link = std::make_unique<GrblLink>(GrblSettings{}, std::move(made), clock);
+  }
+  MachineState run(double seconds) {
+    const Instant until = clock.now() + toDuration(Seconds(seconds));
+    MachineState m;
+    while (clock.now() < until) {
+      m = link->read(clock.now());
+      clock.advance(Seconds(0.005));
+    }
+    return m;
+  }
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  WireFaults faults;
+  FakeGrbl grbl;
+  ScriptedWire* wire = nullptr;
+  CommandMaker gate;
+  std::unique_ptr<GrblLink> link;
+};
+
+TEST(GrblStatus, TakesTheReportOfTheManual) {
+  GrblReport r;
+  GrblWords w;
+  ASSERT_EQ(readGrblLine("<Run|MPos:0.000,0.000,0.000|FS:1200,8800|Ov:110,100,95|A:S>", r, w), GrblLine::Report);
+  EXPECT_EQ(r.state, GrblState::Run);
+  EXPECT_EQ(r.feed, 1200.0);
+  EXPECT_EQ(r.speed, 8800.0);
+  EXPECT_EQ(r.feedOverride, 110);
+  EXPECT_EQ(r.speedOverride, 95);
+  EXPECT_FALSE(r.measuredSpeed);
+}
+
+TEST(GrblStatus, PassesOverUnknownFieldsAndRefusesNonsense) {
+  GrblReport r;
+  GrblWords w;
+  ASSERT_EQ(readGrblLine("<Hold:0|WPos:1,2,3|Bf:15,128|FS:10,20,19|MPG:0|Sc:|H:1|Ov:bad,100,x|FW:grblHAL>", r, w),
+            GrblLine::Report);
+  EXPECT_EQ(r.state, GrblState::Hold);
+  EXPECT_EQ(r.measuredSpeed, 19.0);
+  EXPECT_FALSE(r.speedOverride);
+  for (const char* line : {"<", "<>", "<Run|FS:1e999,nan", "ok", "error:9", "[GC:G0]", "[GC:", "Run|FS:1,2>"}) {
+    EXPECT_NE(readGrblLine(line, r, w), GrblLine::Report) << line;
+  }
+}
+
+TEST(GrblSteps, ReachEveryPercentageFromEveryOther) {
+  for (int from = kGrblLowest; from <= kGrblHighest; ++from) {
+    for (int to = kGrblLowest; to <= kGrblHighest; ++to) {
+      int at = from;
+      int rounds = 0;
+      while (at != to && rounds < 30) {
+        const GrblSteps s = stepToward(to, at, kGrblFeedBytes);
+        ASSERT_TRUE(s.coarse != 0 || s.fine != 0) << from << " to " << to << " stuck at " << at;
+        ASSERT_GE(s.percent, kGrblLowest);
+        ASSERT_LE(s.percent, kGrblHighest);
+        at = s.percent;
+        ++rounds;
+      }
+      ASSERT_EQ(at, to) << "from " << from;
+    }
+  }
+}
+
+TEST(Grbl, ReadsTheMachine) {
+  Bench b;
+  ASSERT_TRUE(b.link->open().ok());
+  const MachineState m = b.run(1.0);
+  ASSERT_TRUE(m.valid && m.linkUp && m.programRunning);
+  EXPECT_EQ(m.programmedSpeed.value, 8800.0);
+  EXPECT_NEAR(toMmPerMin(m.programmedFeed), 1200.0, 1e-6);
+  EXPECT_EQ(m.actualSpeed.value, 0.0);  // FS is what is programmed: nothing here measures
+  EXPECT_FALSE(b.link->describe().machineWatchdog);
+}
+
+TEST(Grbl, BelievesNothingBeforeTheOverridesWereSeen) {
+  Bench b;
+  b.grbl.spindle = 120;
+  EXPECT_FALSE(b.run(0.02).valid);
+  const MachineState m = b.run(1.0);
+  ASSERT_TRUE(m.valid);
+  EXPECT_NEAR(m.operatorSpeed.value, 1.2, 1e-9);
+}
+
+TEST(Grbl, CommandStepsBothOverridesThereAndReleaseBack) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(93.0), b.clock.now());
+  const MachineState m = b.run(0.5);
+  EXPECT_EQ(b.grbl.spindle, 93);
+  EXPECT_EQ(b.grbl.feed, 93);
+  EXPECT_NEAR(m.speedOverride.value, 0.93, 1e-9);
+  EXPECT_EQ(m.operatorSpeed.value, 1.0);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, OperatorsKnobIsTheBaseOfOurs) {
+  Bench b;
+  b.grbl.spindle = 120;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  EXPECT_EQ(b.grbl.spindle, 108);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 120);
+}
+
+TEST(Grbl, LostBytesAreSentAgain) {
+  Bench b;
+  b.run(0.5);
+  b.grbl.ignores = true;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  ASSERT_EQ(b.grbl.spindle, 100);
+  b.grbl.ignores = false;
+  b.run(2.0);
+  EXPECT_EQ(b.grbl.spindle, 90);
+  EXPECT_EQ(b.grbl.feed, 90);
+}
+
+TEST(Grbl, HoldAndAlarmAreSaid) {
+  Bench b;
+  b.run(0.5);
+  b.grbl.state = "Hold:0";
+  EXPECT_TRUE(b.run(0.1).feedHold);
+  b.grbl.state = "Alarm";
+  const MachineState m = b.run(0.1);
+  EXPECT_TRUE(m.valid);
+  EXPECT_FALSE(m.programRunning);
+}
+
+TEST(Grbl, RestartOfTheControllerIsNotMistakenForItsOldState) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.grbl.spindle = b.grbl.feed = 100;
+  b.wire->say("\r\nGrbl 1.1h ['$' for help]\r\n");
+  b.run(0.02);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, SilenceIsInvalidWithinASecondAndOneLostReportIsNot) {
+  Bench b;
+  b.run(0.5);
+  b.faults.hang();
+  EXPECT_TRUE(b.run(0.1).valid);
+  b.faults.hang(false);
+  EXPECT_TRUE(b.run(0.5).valid);
+  b.faults.hang();
+  EXPECT_FALSE(b.run(1.0).valid);
+}
+
+TEST(Grbl, PulledCableIsBackAtTheProgrammedValuesOnceItIsIn) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.faults.refuse();
+  b.wire->hangUp();
+  EXPECT_FALSE(b.run(0.2).linkUp);
+  b.link->release(b.clock.now());
+  b.faults.refuse(false);
+  EXPECT_TRUE(b.run(2.0).valid);
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, EndOfTheLinkBringsTheOverridesBack) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.link.reset();
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, ControllerThatAnswersNothingStillGetsTheBytesThatMeanProgrammed) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.faults.hang();
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, NobodyThereIsOneLine) {
+  Bench b;
+  b.faults.refuse();
+  EXPECT_EQ(b.link->open().error().line(), "mill:5007: cannot be opened (is it there, and free?)");
+}
+
+}  // namespace
+}  // namespace stillcut::cnc

@@ -1,0 +1,234 @@
+// LinuxCNC's manners on a scripted peer, on virtual time. The real one: tests/protocol/linuxcnc_peer_test.cpp.
+#include "core/cnc/linuxcnc_link.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/protocol/commands.h"
+#include "tests/protocol/fake_emc.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using namespace testing;
+
+struct Bench {
+  Bench() {
+    auto make = [&](FakeEmcClient& client, ScriptedWire*& seen) {
+      auto wire = std::make_unique<ScriptedWire>(clock, faults, client);
+      seen = wire.get();
+      return wire;
+    };
+    LinuxCncLink::Wires wires;
+    wires.control = make(control, controlWire);
+    wires.watch = make(watch, watchWire);
+    wires.hal = make(hal, halWire);
+    link = std::make_unique<LinuxCncLink>(LinuxCncSettings{}, std::move(wires), clock);
+  }
+  // The link thread's ticks; the spindle follows with a time constant of 0.1 s.
+  MachineState run(double seconds) {
+    const Instant until = clock.now() + toDuration(Seconds(seconds));
+    MachineState m;
+    while (clock.now() < until) {
+      const Instant before = clock.now();
+      m = link->read(before);
+      clock.advance(Seconds(0.005));
+      mill.actual += (mill.commanded() - mill.actual) * secondsBetween(before, clock.now()).value / 0.1;
+    }
+    return m;
+  }
+
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  WireFaults faults;
+  FakeMill mill;
+  FakeEmcClient control{mill}, watch{mill}, hal{mill}, other{mill};
+  ScriptedWire *controlWire = nullptr, *watchWire = nullptr, *halWire = nullptr;
+  CommandMaker gate;
+  std::unique_ptr<LinuxCncLink> link;
+};
+
+TEST(LinuxCnc, ReadsTheMachineAndTakesNoControlUnasked) {
+  Bench b;
+  ASSERT_TRUE(b.link->open().ok());
+  const MachineState m = b.run(1.0);
+  ASSERT_TRUE(m.valid && m.linkUp);
+  EXPECT_TRUE(m.programRunning && m.atSpeed && m.overridesEnabled && m.controlOurs);
+  EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+  EXPECT_NEAR(toMmPerMin(m.programmedFeed), 600.0, 1e-6);
+  EXPECT_NEAR(m.actualSpeed.value, 8000.0, 1.0);
+  EXPECT_NEAR(toMmPerMin(m.actualFeed), 600.0, 1e-3);
+  EXPECT_LT(secondsBetween(m.time, b.clock.now()).value, 0.03);
+  EXPECT_EQ(b.mill.owner, nullptr);
+  EXPECT_EQ(b.mill.sets, 0);
+  EXPECT_FALSE(b.link->describe().machineWatchdog);  // the overrides stay when we die
+}
+
+TEST(LinuxCnc, CommandMovesBothOverridesAndReleaseGivesControlBack) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  MachineState m = b.run(1.5);
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_EQ(b.mill.feed, 90);
+  EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-6);
+  EXPECT_NEAR(m.actualSpeed.value, 7200.0, 5.0);
+  EXPECT_EQ(m.operatorSpeed.value, 1.0);  // that part is ours
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_EQ(b.mill.owner, nullptr);
+  m = b.run(1.0);
+  EXPECT_EQ(m.speedOverride.value, 1.0);
+}
+
+TEST(LinuxCnc, MultipliesWithTheOperatorsOwnKnobAndBringsItBack) {
+  Bench b;
+  b.mill.spindle = b.mill.shownSpindle = 110;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(1.0);
+  EXPECT_EQ(b.mill.spindle, 99);
+  EXPECT_NEAR(m.operatorSpeed.value, 1.1, 1e-9);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.mill.spindle, 110);
+}
+
+TEST(LinuxCnc, OperatorsHandEndsOursAndIsNotFoughtOver) {
+  Bench b;
+  b.run(0.2);
+  const OverrideCommand command = b.gate.set(90.0);
+  b.link->apply(command, b.clock.now());
+  b.run(8.0);
+  b.mill.spindle = b.mill.shownSpindle = 70;
+  b.run(0.1);
+  b.link->apply(command, b.clock.now());  // the lease is renewed before the gate has seen it
+  const MachineState m = b.run(2.0);
+  EXPECT_EQ(b.mill.spindle, 70);
+  EXPECT_NEAR(m.operatorSpeed.value, 0.7, 1e-9);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.mill.spindle, 70);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+TEST(LinuxCnc, AcknowledgedWithoutEffectIsALockNotASuccess) {
+  Bench b;
+  b.run(0.2);
+  b.mill.locked = true;  // M49: ACK, read-back 90, and the spindle stays at S
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  MachineState m = b.run(1.0);
+  EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);  // what is in force, not what is read back
+  m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_FALSE(m.overridesEnabled);
+  b.mill.locked = false;  // M48
+  m = b.run(1.0);
+  EXPECT_TRUE(m.overridesEnabled);
+}
+
+TEST(LinuxCnc, AnotherClientInControlIsSaidAndNotFought) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.mill.owner = &b.other;
+  const OverrideCommand more = b.gate.set(95.0);
+  b.link->apply(more, b.clock.now());
+  const MachineState m = b.run(1.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_FALSE(m.controlOurs);
+  EXPECT_EQ(b.mill.owner, &b.other);
+}
+
+TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
+  Bench b;
+  b.run(0.2);
+  b.mill.machineOn = false;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(1.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_FALSE(m.programRunning);
+  EXPECT_TRUE(m.controlOurs);
+  EXPECT_EQ(b.mill.sets, 0);
+}
+
+TEST(LinuxCnc, HungPeerIsDownWithinASecondAndItsCommandsAreNotBelieved) {
+  Bench b;
+  b.run(0.2);
+  b.faults.hang();
+  const MachineState m = b.run(1.0);
+  EXPECT_FALSE(m.valid);
+  EXPECT_FALSE(m.linkUp);
+}
+
+TEST(LinuxCnc, PulledCableComesBackAndTheOverridesWithIt) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  ASSERT_EQ(b.mill.spindle, 90);
+  b.faults.refuse();
+  for (ScriptedWire* w : {b.controlWire, b.watchWire, b.halWire}) w->hangUp();
+  EXPECT_FALSE(b.run(0.3).linkUp);
+  b.link->release(b.clock.now());  // the lease ran out; nothing gets through
+  EXPECT_EQ(b.mill.spindle, 90);
+  b.faults.refuse(false);
+  const MachineState m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(b.mill.spindle, 100);  // as soon as the wire is back
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_EQ(b.mill.owner, nullptr);
+}
+
+TEST(LinuxCnc, LatestWinsAndNothingQueuesUp) {
+  Bench b;
+  b.run(0.2);
+  const OverrideCommand low = b.gate.set(90.0);
+  const OverrideCommand mid = b.gate.set(95.0);
+  for (int i = 0; i < 400; ++i) {
+    b.link->apply(i % 2 == 0 ? low : mid, b.clock.now());
+    b.run(0.005);
+  }
+  EXPECT_LE(b.mill.sets, 45);  // two seconds and more, an ACK each 100 ms, on one connection
+  b.link->apply(low, b.clock.now());
+  b.run(0.5);
+  EXPECT_EQ(b.mill.spindle, 90);
+}
+
+TEST(LinuxCnc, RepliesInPiecesWithNoiseBetweenThemAreRead) {
+  Bench b;
+  b.faults.split(3).garbage("\x01\xff garbage 12\r\n").delay(0.001);
+  const MachineState m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+}
+
+TEST(LinuxCnc, NeverSaysWhatCrashesTheServer) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.link->release(b.clock.now());
+  EXPECT_FALSE(b.mill.crashed);
+}
+
+TEST(LinuxCnc, NobodyThereIsOneLineThatNamesTheAddress) {
+  Bench b;
+  b.faults.refuse();
+  const Status opened = b.link->open();
+  ASSERT_FALSE(opened.ok());
+  EXPECT_EQ(opened.error().line(), "mill:5007: no answer (is linuxcncrsh running there?)");
+}
+
+TEST(LinuxCnc, EndOfTheLinkBringsTheOverridesBack) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.link.reset();
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
