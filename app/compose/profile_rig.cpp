@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/io/wires.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
@@ -56,7 +57,15 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   if (!device) return device.error();
   spec.device = std::move(device).value();
   if (!profile.link.id.empty()) {
-    auto link = cnc::makeLink(profile.link.id, {simulated, port});
+    const auto clock = std::make_shared<SteadyClock>();
+    spec.linkClock = clock;
+    cnc::LinkRequest request;
+    request.scenario = simulated;
+    request.port = port;
+    request.settings = profile.link.settings;
+    request.wires = makeWire;
+    request.clock = clock.get();
+    auto link = cnc::makeLink(profile.link.id, request);
     if (!link) return link.error();
     spec.link = std::move(link).value();
   }

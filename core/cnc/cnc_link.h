@@ -34,6 +34,8 @@ class CncLink {
   // Brings the programmed values back. Called on lease expiry, on every end, and by the destructor of the runner.
   // Must work without a command: safety does not wait for the gate.
   virtual void release(Instant now) noexcept = 0;
+  // The last call on the link thread: lets go of wires, which belong to the thread that used them.
+  virtual void close() noexcept {}
 };
 
 }  // namespace stillcut::cnc

@@ -27,6 +27,12 @@ GrblLink::~GrblLink() {
   release(clock_.now());
 }
 
+void GrblLink::close() noexcept {
+  release(clock_.now());
+  drop(clock_.now());
+  speed_ = feed_ = SharedKnob(kGrblLowest, kGrblHighest);
+}
+
 LinkInfo GrblLink::describe() const {
   LinkInfo info;
   info.id = "grbl";
@@ -45,8 +51,7 @@ Status GrblLink::open() {
     return Error{std::string(wire_->address()), opened ? "no GRBL status report" : "cannot be opened",
                  opened ? "is this the controller's port, and the baud rate right?" : "is it there, and free?"};
   }
-  wire_->close();  // taken up again by the thread that reads from now on
-  drop(began);
+  drop(began);  // the wire is taken up again by the thread that reads from now on
   return Done{};
 }
 

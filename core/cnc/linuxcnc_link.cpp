@@ -56,6 +56,11 @@ LinuxCncLink::~LinuxCncLink() {
   release(clock_.now());
 }
 
+void LinuxCncLink::close() noexcept {
+  release(clock_.now());
+  for (EmcSession* session : {&control_, &watch_, &hal_}) session->close();
+}
+
 LinkInfo LinuxCncLink::describe() const {
   LinkInfo info;
   info.id = "linuxcnc";
@@ -83,8 +88,7 @@ Status LinuxCncLink::open() {
     }
     hal_.wait(kWait);
   }
-  // The wires are taken up again by the thread that reads from now on.
-  for (EmcSession* session : {&control_, &watch_, &hal_}) session->close();
+  close();  // the wires are taken up again by the thread that reads from now on
   return Done{};
 }
 

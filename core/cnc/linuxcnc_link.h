@@ -46,6 +46,7 @@ class LinuxCncLink final : public CncLink {
   MachineState read(Instant now) noexcept override;
   void apply(const OverrideCommand& command, Instant now) noexcept override;
   void release(Instant now) noexcept override;
+  void close() noexcept override;
 
   static constexpr Duration kWait = std::chrono::milliseconds(2);
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(1500);

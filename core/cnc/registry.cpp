@@ -2,20 +2,77 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
+#include "core/cnc/grbl_link.h"
+#include "core/cnc/linuxcnc_link.h"
 #include "core/cnc/simulated_machine.h"
+#include "core/config/part_settings.h"
 
 namespace stillcut::cnc {
 
 namespace {
 
 Result<std::unique_ptr<CncLink>> makeSimulated(const LinkRequest& r) {
+  const config::PartSettings settings(r.settings, "link 'simulated'");
+  if (Status known = settings.finish(); !known) return known.error();
   if (r.scenario == nullptr) return Error{"link 'simulated'", "a scenario is needed", ""};
   return std::unique_ptr<CncLink>(std::make_unique<SimulatedMachine>(*r.scenario, r.port));
 }
 
-constexpr std::array<LinkEntry, 1> kLinks{{
+Status realMachine(const LinkRequest& r, const std::string& where) {
+  if (!r.wires || r.clock == nullptr) return Error{where, "there is no wire to a real machine here", ""};
+  return Done{};
+}
+
+Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
+  const std::string where = "link 'linuxcnc'";
+  config::PartSettings settings(r.settings, where);
+  LinuxCncSettings s;
+  s.rsh.host = settings.text("host", s.rsh.host);
+  s.rsh.port = settings.whole("port", s.rsh.port, 1, 65535);
+  s.hal.host = s.rsh.host;
+  s.hal.port = settings.whole("hal_port", s.hal.port, 1, 65535);
+  s.password = settings.text("password", s.password);
+  s.controlPassword = settings.text("control_password", s.controlPassword);
+  s.lowestSpeed = settings.whole("lowest_speed_percent", s.lowestSpeed, 1, 100);
+  s.highestSpeed = settings.whole("highest_speed_percent", s.highestSpeed, 100, 400);
+  s.lowestFeed = settings.whole("lowest_feed_percent", s.lowestFeed, 0, 100);
+  s.highestFeed = settings.whole("highest_feed_percent", s.highestFeed, 100, 400);
+  if (Status known = settings.finish(); !known) return known.error();
+  if (Status real = realMachine(r, where); !real) return real.error();
+  LinuxCncLink::Wires wires;
+  for (auto [wire, address] : {std::pair{&wires.control, &s.rsh}, {&wires.watch, &s.rsh}, {&wires.hal, &s.hal}}) {
+    auto made = r.wires(*address);
+    if (!made) return made.error();
+    *wire = std::move(made).value();
+  }
+  return std::unique_ptr<CncLink>(std::make_unique<LinuxCncLink>(s, std::move(wires), *r.clock));
+}
+
+Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
+  const std::string where = "link 'grbl'";
+  config::PartSettings settings(r.settings, where);
+  GrblSettings s;
+  if (settings.has("host")) {
+    s.wire = {.host = settings.text("host", ""), .port = settings.whole("port", 23, 1, 65535), .device = {}};
+  } else {
+    s.wire.device = settings.text("device", s.wire.device);
+    s.wire.baud = settings.whole("baud", s.wire.baud, 1200, 4'000'000);
+  }
+  s.inches = settings.flag("reports_in_inches", s.inches);
+  s.askWords = settings.flag("ask_words", s.askWords);
+  if (Status known = settings.finish(); !known) return known.error();
+  if (Status real = realMachine(r, where); !real) return real.error();
+  auto wire = r.wires(s.wire);
+  if (!wire) return wire.error();
+  return std::unique_ptr<CncLink>(std::make_unique<GrblLink>(s, std::move(wire).value(), *r.clock));
+}
+
+constexpr std::array<LinkEntry, 3> kLinks{{
     {"simulated", "The control of the simulated mill; the only one that takes commands from a replay", makeSimulated},
+    {"linuxcnc", "LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port", makeLinuxCnc},
+    {"grbl", "GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port", makeGrbl},
 }};
 
 }  // namespace

@@ -2,10 +2,13 @@
 // Thread: set-up.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
 #include "core/milling/plant_port.h"
 #include "core/milling/scenario.h"
@@ -16,6 +19,9 @@ namespace stillcut::cnc {
 struct LinkRequest {
   const milling::Scenario* scenario = nullptr;  // simulated
   std::shared_ptr<milling::PlantPort> port;
+  std::map<std::string, std::string> settings;  // of the profile's [link.settings]
+  WireMaker wires;                              // real machines
+  const Clock* clock = nullptr;                 // real machines; outlives the link
 };
 
 struct LinkEntry {

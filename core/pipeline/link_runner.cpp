@@ -27,6 +27,7 @@ void LinkRunner::finish() noexcept {
   if (finished_) return;
   finished_ = true;
   if (lease_.inForce()) link_.release(lastTick_);
+  link_.close();
 }
 
 }  // namespace stillcut::pipeline

@@ -1,0 +1,94 @@
+#include "core/config/part_settings.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+#include "core/config/nearest_word.h"
+
+namespace stillcut::config {
+namespace {
+
+std::optional<double> number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::string shortly(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
+}  // namespace
+
+const std::string* PartSettings::find(std::string_view key) {
+  read_.push_back(key);
+  const auto found = settings_.find(std::string(key));
+  return found == settings_.end() ? nullptr : &found->second;
+}
+
+void PartSettings::fault(std::string_view key, const std::string& what, const std::string& why) {
+  if (!first_) first_ = Error{where_, "'" + std::string(key) + "' " + what, why};
+}
+
+std::string PartSettings::text(std::string_view key, std::string fallback) {
+  const std::string* given = find(key);
+  if (given != nullptr && given->empty()) fault(key, "is empty", "leave it out for the usual value");
+  return given == nullptr ? std::move(fallback) : *given;
+}
+
+double PartSettings::number(std::string_view key, double fallback, double lowest, double highest) {
+  const std::string* given = find(key);
+  if (given == nullptr) return fallback;
+  const auto value = config::number(*given);
+  if (value && *value >= lowest && *value <= highest) return *value;
+  fault(key, "is '" + *given + "'", "must be a number from " + shortly(lowest) + " to " + shortly(highest));
+  return fallback;
+}
+
+int PartSettings::whole(std::string_view key, int fallback, int lowest, int highest) {
+  const double value = number(key, fallback, lowest, highest);
+  if (value == std::floor(value)) return static_cast<int>(value);
+  fault(key, "is '" + shortly(value) + "'", "must be a whole number");
+  return fallback;
+}
+
+bool PartSettings::flag(std::string_view key, bool fallback) {
+  const std::string* given = find(key);
+  if (given == nullptr) return fallback;
+  if (*given == "true" || *given == "false") return *given == "true";
+  fault(key, "is '" + *given + "'", "must be true or false");
+  return fallback;
+}
+
+std::size_t PartSettings::choice(std::string_view key, std::size_t fallback,
+                                 const std::vector<std::string_view>& words) {
+  const std::string* given = find(key);
+  if (given == nullptr) return fallback;
+  const auto found = std::find(words.begin(), words.end(), *given);
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  std::string known;
+  for (const std::string_view word : words) known += (known.empty() ? "" : ", ") + std::string(word);
+  fault(key, "is '" + *given + "'", "one of " + known);
+  return fallback;
+}
+
+Status PartSettings::finish() const {
+  if (first_) return *first_;
+  for (const auto& [key, value] : settings_) {
+    if (std::find(read_.begin(), read_.end(), key) != read_.end()) continue;
+    std::string why = didYouMean(key, read_);
+    if (why.empty()) {
+      why = "known:";
+      for (const std::string_view k : read_) why += " " + std::string(k);
+    }
+    return Error{where_, "'" + key + "' is not known", why};
+  }
+  return Done{};
+}
+
+}  // namespace stillcut::config

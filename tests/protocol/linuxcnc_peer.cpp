@@ -1,0 +1,170 @@
+#include "tests/protocol/linuxcnc_peer.h"
+
+#include <fcntl.h>
+#include <grp.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdlib>
+#include <utility>
+
+#include "app/io/tcp_wire.h"
+
+namespace stillcut::cnc::testing {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr uid_t kNobody = 65534;  // LinuxCNC refuses root
+constexpr Duration kStep = std::chrono::milliseconds(20);
+
+bool onPath(const char* program) {
+  for (const char* folder : {"/usr/bin/", "/usr/local/bin/"}) {
+    if (::access((std::string(folder) + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
+}
+
+std::unique_ptr<ByteChannel> wireTo(int port) {
+  return std::move(app::TcpWire::make("127.0.0.1", port)).value();
+}
+
+bool answers(int port, int tries) {
+  const auto wire = wireTo(port);
+  for (int i = 0; i < tries; ++i) {
+    if (wire->state() == WireState::Closed) wire->connect();
+    if (wire->state() == WireState::Open) return true;
+    wire->wait(kStep);
+  }
+  return false;
+}
+
+}  // namespace
+
+LinuxCncPeer::LinuxCncPeer() {
+  const fs::path shared = fs::path(STILLCUT_SHARED_DIR) / "peers/linuxcnc";
+  if (!fs::exists(shared)) {
+    why_ = "the shared LinuxCNC mill is not here";
+  } else if (!onPath("linuxcnc") || !onPath("linuxcncrsh") || !onPath("halrmt")) {
+    why_ = "LinuxCNC is not installed (package linuxcnc-uspace)";
+  } else if (answers(kPort, 1)) {
+    why_ = "port 5007 is taken: another LinuxCNC is running";
+  }
+  if (!ok()) return;
+  std::string name = (fs::temp_directory_path() / "stillcut-linuxcnc-XXXXXX").string();
+  folder_ = ::mkdtemp(name.data());
+  for (const auto& entry : fs::directory_iterator(shared)) fs::copy(entry.path(), folder_ / entry.path().filename());
+  if (::getuid() == 0) {
+    if (::chown(folder_.c_str(), kNobody, kNobody) != 0) why_ = "the mill's folder cannot be handed over";
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      if (::chown(entry.path().c_str(), kNobody, kNobody) != 0) why_ = "the mill's files cannot be handed over";
+    }
+  }
+  if (ok()) start();
+}
+
+LinuxCncPeer::~LinuxCncPeer() {
+  end();
+  std::error_code ignored;
+  if (!folder_.empty()) fs::remove_all(folder_, ignored);
+}
+
+pid_t LinuxCncPeer::spawn(const std::vector<std::string>& words, const char* log) const {
+  const pid_t child = ::fork();
+  if (child != 0) return child;
+  ::setsid();
+  const std::string path = (folder_ / log).string();
+  if (::getuid() == 0 && (::setgroups(0, nullptr) != 0 || ::setgid(kNobody) != 0 || ::setuid(kNobody) != 0)) ::_exit(1);
+  if (::chdir(folder_.c_str()) != 0) ::_exit(1);
+  const int out = ::open(path.c_str(), O_CREAT | O_WRONLY | O_TRUNC, 0644);
+  ::dup2(out, 1);
+  ::dup2(out, 2);
+  ::setenv("HOME", folder_.c_str(), 1);
+  ::setenv("USER", "nobody", 1);
+  std::vector<char*> arguments;
+  for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
+  arguments.push_back(nullptr);
+  ::execvp(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
+void LinuxCncPeer::start() {
+  machine_ = spawn({"linuxcnc", "-r", "sim.ini"}, "machine.log");
+  if (!answers(kPort, 1500)) {
+    why_ = "LinuxCNC does not start here (machine.log)";
+    return;
+  }
+  hal_ = spawn({"halrmt", "--", "-ini", "sim.ini"}, "halrmt.log");
+  if (!answers(kHalPort, 500)) why_ = "halrmt does not start here";
+}
+
+void LinuxCncPeer::end() {
+  if (hal_ > 0) {
+    ::kill(hal_, SIGKILL);
+    ::waitpid(hal_, nullptr, 0);
+    hal_ = -1;
+  }
+  if (machine_ <= 0) return;
+  talk({"set enable EMCTOO", "shutdown"});
+  const auto wire = wireTo(kPort);
+  for (int i = 0; i < 500; ++i) {
+    if (::waitpid(machine_, nullptr, WNOHANG) == machine_) {
+      machine_ = -1;
+      return;
+    }
+    wire->wait(kStep);
+  }
+  ::kill(-machine_, SIGKILL);
+  ::waitpid(machine_, nullptr, 0);
+  machine_ = -1;
+}
+
+std::string LinuxCncPeer::talk(const std::vector<std::string>& requests) {
+  const auto wire = wireTo(kPort);
+  std::string all;
+  const auto hear = [&] {
+    std::string reply;
+    std::array<char, 512> bytes;
+    for (int i = 0; i < 25 && reply.find('\n') == std::string::npos; ++i) {
+      wire->wait(kStep);
+      while (const std::size_t n = wire->read(bytes)) reply.append(bytes.data(), n);
+    }
+    all += reply;
+  };
+  for (int i = 0; i < 50 && wire->state() != WireState::Open; ++i) {
+    if (wire->state() == WireState::Closed) wire->connect();
+    wire->wait(kStep);
+  }
+  std::vector<std::string> lines{"hello EMC tester 1.0", "set echo off", "set verbose on"};
+  lines.insert(lines.end(), requests.begin(), requests.end());
+  for (const std::string& line : lines) {
+    if (!wire->write(line + "\r\n")) break;
+    hear();
+  }
+  return all;
+}
+
+// Each step has its effect some time after its ACK, so the sequence is repeated until the program is seen running.
+void LinuxCncPeer::run(const std::string& program) {
+  const std::vector<std::string> take{"set enable EMCTOO", "set set_wait received", "set estop off", "set machine on"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), take.begin(), take.end());
+    return talk(more);
+  };
+  with({"set abort"});
+  for (int i = 0; i < 20; ++i) {
+    if (talk({"get joint_homed 0"}).find("YES") != std::string::npos) break;
+    with({"set mode manual", "set home -1"});
+  }
+  for (int i = 0; i < 20; ++i) {
+    with({"set mode auto", "set feed_override 100", "set spindle_override 0 100",
+          "set open " + (folder_ / program).string(), "set run"});
+    // Looked at for half a second: "set run" twice would begin the program anew.
+    const std::vector<std::string> look(10, "get program_status");
+    if (talk(look).find("RUNNING") != std::string::npos) break;
+  }
+  talk({"set enable EMCTOO", "set enable off"});
+}
+
+}  // namespace stillcut::cnc::testing

@@ -1,0 +1,40 @@
+// The real LinuxCNC: a headless mill from the shared material, started as an ordinary user and ended with the test.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace stillcut::cnc::testing {
+
+class LinuxCncPeer {
+ public:
+  // Starts the machine and waits until it answers. ok() false: why() says what is absent.
+  LinuxCncPeer();
+  ~LinuxCncPeer();
+  LinuxCncPeer(const LinuxCncPeer&) = delete;
+  LinuxCncPeer& operator=(const LinuxCncPeer&) = delete;
+
+  static constexpr int kPort = 5007, kHalPort = 5006;
+
+  bool ok() const { return why_.empty(); }
+  const std::string& why() const { return why_; }
+  void start();
+  void end();
+
+  // Machine on and homed, `program` of its folder running from the beginning, overrides at 100 %.
+  void run(const std::string& program);
+  // Requests to linuxcncrsh as another client sends them; the replies.
+  static std::string talk(const std::vector<std::string>& requests);
+
+ private:
+  pid_t spawn(const std::vector<std::string>& words, const char* log) const;
+
+  std::filesystem::path folder_;
+  std::string why_;
+  pid_t machine_ = -1, hal_ = -1;
+};
+
+}  // namespace stillcut::cnc::testing
