@@ -35,10 +35,10 @@ void PartSettings::fault(std::string_view key, const std::string& what, const st
   if (!first_) first_ = Error{where_, "'" + std::string(key) + "' " + what, why};
 }
 
-std::string PartSettings::text(std::string_view key, std::string fallback) {
+std::string PartSettings::text(std::string_view key, const std::string& fallback) {
   const std::string* given = find(key);
   if (given != nullptr && given->empty()) fault(key, "is empty", "leave it out for the usual value");
-  return given == nullptr ? std::move(fallback) : *given;
+  return given == nullptr ? fallback : *given;
 }
 
 double PartSettings::number(std::string_view key, double fallback, double lowest, double highest) {

@@ -20,7 +20,7 @@ class PartSettings {
   PartSettings(const std::map<std::string, std::string>& settings, std::string where)
       : settings_(settings), where_(std::move(where)) {}
 
-  std::string text(std::string_view key, std::string fallback);
+  std::string text(std::string_view key, const std::string& fallback);
   // Outside [lowest, highest], or no number: a fault, and the fallback.
   double number(std::string_view key, double fallback, double lowest, double highest);
   int whole(std::string_view key, int fallback, int lowest, int highest);

@@ -83,6 +83,7 @@ pid_t LinuxCncPeer::spawn(const std::vector<std::string>& words, const char* log
   ::setenv("HOME", folder_.c_str(), 1);
   ::setenv("USER", "nobody", 1);
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));
   arguments.push_back(nullptr);
   ::execvp(arguments[0], arguments.data());

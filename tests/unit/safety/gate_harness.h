@@ -2,6 +2,7 @@
 // the spindle follows. Tests bend any of it.
 #pragma once
 
+#include <cmath>
 #include <deque>
 #include <vector>
 
@@ -58,7 +59,7 @@ class GateHarness {
     return last;
   }
   void run(double seconds) {
-    for (int i = 0; i < static_cast<int>(seconds / kDt + 0.5); ++i) step();
+    for (int i = 0; i < std::lround(seconds / kDt); ++i) step();
   }
   GateOutput authority(Authority a) { return step({{OperatorAction::SetAuthority, a}}); }
   GateOutput act(OperatorAction a) { return step({{a, Authority::Off}}); }
