@@ -1,6 +1,7 @@
 // stillcut: the desktop program.
 //   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5] [--theme light|dark|contrast] [--size WxH]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
+//   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 // Without a scenario or a profile it opens the demonstration: a first start ends in a picture that moves.
 
 #include <QApplication>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "app/desktop/report_mode.h"
 #include "app/session/session.h"
 #include "generated/version.h"
 #include "ui/shell/apply_theme.h"
@@ -24,6 +26,8 @@ constexpr double kPictureAfter_s = 12.0;  // the demo has met chatter and answer
 struct Options {
   QString scenario, profile, record;
   QString screenshot;
+  bool report = false;
+  QStringList files;  // of a report
   double after_s = kPictureAfter_s;
   QSize size{1280, 800};
   bool sizeGiven = false;
@@ -58,7 +62,12 @@ Result<Options> parse(const QStringList& arguments) {
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Window size."), QStringLiteral("WxH"));
   const QCommandLineOption theme(QStringLiteral("theme"), QStringLiteral("light, dark or contrast."),
                                  QStringLiteral("NAME"));
-  parser.addOptions({scenario, profile, record, screenshot, after, size, theme});
+  const QCommandLineOption report(QStringLiteral("report"),
+                                  QStringLiteral("Write a report (.pdf) or the plots (.png, .svg) of a recording."));
+  parser.addOptions({scenario, profile, record, screenshot, report, after, size, theme});
+  parser.addPositionalArgument(QStringLiteral("files"),
+                               QStringLiteral("With --report: the recording and the file to write."),
+                               QStringLiteral("[RECORDING OUT]"));
   parser.addHelpOption();
   parser.addVersionOption();
   parser.process(arguments);
@@ -68,6 +77,11 @@ Result<Options> parse(const QStringList& arguments) {
   options.profile = parser.value(profile);
   options.record = parser.value(record);
   options.screenshot = parser.value(screenshot);
+  options.report = parser.isSet(report);
+  options.files = parser.positionalArguments();
+  if (!options.report && !options.files.isEmpty()) {
+    return Error{"command line", "'" + options.files[0].toStdString() + "' is not understood", "files need --report"};
+  }
   if (parser.isSet(after)) {
     bool number = false;
     options.after_s = parser.value(after).toDouble(&number);
@@ -139,12 +153,18 @@ ui::ThemeKind wantedTheme(const Options& options) {
 }
 
 int run(int argc, char** argv) {
+  // A report needs no display.
+  if (asksForReport(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationVersion(QStringLiteral(STILLCUT_VERSION));
   const auto options = parse(QApplication::arguments());
   if (!options) return fail(options.error().line());
+  if (options->report) {
+    const Status made = makeReport(options->files, options->sizeGiven ? options->size : QSize(1400, 900));
+    return made ? 0 : fail(made.error().line());
+  }
   const bool live = options->screenshot.isEmpty();
   auto session = options->profile.isEmpty() ? openScenarioSession(options->scenario.toStdString(), live)
                                             : openProfileSession(options->profile.toStdString());

@@ -90,6 +90,7 @@ Result<std::unique_ptr<RecordingReader>> openColumns(const std::string& path, Re
     return Error{path, "the sampling rate is senseless", "give it with --rate HZ"};
   }
   std::vector<RecordedChannel> channels;
+  channels.reserve(all.size());
   for (const ColumnChannel& c : all) channels.push_back(c.channel);
   Result<std::vector<RecordedChannel>> kept = keepChannels(channels, options.channels, path);
   if (!kept) return kept.error();

@@ -38,6 +38,10 @@ const SinkKind* kindOf(const std::string& path) {
 Result<std::unique_ptr<RecordingSink>> createSink(const std::string& path, const ExportPlan& plan) {
   const SinkKind* kind = kindOf(path);
   if (kind != nullptr) return kind->create(path, plan);
+  const std::string suffix = std::filesystem::path(path).extension().string();
+  if (suffix == ".pdf" || suffix == ".png" || suffix == ".svg") {
+    return Error{path, "cannot be written here", "stillcut --report IN OUT makes reports and pictures"};
+  }
   std::string all;
   for (const SinkKind& known : kSinks) all += (all.empty() ? "" : " ") + std::string(known.suffix);
   return Error{path, "cannot be written", "the suffix must be one of " + all};

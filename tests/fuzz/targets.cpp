@@ -34,7 +34,7 @@ void checkError(const Error& error) {
 // The bytes as a file, in memory where there is such a place.
 std::string asFile(std::string_view bytes, std::string_view suffix) {
   static const std::string kFolder = std::filesystem::exists("/dev/shm") ? "/dev/shm" : "/tmp";
-  const std::string path = kFolder + "/stillcut-fuzz-" + std::to_string(getpid()) + std::string(suffix);
+  std::string path = kFolder + "/stillcut-fuzz-" + std::to_string(getpid()) + std::string(suffix);
   std::ofstream(path, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   return path;
 }

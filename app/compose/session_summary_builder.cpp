@@ -1,0 +1,220 @@
+#include "app/compose/session_summary_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "app/compose/sensor_tally.h"
+#include "core/pipeline/intervention_log.h"
+#include "core/pipeline/spectrum_tap.h"
+#include "core/record/open_recording.h"
+
+namespace stillcut::app {
+namespace {
+
+constexpr std::size_t kMostPoints = 4096;   // of the curves
+constexpr std::size_t kMostColumns = 2048;  // of the spectrogram
+constexpr std::size_t kMostEvents = 400;
+constexpr int kBlockFrames = 1024;
+
+CutState worse(CutState a, CutState b) {
+  return std::max(a, b);
+}
+
+void merge(SummaryPoint& into, const SummaryPoint& other) {
+  into.time = Seconds(0.5 * (into.time.value + other.time.value));
+  into.vibration = std::max(into.vibration, other.vibration);
+  if (other.severity > into.severity) into.frequency = other.frequency;
+  into.severity = std::max(into.severity, other.severity);
+  into.state = worse(into.state, other.state);
+  into.valid = into.valid || other.valid;
+  into.gap = into.gap || other.gap;
+  into.speed = other.speed;
+  into.feed_m_s = other.feed_m_s;
+}
+
+void merge(SpectrumColumn& into, const SpectrumColumn& other) {
+  into.time = into.time + (other.time - into.time) / 2;
+  into.afterGap = into.afterGap || other.afterGap;
+  if (other.chatter.value > 0.0) into.chatter = other.chatter;
+  into.spindle = other.spindle;
+  for (std::size_t b = 0; b < into.level_dB.size(); ++b)
+    into.level_dB[b] = std::max(into.level_dB[b], other.level_dB[b]);
+}
+
+// A list that never grows beyond `most`: when it is full, neighbours become one, and from then on so many as that make
+// one new entry.
+template <class Entry>
+class Thinned {
+ public:
+  explicit Thinned(std::size_t most) : most_(most) {}
+  void add(const Entry& entry) {
+    if (pending_ == 0) {
+      entries_.push_back(entry);
+    } else {
+      merge(entries_.back(), entry);
+    }
+    pending_ = (pending_ + 1) % per_;
+    if (entries_.size() < most_ || pending_ != 0) return;
+    for (std::size_t i = 0; i < entries_.size() / 2; ++i) {
+      entries_[i] = std::move(entries_[2 * i]);
+      merge(entries_[i], entries_[2 * i + 1]);
+    }
+    entries_.resize(entries_.size() / 2);
+    per_ *= 2;
+  }
+  std::vector<Entry> take() { return std::move(entries_); }
+  std::size_t per() const { return per_; }
+
+ private:
+  std::size_t most_;
+  std::size_t per_ = 1;      // entries that make one
+  std::size_t pending_ = 0;  // already in the last one
+  std::vector<Entry> entries_;
+};
+
+class Builder {
+ public:
+  Builder(std::string path, const record::RecordingFormat& format)
+      : channels_(format.channels), curve_(kMostPoints), columns_(kMostColumns), tally_(format.channels) {
+    summary_.file = std::move(path);
+    summary_.kind = format.kind;
+    summary_.programVersion = format.programVersion;
+    summary_.configuration = format.configuration;
+    summary_.session = format.setup.has_value();
+    summary_.simulated = format.simulated;
+    summary_.closedCleanly = format.closedCleanly;
+    if (format.setup) summary_.setup = *format.setup;
+    summary_.setup.rate = format.rate;
+    summary_.setup.blockFrames = format.blockFrames > 0 ? format.blockFrames : kBlockFrames;
+    summary_.setup.channels.clear();
+    for (const record::RecordedChannel& c : channels_) summary_.setup.channels.push_back(c.info);
+    tap_.prepare(summary_.setup);
+  }
+
+  void add(const SampleBlock& block, const StepRecord* step) {
+    if (!started_) first_ = block.firstSample;
+    started_ = true;
+    last_ = block.end();
+    if (block.has(kBlockGap)) {
+      ++summary_.gaps;
+      summary_.lostFrames += block.lostFrames;
+    }
+    tally_.add(block);
+    const double vibration = tally_.blockRms();
+    const Verdict none;
+    const Verdict& verdict =
+        step != nullptr && step->output.verdictCount > 0 ? step->output.verdicts[inCharge(*step)] : none;
+    tap_.feed(block, verdict);
+    for (; seen_ < tap_.count(); ++seen_) columns_.add(tap_.column(seen_));
+    addPoint(block, step, verdict, vibration);
+    if (step != nullptr) follow(*step, vibration);
+  }
+
+  SessionSummary finish() {
+    summary_.length = secondsBetween(first_, last_);
+    summary_.curve = curve_.take();
+    summary_.spectrogram = columns_.take();
+    for (SpectrumColumn& column : summary_.spectrogram) column.time = Instant(column.time - first_);
+    for (Event& event : summary_.events) event.time = Instant(event.time - first_);
+    for (auto& [number, card] : cards_) {
+      card.began = Instant(card.began - first_);
+      card.commanded = Instant(card.commanded - first_);
+      summary_.interventions.push_back(card);
+    }
+    if (summary_.spectrogram.size() > 1) {
+      const Duration all = summary_.spectrogram.back().time - summary_.spectrogram.front().time;
+      summary_.columnWidth = Seconds(toSeconds(all).value / static_cast<double>(summary_.spectrogram.size() - 1));
+    }
+    summary_.spectrumTop = tap_.top();
+    summary_.chatterTime = log_.chatterTime();
+    summary_.chatterLength = log_.chatterLength();
+    summary_.alarms = log_.count();
+    summary_.sensors = tally_.finish();
+    return std::move(summary_);
+  }
+
+ private:
+  static std::size_t inCharge(const StepRecord& step) {
+    return static_cast<std::size_t>(std::clamp(step.output.inCharge, 0, step.output.verdictCount - 1));
+  }
+
+  void addPoint(const SampleBlock& block, const StepRecord* step, const Verdict& verdict, double vibration) {
+    SummaryPoint point;
+    point.time = Seconds(secondsBetween(first_, block.firstSample).value + 0.5 * block.frames / block.rate.value);
+    point.vibration = vibration;
+    point.gap = block.has(kBlockGap);
+    point.valid = verdict.valid;
+    point.state = verdict.valid ? verdict.state : CutState::Air;
+    point.severity = verdict.valid ? verdict.severity.value : 0.0;
+    if (verdict.alarming()) point.frequency = verdict.frequency;
+    if (step != nullptr && step->input.machine.valid) {
+      const MachineState& machine = step->input.machine;
+      point.speed = machine.actualSpeed.value > 0.0 ? machine.actualSpeed : machine.targetSpeed();
+      point.feed_m_s = machine.programmedFeed.value * machine.feedOverride.value;
+    }
+    curve_.add(point);
+  }
+
+  void follow(const StepRecord& step, double vibration) {
+    summary_.highestAuthority = std::max(summary_.highestAuthority, step.output.authority);
+    for (int e = 0; e < step.output.eventCount; ++e) {
+      ++summary_.eventCount;
+      if (summary_.events.size() < kMostEvents) {
+        summary_.events.push_back(step.output.events[static_cast<std::size_t>(e)]);
+      }
+    }
+    // The log finds the alarms again from what was decided; its own events are already in the file.
+    output_ = step.output;
+    output_.eventCount = 0;
+    const SampleBlock& block = step.input.block;
+    log_.follow(step.input, output_, vibration, Seconds(block.frames / block.rate.value));
+    const std::uint64_t oldest = log_.count() > kInterventionsShown ? log_.count() - kInterventionsShown : 0;
+    constexpr std::size_t kMostCards = 200;
+    for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);
+  }
+
+  SessionSummary summary_;
+  std::vector<record::RecordedChannel> channels_;
+  Thinned<SummaryPoint> curve_;
+  Thinned<SpectrumColumn> columns_;
+  SensorTally tally_;
+  pipeline::SpectrumTap tap_;
+  pipeline::InterventionLog log_;
+  std::map<std::uint64_t, Intervention> cards_;
+  StepOutput output_;
+  std::uint64_t seen_ = 0;
+  bool started_ = false;
+  Instant first_{};
+  Instant last_{};
+};
+
+}  // namespace
+
+Result<SessionSummary> summarizeRecording(const std::string& path, const record::ReadOptions& options,
+                                          const record::TimeSpan& span) {
+  auto reader = record::openRecording(path, options);
+  if (!reader) return reader.error();
+  if (!span.whole()) {
+    reader = record::openSpan(std::move(*reader), span, path);
+    if (!reader) return reader.error();
+  }
+  const record::RecordingFormat& format = (*reader)->format();
+  Builder builder(path, format);
+  SampleBlock block;
+  const int frames = format.blockFrames > 0 ? format.blockFrames : kBlockFrames;
+  block.allocate(static_cast<int>(format.channels.size()), frames);
+  std::uint64_t blocks = 0;
+  for (;; ++blocks) {
+    const Result<bool> more = (*reader)->read(block);
+    if (!more) return more.error();
+    if (!*more) break;
+    builder.add(block, (*reader)->recordedStep());
+  }
+  if (blocks == 0) return Error{path, "holds no samples", ""};
+  return builder.finish();
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,29 @@
+#include "app/desktop/report_mode.h"
+
+#include <cstring>
+
+#include "app/compose/session_summary_builder.h"
+#include "ui/report/report_files.h"
+
+namespace stillcut::app {
+
+bool asksForReport(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    if (std::strcmp(argv[i], "--report") == 0) return true;
+  }
+  return false;
+}
+
+Status makeReport(const QStringList& files, QSize pictureSize) {
+  if (files.size() != 2) return Error{"--report", "needs a recording and a file to write", "--report IN OUT.pdf"};
+  const QString& out = files[1];
+  const bool pdf = out.endsWith(QStringLiteral(".pdf"));
+  if (!pdf && !out.endsWith(QStringLiteral(".png")) && !out.endsWith(QStringLiteral(".svg"))) {
+    return Error{out.toStdString(), "cannot be written", "the suffix must be .pdf, .png or .svg"};
+  }
+  const auto summary = summarizeRecording(files[0].toStdString());
+  if (!summary) return summary.error();
+  return pdf ? ui::writeReport(*summary, out) : ui::writePicture(*summary, out, pictureSize);
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,200 @@
+// Reports and pictures of a recording: what they say, that nothing is left out, and that the files are whole.
+#include "ui/report/report_files.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+#include <cmath>
+
+#include "ui/report/report_text.h"
+#include "ui/report/spectrogram_picture.h"
+#include "ui/report/table.h"
+
+namespace stillcut::ui {
+namespace {
+
+constexpr std::size_t kToneBin = 40;
+
+Instant at(double seconds) {
+  return Instant(toDuration(Seconds(seconds)));
+}
+
+// Ten seconds; chatter from 4 s, answered at 4.2 s, quiet at 4.6 s.
+SessionSummary example() {
+  SessionSummary s;
+  s.file = "/tmp/cut.h5";
+  s.kind = "Stillcut session";
+  s.session = true;
+  s.configuration = "[gate]\nhighest-speed = 12000  # rpm\n\n# a comment\nlowest-speed = 3000\n";
+  s.setup.machine = "Mill 3";
+  s.setup.tool = "T12 D12 Z4";
+  s.setup.teeth = 4;
+  s.setup.nominalSpeed = Rpm(8500.0);
+  s.setup.rate = Hertz(25'600.0);
+  s.length = Seconds(10.0);
+  s.alarms = 1;
+  s.chatterTime = Seconds(0.6);
+  s.chatterLength = Metres(0.0123);
+  s.highestAuthority = Authority::Auto;
+  s.spectrumTop = Hertz(12'800.0);
+  s.columnWidth = Seconds(0.1);
+  for (int i = 0; i < 100; ++i) {
+    SpectrumColumn column;
+    column.time = at(0.05 + 0.1 * i);
+    column.level_dB.fill(-60.0F);
+    column.level_dB[kToneBin] = 0.0F;
+    if (i >= 40 && i < 46) column.chatter = Hertz(1000.0);
+    s.spectrogram.push_back(column);
+    SummaryPoint point;
+    point.time = Seconds(0.05 + 0.1 * i);
+    point.valid = true;
+    point.state = i >= 40 && i < 46 ? CutState::Chatter : CutState::Stable;
+    point.vibration = point.state == CutState::Chatter ? 20.0 : 2.0;
+    point.severity = point.state == CutState::Chatter ? 0.8 : 0.02;
+    point.speed = Rpm(i < 42 ? 8500.0 : 8000.0);
+    s.curve.push_back(point);
+  }
+  Intervention move;
+  move.began = at(4.0);
+  move.commanded = at(4.2);
+  move.finished = move.quiet = true;
+  move.timeToQuiet = Seconds(0.6);
+  move.frequency = Hertz(1000.0);
+  move.speedBefore = Rpm(8500.0);
+  move.speedAfter = Rpm(8000.0);
+  s.interventions.push_back(move);
+  s.sensors.push_back({{"x", SensorQuantity::Acceleration, 9.8, "x"}, true, 0.0, 3.0, 20.0, SensorHealth::InOrder});
+  s.sensors.push_back({{"mic", SensorQuantity::Sound, 1.0, ""}, true, 0.0, 0.0, 0.0, SensorHealth::Dead});
+  return s;
+}
+
+QByteArray contentOf(const QString& path) {
+  QFile file(path);
+  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+  return file.readAll();
+}
+
+int pagesOf(const QByteArray& pdf) {
+  return static_cast<int>(pdf.count("/Type /Page\n") + pdf.count("/Type /Page "));
+}
+
+TEST(Report, IsAPdfThatGrowsWithWhatHappened) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("cut.pdf"));
+  SessionSummary s = example();
+  ASSERT_TRUE(writeReport(s, path).ok());
+  const QByteArray brief = contentOf(path);
+  EXPECT_TRUE(brief.startsWith("%PDF-"));
+  EXPECT_EQ(pagesOf(brief), 2);
+  for (int i = 0; i < 200; ++i) s.interventions.push_back(s.interventions.front());
+  ASSERT_TRUE(writeReport(s, path).ok());
+  EXPECT_GE(pagesOf(contentOf(path)), 6) << "forty rows a page";
+}
+
+TEST(Report, OfAnEmptyRecordingIsStillAReport) {
+  const QTemporaryDir folder;
+  SessionSummary s;
+  s.file = "empty.wav";
+  s.sensors.push_back({});
+  EXPECT_TRUE(writeReport(s, folder.filePath(QStringLiteral("e.pdf"))).ok());
+  EXPECT_TRUE(writePicture(s, folder.filePath(QStringLiteral("e.png")), {800, 600}).ok());
+}
+
+TEST(Report, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
+  const QTemporaryDir folder;
+  const Status pdf = writeReport(example(), folder.filePath(QStringLiteral("no/such/cut.pdf")));
+  ASSERT_FALSE(pdf.ok());
+  EXPECT_NE(pdf.error().line().find("cannot be written"), std::string::npos);
+  EXPECT_FALSE(writePicture(example(), folder.filePath(QStringLiteral("cut.gif")), {800, 600}).ok());
+  EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+TEST(Picture, PngHasItsSizeAndSvgIsWellFormed) {
+  const QTemporaryDir folder;
+  const QString png = folder.filePath(QStringLiteral("cut.png"));
+  ASSERT_TRUE(writePicture(example(), png, {1000, 700}).ok());
+  EXPECT_EQ(QImage(png).size(), QSize(1000, 700));
+  const QString svg = folder.filePath(QStringLiteral("cut.svg"));
+  ASSERT_TRUE(writePicture(example(), svg, {1000, 700}).ok());
+  QXmlStreamReader xml(contentOf(svg));
+  while (!xml.atEnd()) xml.readNext();
+  EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+}
+
+TEST(Picture, AToneLiesAtItsFrequencyAndAGapIsSeen) {
+  SessionSummary s = example();
+  s.spectrogram.erase(s.spectrogram.begin() + 60, s.spectrogram.begin() + 80);
+  constexpr QRgb kGap = qRgb(1, 2, 3);
+  const QImage image = spectrogramImage(s, s.spectrumTop, levelSpan(s), kGap);
+  ASSERT_EQ(image.height(), kSpectrumBins);
+  const int toneRow = kSpectrumBins - 1 - static_cast<int>(kToneBin);
+  const int x = image.width() / 4;
+  for (int y = 0; y < image.height(); ++y) {
+    if (y == toneRow) continue;
+    EXPECT_GT(qGreen(image.pixel(x, toneRow)), qGreen(image.pixel(x, y))) << y;
+  }
+  EXPECT_EQ(image.pixel(image.width() * 70 / 100, toneRow), kGap);
+}
+
+TEST(Picture, TheTopShowsThePowerAndTheChatterWithItsHarmonics) {
+  SessionSummary s = example();
+  EXPECT_GE(visibleTop(s).value, 3500.0) << "harmonics of 1000 Hz";
+  EXPECT_LT(visibleTop(s).value, 12'800.0 / 2.0) << "nothing to see above";
+  for (SpectrumColumn& column : s.spectrogram) column.level_dB.fill(-10.0F);
+  EXPECT_DOUBLE_EQ(visibleTop(s).value, 12'800.0) << "noise everywhere";
+}
+
+TEST(ReportText, TellsWhatHappened) {
+  SessionSummary s = example();
+  EXPECT_EQ(
+      whatHappened(s).toStdString(),
+      "Chatter began once, first at 1\u2009000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
+      "Stillcut moved speed and feed once; the cut was quiet again.");
+  EXPECT_EQ(whatHappenedTone(s), Tone::Onset);
+  s.interventions[0].quiet = false;
+  EXPECT_EQ(whatHappenedTone(s), Tone::Chatter);
+  s.interventions[0].commanded = Instant{};
+  EXPECT_TRUE(whatHappened(s).endsWith(QStringLiteral("The overrides were not touched.")));
+  s.alarms = 0;
+  EXPECT_EQ(whatHappened(s), QStringLiteral("No chatter was found."));
+  s.session = false;
+  EXPECT_TRUE(whatHappened(s).contains(QStringLiteral("measurements only")));
+}
+
+TEST(ReportText, TablesHaveACellForEveryColumn) {
+  const SessionSummary s = example();
+  for (const TableRow& row : interventionRows(s)) {
+    EXPECT_EQ(row.cells.size(), static_cast<qsizetype>(interventionColumns().size()));
+  }
+  const auto sensors = sensorRows(s);
+  ASSERT_EQ(sensors.size(), 2U);
+  EXPECT_EQ(sensors[0].cells.size(), static_cast<qsizetype>(sensorColumns().size()));
+  EXPECT_EQ(sensors[0].tone, Tone::Normal);
+  EXPECT_EQ(sensors[1].tone, Tone::Chatter) << "a dead sensor is a fault";
+  EXPECT_EQ(settingLines(s), QStringList({QStringLiteral("[gate]"), QStringLiteral("highest-speed = 12000"),
+                                          QStringLiteral("lowest-speed = 3000")}));
+}
+
+TEST(ReportTable, RowsThatDoNotFitAreLeftForTheNextPage) {
+  QImage paper(400, 400, QImage::Format_RGB32);
+  QPainter painter(&paper);
+  const std::vector<TableRow> rows(25, TableRow{{QStringLiteral("a"), QStringLiteral("b")}, Tone::Normal});
+  const std::vector<TableColumn> columns{{QStringLiteral("A")}, {QStringLiteral("B")}};
+  int drawn = 0;
+  int pages = 0;
+  while (drawn < 25 && pages < 10) {
+    double used = 0.0;
+    drawn += drawTable(painter, QRectF(0, 0, 400, 11 * kTableRow), columns, rows, drawn, PageStyle(), used);
+    EXPECT_LE(used, 11 * kTableRow);
+    ++pages;
+  }
+  EXPECT_EQ(drawn, 25);
+  EXPECT_EQ(pages, 3);
+}
+
+}  // namespace
+}  // namespace stillcut::ui

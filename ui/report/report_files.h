@@ -1,0 +1,19 @@
+// A summary on paper and as a picture. The files appear only when they are complete. GUI thread.
+#pragma once
+
+#include <QSize>
+#include <QString>
+
+#include "core/base/result.h"
+#include "core/model/session_summary.h"
+
+namespace stillcut::ui {
+
+// A4, as many pages as needed: what was cut, what happened, the plots; interventions with before and after, events;
+// sensor check and settings.
+Status writeReport(const SessionSummary& summary, const QString& path);
+
+// The plots alone; .png or .svg by the suffix. `size` in pixels.
+Status writePicture(const SessionSummary& summary, const QString& path, QSize size);
+
+}  // namespace stillcut::ui

@@ -1,0 +1,30 @@
+// What a report says in words and tables: pure functions of the summary. GUI thread.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <utility>
+#include <vector>
+
+#include "core/model/session_summary.h"
+#include "ui/report/table.h"
+
+namespace stillcut::ui {
+
+using Facts = std::vector<std::pair<QString, QString>>;
+
+Facts cutFacts(const SessionSummary& summary);
+// One paragraph: was there chatter, what was done, what became of it.
+QString whatHappened(const SessionSummary& summary);
+Tone whatHappenedTone(const SessionSummary& summary);
+
+std::vector<TableColumn> interventionColumns();
+std::vector<TableRow> interventionRows(const SessionSummary& summary);
+std::vector<TableColumn> sensorColumns();
+std::vector<TableRow> sensorRows(const SessionSummary& summary);
+std::vector<TableColumn> eventColumns();
+std::vector<TableRow> eventRows(const SessionSummary& summary);
+// The configuration, one setting a line, under the names of its tables.
+QStringList settingLines(const SessionSummary& summary);
+
+}  // namespace stillcut::ui

@@ -1,0 +1,31 @@
+// A table of text on paper: a head, thin rules, rows of one line each. GUI thread.
+#pragma once
+
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "ui/report/page_style.h"
+
+namespace stillcut::ui {
+
+struct TableColumn {
+  QString title;
+  double share = 1.0;   // of the width
+  bool number = false;  // aligned to the right
+};
+
+struct TableRow {
+  QStringList cells;
+  Tone tone = Tone::Normal;  // of the last cell
+};
+
+inline constexpr double kTableRow = 19;  // height of a row and of the head [1/96 inch]
+
+// Draws rows from `first` on as long as they fit into `area`; returns how many. `used` is the height taken.
+int drawTable(QPainter& painter, const QRectF& area, const std::vector<TableColumn>& columns,
+              const std::vector<TableRow>& rows, int first, const PageStyle& style, double& used);
+
+}  // namespace stillcut::ui
