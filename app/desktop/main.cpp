@@ -9,6 +9,8 @@
 #include <QSettings>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <optional>
 
 #include "app/desktop/report_mode.h"
@@ -21,14 +23,14 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kInputError = 2;
-constexpr double kPictureAfter_s = 12.0;  // the demo has met chatter and answered it by then
+constexpr double kPictureAfter = 12.0;  // [s]: the demo has met chatter and answered it by then
 
 struct Options {
   QString scenario, profile, record;
   QString screenshot;
   bool report = false;
   QStringList files;  // of a report
-  double after_s = kPictureAfter_s;
+  double after_s = kPictureAfter;
   QSize size{1280, 800};
   bool sizeGiven = false;
   std::optional<ui::ThemeKind> theme;
@@ -191,5 +193,10 @@ int run(int argc, char** argv) {
 }  // namespace stillcut::app
 
 int main(int argc, char** argv) {
-  return stillcut::app::run(argc, argv);
+  try {
+    return stillcut::app::run(argc, argv);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "stillcut: %s\n", e.what());
+    return EXIT_FAILURE;
+  }
 }

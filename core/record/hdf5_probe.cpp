@@ -1,6 +1,9 @@
 #include "core/record/hdf5_probe.h"
 
+#include <filesystem>
+
 #include "core/record/hdf5_import.h"
+#include "core/record/journal.h"
 #include "core/record/run_apart.h"
 #include "core/record/session_open.h"
 
@@ -12,6 +15,8 @@ constexpr int kOther = 10;
 constexpr int kSession = 11;
 
 bool isSession(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(journalPath(path), ignored)) return true;
   const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
   return opened && readText(opened->file.get(), "format").has_value();
 }
