@@ -13,12 +13,11 @@
 
 #include "core/detect/registry.h"
 #include "tests/bench/detection/cut_families.h"
+#include "tests/bench/detection/growth.h"
 #include "tests/bench/detection/score.h"
 
 namespace stillcut::bench {
 namespace {
-
-constexpr std::array<double, 5> kErrors{-0.03, -0.02, 0.0, 0.02, 0.03};
 
 struct Options {
   int seeds = 2;
@@ -106,8 +105,9 @@ class Table {
     for (const detect::DetectorRow& row : detect::detectorTable()) {
       if (!options_.detector.empty() && row.id != options_.detector) continue;
       for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {
-        if (!channels.empty() && row.id == "coherence") continue;
-        for (const double error : kErrors) {
+        const bool single = cut.recording.channels.size() == 1;
+        if (single ? !channels.empty() : !channels.empty() && row.id == "coherence") continue;
+        for (const double error : cut.toldErrors) {
           const Trial trial{std::string(row.id), channels, error};
           const Score s = score(cut, trial);
           sums_[cut.family][trial.detector].add(s);
@@ -149,6 +149,15 @@ void tabulate(const Options& options) {
   for (const CutFamily& family : cutFamilies()) {
     if (!wanted(family.name)) continue;
     for (const SimulationOrder& order : family.make(options.seeds)) table.run(simulate(order));
+    table.flush();
+  }
+  for (const double constant : {0.005, 0.010, 0.020, 0.050}) {
+    if (!wanted("growth")) break;
+    for (int seed = 1; seed <= 8 * options.seeds; ++seed) table.run(growingCut(constant, static_cast<unsigned>(seed)));
+    table.flush();
+  }
+  if (wanted("no growth")) {
+    for (int seed = 1; seed <= options.seeds; ++seed) table.run(minuteWithoutGrowth(static_cast<unsigned>(seed)));
     table.flush();
   }
 }

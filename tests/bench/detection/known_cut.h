@@ -20,6 +20,7 @@ enum class AlarmRule {
   Ramp,     // from 1 % to one revolution after 20 %
   Slow,     // from 1 % to 40 ms after 20 %
   Present,  // chatter from the entry on: within 0.3 s of 20 %
+  Growth,   // of a made signal: between its start and `latest`
 };
 
 inline constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
@@ -31,7 +32,9 @@ struct KnownCut {
   int teeth = 0;
   double rpm = 0.0;  // what a told speed without error says
   AlarmRule rule = AlarmRule::Silent;
-  double at1 = kNever, at20 = kNever;  // s
+  double at1 = kNever, at20 = kNever;                             // s
+  double latest = kNever;                                         // s, Growth
+  std::vector<double> toldErrors{-0.03, -0.02, 0.0, 0.02, 0.03};  // of the told speed, as ratios
   double chatterHz = 0.0;
   ChatterKind kind = ChatterKind::Unknown;
   double lastAbove = kNever;          // s, recovery: the ratio's last time above 20 %

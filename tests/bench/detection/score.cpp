@@ -16,6 +16,7 @@ struct Window {
 };
 
 Window windowFor(const KnownCut& cut, const std::string& detector) {
+  if (cut.rule == AlarmRule::Growth) return {cut.at1, detector == kInCharge ? cut.latest : cut.latest + kOthersLate};
   if (cut.rule == AlarmRule::Present) return {cut.at1 - 0.05, cut.at20 + 0.3};
   if (detector != kInCharge) return {cut.at1 - 0.05, cut.at20 + kOthersLate};
   switch (cut.rule) {
