@@ -1,11 +1,21 @@
 #include "core/detect/energy_growth.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stillcut::detect {
 namespace {
 
 constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is asked for more evidence
+constexpr double kRisingPart = 0.02;     // ... and to be of some size already: growth so fast is soon there
 constexpr double kFastGrowth = 2.0;      // of energy from half turn to half turn
 constexpr double kSlowGrowth = 1.5;      // from turn to turn
+constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
+constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
+constexpr double kLeap = 6.0;            // energy of a hop above that and above all hops of a turn: scatter of noise
+constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap nothing is believed for so long: two turns are compared
+constexpr double kBeating = 3.0;             // a line beats with the harmonics beside it
+constexpr double kFalling = 0.7;             // of the energy one and a half turns ago: it rings down
 
 }  // namespace
 
@@ -14,9 +24,10 @@ void EnergyGrowth::restart() noexcept {
   hops_ = {};
   newest_ = 0;
   changed_ = 0.0;
+  sinceLeap_ = kLevelHops;
 }
 
-void EnergyGrowth::endHop(int windowHops) noexcept {
+void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
   newest_ = (newest_ + 1) % kLevelHops;
   hops_[static_cast<std::size_t>(newest_)] = sums_;
   sums_ = {};
@@ -29,22 +40,48 @@ void EnergyGrowth::endHop(int windowHops) noexcept {
   }
   all *= static_cast<double>(windowHops) / kLevelHops;
   changed_ = all > 0.0 ? changed / all : 0.0;
+  sinceLeap_ = leaps(length) ? 0 : std::min(sinceLeap_ + 1, kLevelHops);
+}
+
+double EnergyGrowth::changedIn(int from, int hops) const noexcept {
+  double e = 0.0;
+  for (int k = from; k < from + hops; ++k) e += ago(k).changed;
+  return e;
 }
 
 bool EnergyGrowth::grows(int hops, double factor) const noexcept {
-  const auto sum = [this, hops](int from) {
-    double e = 0.0;
-    for (int k = from; k < from + hops; ++k) e += ago(k).changed;
-    return e;
-  };
-  const double now = sum(0);
-  const double before = sum(hops);
-  return now > factor * before && before > factor * sum(2 * hops);
+  const double now = changedIn(0, hops);
+  const double before = changedIn(hops, hops);
+  return now > factor * before && before > factor * changedIn(2 * hops, hops);
 }
 
 bool EnergyGrowth::rising() const noexcept {
-  return onset_.alarm() && onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() &&
+  return onset_.alarm() && changed_ > kRisingPart * arrival_ && explainsEnergy() &&
+         onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() &&
          (grows(kHopsPerTurn / 2, kFastGrowth) || grows(kHopsPerTurn, kSlowGrowth));
+}
+
+bool EnergyGrowth::explainsEnergy() const noexcept {
+  double change = 0.0;
+  for (int k = 0; k < kHopsPerTurn; ++k) change += ago(k).all - ago(k + kHopsPerTurn).all;
+  return std::abs(change) < kBeating * changedIn(0, kHopsPerTurn) / arrival_;
+}
+
+bool EnergyGrowth::leaps(Seconds length) const noexcept {
+  double most = 0.0;
+  double all = 0.0;
+  for (int k = 1; k <= kHopsPerTurn; ++k) {
+    most = std::max(most, ago(k).changed);
+    all += ago(k).all / kHopsPerTurn;
+  }
+  const double steepest = std::min(std::exp(2.0 * length.value / kFastest.value), kSteepest);
+  const double limit = kLeap * steepest;
+  return onset_.learned() && ago(0).changed > limit * std::max(most, onset_.floor() * all);
+}
+
+bool EnergyGrowth::steadyGrowth() const noexcept {
+  if (sinceLeap_ < kLeapHops) return false;
+  return changedIn(0, kHopsPerTurn) > kFalling * changedIn(kHopsPerTurn + kHopsPerTurn / 2, kHopsPerTurn);
 }
 
 }  // namespace stillcut::detect

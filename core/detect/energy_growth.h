@@ -1,9 +1,11 @@
-// Growth of one channel's turn difference (turn_difference.h) over its vibration, hop by hop: eighths of a turn.
+// Growth of what does not repeat from turn to turn (turn_difference.h) over the vibration, for one channel, hop by hop:
+// eighths of a turn.
 // Thread: worker; real-time.
 #pragma once
 
 #include <array>
 
+#include "core/base/units.h"
 #include "core/detect/onset_test.h"
 
 namespace stillcut::detect {
@@ -14,26 +16,34 @@ class EnergyGrowth {
  public:
   static constexpr int kLevelHops = 8 * kHopsPerTurn;
 
-  void prepare(const OnsetTest::Limits& limits) noexcept { onset_.prepare(limits); }
+  // arrival: part of the power of a line that the statistic passes during the line's first turn.
+  void prepare(const OnsetTest::Limits& limits, double arrival) noexcept {
+    onset_.prepare(limits);
+    arrival_ = arrival;
+  }
   // Forgets the levels, after a gap; what was learned stays.
   void restart() noexcept;
   void relearn() noexcept { onset_.reset(); }
 
-  // One frame: the vibration and its turn difference.
-  void add(double x, double difference) noexcept {
+  // One frame: the vibration and what is new in it.
+  void add(double x, double unrepeated) noexcept {
     sums_.all += x * x;
-    sums_.changed += difference * difference;
+    sums_.changed += unrepeated * unrepeated;
   }
-  // windowHops: newest hops over which the turn difference is averaged.
-  void endHop(int windowHops) noexcept;
+  // windowHops: newest hops over which the energies are averaged; length: of the hop.
+  void endHop(int windowHops, Seconds length) noexcept;
   // Tests the level of the last hop; learn: the cut is steady and nobody alarms.
   void test(int windowHops, bool learn) noexcept { onset_.update(changed_, 1.0 / windowHops, learn); }
 
   // E_d / E_x of the newest window.
   double changed() const noexcept { return changed_; }
   // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
-  // rises once and decays.
+  // rises once and decays. Forced vibration that changes by a share e in a turn leaves e^2 here, but changes the whole
+  // energy by 2 e: the energy must grow by no more than what is new explains.
   bool rising() const noexcept;
+  // Growth, and neither a blow nor what rings down after one: a vibration that grows passes through every level between
+  // its noise and what it is now; a blow, or a tooth that leaves the material at once, leaps over them.
+  bool steadyGrowth() const noexcept;
   const OnsetTest& onset() const noexcept { return onset_; }
 
  private:
@@ -44,12 +54,17 @@ class EnergyGrowth {
   const Energies& ago(int hops) const noexcept {
     return hops_[static_cast<std::size_t>((newest_ - hops + kLevelHops) % kLevelHops)];
   }
+  double changedIn(int from, int hops) const noexcept;
   bool grows(int hops, double factor) const noexcept;
+  bool leaps(Seconds length) const noexcept;
+  bool explainsEnergy() const noexcept;
 
+  double arrival_ = 1.0;
   Energies sums_;  // this hop
   std::array<Energies, kLevelHops> hops_{};
   int newest_ = 0;
   double changed_ = 0.0;
+  int sinceLeap_ = kLevelHops;  // hops, no further than kLevelHops
   OnsetTest onset_;
 };
 

@@ -21,6 +21,9 @@ constexpr int kBandOrdersUnknown = 4;   // teeth not told
 constexpr double kRatioTurns = 2.0;     // smoothing of the energy ratio
 constexpr double kLeastSamples = 96.0;  // in the average of the turn difference: fewer scatter too much
 constexpr Hertz kSpindleUnknown{20.0};
+constexpr Hertz kLeastBand{2500.0};  // tools chatter up to there at any speed
+constexpr int kBandOrder = 4;
+constexpr double kSameBand = 0.02;
 
 }  // namespace
 
@@ -43,7 +46,8 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   const Hertz slowest(0.5 * nominal);
   chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest}, dsp::kernels::bestKernels());
   turns_.prepare(channels_, Hertz(rate_), slowest);
-  lines_.prepare(channels_, std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal)), Hertz(rate_));
+  const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
+  lines_.prepare(channels_, window, Hertz(rate_));
   fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
 }
 
@@ -59,9 +63,12 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
     s.eta = integrationFactor(setup.channels[static_cast<std::size_t>(c)].quantity);
-    s.growth.prepare({smallest_, params.real(kErEvidence)});
+    const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
+    s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
+    s.news.prepare(limits, TurnDifference::kNewsArrival);
   }
-  for (auto* v : {&frame_, &difference_}) v->assign(static_cast<std::size_t>(channels_), 0.0);
+  lowPass_.assign(static_cast<std::size_t>(channels_), {});
+  for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_), 0.0);
   reset();
 }
 
@@ -76,8 +83,9 @@ void EnergyRatioDetector::restart() noexcept {
   chain_.reset();
   turns_.reset();
   lines_.reset();
+  for (dsp::Butterworth& filter : lowPass_) filter.reset();
   for (RatioChannel& s : channelStates_) {
-    s.growth.restart();
+    for (EnergyGrowth* g : {&s.growth, &s.news}) g->restart();
     s.ratio = 0.0;
   }
   inHop_ = 0;
@@ -91,7 +99,9 @@ void EnergyRatioDetector::leaveCut() noexcept {
 }
 
 void EnergyRatioDetector::relearn() noexcept {
-  for (RatioChannel& s : channelStates_) s.growth.relearn();
+  for (RatioChannel& s : channelStates_) {
+    for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
+  }
 }
 
 void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
@@ -101,12 +111,22 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   windowHops_ = std::clamp(static_cast<int>(std::ceil(kLeastSamples / static_cast<double>(hopFrames_))), kHopsPerTurn,
                            EnergyGrowth::kLevelHops / 2);
   chain_.tune(spindle_, fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
+  followBand();
   if (!block.speedMoving) turns_.setTurn(spindle_);
   if (turnsCompare_ && !block.turnsCompare) {
     relearn();
     judge_.loseFloor();
   }
   turnsCompare_ = block.turnsCompare;
+}
+
+// Noise above the harmonics that are removed only hides what grows among them.
+void EnergyRatioDetector::followBand() noexcept {
+  const Hertz highest(
+      std::min(std::max(spindle_.value * (chain_.active() + 0.5), kLeastBand.value), EnergyChain::kUsableBand * rate_));
+  if (std::abs(highest.value - highest_.value) < kSameBand * highest.value) return;
+  highest_ = highest;
+  for (dsp::Butterworth& filter : lowPass_) filter.lowPass(kBandOrder, highest, Hertz(rate_));
 }
 
 void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
@@ -119,12 +139,13 @@ void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
-    s.growth.endHop(windowHops_);
+    for (EnergyGrowth* g : {&s.growth, &s.news}) {
+      g->endHop(windowHops_, length);
+      if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
+    }
     s.ratio += rate * (chain_.ratio(c, s.eta) - s.ratio);
-    if (test) s.growth.test(windowHops_, judge_.state() == CutState::Stable);
   }
-  const Hertz highest = spindle_ * (chain_.active() + 0.5);
-  if (judge_.judge(channelStates_, lines_, {phase, length, spindle_, highest, steadyTurns_, turnsCompare_})) relearn();
+  if (judge_.judge(channelStates_, lines_, {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_})) relearn();
 }
 
 Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
@@ -152,12 +173,16 @@ void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first
   chain_.align(block.angle[first], step);
   chain_.process(block.samples + first, block.stride, static_cast<std::size_t>(frames));
   for (int f = first; f < first + frames; ++f) {
-    for (int c = 0; c < channels_; ++c) frame_[static_cast<std::size_t>(c)] = block.samples[c * block.stride + f];
-    turns_.process(frame_.data(), difference_.data());
+    for (int c = 0; c < channels_; ++c) {
+      const auto i = static_cast<std::size_t>(c);
+      compared_[i] = lowPass_[i].process(block.samples[c * block.stride + f]);
+    }
+    turns_.process(compared_.data(), difference_.data(), news_.data());
     lines_.push(difference_.data());
     for (int c = 0; c < channels_; ++c) {
       const auto i = static_cast<std::size_t>(c);
-      channelStates_[i].growth.add(frame_[i], difference_[i]);
+      channelStates_[i].growth.add(compared_[i], difference_[i]);
+      channelStates_[i].news.add(compared_[i], news_[i]);
     }
     marks_.advance(step);
   }

@@ -24,6 +24,7 @@
 #include "core/detect/ratio_judge.h"
 #include "core/detect/turn_difference.h"
 #include "core/detect/turn_marks.h"
+#include "core/dsp/butterworth.h"
 
 namespace stillcut::detect {
 
@@ -57,6 +58,7 @@ class EnergyRatioDetector final : public Detector {
  private:
   void sizeFor(const CutSetup& setup, const config::ParamSet& params);
   void tune(const ConditionedBlock& block) noexcept;
+  void followBand() noexcept;
   void relearn() noexcept;
   void restart() noexcept;
   void leaveCut() noexcept;
@@ -76,9 +78,11 @@ class EnergyRatioDetector final : public Detector {
   LineFinder lines_;
   std::vector<RatioChannel> channelStates_;
   RatioJudge judge_;
-  std::vector<double> frame_, difference_;
+  std::vector<dsp::Butterworth> lowPass_;  // of what is compared from turn to turn, one per channel
+  std::vector<double> compared_, difference_, news_;
 
   Hertz spindle_{};
+  Hertz highest_{};  // chatter is looked for up to here
   long hopFrames_ = 1;
   int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/turn_difference.h"
 #include "core/dsp/order.h"
 
 namespace stillcut::detect {
@@ -16,6 +17,7 @@ constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noi
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
 constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
+constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
 
 }  // namespace
@@ -35,21 +37,30 @@ void RatioJudge::leaveCut() noexcept {
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
 }
 
+void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
+  const OnsetTest& onset = growth.onset();
+  if (onset.evidence() >= evidence_) {
+    evidence_ = onset.evidence();
+    floor_ = onset.floor();
+    changed_ = growth.changed();
+  }
+  grown_ = grown_ || onset.alarm();
+  rising_ = rising_ || (growth.rising() && growth.steadyGrowth());
+  learned_ = learned_ && onset.learned();
+  growing_ = growing_ || (onset.alarm() && growth.steadyGrowth());
+}
+
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
-  severity_ = changed_ = evidence_ = 0.0;
-  grown_ = rising_ = false;
+  severity_ = evidence_ = mostChanged_ = 0.0;
+  grown_ = growing_ = rising_ = false;
   learned_ = true;
   for (const RatioChannel& c : channels) {
-    const OnsetTest& onset = c.growth.onset();
     severity_ = std::max(severity_, c.ratio);
-    if (onset.evidence() >= evidence_) {
-      evidence_ = onset.evidence();
-      floor_ = onset.floor();
-    }
-    changed_ = std::max(changed_, c.growth.changed());
-    grown_ = grown_ || onset.alarm();
-    rising_ = rising_ || c.growth.rising();
-    learned_ = learned_ && onset.learned();
+    weigh(c.growth);
+    mostChanged_ = std::max(mostChanged_, c.growth.changed());
+    // What is new also holds forced vibration that changes: for the fast only.
+    rising_ = rising_ || (c.news.rising() && c.news.steadyGrowth());
+    grown_ = grown_ || c.news.onset().alarm();
   }
 }
 
@@ -68,7 +79,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
-             (entry || (grown_ && (rising_ || lineStands(lines, hop))))) {
+             (entry || rising_ || (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -98,6 +109,12 @@ bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
   line_ = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line_.purity;
   return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= kLeastOffset;
+}
+
+// Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small.
+bool RatioJudge::lineCounts(Hertz spindle) const noexcept {
+  const double offset = dsp::orderOffset(line_.frequency, spindle);
+  return mostChanged_ > kLeastLine * TurnDifference::differenceGain(offset);
 }
 
 void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {

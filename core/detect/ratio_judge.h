@@ -12,8 +12,9 @@
 namespace stillcut::detect {
 
 struct RatioChannel {
-  EnergyGrowth growth;
-  double ratio = 0.0;  // ER, smoothed
+  EnergyGrowth growth;  // of the turn difference
+  EnergyGrowth news;    // of the news (turn_difference.h)
+  double ratio = 0.0;   // ER, smoothed
   int eta = 0;
 };
 
@@ -49,8 +50,10 @@ class RatioJudge {
 
  private:
   void gather(std::span<const RatioChannel> channels) noexcept;
+  void weigh(const EnergyGrowth& growth) noexcept;
   bool fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
+  bool lineCounts(Hertz spindle) const noexcept;
   void track(LineFinder& lines, const RatioHop& hop) noexcept;
   ChatterKind kind(Hertz spindle) const noexcept;
 
@@ -61,12 +64,14 @@ class RatioJudge {
   double highTurns_ = 0.0;
   double lostTurns_ = 0.0;
   double severity_ = 0.0;
-  double changed_ = 0.0;
+  double changed_ = 0.0;      // of the channel with the strongest evidence
+  double mostChanged_ = 0.0;  // turn difference, of any channel
   double evidence_ = 0.0;
   double floor_ = 0.0;
   bool learned_ = false;
-  bool grown_ = false;   // of any channel
-  bool rising_ = false;  // of any channel
+  bool grown_ = false;    // of any channel
+  bool growing_ = false;  // the difference of any, and neither a blow nor what is left of one
+  bool rising_ = false;   // ... so fast that no spectrum is waited for
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double purity_ = 0.0;

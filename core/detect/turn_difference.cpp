@@ -62,18 +62,29 @@ double TurnDifference::read(const double* ring, const Delay& delay) const noexce
   return sum;
 }
 
-void TurnDifference::process(const double* x, double* out) noexcept {
+void TurnDifference::process(const double* x, double* difference, double* news) noexcept {
+  constexpr double kDifferenceScale = 0.408248290463863;  // 1 / sqrt(6)
+  constexpr double kNewsScale = 0.816496580927726;        // 1 / sqrt(1.5)
   ++seen_;
   const bool known = ready() && turn_ > 0.0;
   for (int c = 0; c < channels_; ++c) {
     double* ring = ring_.data() + static_cast<std::size_t>(c) * (mask_ + 1);
     ring[head_] = x[c];
-    out[c] = 0.0;
+    difference[c] = 0.0;
+    if (news != nullptr) news[c] = 0.0;
     if (!known) continue;
-    constexpr double kScale = 0.408248290463863;  // 1 / sqrt(6)
-    out[c] = kScale * (ring[(head_ - kHalfTaps) & mask_] - 2.0 * read(ring, one_) + read(ring, two_));
+    const double now = ring[(head_ - kHalfTaps) & mask_];
+    const double one = read(ring, one_);
+    const double two = read(ring, two_);
+    difference[c] = kDifferenceScale * (now - 2.0 * one + two);
+    if (news != nullptr) news[c] = kNewsScale * (now - 0.5 * (one + two));
   }
   head_ = (head_ + 1) & mask_;
+}
+
+double TurnDifference::differenceGain(double offset) noexcept {
+  const double chord = 2.0 * std::sin(std::numbers::pi * offset);
+  return chord * chord * chord * chord / 6.0;
 }
 
 }  // namespace stillcut::detect
