@@ -13,6 +13,7 @@
 #include "core/milling/case_json.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/record/convert_recording.h"
+#include "core/record/marker_span.h"
 
 namespace stillcut::app {
 namespace {
@@ -21,6 +22,7 @@ struct ConvertOptions {
   std::string in, out;
   ReadingOptions reading;
   std::optional<double> from, to;
+  std::string marker;
 };
 
 // A cut to simulate tells what happens over time; a case for the lobes does not.
@@ -50,6 +52,11 @@ Status convert(const ConvertOptions& options) {
   const auto suffix = [](const std::string& path) { return std::filesystem::path(path).extension().string(); };
   if (suffix(options.in) != ".json") {
     record::TimeSpan span;
+    if (!options.marker.empty()) {
+      const auto marked = record::markerSpan(options.in, options.marker);
+      if (!marked) return marked.error();
+      span = *marked;
+    }
     if (options.from) span.from = Seconds(*options.from);
     if (options.to) span.to = Seconds(*options.to);
     return record::convertRecording(options.in, options.out, *reading, span);
@@ -67,6 +74,7 @@ void addConvert(CLI::App& app, int& exitCode) {
   command->add_option("OUT", o->out, "FILE with .wav .flac .csv .mat .uff .unv .h5, or CASE.toml")->required();
   command->add_option("--from", o->from, "Only from this time on [s from the first sample]");
   command->add_option("--to", o->to, "Only up to this time [s from the first sample]");
+  command->add_option("--marker", o->marker, "Only what this marker of a session spans: a label, a note, or #NUMBER");
   o->reading.add(*command);
   command->callback([o, &exitCode] {
     const Status done = convert(*o);

@@ -9,8 +9,12 @@
 #include <iterator>
 
 #include "core/record/convert_recording.h"
+#include "core/record/marker_span.h"
+#include "core/record/session_markers.h"
+#include "core/record/session_writer.h"
 #include "core/record/uff/uff58.h"
 #include "tests/unit/record/read_all.h"
+#include "tests/unit/record/step_samples.h"
 #include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::record {
@@ -129,6 +133,40 @@ TEST(Export, EmptySpansAreRefusedAndLeaveNothing) {
                 HasSubstr("is empty"));
   }
   EXPECT_EQ(folder.files(), 1U);
+}
+
+TEST(Export, AMarkedSpanIsFoundByItsName) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  auto writer = SessionWriter::create(path, {exampleSetup(), "", "0.1.0", false});
+  ASSERT_TRUE(writer.ok());
+  StepRecord step = exampleStep(1);
+  const Instant start = step.input.block.firstSample;
+  const double blockSeconds = step.input.block.frames / step.input.block.rate.value;
+  for (int i = 0; i < 40; ++i) {
+    step.input.block.sequence = static_cast<std::uint64_t>(i);
+    step.input.block.firstSample = start + toDuration(Seconds(i * blockSeconds));
+    step.input.block.flags = 0;
+    step.input.block.lostFrames = 0;
+    ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE((*writer)->close().ok());
+  Marker marker;
+  marker.begin = start + toDuration(Seconds(5 * blockSeconds));
+  marker.end = start + toDuration(Seconds(9 * blockSeconds));
+  marker.label = "chatter";
+  marker.note = "second pass";
+  ASSERT_TRUE(addMarker(path, marker).ok());
+  for (const char* name : {"chatter", "second pass"}) {
+    const auto span = markerSpan(path, name);
+    ASSERT_TRUE(span.ok()) << span.error().line();
+    EXPECT_NEAR(span->from->value, 5 * blockSeconds, 1e-9);
+    EXPECT_NEAR(span->to->value, 9 * blockSeconds, 1e-9);
+  }
+  ASSERT_TRUE(convertRecording(path, folder / "x.wav", {}, *markerSpan(path, "chatter")).ok());
+  EXPECT_EQ(readAll(folder / "x.wav").values.at(0).size(), 4U * static_cast<std::size_t>(step.input.block.frames));
+  EXPECT_THAT(markerSpan(path, "entry").error().line(), HasSubstr("has no marker 'entry' (there are: chatter)"));
+  EXPECT_THAT(markerSpan(folder.file("in.csv", kGapped), "x").error().line(), HasSubstr("is no session"));
 }
 
 TEST(Export, MatioReadsTheSameMatrix) {
