@@ -11,6 +11,7 @@
 #include "app/compose/catalog.h"
 #include "app/compose/flight_log.h"
 #include "app/compose/profile_rig.h"
+#include "app/io/wires.h"
 #include "core/rt/wakeup.h"
 
 namespace stillcut::app {
@@ -102,6 +103,7 @@ int run(const RunOptions& options) {
   const config::ParamCatalog catalog = fullCatalog();
   const auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());
+  const auto events = wireEvents();  // outlives the rig and its wires
   SetUpFault fault = SetUpFault::Input;
   auto rig = buildProfileRig(*profile, options.profile, &fault);
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);

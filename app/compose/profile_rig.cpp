@@ -63,7 +63,9 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
     request.scenario = simulated;
     request.port = port;
     request.settings = profile.link.settings;
+    request.folder = std::filesystem::path(path).parent_path().string();
     request.wires = makeWire;
+    request.buses = busMaker();
     request.clock = clock.get();
     auto link = cnc::makeLink(profile.link.id, request);
     if (!link) return link.error();

@@ -2,6 +2,9 @@
 
 #include "app/io/tcp_wire.h"
 #ifdef STILLCUT_SERIAL
+#include <QCoreApplication>
+
+#include "app/io/modbus_bus.h"
 #include "app/io/serial_wire.h"
 #endif
 
@@ -14,6 +17,28 @@ Result<std::unique_ptr<cnc::ByteChannel>> makeWire(const cnc::WireAddress& addre
 #else
   return Error{address.device, "serial ports are not part of this build", "configure with STILLCUT_DESKTOP=ON"};
 #endif
+}
+
+cnc::BusMaker busMaker() {
+#ifdef STILLCUT_SERIAL
+  return [](const cnc::BusAddress& address) -> Result<std::unique_ptr<cnc::RegisterBus>> {
+    return std::unique_ptr<cnc::RegisterBus>(std::make_unique<ModbusBus>(address));
+  };
+#else
+  return {};
+#endif
+}
+
+std::shared_ptr<void> wireEvents() {
+#ifdef STILLCUT_SERIAL
+  if (QCoreApplication::instance() == nullptr) {
+    static int argc = 1;
+    static char name[] = "stillcut-cli";
+    static char* argv[] = {name, nullptr};
+    return std::make_shared<QCoreApplication>(argc, argv);
+  }
+#endif
+  return nullptr;
 }
 
 }  // namespace stillcut::app

@@ -1,11 +1,14 @@
 #include "core/cnc/registry.h"
 
 #include <array>
+#include <filesystem>
 #include <string>
 #include <utility>
 
 #include "core/cnc/grbl_link.h"
 #include "core/cnc/linuxcnc_link.h"
+#include "core/cnc/modbus_link.h"
+#include "core/cnc/register_map.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/config/part_settings.h"
 
@@ -69,10 +72,27 @@ Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
   return std::unique_ptr<CncLink>(std::make_unique<GrblLink>(s, std::move(wire).value(), *r.clock));
 }
 
-constexpr std::array<LinkEntry, 3> kLinks{{
+Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
+  const std::string where = "link 'modbus'";
+  config::PartSettings settings(r.settings, where);
+  const std::string file = settings.text("map", "");
+  if (Status known = settings.finish(); !known) return known.error();
+  if (file.empty()) return Error{where, "'map' is missing", "it names the file with the machine's registers"};
+  auto map = loadRegisterMap((std::filesystem::path(r.folder) / file).string());
+  if (!map) return map.error();
+  if (Status real = realMachine(r, where); !real) return real.error();
+  if (!r.buses) return Error{where, "Modbus is not part of this build", "configure with STILLCUT_DESKTOP=ON"};
+  auto bus = r.buses(map->bus);
+  if (!bus) return bus.error();
+  return std::unique_ptr<CncLink>(
+      std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), *r.clock));
+}
+
+constexpr std::array<LinkEntry, 4> kLinks{{
     {"simulated", "The control of the simulated mill; the only one that takes commands from a replay", makeSimulated},
     {"linuxcnc", "LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port", makeLinuxCnc},
     {"grbl", "GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port", makeGrbl},
+    {"modbus", "A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers", makeModbus},
 }};
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
+#include "core/cnc/register_bus.h"
 #include "core/milling/plant_port.h"
 #include "core/milling/scenario.h"
 
@@ -20,7 +21,9 @@ struct LinkRequest {
   const milling::Scenario* scenario = nullptr;  // simulated
   std::shared_ptr<milling::PlantPort> port;
   std::map<std::string, std::string> settings;  // of the profile's [link.settings]
+  std::string folder;                           // files that settings name are looked for here
   WireMaker wires;                              // real machines
+  BusMaker buses;                               // Modbus machines
   const Clock* clock = nullptr;                 // real machines; outlives the link
 };
 

@@ -43,7 +43,7 @@ inline const std::vector<Room>& roomTable() {
        {"core/base", "core/model", "core/config", "ui/models", "ui/plots", "ui/widgets", "ui/pages", "ui/report"}},
       {"app/io", {"core/*"}},
       {"app/compose", {"core/*", "app/io"}},
-      {"app/cli", {"core/*", "app/compose"}},
+      {"app/cli", {"core/*", "app/compose", "app/io"}},
       {"app/session", {"core/*", "ui/models", "ui/shell", "app/compose", "app/io"}},
       {"app/desktop",
        {"core/*", "ui/models", "ui/pages", "ui/report", "ui/shell", "app/compose", "app/io", "app/session"}},

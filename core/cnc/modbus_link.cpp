@@ -1,0 +1,253 @@
+#include "core/cnc/modbus_link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kOpenTime = std::chrono::seconds(3);
+constexpr Duration kFreshAtLeast = std::chrono::milliseconds(300);
+constexpr int kMostFailures = 3;
+constexpr double kAtSpeed = 0.02;  // share of the target
+constexpr double kHeartbeatSpan = 32768.0;
+
+constexpr std::array<MachineOrder, 3> kStanding{MachineOrder::Control, MachineOrder::FeedOverride,
+                                                MachineOrder::SpeedOverride};
+
+bool isFlag(MachineOrder o) {
+  return o == MachineOrder::Control;
+}
+
+}  // namespace
+
+ModbusLink::ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock)
+    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock) {
+  order(MachineOrder::SpeedOverride).wanted = 100.0;
+  order(MachineOrder::FeedOverride).wanted = 100.0;
+}
+
+ModbusLink::~ModbusLink() {
+  release(clock_.now());
+}
+
+LinkInfo ModbusLink::describe() const {
+  LinkInfo info;
+  info.id = "modbus";
+  info.label = map_.label;
+  info.machineWatchdog = map_.watchdog;
+  info.lowestSpeed = map_.lowestSpeed;
+  info.highestSpeed = map_.highestSpeed;
+  const bool feed = map_.at(MachineOrder::FeedOverride).has_value();
+  info.lowestFeed = feed ? map_.lowestFeed : Ratio(1.0);
+  info.highestFeed = feed ? map_.highestFeed : Ratio(1.0);
+  return info;
+}
+
+Status ModbusLink::open() {
+  const Instant began = clock_.now();
+  while (!read(clock_.now()).valid) {
+    bus_->wait(kWait);
+    if (clock_.now() - began <= kOpenTime) continue;
+    const bool connected = bus_->state() == WireState::Open;
+    return Error{std::string(bus_->address()), connected ? "the registers do not answer" : "no connection",
+                 connected ? "are the unit and the register map right?" : "is the machine on, and the address right?"};
+  }
+  close();  // taken up again by the thread that reads from now on
+  return Done{};
+}
+
+void ModbusLink::close() noexcept {
+  release(clock_.now());
+  touched_ = false;
+  bus_->close();
+  broke(clock_.now());
+  nextTry_ = {};
+}
+
+void ModbusLink::broke(Instant now) noexcept {
+  underway_ = Underway::Nothing;
+  failures_ = 0;
+  nextTry_ = now + kRetry;
+  for (Seen& s : seen_) s = Seen{};
+  for (Order& o : orders_) o.written.reset();
+}
+
+void ModbusLink::pump(Instant now) noexcept {
+  switch (bus_->state()) {
+    case WireState::Closed:
+      if (underway_ != Underway::Nothing || seen_[0].ever) broke(now);
+      if (now < nextTry_) return;
+      nextTry_ = now + kRetry;
+      bus_->connect();
+      return;
+    case WireState::Opening:
+      return;
+    case WireState::Open:
+      break;
+  }
+  for (int i = 0; i < kRequests; ++i) {
+    takeReply(now);
+    if (bus_->busy() || bus_->state() != WireState::Open) return;
+    if (!writeNext(now) && !readNext(now)) return;
+    bus_->wait(kWait);
+  }
+  takeReply(now);
+}
+
+void ModbusLink::takeReply(Instant now) noexcept {
+  const auto reply = bus_->take();
+  if (!reply || underway_ == Underway::Nothing) return;
+  roundTrip_ = now - asked_;
+  const Underway what = std::exchange(underway_, Underway::Nothing);
+  if (!reply->ok) {
+    // One exception is the machine's business; several in a row are a machine that cannot be believed.
+    if (++failures_ < kMostFailures) return;
+    bus_->close();
+    broke(now);
+    return;
+  }
+  failures_ = 0;
+  if (what == Underway::Read) {
+    seen_[which_].words = reply->words;
+    seen_[which_].when = now;
+    seen_[which_].ever = true;
+  } else {
+    orders_[which_].written = writing_;
+  }
+}
+
+bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
+  const auto& r = map_.at(which);
+  Order& o = order(which);
+  const auto words = r->encode(o.wanted);
+  if (!words) return false;  // outside what the register can hold: nothing is sent
+  writing_ = o.wanted;
+  which_ = static_cast<std::size_t>(which);
+  underway_ = Underway::Write;
+  asked_ = o.when = now;
+  touched_ = true;
+  if (bus_->write(r->table, r->address, r->words, *words)) return true;
+  broke(now);
+  return false;
+}
+
+bool ModbusLink::writeNext(Instant now) noexcept {
+  if (!inCommand_ && !touched_) return false;
+  // A feed that falls goes before the speed, one that rises after it.
+  const Order& feed = order(MachineOrder::FeedOverride);
+  const bool feedFirst = feed.written.value_or(feed.wanted) >= feed.wanted;
+  std::array<MachineOrder, 3> sequence = kStanding;
+  if (!feedFirst) std::swap(sequence[1], sequence[2]);
+  for (const MachineOrder o : sequence) {
+    if (!map_.at(o) || order(o).written == order(o).wanted) continue;
+    if (isFlag(o) && !inCommand_ && !home()) continue;  // control is given back last
+    if (write(o, now)) return true;
+  }
+  if (!inCommand_) {
+    touched_ = !home() || (map_.at(MachineOrder::Control) && order(MachineOrder::Control).written != 0.0);
+    return false;
+  }
+  const auto& beat = map_.at(MachineOrder::Heartbeat);
+  Order& heart = order(MachineOrder::Heartbeat);
+  if (!beat || now - heart.when < toDuration(beat->period)) return false;
+  heart.wanted = std::fmod(heart.wanted + 1.0, kHeartbeatSpan);
+  return write(MachineOrder::Heartbeat, now);
+}
+
+bool ModbusLink::readNext(Instant now) noexcept {
+  std::size_t oldest = kMachineSignals;
+  for (std::size_t i = 0; i < kMachineSignals; ++i) {
+    if (!map_.read[i] || seen_[i].due > now) continue;
+    if (oldest == kMachineSignals || seen_[i].due < seen_[oldest].due) oldest = i;
+  }
+  if (oldest == kMachineSignals) return false;
+  const Register& r = *map_.read[oldest];
+  seen_[oldest].due = now + toDuration(r.period);
+  which_ = oldest;
+  underway_ = Underway::Read;
+  asked_ = now;
+  if (bus_->read(r.table, r.address, r.words)) return true;
+  broke(now);
+  return false;
+}
+
+MachineState ModbusLink::read(Instant now) noexcept {
+  pump(now);
+  return state(now);
+}
+
+double ModbusLink::number(MachineSignal s, double otherwise) const noexcept {
+  const auto& r = map_.at(s);
+  return r ? r->decode(seen_[static_cast<std::size_t>(s)].words) : otherwise;
+}
+
+bool ModbusLink::flag(MachineSignal s, bool otherwise) const noexcept {
+  const auto& r = map_.at(s);
+  return r ? r->flag(seen_[static_cast<std::size_t>(s)].words) : otherwise;
+}
+
+MachineState ModbusLink::state(Instant now) const noexcept {
+  MachineState m;
+  bool fresh = true;
+  bool any = false;
+  m.time = now;
+  for (std::size_t i = 0; i < kMachineSignals; ++i) {
+    if (!map_.read[i]) continue;
+    const Duration allowed = std::max(kFreshAtLeast, 4 * toDuration(map_.read[i]->period));
+    fresh = fresh && seen_[i].ever && now - seen_[i].when <= allowed;
+    any = any || seen_[i].ever;
+    m.time = std::min(m.time, seen_[i].when);
+  }
+  m.linkUp = any;
+  m.valid = any && fresh;
+  if (!m.valid) return m;
+  m.programmedSpeed = Rpm(number(MachineSignal::ProgrammedSpeed, 0.0));
+  m.actualSpeed = Rpm(std::abs(number(MachineSignal::ActualSpeed, 0.0)));
+  m.programmedFeed = fromMmPerMin(number(MachineSignal::ProgrammedFeed, 0.0));
+  m.actualFeed = fromMmPerMin(number(MachineSignal::ActualFeed, 0.0));
+  m.operatorSpeed = Ratio(number(MachineSignal::OperatorSpeed, 100.0) * 0.01);
+  m.operatorFeed = Ratio(number(MachineSignal::OperatorFeed, 100.0) * 0.01);
+  const double speed = order(MachineOrder::SpeedOverride).written.value_or(100.0) * m.operatorSpeed.value;
+  const double feed = order(MachineOrder::FeedOverride).written.value_or(100.0) * m.operatorFeed.value;
+  m.speedOverride = Ratio(number(MachineSignal::SpeedOverride, speed) * 0.01);
+  m.feedOverride = Ratio(number(MachineSignal::FeedOverride, feed) * 0.01);
+  m.programRunning = flag(MachineSignal::Running, m.programmedSpeed.value > 0.0);
+  m.feedHold = flag(MachineSignal::FeedHold, false);
+  const double target = m.targetSpeed().value;
+  m.atSpeed = flag(MachineSignal::AtSpeed, std::abs(m.actualSpeed.value - target) <= kAtSpeed * target);
+  m.overridesEnabled = flag(MachineSignal::OverridesEnabled, true);
+  return m;
+}
+
+void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {
+  inCommand_ = command.kind() == CommandKind::Set;
+  order(MachineOrder::Control).wanted = inCommand_ ? 1.0 : 0.0;
+  order(MachineOrder::SpeedOverride).wanted = inCommand_ ? 100.0 * command.speed().value : 100.0;
+  order(MachineOrder::FeedOverride).wanted = inCommand_ ? 100.0 * command.feed().value : 100.0;
+  pump(now);
+}
+
+bool ModbusLink::home() const noexcept {
+  for (const MachineOrder o : {MachineOrder::SpeedOverride, MachineOrder::FeedOverride}) {
+    if (map_.at(o) && order(o).written != 100.0) return false;
+  }
+  return true;
+}
+
+void ModbusLink::release(Instant now) noexcept {
+  inCommand_ = false;
+  order(MachineOrder::Control).wanted = 0.0;
+  order(MachineOrder::SpeedOverride).wanted = order(MachineOrder::FeedOverride).wanted = 100.0;
+  // Counted, not only timed: a clock that stands still must not hold the program's end.
+  for (Duration left = kReleaseTime; left > Duration::zero() && touched_; left -= kWait) {
+    pump(now);
+    bus_->wait(kWait);
+    now = std::max(now, clock_.now());
+  }
+}
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,55 @@
+// RegisterBus: a Modbus master's side as the link sees it: one request under way, polled. The adapter over Qt SerialBus
+// is in app/io; tests have one of their own.
+// Thread: the link thread alone, but for the constructor. Nothing throws.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/cnc/byte_channel.h"
+
+namespace stillcut::cnc {
+
+// The four tables of the Modbus data model.
+enum class RegisterTable : std::uint8_t { Coil, Discrete, Input, Holding };
+
+using RegisterWords = std::array<std::uint16_t, 2>;  // the second is unused by one-word values
+
+struct BusReply {
+  bool ok = false;  // false: an exception reply, or none in time
+  RegisterWords words{};
+};
+
+class RegisterBus {
+ public:
+  virtual ~RegisterBus() = default;
+  virtual std::string_view address() const noexcept = 0;
+  virtual void connect() noexcept = 0;
+  virtual WireState state() noexcept = 0;
+  // Begin a request; only while none is under way. False: the bus broke.
+  virtual bool read(RegisterTable table, int first, int count) noexcept = 0;
+  virtual bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept = 0;
+  virtual bool busy() const noexcept = 0;
+  // The reply of the last request, once.
+  virtual std::optional<BusReply> take() noexcept = 0;
+  virtual void wait(Duration atMost) noexcept = 0;
+  virtual void close() noexcept = 0;
+};
+
+struct BusAddress {
+  WireAddress wire;
+  int unit = 1;       // of the server
+  char parity = 'E';  // serial: N, E or O
+  int stopBits = 1;   // serial
+  Seconds answerWithin{0.2};
+};
+using BusMaker = std::function<Result<std::unique_ptr<RegisterBus>>(const BusAddress& address)>;
+
+}  // namespace stillcut::cnc

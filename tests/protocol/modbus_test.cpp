@@ -1,0 +1,244 @@
+// Register maps, and the Modbus link against a machine of registers on virtual time.
+#include "core/cnc/modbus_link.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "tests/protocol/commands.h"
+#include "tests/support/virtual_clock.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using testing::CommandMaker;
+
+// Registers with a PLC behind them that multiplies, follows, and restores 100 % when the heartbeat stops.
+struct FakePlc {
+  std::map<std::pair<RegisterTable, int>, std::uint16_t> words;
+  bool refuses = false;  // exception replies
+  bool silent = false;   // no reply at all
+  bool gone = false;     // no connection
+  int operatorKnob = 100;
+  int writes = 0;
+  Instant lastBeat{};
+
+  std::uint16_t& holding(int address) { return words[{RegisterTable::Holding, address}]; }
+  double factor() { return holding(100) == 0 ? 1.0 : holding(100) / 1000.0; }
+  void run(Instant now) {
+    if (now - lastBeat > std::chrono::milliseconds(200)) holding(100) = holding(101) = 1000;
+    holding(0) = 8000;
+    holding(1) = 600;
+    holding(2) = static_cast<std::uint16_t>(operatorKnob);
+    holding(3) = static_cast<std::uint16_t>(std::lround(operatorKnob * factor()));
+    const auto speed = static_cast<std::uint32_t>(std::lround(80000.0 * operatorKnob / 100.0 * factor()));
+    words[{RegisterTable::Input, 10}] = static_cast<std::uint16_t>(speed >> 16U);
+    words[{RegisterTable::Input, 11}] = static_cast<std::uint16_t>(speed);
+    words[{RegisterTable::Input, 0}] = 1U << 4U;
+  }
+};
+
+class FakeBus final : public RegisterBus {
+ public:
+  FakeBus(test::VirtualClock& clock, FakePlc& plc) : clock_(clock), plc_(plc) {}
+  std::string_view address() const noexcept override { return "plc:502 unit 1"; }
+  void connect() noexcept override { state_ = plc_.gone ? WireState::Closed : WireState::Open; }
+  WireState state() noexcept override {
+    if (plc_.gone) close();
+    return state_;
+  }
+  bool read(RegisterTable table, int first, int count) noexcept override {
+    BusReply reply{!plc_.refuses, {}};
+    for (int i = 0; i < count; ++i) reply.words[static_cast<std::size_t>(i)] = plc_.words[{table, first + i}];
+    return begin(reply);
+  }
+  bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept override {
+    ++plc_.writes;
+    if (!plc_.refuses && !plc_.silent) {
+      for (int i = 0; i < count; ++i) plc_.words[{table, first + i}] = words[static_cast<std::size_t>(i)];
+      if (first == 102) plc_.lastBeat = clock_.now();
+    }
+    return begin({!plc_.refuses, {}});
+  }
+  bool busy() const noexcept override { return reply_.has_value(); }
+  std::optional<BusReply> take() noexcept override {
+    if (!reply_ || clock_.now() < ready_) return std::nullopt;
+    if (plc_.silent) reply_->ok = false;
+    return std::exchange(reply_, std::nullopt);
+  }
+  void wait(Duration atMost) noexcept override {
+    clock_.advance(toSeconds(reply_ ? std::min(atMost, std::max(Duration::zero(), ready_ - clock_.now())) : atMost));
+  }
+  void close() noexcept override {
+    state_ = WireState::Closed;
+    reply_.reset();
+  }
+
+ private:
+  bool begin(const BusReply& reply) {
+    reply_ = reply;
+    ready_ = clock_.now() + (plc_.silent ? std::chrono::milliseconds(200) : std::chrono::milliseconds(1));
+    return true;
+  }
+  test::VirtualClock& clock_;
+  FakePlc& plc_;
+  WireState state_ = WireState::Closed;
+  std::optional<BusReply> reply_;
+  Instant ready_{};
+};
+
+RegisterMap exampleMap() {
+  auto map = loadRegisterMap(STILLCUT_SOURCE_DIR "/resources/machines/modbus-example.toml");
+  if (!map) throw std::runtime_error(map.error().line());
+  return std::move(map).value();
+}
+
+struct Bench {
+  Bench() : link(std::make_unique<ModbusLink>(exampleMap(), std::make_unique<FakeBus>(clock, plc), clock)) {}
+  MachineState run(double seconds) {
+    const Instant until = clock.now() + toDuration(Seconds(seconds));
+    MachineState m;
+    while (clock.now() < until) {
+      plc.run(clock.now());
+      m = link->read(clock.now());
+      clock.advance(Seconds(0.005));
+    }
+    return m;
+  }
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  FakePlc plc;
+  CommandMaker gate;
+  std::unique_ptr<ModbusLink> link;
+};
+
+TEST(Register, EncodesAndDecodesWhatItCanHold) {
+  Register r;
+  r.scale = 0.1;
+  r.words = 2;
+  r.isSigned = true;
+  for (const double value : {0.0, 80000.0, -80000.0, 214748364.7, -214748364.8}) {
+    const auto raw = r.encode(value);
+    ASSERT_TRUE(raw) << value;
+    EXPECT_NEAR(r.decode(*raw), value, 1e-6);
+  }
+  EXPECT_FALSE(r.encode(214748365.0));
+  r.highWordFirst = false;
+  EXPECT_NEAR(r.decode(*r.encode(123456.7)), 123456.7, 1e-6);
+  r.words = 1;
+  r.isSigned = false;
+  EXPECT_FALSE(r.encode(-0.1));
+  EXPECT_FALSE(r.encode(6553.6));
+  EXPECT_NEAR(r.decode(*r.encode(6553.5)), 6553.5, 1e-9);
+}
+
+TEST(RegisterMap, BadMapsAreRefusedWithPlaceAndReason) {
+  const std::string good =
+      "version = 1\n[bus]\nhost = 'h'\n[override]\nlowest_speed_percent = 50\n"
+      "highest_speed_percent = 120\n[read.programmed_speed]\naddress = 0\n[read.actual_speed]\n"
+      "address = 1\n[write.speed_override]\naddress = 2\n";
+  ASSERT_TRUE(parseRegisterMap(good, "m").ok());
+  struct Case {
+    std::string from, to, says;
+  };
+  for (const Case& c :
+       {Case{"address = 2", "address = 70000", "address"}, Case{"address = 2", "address = 2\nscale = 0.0", "scale"},
+        Case{"address = 2", "address = 2\ntable = 'input'", "cannot be written"},
+        Case{"address = 1\n", "address = 65535\nwords = 2\n", "no room"},
+        Case{"version = 1", "version = 1\nwatchdog = true", "heartbeat"},
+        Case{"host = 'h'", "host = 'h'\ndevice = '/dev/x'", "host"},
+        Case{"[read.actual_speed]", "[read.actual_sped]", "actual_sp"}}) {
+    std::string text = good;
+    text.replace(text.find(c.from), c.from.size(), c.to);
+    const auto map = parseRegisterMap(text, "m");
+    ASSERT_FALSE(map.ok()) << c.to;
+    EXPECT_NE(map.error().line().find(c.says), std::string::npos) << map.error().line();
+  }
+}
+
+TEST(Modbus, ReadsTheMachineAndWritesNothingUnasked) {
+  Bench b;
+  b.plc.run(b.clock.now());
+  ASSERT_TRUE(b.link->open().ok());
+  const MachineState m = b.run(0.5);
+  ASSERT_TRUE(m.valid && m.linkUp && m.programRunning && m.atSpeed && !m.feedHold);
+  EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+  EXPECT_NEAR(m.actualSpeed.value, 8000.0, 0.1);
+  EXPECT_EQ(b.plc.writes, 0);
+  EXPECT_TRUE(b.link->describe().machineWatchdog);
+}
+
+TEST(Modbus, CommandActsWhileTheHeartbeatBeatsAndReleaseBringsBack) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(1.0);
+  EXPECT_EQ(b.plc.holding(100), 900);
+  EXPECT_EQ(b.plc.holding(101), 900);
+  EXPECT_EQ((b.plc.words[{RegisterTable::Coil, 7}]), 1);
+  EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-9);
+  EXPECT_NEAR(m.actualSpeed.value, 7200.0, 0.1);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+  EXPECT_EQ(b.plc.holding(101), 1000);
+  EXPECT_EQ((b.plc.words[{RegisterTable::Coil, 7}]), 0);
+}
+
+TEST(Modbus, OperatorsKnobIsTheMachinesAffair) {
+  Bench b;
+  b.plc.operatorKnob = 110;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(0.5);
+  EXPECT_EQ(b.plc.holding(100), 900);
+  EXPECT_NEAR(m.operatorSpeed.value, 1.1, 1e-9);
+  EXPECT_NEAR(m.speedOverride.value, 0.99, 1e-9);
+}
+
+// We are killed: nothing beats any more, and the machine restores by itself.
+TEST(Modbus, SilenceOfOursIsEndedByTheMachinesWatchdog) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  ASSERT_EQ(b.plc.holding(100), 900);
+  b.clock.advance(Seconds(0.25));
+  b.plc.run(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+}
+
+TEST(Modbus, RefusedSilentAndLostAreInvalidAndComeBack) {
+  Bench b;
+  b.run(0.2);
+  for (bool FakePlc::*fault : {&FakePlc::refuses, &FakePlc::silent, &FakePlc::gone}) {
+    b.plc.*fault = true;
+    EXPECT_FALSE(b.run(1.0).valid);
+    b.plc.*fault = false;
+    EXPECT_TRUE(b.run(1.5).valid);
+  }
+}
+
+TEST(Modbus, PulledCableRestoresTheProgrammedValuesOnceItIsIn) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.plc.gone = true;
+  b.run(0.3);
+  b.link->release(b.clock.now());
+  b.plc.gone = false;
+  b.plc.holding(100) = 900;  // a machine without a watchdog
+  b.plc.lastBeat = b.clock.now() + std::chrono::seconds(10);
+  b.run(1.5);
+  EXPECT_EQ(b.plc.holding(100), 1000);
+}
+
+TEST(Modbus, NobodyThereIsOneLine) {
+  Bench b;
+  b.plc.gone = true;
+  EXPECT_EQ(b.link->open().error().line(), "plc:502 unit 1: no connection (is the machine on, and the address right?)");
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
