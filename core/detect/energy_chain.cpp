@@ -6,7 +6,12 @@ namespace stillcut::detect {
 
 void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels) {
   size_ = size;
-  harmonics_.prepare(size.channels, size.harmonics, kernels);
+  if (size.fullCovariance) {
+    full_.prepare(size.channels, size.harmonics, kernels);
+  } else {
+    harmonics_.prepare(size.channels, size.harmonics, kernels);
+  }
+  rest_.assign(static_cast<std::size_t>(size.channels * kMost), 0.0);
   bands_.prepare(size.channels, size.bands, size.rate, size.lowestSpindle * size.bandOrders, kernels);
   const std::size_t lanes = dsp::kernels::wholeLanes(static_cast<std::size_t>(size.harmonics));
   for (auto& weights : weights_) weights.assign(lanes, 1.0);
@@ -19,37 +24,61 @@ void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels
 }
 
 void EnergyChain::reset() noexcept {
-  harmonics_.reset();
+  if (size_.fullCovariance) {
+    full_.reset();
+  } else {
+    harmonics_.reset();
+  }
   bands_.reset();
 }
 
 void EnergyChain::tune(Hertz spindle, double gain) noexcept {
   spindle_ = spindle;
-  harmonics_.setActive(static_cast<int>(kUsableBand * size_.rate.value / spindle.value));
-  harmonics_.setGain(gain);
+  const auto usable = static_cast<int>(kUsableBand * size_.rate.value / spindle.value);
+  if (size_.fullCovariance) {
+    full_.setActive(usable);
+    full_.setLambda(lambdaForGain(gain, full_.active()));
+  } else {
+    harmonics_.setActive(usable);
+    harmonics_.setGain(gain);
+  }
   bands_.tune(spindle * size_.bandOrders, spindle * 0.5);
+}
+
+void EnergyChain::align(double angle, double step) noexcept {
+  if (size_.fullCovariance) {
+    full_.align(angle, step);
+  } else {
+    harmonics_.align(angle, step);
+  }
 }
 
 void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, bands_.room());
+    const double* from = x + done;
+    if (size_.fullCovariance) full_.process(from, stride, rest_.data(), kMost, now);
     for (int c = 0; c < size_.channels; ++c) {
-      harmonics_.process(c, x + c * stride + static_cast<std::ptrdiff_t>(done), rest_.data(), now,
-                         harmonics_.afterCorrection());
-      bands_.process(c, rest_.data(), now);
+      double* rest = rest_.data() + c * kMost;
+      if (!size_.fullCovariance) harmonics_.process(c, from + c * stride, rest, now, harmonics_.afterCorrection());
+      bands_.process(c, rest, now);
     }
-    harmonics_.advance(now);
+    if (!size_.fullCovariance) harmonics_.advance(now);
     bands_.advance(now);
     done += now;
   }
+}
+
+double EnergyChain::forced(int channel, int eta) const noexcept {
+  const double* weight = weights_[static_cast<std::size_t>(eta + 1)].data();
+  return size_.fullCovariance ? full_.weightedPower(channel, weight) : harmonics_.weightedPower(channel, weight);
 }
 
 double EnergyChain::ratio(int channel, int eta) const noexcept {
   const double f2 = spindle_.value * spindle_.value;
   const double unit = eta == 0 ? 1.0 : eta > 0 ? f2 : 1.0 / f2;
   const double chatter = bands_.weightedPower(channel, eta);
-  const double forced = unit * harmonics_.weightedPower(channel, weights_[static_cast<std::size_t>(eta + 1)].data());
-  const double all = forced + chatter;
+  const double all = unit * forced(channel, eta) + chatter;
   return all > 0.0 ? chatter / all : 0.0;
 }
 

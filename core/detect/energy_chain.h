@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/energy_separation.h"
+#include "core/detect/full_harmonic_kalman.h"
 #include "core/detect/turning_harmonics.h"
 
 namespace stillcut::detect {
@@ -23,6 +24,7 @@ class EnergyChain {
     int bandOrders = 1;
     Hertz rate{};
     Hertz lowestSpindle{};
+    bool fullCovariance = false;  // eq. 20 as it stands, instead of its settled gain
   };
   // kernels: see core/dsp/kernels/choose.h.
   void prepare(const Size& size, const dsp::kernels::Kernels& kernels);
@@ -31,26 +33,31 @@ class EnergyChain {
   // Follows the speed; gain: of the harmonic filter (turning_harmonics.h).
   void tune(Hertz spindle, double gain) noexcept;
   // Spindle angle of the next frame and turn per frame [rad].
-  void align(double angle, double step) noexcept { harmonics_.align(angle, step); }
+  void align(double angle, double step) noexcept;
   // Any number of frames at that turn; x[channel * stride + frame].
   void process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Ends a hop: the estimates are the means since the last call.
   void endHop() noexcept { bands_.estimate(); }
 
   // Harmonics below the end of the usable band at this speed.
-  int active() const noexcept { return harmonics_.active(); }
+  int active() const noexcept { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
   double ratio(int channel, int eta) const noexcept;
-  const TurningHarmonics& harmonics() const noexcept { return harmonics_; }
+  // What the harmonics left of one channel in the frames of the last process(), as far as they fit in one stretch.
+  const double* rest(int channel) const noexcept { return rest_.data() + channel * kMost; }
   const EnergySeparation& bands() const noexcept { return bands_; }
 
  private:
+  static constexpr std::ptrdiff_t kMost = EnergySeparation::kMostFrames;
+  double forced(int channel, int eta) const noexcept;
+
   Size size_;
   Hertz spindle_{};
-  TurningHarmonics harmonics_;
+  TurningHarmonics harmonics_;  // one of the two is prepared
+  FullHarmonicKalman full_;
   EnergySeparation bands_;
   std::array<std::vector<double>, 3> weights_;  // (n f)^(2 eta) / f^(2 eta), by eta + 1
-  std::array<double, EnergySeparation::kMostFrames> rest_{};
+  std::vector<double> rest_;                    // [channel * kMost + frame]
 };
 
 }  // namespace stillcut::detect

@@ -8,8 +8,8 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr std::array<const config::ParamDecl*, 5> kParams{&kErHarmonics, &kErLambda, &kErChatter, &kErOnsetAmplitude,
-                                                          &kErEvidence};
+constexpr std::array<const config::ParamDecl*, 6> kParams{&kErHarmonics, &kErLambda,         &kErCovariance,
+                                                          &kErChatter,   &kErOnsetAmplitude, &kErEvidence};
 constexpr std::array<std::string_view, 6> kIndicators{"er", "frequency_hz", "changed", "floor", "evidence", "purity"};
 
 constexpr double kMemoryTurns = 2.0;  // of the harmonic filter
@@ -44,7 +44,8 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   const int perBand = teeth_ > 0 ? teeth_ : kBandOrdersUnknown;
   const int bandCount = std::clamp((harmonics + perBand - 1) / perBand, 1, kMostBands);
   const Hertz slowest(0.5 * nominal);
-  chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest}, dsp::kernels::bestKernels());
+  chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest, params.choice(kErCovariance) == 1},
+                 dsp::kernels::bestKernels());
   turns_.prepare(channels_, Hertz(rate_), slowest);
   const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
   lines_.prepare(channels_, window, Hertz(rate_));

@@ -17,6 +17,7 @@
 // Thread: worker. See detector.h.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "core/detect/detector.h"
@@ -35,6 +36,11 @@ inline constexpr config::ParamDecl kErHarmonics =
 inline constexpr config::ParamDecl kErLambda =
     config::locked(config::autoParam("energy-ratio.lambda", "Process noise ratio", "", 1e-10, 1e-1,
                                      "Q/R of the Kalman filter (eq. 20); auto: a memory of two turns"));
+inline constexpr std::array<std::string_view, 2> kErCovariances{"settled", "full"};
+inline constexpr config::ParamDecl kErCovariance = config::locked(config::choiceParam(
+    "energy-ratio.covariance", "Covariance", 0, kErCovariances,
+    "Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from "
+    "the first turn on and costs some twenty times as much"));
 inline constexpr config::ParamDecl kErChatter =
     config::realParam("energy-ratio.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0,
                       "Energy ratio (eq. 28) from which a cut is in full chatter");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/detect/energy_chain.h"
+#include "core/detect/full_harmonic_kalman.h"
 #include "core/detect/parametric_recursions.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/bench/best_of.h"
@@ -53,6 +54,24 @@ void energyChain(benchmark::State& state, InstructionSet set) {
   });
 }
 
+void fullCovariance(benchmark::State& state, InstructionSet set) {
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  constexpr std::size_t kBlock = 256;
+  FullHarmonicKalman kalman;
+  kalman.prepare(1, 32, dsp::kernels::kernelsOf(set));
+  kalman.setLambda(1e-5);
+  std::vector<double> rest(kBlock);
+  const double step = kTwoPi * spindle.value / kRate;
+  bench::bestOf(state, {kFrames, 800.0, 1.0 / kRate}, [&] {
+    for (std::size_t k = 0; k < kFrames; k += kBlock) {
+      kalman.align(step * static_cast<double>(k), step);
+      kalman.process(x.data() + k, 0, rest.data(), 0, kBlock);
+    }
+    benchmark::DoNotOptimize(rest.back());
+  });
+}
+
 void parametric(benchmark::State& state, InstructionSet set) {
   const Hertz spindle(100.0);
   const std::vector<double> x = cut(spindle, 0.0);
@@ -77,6 +96,7 @@ void parametric(benchmark::State& state, InstructionSet set) {
   for (const InstructionSet set : dsp::kernels::availableSets()) {
     const std::string name(dsp::kernels::nameOf(set));
     benchmark::RegisterBenchmark(("energy-ratio chain N=32 M=14, " + name).c_str(), energyChain, set);
+    benchmark::RegisterBenchmark(("full covariance N=32, " + name).c_str(), fullCovariance, set);
     benchmark::RegisterBenchmark(("NLMS 32 + Kalman AR(4), " + name).c_str(), parametric, set);
   }
   return true;

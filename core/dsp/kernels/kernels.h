@@ -37,6 +37,26 @@ struct HarmonicRun {
   double after = 1.0;
 };
 
+// The same harmonics with their whole covariance (Caliskan 2018 eq. 16-22, R = 1), which all channels share. In the
+// frame that turns with the spindle the states stand still and the regressors h = (cos, sin) turn.
+struct CovarianceRun {
+  const double* x = nullptr;  // [channel * stride + frame]
+  std::ptrdiff_t stride = 0;
+  double* rest = nullptr;  // after correction, [channel * restStride + frame]
+  std::ptrdiff_t restStride = 0;
+  std::size_t channels = 0;
+  std::size_t frames = 0;
+  std::size_t lanes = 0;           // of harmonics, whole; all vectors below are 2 * lanes long: cosines, then sines
+  double* p = nullptr;             // 2 lanes x 2 lanes; blocks of kLanes on and above the diagonal are kept
+  double* ph = nullptr;            // P h of the frame to come
+  double* h = nullptr;             // of the frame to come; 0 where there is no harmonic
+  const double* turnRe = nullptr;  // lanes
+  const double* turnIm = nullptr;  // lanes
+  const double* drift = nullptr;   // Q / R of each state; 0 where there is no harmonic
+  double* states = nullptr;        // [channel * 2 lanes + n]: Re q, -Im q in that frame
+  double* scratch = nullptr;       // 4 lanes
+};
+
 // One signal through a bank of filters of two sections each, lanes = bands:
 // gain (1 - z^-2)^2 / ((1 + a1 z^-1 + a2 z^-2)(1 + b1 z^-1 + b2 z^-2)).
 struct BankRun {
@@ -103,6 +123,9 @@ struct Kernels {
   void (*turn)(double* re, double* im, const double* turnRe, const double* turnIm,
                std::size_t lanes) noexcept = nullptr;
   void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
+  void (*covariance)(const CovarianceRun&) noexcept = nullptr;
+  // ph = P h from the kept blocks
+  void (*covarianceTimes)(const CovarianceRun&) noexcept = nullptr;
   void (*parametric)(const ParametricRun&) noexcept = nullptr;
   void (*bank)(const BankRun&) noexcept = nullptr;
   void (*designBank)(const BankDesign&) noexcept = nullptr;

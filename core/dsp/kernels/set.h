@@ -9,6 +9,8 @@ void powers(double c, double s, std::size_t n, double* re, double* im) noexcept;
 void turn(double* re, double* im, const double* turnRe, const double* turnIm, std::size_t lanes) noexcept;
 void harmonics(const HarmonicRun& run) noexcept;
 double weightedPower(const double* re, const double* im, const double* weight, std::size_t lanes) noexcept;
+void covariance(const CovarianceRun& run) noexcept;
+void covarianceTimes(const CovarianceRun& run) noexcept;
 void parametric(const ParametricRun& run) noexcept;
 void bank(const BankRun& run) noexcept;
 void designBank(const BankDesign& design) noexcept;

@@ -8,6 +8,8 @@ void fill(Kernels& k) noexcept {
   k.turn = turn;
   k.harmonics = harmonics;
   k.weightedPower = weightedPower;
+  k.covariance = covariance;
+  k.covarianceTimes = covarianceTimes;
   k.parametric = parametric;
   k.bank = bank;
   k.designBank = designBank;

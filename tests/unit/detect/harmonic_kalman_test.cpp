@@ -8,12 +8,13 @@
 #include <random>
 
 #include "core/base/units.h"
+#include "core/detect/full_harmonic_kalman.h"
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
 namespace {
 
-// Equation by equation, O(N^2) per sample.
+// Equation by equation, O(N^2) per sample. Phi is that of the step from the last frame to this one (turn()).
 class Oracle {
  public:
   Oracle(int harmonics, double step, double lambda)
@@ -22,20 +23,26 @@ class Oracle {
         phi_(Eigen::MatrixXd::Zero(2 * harmonics, 2 * harmonics)),
         h_(Eigen::VectorXd::Zero(2 * harmonics)),
         lambda_(lambda) {
-    for (int n = 0; n < harmonics; ++n) {
+    for (int n = 0; n < harmonics; ++n) h_(2 * n) = 1.0;
+    turn(step);
+  }
+  void turn(double step) {  // eq. 19
+    for (int n = 0; 2 * n < phi_.rows(); ++n) {
       const double a = (n + 1) * step;
       phi_.block<2, 2>(2 * n, 2 * n) << std::cos(a), -std::sin(a), std::sin(a), std::cos(a);
-      h_(2 * n) = 1.0;
     }
   }
   double process(double x) {
     q_ = phi_ * q_;
-    p_ = phi_ * p_ * phi_.transpose();
-    p_.diagonal().array() += lambda_;  // R = 1: only the ratio matters
+    if (started_) {  // P is that of the first frame before anything is known
+      p_ = phi_ * p_ * phi_.transpose();
+      p_.diagonal().array() += lambda_;  // R = 1: only the ratio matters
+    }
+    started_ = true;
     const Eigen::VectorXd k = p_ * h_ / (h_.dot(p_ * h_) + 1.0);
     q_ += k * (x - h_.dot(q_));
     p_ -= k * (h_.transpose() * p_);
-    return x - h_.dot(q_);
+    return x - h_.dot(q_);  // eq. 22
   }
   double power(int n) const { return q_.segment<2>(2 * (n - 1)).squaredNorm(); }
 
@@ -44,6 +51,7 @@ class Oracle {
   Eigen::MatrixXd p_, phi_;
   Eigen::VectorXd h_;
   double lambda_;
+  bool started_ = false;
 };
 
 TEST(HarmonicKalman, GainAndLambdaAreInverse) {
@@ -81,6 +89,61 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
   for (int n = 1; n <= kHarmonics; ++n) EXPECT_NEAR(kalman.power(0, n), oracle.power(n), 0.02) << n;
   EXPECT_NEAR(kalman.power(0, 1), 1.0, 0.05);
   EXPECT_NEAR(kalman.power(0, 3), 0.25, 0.03);
+}
+
+TEST(FullHarmonicKalman, IsThePapersRecursionThroughSpeedChanges) {
+  for (const int harmonics : {5, 16, 27}) {
+    const double lambda = 1e-5;
+    const double rate = 10000.0;
+    Oracle oracle(harmonics, 0.0, lambda);
+    FullHarmonicKalman kalman;
+    kalman.prepare(2, harmonics, dsp::kernels::bestKernels());
+    kalman.setLambda(lambda);
+    std::mt19937 engine(5);
+    std::normal_distribution<double> normal;
+    double angle = 0.3;
+    for (int block = 0; block < 60; ++block) {
+      // A step, then a ramp.
+      const double spindle = block < 20 ? 100.0 : block < 40 ? 108.0 : 108.0 - 0.5 * (block - 40);
+      const double step = kTwoPi * spindle / rate;
+      constexpr int kFrames = 50;
+      std::vector<double> x(2 * kFrames);
+      std::vector<double> rest(2 * kFrames);
+      for (int k = 0; k < kFrames; ++k) {
+        const double theta = angle + step * k;
+        x[static_cast<std::size_t>(k)] = std::cos(theta) + 0.5 * std::sin(3.0 * theta) + 0.2 * normal(engine);
+        x[static_cast<std::size_t>(kFrames + k)] = normal(engine);
+      }
+      kalman.align(angle, step);
+      kalman.process(x.data(), kFrames, rest.data(), kFrames, kFrames);
+      for (int k = 0; k < kFrames; ++k) {
+        ASSERT_NEAR(rest[static_cast<std::size_t>(k)], oracle.process(x[static_cast<std::size_t>(k)]), 1e-9)
+            << harmonics << " harmonics, block " << block << " frame " << k;
+        oracle.turn(step);
+      }
+      angle += step * kFrames;
+    }
+    // The states are for the frame to come; turning does not change their size.
+    for (int n = 1; n <= harmonics; ++n) EXPECT_NEAR(kalman.power(0, n), oracle.power(n), 1e-9) << n;
+    const std::vector<double> ones(dsp::kernels::wholeLanes(static_cast<std::size_t>(harmonics)), 1.0);
+    double all = 0.0;
+    for (int n = 1; n <= harmonics; ++n) all += oracle.power(n);
+    EXPECT_NEAR(kalman.weightedPower(0, ones.data()), all, 1e-9);
+  }
+}
+
+TEST(FullHarmonicKalman, ComesBackFromAnInfiniteValue) {
+  FullHarmonicKalman kalman;
+  kalman.prepare(1, 8, dsp::kernels::bestKernels());
+  kalman.setLambda(1e-5);
+  kalman.align(0.0, 0.05);
+  double last = 1.0;
+  for (int k = 0; k < 2000; ++k) {
+    const double x = k == 100 ? std::numeric_limits<double>::infinity() : std::cos(0.05 * k);
+    kalman.process(&x, 0, &last, 0, 1);
+    ASSERT_TRUE(std::isfinite(last)) << k;
+  }
+  EXPECT_LT(std::abs(last), 1e-2);
 }
 
 TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {

@@ -92,6 +92,35 @@ TEST(Kernels, ParametricIsTheSameWithEverySet) {
   for (const double v : all) EXPECT_TRUE(std::isfinite(v));
 }
 
+TEST(Kernels, CovarianceIsTheSameWithEverySet) {
+  // Its equations are held to their oracle in tests/unit/detect/harmonic_kalman_test.cpp.
+  constexpr std::size_t kWide = 16;
+  constexpr std::size_t kFrames = 200;
+  const Values x = noise(2 * kFrames, 6);
+  const Values all = sameWithEverySet([&](const Kernels& k) {
+    Values p(4 * kWide * kWide);
+    for (std::size_t i = 0; i < 2 * kWide; ++i) p[i * 2 * kWide + i] = 1.0;
+    Values ph(2 * kWide);
+    Values h(2 * kWide);
+    Values c(kWide);
+    Values s(kWide);
+    const Values drift(2 * kWide, 1e-5);
+    Values states(4 * kWide);
+    Values scratch(4 * kWide);
+    Values rest(2 * kFrames);
+    k.powers(std::cos(0.05), std::sin(0.05), kWide, c.data(), s.data());
+    k.powers(std::cos(0.4), std::sin(0.4), kWide, h.data(), h.data() + kWide);
+    const CovarianceRun run{x.data(), kFrames,  rest.data(),  kFrames,       2,
+                            kFrames,  kWide,    p.data(),     ph.data(),     h.data(),
+                            c.data(), s.data(), drift.data(), states.data(), scratch.data()};
+    k.covarianceTimes(run);
+    k.covariance(run);
+    rest.insert(rest.end(), p.begin(), p.end());
+    return rest;
+  });
+  for (const double v : all) EXPECT_TRUE(std::isfinite(v));
+}
+
 TEST(Kernels, TheBankIsButterworth) {
   constexpr Hertz kRate(25600.0);
   constexpr std::size_t kLanesUsed = 24;
