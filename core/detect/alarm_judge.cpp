@@ -76,7 +76,7 @@ Verdict AlarmJudge::verdict(const ConditionedBlock& block) const noexcept {
   v.valid = block.valid;
   v.reason = block.reason;
   if (!block.valid) return v;
-  if (block.phase != CutPhase::Air && !(block.spindle.value > 0.0)) {
+  if (block.phase != CutPhase::Air && !block.speedKnown()) {
     v.valid = false;
     v.reason = {ReasonCode::NoSpeed, {}};
     return v;

@@ -27,6 +27,7 @@ struct ConditionedBlock {
   CutPhase phase = CutPhase::Air;
   Hertz spindle{};                  // best estimate at the end of the block; 0: unknown
   Hertz spindleSd{};                // its doubt
+  Hertz loneLine{};                 // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
   bool speedMoving = false;         // the angle follows a machine that changes its speed
   bool turnsCompare = true;         // false: its speed changes too fast to compare one turn with the next
   const double* samples = nullptr;  // [channel * stride + frame], SI units, high-passed
@@ -36,6 +37,9 @@ struct ConditionedBlock {
   MetresPerSecond feed{};             // actual feed, 0: unknown
 
   std::span<const double> channel(int c) const { return {samples + c * stride, static_cast<std::size_t>(frames)}; }
+  // A told speed that the signal does not confirm is no speed to judge a cut by; while the spindle runs up there is
+  // nothing to judge, and it is the reason.
+  bool speedKnown() const { return spindle.value > 0.0 && phase != CutPhase::RunUp; }
   Instant end() const { return firstSample + toDuration(Seconds(frames / rate.value)); }
 };
 

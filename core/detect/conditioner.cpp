@@ -111,7 +111,7 @@ void Conditioner::advanceGate() noexcept {
   const Seconds turn = out_.spindle.value > 0.0 ? Seconds(1.0 / out_.spindle.value) : kTurnUnknown;
   const CutPhase before = gate_.phase();
   gate_.setForced(speed_.forced());
-  gate_.setSpeedKnown(speed_.locked());
+  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.loneLine().value > 0.0);
   gate_.advance(std::span(meanSquares_).first(static_cast<std::size_t>(channels_)),
                 Seconds(out_.frames / setup_.rate.value), turn);
   if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
@@ -148,7 +148,8 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   }
   makeSi(block);
   speed_.advance(pointers_.data(), block.frames, angle_.data(), angleStep_.data());
-  out_.spindle = speed_.spindle();
+  out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
+  out_.loneLine = speed_.loneLine();
   out_.spindleSd = speed_.sd();
   out_.speedMoving = speed_.riding();
   out_.turnsCompare = !speed_.moving();

@@ -12,6 +12,8 @@ constexpr double kEntryTurns = 8.0;      // shortest entry
 constexpr double kSlowTurns = 6.0;       // memory against which entry and exit are seen
 constexpr double kSettled = 1.6;         // 2 dB: the level no longer moves
 constexpr double kFalling = 0.5;         // 3 dB down within the memory: the tool leaves
+constexpr double kLongTurns = 40.0;      // memory against which a slow exit is seen ...
+constexpr double kSinking = 0.35;        // ... 4.5 dB down
 constexpr double kLongestEntry = 120.0;  // turns; then whatever is there counts as the cut
 
 // First-order follower, exact for any step.
@@ -31,7 +33,7 @@ void CutGate::reset() noexcept {
   fast_ = {};
   floor_ = {};
   calm_ = {};
-  slow_ = level_ = elapsed_ = sinceChange_ = quiet_ = 0.0;
+  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = 0.0;
   airSeen_ = forced_ = speedKnown_ = false;
   phase_ = CutPhase::Air;
 }
@@ -68,7 +70,7 @@ CutPhase CutGate::next(double revolution) const noexcept {
     if (phase_ == CutPhase::RunUp) return CutPhase::Entry;
     return turns > kEntryTurns && (settled || turns > kLongestEntry) ? CutPhase::Steady : CutPhase::Entry;
   }
-  if (fast < kFalling * slow_) return CutPhase::Exit;
+  if (fast < kFalling * slow_ || fast < kSinking * long_) return CutPhase::Exit;
   if (phase_ == CutPhase::Exit && settled) return CutPhase::Steady;
   return phase_;
 }
@@ -84,7 +86,7 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
     if (floor_[c] > 0.0) level_ = std::max(level_, fast_[c] / floor_[c]);
   }
   if (elapsed_ < 0.25 * kFloorSeconds) {
-    slow_ = level_;
+    slow_ = long_ = level_;
     return;
   }
   const double limit = openRatio_ * kCloseRelative;
@@ -94,6 +96,8 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
   go(next(revolution.value));
   if (before == CutPhase::Air && phase_ == CutPhase::Entry) slow_ = level_;
   follow(slow_, level_, dt, kSlowTurns * std::max(revolution.value, dt));
+  if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) long_ = slow_;
+  follow(long_, level_, dt, kLongTurns * std::max(revolution.value, dt));
 }
 
 }  // namespace stillcut::detect

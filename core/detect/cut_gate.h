@@ -44,6 +44,7 @@ class CutGate {
   std::array<double, kMaxChannels> floor_{};  // lowest 0.2 s level
   std::array<double, kMaxChannels> calm_{};   // 0.2 s level
   double slow_ = 0.0;                         // fast level followed over several turns
+  double long_ = 0.0;                         // ... over many
   double level_ = 0.0;
   double elapsed_ = 0.0;
   double sinceChange_ = 0.0;

@@ -23,7 +23,7 @@ void EnergyGrowth::restart() noexcept {
   sums_ = {};
   hops_ = {};
   newest_ = 0;
-  changed_ = 0.0;
+  changed_ = energy_ = level_ = 0.0;
   sinceLeap_ = kLevelHops;
 }
 
@@ -38,6 +38,8 @@ void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
     if (k < windowHops) changed += e.changed;
     all += e.all;
   }
+  energy_ = changed / windowHops;
+  level_ = all / kLevelHops;
   all *= static_cast<double>(windowHops) / kLevelHops;
   changed_ = all > 0.0 ? changed / all : 0.0;
   sinceLeap_ = leaps(length) ? 0 : std::min(sinceLeap_ + 1, kLevelHops);

@@ -33,10 +33,12 @@ class EnergyGrowth {
   // windowHops: newest hops over which the energies are averaged; length: of the hop.
   void endHop(int windowHops, Seconds length) noexcept;
   // Tests the level of the last hop; learn: the cut is steady and nobody alarms.
-  void test(int windowHops, bool learn) noexcept { onset_.update(changed_, 1.0 / windowHops, learn); }
+  void test(int windowHops, bool learn) noexcept { onset_.update(changed_, 1.0 / windowHops, learn, energy_); }
 
   // E_d / E_x of the newest window.
   double changed() const noexcept { return changed_; }
+  // E_x of the newest eight turns, per hop.
+  double level() const noexcept { return level_; }
   // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
   // rises once and decays. Forced vibration that changes by a share e in a turn leaves e^2 here, but changes the whole
   // energy by 2 e: the energy must grow by no more than what is new explains.
@@ -64,6 +66,8 @@ class EnergyGrowth {
   std::array<Energies, kLevelHops> hops_{};
   int newest_ = 0;
   double changed_ = 0.0;
+  double energy_ = 0.0;  // E_d of the newest window, per hop
+  double level_ = 0.0;
   int sinceLeap_ = kLevelHops;  // hops, no further than kLevelHops
   OnsetTest onset_;
 };

@@ -63,7 +63,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   channelStates_.assign(static_cast<std::size_t>(channels_), {});
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
-    s.eta = integrationFactor(setup.channels[static_cast<std::size_t>(c)].quantity);
+    s.quantity = setup.channels[static_cast<std::size_t>(c)].quantity;
     const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
     s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
     s.news.prepare(limits, TurnDifference::kNewsArrival);
@@ -130,7 +130,7 @@ void EnergyRatioDetector::followBand() noexcept {
   for (dsp::Butterworth& filter : lowPass_) filter.lowPass(kBandOrder, highest, Hertz(rate_));
 }
 
-void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
+void EnergyRatioDetector::endHop(CutPhase phase, bool loneLine) noexcept {
   const Seconds length(static_cast<double>(inHop_) / rate_);
   inHop_ = 0;
   chain_.endHop();
@@ -144,9 +144,10 @@ void EnergyRatioDetector::endHop(CutPhase phase) noexcept {
       g->endHop(windowHops_, length);
       if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
     }
-    s.ratio += rate * (chain_.ratio(c, s.eta) - s.ratio);
+    s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
-  if (judge_.judge(channelStates_, lines_, {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_})) relearn();
+  if (judge_.judge(channelStates_, lines_, {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_, loneLine}))
+    relearn();
 }
 
 Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
@@ -157,6 +158,10 @@ Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexce
   v.spindle = block.spindle;
   v.valid = block.valid;
   v.reason = block.reason;
+  if (v.valid && block.phase != CutPhase::Air && !block.speedKnown()) {
+    v.valid = false;
+    v.reason = {ReasonCode::NoSpeed, {}};
+  }
   if (v.valid) judge_.fill(v, spindle_);
   return v;
 }
@@ -200,7 +205,7 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
     processFrames(block, f, frames);
     f += frames;
     if (inHop_ < hopFrames_) continue;
-    endHop(block.phase);
+    endHop(block.phase, block.loneLine.value > 0.0);
     if (block.speedMoving) turns_.setTurns(marks_.framesAgo(1.0, turn), marks_.framesAgo(2.0, 2.0 * turn));
   }
   if (block.phase == CutPhase::Air) {

@@ -16,6 +16,7 @@ constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pul
 constexpr double kCutOff = 0.3;     // relative loss of variance by that, at k = 1
 constexpr double kFallen = 3.0;     // standard deviations by which a short mean must lie below to take its place
 constexpr double kGrowth = 4.0;     // in energy: twice the amplitude, or it is not worth the word
+constexpr double kRisen = 2.0;      // of the energy itself
 constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 5.0;  // times the limit
@@ -23,7 +24,7 @@ constexpr double kMostEvidence = 5.0;  // times the limit
 }  // namespace
 
 void OnsetTest::reset() noexcept {
-  mean_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
+  mean_ = meanEnergy_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
   variance_ = 1.0;
   shortVariance_ = 0.0;
   alarm_ = false;
@@ -44,9 +45,9 @@ double OnsetTest::doubt(double turns) const noexcept {
   return std::sqrt(correlation() / (shape() * std::max(turns, 1.0)));
 }
 
-void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
+void OnsetTest::update(double ratio, double turns, bool learn, double energy) noexcept {
   if (!learned()) {
-    if (learn) follow(ratio, turns);
+    if (learn) follow(ratio, turns, energy);
     return;
   }
   const double k = shape();
@@ -54,7 +55,8 @@ void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
   const double seen = ratio >= limits_.smallestRatio ? x : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
-  if (evidence_ > limits_.evidence && ratio > kGrowth * mean_) {
+  const bool risen = energy >= kRisen * meanEnergy_;
+  if (evidence_ > limits_.evidence && ratio > kGrowth * mean_ && risen) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }
@@ -67,17 +69,21 @@ void OnsetTest::update(double ratio, double turns, bool learn) noexcept {
     }
     return;
   }
-  if (learn) follow(ratio, turns);
+  if (learn) follow(ratio, turns, energy);
 }
 
-void OnsetTest::follow(double ratio, double turns) noexcept {
-  if (learnedTurns_ == 0.0) mean_ = shortMean_ = ratio;
+void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
+  if (learnedTurns_ == 0.0) {
+    mean_ = shortMean_ = ratio;
+    meanEnergy_ = energy;
+  }
   const bool known = learned();
   learnedTurns_ = std::min(learnedTurns_ + turns, kMemoryTurns);
   const double most = mean_ * (1.0 + kOrdinary / std::sqrt(shape()) + 1.0 / shape());
   const double r = known ? std::min(ratio, most) : ratio;
   shortMean_ += turns / std::min(learnedTurns_, kShortTurns) * (r - shortMean_);
   mean_ += turns / learnedTurns_ * (r - mean_);
+  meanEnergy_ += turns / learnedTurns_ * ((ratio > 0.0 ? energy * r / ratio : 0.0) - meanEnergy_);
   if (!(mean_ > 0.0)) return;
   const double error = r / mean_ - 1.0;
   const double shortError = shortMean_ / mean_ - 1.0;

@@ -11,6 +11,8 @@
 // h = 12 is 160 000, and growth must show as a line between the harmonics as well. Until much is learned, k counts as 1
 // and the mean as high as its own doubt allows. The floor falls as soon as the short mean lies below it for certain,
 // rises slowly and by bounded steps so that growth does not become its own floor, and is frozen while an alarm lasts.
+// The energy itself must have grown as well: where the tool leaves the cut the vibration falls and what does not repeat
+// stays, so that their ratio rises without anything growing.
 // Thread: worker; real-time.
 #pragma once
 
@@ -25,8 +27,9 @@ class OnsetTest {
 
   void prepare(const Limits& limits) noexcept { limits_ = limits; }
   void reset() noexcept;
-  // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms.
-  void update(double ratio, double turns, bool learn) noexcept;
+  // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms. energy:
+  // E_d itself, in any unit; 0 where it is not known.
+  void update(double ratio, double turns, bool learn, double energy = 0.0) noexcept;
 
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }
@@ -40,11 +43,12 @@ class OnsetTest {
   static constexpr double kLearnTurns = 8.0;
 
  private:
-  void follow(double ratio, double turns) noexcept;
+  void follow(double ratio, double turns, double energy) noexcept;
   double doubt(double turns) const noexcept;
 
   Limits limits_;
   double mean_ = 0.0;
+  double meanEnergy_ = 0.0;
   double shortMean_ = 0.0;
   double variance_ = 1.0;       // relative, of the ratio
   double shortVariance_ = 0.0;  // relative, of the short mean

@@ -11,6 +11,19 @@ constexpr double kMemoryTurns = 16.0;  // of the references and their scatter
 constexpr double kWander = 1.0e-3;
 constexpr double kWanderSeconds = 1.0;
 constexpr double kLargestStep = 0.3;  // rad of the highest order in use; beyond it the phase may have slipped
+// An angle error this many standard deviations large that one common turn of all phases explains is a spindle that
+// changes its speed faster than it wanders (an override, a run-up). Chatter scatters the phases instead.
+constexpr double kManoeuvre = 3.0;
+constexpr double kExplained = 0.2;      // part of the power that the common turn may leave
+constexpr double kManoeuvreStep = 1.0;  // rad of the highest order in use
+// Once followed cleanly, forced vibration that is gone from its place was not drowned by chatter, which leaves it where
+// it is: the comb has moved from under the tracker.
+constexpr double kRetainTurns = 3.0;
+constexpr double kLeastRetained = 0.3;
+constexpr double kDrowned = 4.0;  // in power
+constexpr double kCleanScatter = 0.5;
+constexpr int kManoeuvreTurns = 6;        // the references are known by then
+constexpr double kManoeuvreSpread = 0.3;  // of a turn: what is seen of it has gathered over some turns
 
 }  // namespace
 
@@ -29,6 +42,8 @@ void PhaseTracker::start(Hertz spindle, Hertz sd) noexcept {
   frames_ = 0;
   turns_ = 0;
   scatter_ = 0.0;
+  retained_ = 1.0;
+  clean_ = false;
   sums_ = {};
   if (spindle.value > 0.0) {
     orders_ = std::clamp(static_cast<int>(0.45 * rate_ / (spindle.value * stride_)), 1, kOrders);
@@ -45,7 +60,7 @@ Hertz PhaseTracker::sd() const noexcept {
   return Hertz(std::sqrt(std::max(p11_, 0.0)) / kTwoPi);
 }
 
-double PhaseTracker::measure(double* information) noexcept {
+PhaseTracker::Angle PhaseTracker::measure() const noexcept {
   double sum = 0.0;
   double info = 0.0;
   for (int c = 0; c < channels_; ++c) {
@@ -58,26 +73,80 @@ double PhaseTracker::measure(double* information) noexcept {
       info += order * order * power / noise;
     }
   }
-  *information = info;
-  return info > 0.0 ? sum / info : 0.0;
+  return info > 0.0 ? Angle{sum / info, 1.0 / info} : Angle{};
+}
+
+// The one angle by which all phases turned most nearly, weighted by amplitude alone.
+PhaseTracker::CommonTurn PhaseTracker::commonTurn() const noexcept {
+  double sum = 0.0;
+  double weight = 0.0;
+  double all = 0.0;
+  for (int c = 0; c < channels_; ++c) {
+    for (int k = 0; k < orders_; ++k) {
+      const auto i = static_cast<std::size_t>(c * kOrders + k);
+      const double order = (k + 1.0) * stride_;
+      const std::complex<double> turn = std::conj(reference_[i]) * now_[i];
+      sum += order * std::abs(turn) * std::arg(turn);
+      weight += order * order * std::abs(turn);
+      all += std::norm(reference_[i]);
+    }
+  }
+  if (!(weight > 0.0) || !(all > 0.0)) return {};
+  const double delta = sum / weight;
+  double left = 0.0;
+  for (int c = 0; c < channels_; ++c) {
+    for (int k = 0; k < orders_; ++k) {
+      const auto i = static_cast<std::size_t>(c * kOrders + k);
+      left += std::norm(now_[i] * std::polar(1.0, -(k + 1.0) * stride_ * delta) - reference_[i]);
+    }
+  }
+  return {{delta, 0.5 * left / weight}, left / all};
+}
+
+// A spindle that changes its speed: the doubt grows to what the error says.
+PhaseTracker::Angle PhaseTracker::manoeuvred(Angle angle, double seconds) noexcept {
+  if (turns_ < kManoeuvreTurns || scatter_ > kCleanScatter) return angle;  // a cut that changes scatters them first
+  const CommonTurn turn = commonTurn();
+  const double square = turn.angle.delta * turn.angle.delta;
+  if (!(turn.left < kExplained) || square < kManoeuvre * kManoeuvre * (p00_ + turn.angle.variance)) return angle;
+  p00_ += square;
+  p01_ += kManoeuvreSpread * square / seconds;
+  p11_ += kManoeuvreSpread * kManoeuvreSpread * square / (seconds * seconds);
+  const double limit = kManoeuvreStep / (orders_ * stride_);
+  return {std::clamp(turn.angle.delta, -limit, limit), turn.angle.variance};
 }
 
 void PhaseTracker::learn(double delta) noexcept {
-  const double rate = 1.0 / std::min(static_cast<double>(turns_ + 1), kMemoryTurns);
   double off = 0.0;
   double on = 0.0;
+  double kept = 0.0;
+  double all = 0.0;
+  std::array<std::complex<double>, kChannels * kOrders> errors{};
   for (int c = 0; c < channels_; ++c) {
     for (int k = 0; k < orders_; ++k) {
       const auto i = static_cast<std::size_t>(c * kOrders + k);
       const std::complex<double> turned = now_[i] * std::polar(1.0, -(k + 1.0) * stride_ * delta);
-      const std::complex<double> error = turned - reference_[i];
-      off += std::norm(error);
+      errors[i] = turned - reference_[i];
+      off += std::norm(errors[i]);
       on += std::norm(reference_[i]);
-      reference_[i] += rate * error;
-      variance_[i] += rate * (std::norm(error) - variance_[i]);
+      all += std::norm(now_[i]);
+      kept += (std::conj(reference_[i]) * turned).real();
     }
   }
   scatter_ = on > 0.0 ? std::sqrt(std::min(off / on, 1.0)) : 1.0;
+  clean_ = clean_ || (turns_ >= kMemoryTurns && scatter_ < kCleanScatter);
+  // Where something much louder came in, nothing can be said of what was there.
+  if (on > 0.0 && all < kDrowned * on) retained_ += (std::clamp(kept / on, -1.0, 1.0) - retained_) / kRetainTurns;
+  if (lost()) return;  // what was forced is remembered until the speed is found again
+  const double rate = 1.0 / std::min(static_cast<double>(turns_ + 1), kMemoryTurns);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    reference_[i] += rate * errors[i];
+    variance_[i] += rate * (std::norm(errors[i]) - variance_[i]);
+  }
+}
+
+bool PhaseTracker::lost() const noexcept {
+  return clean_ && retained_ < kLeastRetained;
 }
 
 double PhaseTracker::completeTurn() noexcept {
@@ -97,21 +166,21 @@ double PhaseTracker::completeTurn() noexcept {
   p00_ += 2.0 * seconds * p01_ + seconds * seconds * p11_ + q * seconds * seconds * seconds / 3.0;
   p01_ += seconds * p11_ + 0.5 * q * seconds * seconds;
   p11_ += q * seconds;
-  double information = 0.0;
   const double limit = kLargestStep / (orders_ * stride_);
-  const double delta = std::clamp(measure(&information), -limit, limit);
+  Angle angle = measure();
+  angle.delta = std::clamp(angle.delta, -limit, limit);
+  angle = manoeuvred(angle, seconds);
   double step = 0.0;
-  if (information > 0.0) {
-    const double noise = 1.0 / information;
-    const double gain0 = p00_ / (p00_ + noise);
-    const double gain1 = p01_ / (p00_ + noise);
-    step = gain0 * delta;
-    omega_ += gain1 * delta;
+  if (angle.variance > 0.0) {
+    const double gain0 = p00_ / (p00_ + angle.variance);
+    const double gain1 = p01_ / (p00_ + angle.variance);
+    step = gain0 * angle.delta;
+    omega_ += gain1 * angle.delta;
     p11_ -= gain1 * p01_;
     p01_ *= 1.0 - gain0;
     p00_ *= 1.0 - gain0;
   }
-  learn(delta);
+  learn(angle.delta);
   ++turns_;
   return step;
 }

@@ -1,7 +1,8 @@
 // Keeps the spindle angle on the forced vibration: each turn the phases of the tooth-passing harmonics are compared
 // with their own slow mean, and one angle error common to all of them is fed to a two-state Kalman filter (angle,
 // speed). A harmonic counts by the inverse of its own recent scatter, so chatter, which scatters them, takes the
-// weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md section 4).
+// weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md section 4). When all
+// phases turn together, and further than a spindle wanders, the machine changes its speed, and the filter follows.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
@@ -21,6 +22,8 @@ class PhaseTracker {
   void prepare(int channels, Hertz rate, int teeth);
   // Starts anew at a speed known to `sd`.
   void start(Hertz spindle, Hertz sd) noexcept;
+  // The cut changed and the speed did not: the references follow.
+  void stay() noexcept { retained_ = 1.0; }
   // The machine changed its speed: the references stay, the doubt grows.
   void nudge(Hertz spindle) noexcept;
 
@@ -46,12 +49,27 @@ class PhaseTracker {
   Hertz sd() const noexcept;
   // Part of the tracked amplitude that does not repeat from turn to turn (0: purely forced).
   double scatter() const noexcept { return scatter_; }
+  // Followed with little scatter, once, since the start; a comb that is not the spindle's never is.
+  bool clean() const noexcept { return clean_; }
+  int turns() const noexcept { return turns_; }
+  // The forced vibration that was followed is no longer where it was.
+  bool lost() const noexcept;
 
  private:
   static std::complex<double> mul(std::complex<double> a, std::complex<double> b) noexcept {
     return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
   }
-  double measure(double* information) noexcept;
+  struct Angle {
+    double delta = 0.0;     // rad
+    double variance = 0.0;  // 0: nothing to measure
+  };
+  struct CommonTurn {
+    Angle angle;
+    double left = 1.0;  // part of the tracked power that it does not explain
+  };
+  Angle measure() const noexcept;
+  CommonTurn commonTurn() const noexcept;
+  Angle manoeuvred(Angle angle, double seconds) noexcept;
   void learn(double delta) noexcept;
 
   int channels_ = 1;
@@ -64,6 +82,8 @@ class PhaseTracker {
   long frames_ = 0;
   int turns_ = 0;
   double scatter_ = 0.0;
+  double retained_ = 1.0;  // part of the followed amplitude that is still in its place
+  bool clean_ = false;     // it was once followed with little scatter
   std::array<std::complex<double>, kChannels * kOrders> sums_{};
   std::array<std::complex<double>, kChannels * kOrders> now_{};
   std::array<std::complex<double>, kChannels * kOrders> reference_{};

@@ -31,7 +31,7 @@ void RatioJudge::leaveCut() noexcept {
   calm_.reset();
   calm_.forgetLevel();
   line_ = {};
-  highTurns_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
+  highTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
   learned_ = false;
   frequency_ = {};
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
@@ -51,7 +51,7 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
-  severity_ = evidence_ = mostChanged_ = 0.0;
+  severity_ = joint_ = evidence_ = mostChanged_ = 0.0;
   grown_ = growing_ = rising_ = false;
   learned_ = true;
   for (const RatioChannel& c : channels) {
@@ -61,6 +61,14 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
     // What is new also holds forced vibration that changes: for the fast only.
     rising_ = rising_ || (c.news.rising() && c.news.steadyGrowth());
     grown_ = grown_ || c.news.onset().alarm();
+    double unrepeated = 0.0;
+    double all = 0.0;
+    for (const RatioChannel& other : channels) {
+      if (other.quantity != c.quantity) continue;
+      unrepeated += other.ratio * other.growth.level();
+      all += other.growth.level();
+    }
+    if (all > 0.0) joint_ = std::max(joint_, unrepeated / all);
   }
 }
 
@@ -69,7 +77,9 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_, was ? hop.length.value : 0.0);
-  const bool entry = fromEntry(lines, hop, high && hop.phase == CutPhase::Steady && !was);
+  // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
+  const bool entry = (hop.loneLine && high) ||
+                     fromEntry(lines, hop, high && joint_ >= chatterRatio_ && hop.phase == CutPhase::Steady && !was);
   bool over = false;
   if (was) {
     const bool lost = lostTurns_ > kLostTurns;

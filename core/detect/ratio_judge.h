@@ -7,6 +7,7 @@
 #include "core/detect/calm_watch.h"
 #include "core/detect/energy_growth.h"
 #include "core/detect/line_finder.h"
+#include "core/model/channel.h"
 #include "core/model/verdict.h"
 
 namespace stillcut::detect {
@@ -15,7 +16,7 @@ struct RatioChannel {
   EnergyGrowth growth;  // of the turn difference
   EnergyGrowth news;    // of the news (turn_difference.h)
   double ratio = 0.0;   // ER, smoothed
-  int eta = 0;
+  SensorQuantity quantity = SensorQuantity::Acceleration;
 };
 
 // One hop, as the detector saw it.
@@ -26,6 +27,7 @@ struct RatioHop {
   Hertz highest{};           // up to which harmonics are removed
   double steadyTurns = 0.0;  // since the cut became steady
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
+  bool loneLine = false;     // a line that cannot be forced holds most of the vibration
 };
 
 class RatioJudge {
@@ -63,7 +65,8 @@ class RatioJudge {
   CalmWatch calm_;
   double highTurns_ = 0.0;
   double lostTurns_ = 0.0;
-  double severity_ = 0.0;
+  double severity_ = 0.0;     // of the worst channel
+  double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
   double mostChanged_ = 0.0;  // turn difference, of any channel
   double evidence_ = 0.0;

@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/order.h"
+
 namespace stillcut::detect {
 namespace {
 
 constexpr int kMostHarmonics = 40;
 constexpr double kUsableBand = 0.45;  // of the rate; above it the filters before the converter bend the lines
+constexpr double kOnComb = 0.15;      // orders
 constexpr int kPadding = 2;
 constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
 
@@ -15,6 +18,7 @@ constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
 
 void SpeedSearch::prepare(int window, Hertz rate, int teeth) {
   spectrum_.prepare(window, rate, dsp::WindowKind::Hann, kPadding * window);
+  finder_.prepare(spectrum_.bins(), Hertz(spectrum_.binWidth()), kLobe, teeth);
   rate_ = rate.value;
   teeth_ = teeth;
   for (auto* v : {&power_, &square_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
@@ -81,7 +85,7 @@ SpeedSearch::Parts SpeedSearch::partsAt(Hertz spindle) const noexcept {
   return parts(spindle.value, std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)));
 }
 
-SpeedCandidate SpeedSearch::search(Hertz low, Hertz high) noexcept {
+SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
   SpeedCandidate found;
   const int harmonics = std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / std::max(high.value, 1e-3)));
   if (harmonics < 1 || !(high > low) || !(low.value > 0.0) || added_ == 0) return found;
@@ -91,7 +95,8 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high) noexcept {
   std::size_t best = 0;
   for (double f = low.value; f <= high.value && count < trials_.size(); f += step, ++count) {
     const Parts p = parts(f, harmonics);
-    trials_[count] = 0.5 * (p.vibration + p.square);
+    const bool out = notForced.value > 0.0 && std::abs(dsp::orderOffset(notForced, Hertz(f))) < kOnComb;
+    trials_[count] = out ? 0.0 : 0.5 * (p.vibration + p.square);
     if (trials_[count] > trials_[best]) best = count;
   }
   const double peak = trials_[best];
@@ -108,6 +113,27 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high) noexcept {
   found.contrast = *middle > 0.0 ? peak / *middle : 0.0;
   found.toothPart = toothPart(found.spindle.value);
   return found;
+}
+
+SpeedSearch::Line SpeedSearch::strongest() const noexcept {
+  const auto peak = static_cast<std::size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin());
+  double lobe = 0.0;
+  for (std::size_t b = peak - std::min<std::size_t>(peak, kLobe); b <= std::min(peak + kLobe, power_.size() - 1); ++b) {
+    lobe += power_[b];
+  }
+  double shift = 0.0;
+  if (peak > 0 && peak + 1 < power_.size() && power_[peak - 1] > 0.0 && power_[peak + 1] > 0.0) {
+    const double left = std::log(power_[peak - 1]);
+    const double right = std::log(power_[peak + 1]);
+    const double curve = left - 2.0 * std::log(power_[peak]) + right;
+    if (curve < 0.0) shift = std::clamp(0.5 * (left - right) / curve, -0.5, 0.5);
+  }
+  return {Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth()), lobe / std::max(added_, 1)};
+}
+
+FoundSpeed SpeedSearch::find(Hertz low, Hertz high) noexcept {
+  const auto usable = static_cast<std::size_t>(kUsableBand * rate_ / spectrum_.binWidth());
+  return finder_.find(std::span<const double>(power_).first(std::min(usable, power_.size())), low, high);
 }
 
 }  // namespace stillcut::detect

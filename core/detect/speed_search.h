@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/detect/speed_finder.h"
 #include "core/dsp/spectrum.h"
 
 namespace stillcut::detect {
@@ -28,6 +29,8 @@ struct SpeedCandidate {
 
 class SpeedSearch {
  public:
+  static constexpr double kOnComb = 0.15;  // orders from a harmonic, within which a line may be on the comb
+
   // window: samples per channel that search() gets.
   void prepare(int window, Hertz rate, int teeth);
   int window() const { return spectrum_.segment(); }
@@ -35,7 +38,16 @@ class SpeedSearch {
   // Adds one channel to the evidence. Call begin() first, then add() per channel, then search().
   void begin() noexcept;
   void add(std::span<const double> samples) noexcept;
-  SpeedCandidate search(Hertz low, Hertz high) noexcept;
+  // notForced: a line that is known not to be forced (0: none); combs that it lies on are left out.
+  SpeedCandidate search(Hertz low, Hertz high, Hertz notForced = Hertz(0.0)) noexcept;
+  // In a range too wide for search(), by the lines of the vibration alone (speed_finder.h).
+  FoundSpeed find(Hertz low, Hertz high) noexcept;
+  // The strongest line of the vibration and the part of the power in its lobe.
+  struct Line {
+    Hertz frequency{};
+    double part = 0.0;
+  };
+  Line strongest() const noexcept;
   // Power of each spectrum on the comb of one frequency.
   struct Parts {
     double vibration = 0.0;
@@ -52,6 +64,7 @@ class SpeedSearch {
   double toothPart(double spindle) const noexcept;
 
   dsp::Spectrum spectrum_;
+  SpeedFinder finder_;
   double rate_ = 0.0;
   int teeth_ = 0;
   int added_ = 0;

@@ -10,8 +10,29 @@ namespace {
 
 constexpr double kQuickTurns = 12.0;
 constexpr double kThoroughTurns = 24.0;
+constexpr int kQuickHops = 6;  // looks per window
+constexpr int kThoroughHops = 4;
 constexpr double kSlowestHertz = 8.0;    // without a told speed: 480 rev/min ...
 constexpr double kFastestHertz = 500.0;  // ... to 30 000 rev/min
+constexpr double kSeekSeconds = 2.0;     // windows without a told speed, thorough ...
+constexpr double kSeekQuickly = 0.25;    // ... and quick, as a part of it
+// Where nobody knows the speed, or it has moved: a comb found over such a range must hold most of the power, the same
+// in so many windows in a row, and more than the place it was thought to be.
+constexpr double kSeekPart = 0.6;
+constexpr int kSeekLooks = 3;
+constexpr int kReturnLooks = 2;
+constexpr double kReturnAgreement = 6e-3;  // it may still be moving
+constexpr double kReturnLow = 0.45;        // overrides go from 50 % ...
+constexpr double kReturnHigh = 1.3;        // ... to 120 %
+constexpr int kReturnTurns = 4;            // after that what was found must be followed cleanly
+constexpr double kGone = 0.6;              // the old comb holds so much less
+constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
+constexpr double kLonePart = 0.6;
+constexpr double kLoneSquare = 0.2;
+constexpr double kSuspectDrift = 0.02;
+constexpr double kLoneDrift = 2.0;  // bins of the window from one to the next
+constexpr double kSlipped = 0.5;    // scatter of phases that are not held
+constexpr double kFine = 7e-4;
 // A comb that carries half of all power needs no other proof; a weaker one must stand out of all other combs. In air
 // and on machine noise the contrast stays below 2, on cuts it is 3 to 80.
 constexpr double kClearPart = 0.5;
@@ -26,6 +47,8 @@ constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not m
 constexpr double kRecentSeconds = 0.05;
 constexpr double kRide = 2e-3;    // from the mean of the recent past: faster than the phases can be followed
 constexpr double kMoving = 1e-2;  // ... than turns can be compared
+constexpr double kGlide = 3e-3;   // the same of the speed that is heard, which scatters more
+constexpr double kSwift = 4e-3;
 constexpr double kArrived = 1e-3;
 constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
@@ -34,14 +57,16 @@ constexpr int kRideFrames = 16;   // a speed that changes does so in steps this 
 
 void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
   rate_ = setup.rate.value;
+  teeth_ = setup.teeth;
   range_ = searchRange;
   nominal_ = toHertz(setup.nominalSpeed).value;
   channels_ = std::clamp(static_cast<int>(setup.channels.size()), 1, kSearchChannels);
-  const double slowest = nominal_ > 0.0 ? nominal_ * (1.0 - kMargin * range_) : kSlowestHertz;
-  const int window = std::clamp(static_cast<int>(kThoroughTurns * rate_ / slowest), 256, 1 << 19);
+  const bool told = nominal_ > 0.0;
+  const double seconds = told ? kThoroughTurns / (nominal_ * (1.0 - kMargin * range_)) : kSeekSeconds;
+  const double part = told ? kQuickTurns / kThoroughTurns : kSeekQuickly;
+  const int window = std::clamp(static_cast<int>(seconds * rate_), 256, 1 << 19);
   thorough_.search.prepare(window, setup.rate, setup.teeth);
-  quick_.search.prepare(std::max(128, static_cast<int>(window * kQuickTurns / kThoroughTurns)), setup.rate,
-                        setup.teeth);
+  quick_.search.prepare(std::max(128, static_cast<int>(window * part)), setup.rate, setup.teeth);
   tracker_.prepare(channels_, setup.rate, setup.teeth);
   for (auto& ring : ring_) ring.assign(static_cast<std::size_t>(window), 0.0);
   unrolled_.assign(static_cast<std::size_t>(window), 0.0);
@@ -50,11 +75,13 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
 
 void SpeedTracker::reset() noexcept {
   told_ = before_ = recent_ = nominal_;
-  measured_ = riding_ = moving_ = false;
+  measured_ = riding_ = moving_ = gliding_ = false;
+  heard_ = 0.0;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
-  locked_ = proven_ = false;
+  locked_ = proven_ = trusted_ = returning_ = false;
   toothPart_ = 0.0;
+  suspect_ = {};
   angle_ = 0.0;
   restart();
   tracker_.start(Hertz(told_), Hertz(told_ * range_));
@@ -80,6 +107,7 @@ void SpeedTracker::listen(const MachineState& machine) noexcept {
   }
   if (measured != measured_ || !(before_ > 0.0)) before_ = recent_ = told;  // another kind of word, no change of speed
   measured_ = measured;
+  if (!(told > 0.0) && locked_) return;  // nobody says more than the signal did
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
   if (told_ > 0.0 && told > 0.0 && locked_ && !riding_) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
@@ -87,7 +115,7 @@ void SpeedTracker::listen(const MachineState& machine) noexcept {
 }
 
 Hertz SpeedTracker::sd() const noexcept {
-  if (locked_) return tracker_.sd();
+  if (locked_ && !astray()) return tracker_.sd();
   return Hertz(told_ * (source_ == SpeedSource::Machine ? kMachineRange : range_));
 }
 
@@ -101,17 +129,28 @@ void SpeedTracker::remember(const double* const* samples, int frames) noexcept {
 
 void SpeedTracker::lock(Hertz spindle, Hertz sd) noexcept {
   locked_ = true;
+  trusted_ = told_ > 0.0 && (trusted_ || nominal_ > 0.0 || measured_);
   if (!(told_ > 0.0)) told_ = spindle.value;
   ratio_ = spindle.value / told_;
   source_ = SpeedSource::Signal;
+  heard_ = spindle.value;
   tracker_.start(spindle, sd);
   catchUp_ = 0.0;
 }
 
 void SpeedTracker::beginCut() noexcept {
-  locked_ = proven_ = false;
+  if (!(nominal_ > 0.0) && source_ == SpeedSource::Signal) {
+    told_ = 0.0;
+    source_ = SpeedSource::None;
+  }
+  locked_ = proven_ = trusted_ = returning_ = false;
   toothPart_ = 0.0;
+  suspect_ = {};
   restart();
+}
+
+bool SpeedTracker::astray() const noexcept {
+  return locked_ && (tracker_.lost() || (returning_ && tracker_.turns() > kReturnTurns));
 }
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
@@ -121,9 +160,16 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   const SpeedCandidate& now = look.last;
   if (!good(now) || !good(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
+    const double away = std::abs(now.spindle / spindle() - 1.0);
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
-    if (std::abs(now.spindle / spindle() - 1.0) < kMoved) proven_ = proven_ || now.part > kClearPart;
-    if (proven_ || std::abs(now.spindle / spindle() - 1.0) < kMoved) return;
+    if (away < kMoved && !astray()) {
+      const bool slipped = !proven_ && away > kFine && tracker_.scatter() > kSlipped;
+      proven_ = proven_ || now.part > kClearPart;
+      if (!slipped) return;
+    }
+    if (away > kMoved && proven_ && !astray()) return;
+  }
+  if (locked_ && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
     // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only.
     const SpeedSearch::Parts here = look.search.partsAt(spindle());
     const SpeedSearch::Parts there = look.search.partsAt(now.spindle);
@@ -131,12 +177,83 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   }
   toothPart_ = now.toothPart;
   proven_ = now.part > kClearPart;
+  if (locked_ && astray() && std::abs(now.spindle / spindle() - 1.0) < kFine) {
+    tracker_.stay();  // the same speed: it was the cut that changed
+    return;
+  }
   lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
+}
+
+bool SpeedTracker::believed(const Look& look) const noexcept {
+  if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
+  if (!locked_) return true;
+  // Chatter leaves the forced vibration where it was; a spindle that moves takes it along.
+  const SpeedSearch::Parts here = look.search.partsAt(spindle());
+  const SpeedSearch::Parts there = look.search.partsAt(look.found.spindle);
+  const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
+  return here.vibration < least * there.vibration && here.square < least * there.square;
+}
+
+void SpeedTracker::seek(Look& look) noexcept {
+  const Hertz low(locked_ ? kReturnLow * spindle().value : kSlowestHertz);
+  const Hertz high(locked_ ? kReturnHigh * spindle().value : std::min(kFastestHertz, rate_ / 16.0));
+  const FoundSpeed before = look.found;
+  look.found = look.search.find(low, high);
+  const bool same = std::abs(look.found.spindle / before.spindle - 1.0) < (locked_ ? kReturnAgreement : kAgreement);
+  look.agreeing = look.found.part < kSeekPart ? 0 : same ? look.agreeing + 1 : 1;
+  if (!believed(look)) return;
+  look.agreeing = 0;
+  toothPart_ = look.found.toothPart;
+  proven_ = false;
+  returning_ = locked_;
+  lock(look.found.spindle, Hertz(kRideSd * look.found.spindle.value));
+}
+
+// A comb that was never followed cleanly was not the spindle's: chatter and its side lines make combs as well.
+void SpeedTracker::dropUntrusted() noexcept {
+  if (!locked_ || trusted_) return;
+  trusted_ = tracker_.clean();
+  if (trusted_ || tracker_.turns() < kTrialTurns) return;
+  locked_ = false;
+  told_ = nominal_;
+  ratio_ = 1.0;
+  source_ = SpeedSource::None;
+  forget();
+}
+
+// Forced vibration is strongest at multiples of the teeth. What holds most of the vibration elsewhere is no part of it,
+// whatever the exact speed, and needs no comb to be told apart: that takes longer where chatter fills the cut.
+void SpeedTracker::watchLoneLine(const SpeedSearch& search) noexcept {
+  const SpeedSearch::Line line = search.strongest();
+  const Hertz before = strongest_;
+  strongest_ = line.part > kLonePart ? line.frequency : Hertz(0.0);
+  loneLine_ = {};
+  if (teeth_ < 2 || !(told_ > 0.0) || !(strongest_.value > 0.0) || !(before.value > 0.0)) return;
+  if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
+  const double range = kMargin * (source_ == SpeedSource::Machine ? kMachineRange : range_);
+  const double highest = strongest_.value / (told_ * (1.0 - range));  // orders
+  const double lowest = strongest_.value / (told_ * (1.0 + range));
+  if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return;
+  // Where other lines stand with it on one comb, that comb is the spindle's.
+  for (double order = std::ceil(lowest); order <= highest; order += 1.0) {
+    if (search.partsAt(Hertz(strongest_.value / order)).square > kLoneSquare) return;
+  }
+  loneLine_ = suspect_ = strongest_;
+}
+
+// The comb must not lie on the line that is known not to be forced, whatever was told: in the middle between two orders
+// is where chatter is most itself.
+void SpeedTracker::stepAside(const SpeedSearch& search) noexcept {
+  const SpeedSearch::Line line = search.strongest();
+  if (std::abs(line.frequency / suspect_ - 1.0) < kSuspectDrift) suspect_ = line.frequency;
+  if (std::abs(dsp::orderOffset(suspect_, spindle())) > SpeedSearch::kOnComb || !(told_ > 0.0)) return;
+  locked_ = false;
+  ratio_ = suspect_.value / ((std::floor(suspect_.value / told_) + 0.5) * told_);
 }
 
 void SpeedTracker::lookIfDue(Look& look) noexcept {
   const long window = look.search.window();
-  if (look.since < window / 4 || inCut_ < window) return;
+  if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   look.search.begin();
   const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
@@ -146,11 +263,15 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
     std::copy(ring.begin(), ring.begin() + head, std::copy(ring.begin() + head, ring.end(), unrolled_.begin()));
     look.search.add(std::span<const double>(unrolled_).subspan(static_cast<std::size_t>(size - window)));
   }
+  if (&look == &quick_) watchLoneLine(look.search);
+  if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
+  if (!(told_ > 0.0)) return;
   const double range = kMargin * (source_ == SpeedSource::Machine ? kMachineRange : range_);
-  const Hertz low(told_ > 0.0 ? told_ * (1.0 - range) : kSlowestHertz);
-  const Hertz high(told_ > 0.0 ? told_ * (1.0 + range) : std::min(kFastestHertz, rate_ / 16.0));
   const SpeedCandidate before = look.last;
-  look.last = look.search.search(low, high);
+  // A speed found far from the told one has its own neighbourhood.
+  const double middle = locked_ && std::abs(ratio_ - 1.0) > range ? told_ * ratio_ : told_;
+  if (suspect_.value > 0.0) stepAside(look.search);
+  look.last = look.search.search(Hertz(middle * (1.0 - range)), Hertz(middle * (1.0 + range)), suspect_);
   judge(look, before);
 }
 
@@ -164,7 +285,20 @@ void SpeedTracker::followMachine(double seconds) noexcept {
   moving_ = away > (moving_ ? kArrived : kMoving);
   const bool rode = riding_;
   riding_ = away > (riding_ ? kArrived : kRide);
-  if (rode && !riding_ && locked_) tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
+  if (!rode || riding_ || !locked_) return;
+  proven_ = false;  // the ratio of true to told speed need not have stayed the same
+  tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
+}
+
+// Without a machine that says so: the vibration itself shows that the speed changes.
+void SpeedTracker::followSignal(double seconds) noexcept {
+  gliding_ = false;
+  if (!locked_ || riding_) return;
+  const double now = tracker_.spindle().value;
+  heard_ += (1.0 - std::exp(-seconds / kRecentSeconds)) * (now - heard_);
+  const double away = std::abs(now / heard_ - 1.0);
+  gliding_ = away > kGlide;
+  moving_ = moving_ || away > kSwift;
 }
 
 void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
@@ -188,12 +322,17 @@ void SpeedTracker::forget() noexcept {
   head_ = 0;
   for (Look* look : {&quick_, &thorough_}) {
     look->last = {};
+    look->found = {};
+    look->agreeing = 0;
     look->since = 0;
   }
+  strongest_ = loneLine_ = Hertz(0.0);
 }
 
 void SpeedTracker::advance(const double* const* samples, int frames, double* angle, double* step) noexcept {
   followMachine(frames / rate_);
+  followSignal(frames / rate_);
+  dropUntrusted();
   if (riding_) {
     ride(frames, angle, step);
     forget();
@@ -232,7 +371,9 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
     }
     phasor = std::polar(1.0, angle_);
   }
-  if (!locked_) lookIfDue(quick_);
+  returning_ = returning_ && !tracker_.clean();
+  if (locked_) strongest_ = loneLine_ = Hertz(0.0);
+  if (!locked_ || astray()) lookIfDue(quick_);
   lookIfDue(thorough_);
 }
 

@@ -38,10 +38,15 @@ class SpeedTracker {
   Hertz sd() const noexcept;
   SpeedSource source() const noexcept { return source_; }
   bool locked() const noexcept { return locked_; }
-  // The machine changes its speed, and the angle follows its word.
-  bool riding() const noexcept { return riding_; }
-  // ... faster than vibration can be compared from turn to turn.
-  bool moving() const noexcept { return moving_; }
+  // Told, or found in the signal and followed since.
+  bool known() const noexcept { return spindle().value > 0.0 && (source_ != SpeedSource::Signal || trusted_); }
+  // Without a lock: one line that holds most of the vibration, window after window, and can be no tooth passing at any
+  // speed that was told. 0: none.
+  Hertz loneLine() const noexcept { return loneLine_; }
+  // The speed changes: the angle follows the machine's word or, without one, the vibration itself.
+  bool riding() const noexcept { return riding_ || gliding_; }
+  // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
+  bool moving() const noexcept { return moving_ || astray(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
   bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
   double scatter() const noexcept { return tracker_.scatter(); }
@@ -54,12 +59,22 @@ class SpeedTracker {
   struct Look {  // one search and what it said last
     SpeedSearch search;
     SpeedCandidate last;
-    long since = 0;  // frames since the last search
+    FoundSpeed found;
+    int agreeing = 0;  // times in a row that a wide search found the same
+    long since = 0;    // frames since the last search
   };
+  // What was followed is no longer where it was.
+  bool astray() const noexcept;
   void followMachine(double seconds) noexcept;
+  void followSignal(double seconds) noexcept;
   void ride(int frames, double* angle, double* step) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
+  void seek(Look& look) noexcept;
+  void watchLoneLine(const SpeedSearch& search) noexcept;
+  void stepAside(const SpeedSearch& search) noexcept;
+  void dropUntrusted() noexcept;
+  bool believed(const Look& look) const noexcept;
   void lock(Hertz spindle, Hertz sd) noexcept;
 
   Look quick_;     // 12 turns: enough for a clean stable cut
@@ -68,6 +83,7 @@ class SpeedTracker {
   int channels_ = 1;
   double rate_ = 0.0;
   double range_ = 0.03;
+  int teeth_ = 0;
   double nominal_ = 0.0;  // Hz, from the setup
   double told_ = 0.0;     // Hz, now
   double ratio_ = 1.0;    // true over told
@@ -76,10 +92,17 @@ class SpeedTracker {
   bool measured_ = false;
   bool riding_ = false;  // angle and speed come from the machine, since its speed changes
   bool moving_ = false;
+  double heard_ = 0.0;  // Hz, of the tracker over the last while
+  bool gliding_ = false;
   SpeedSource source_ = SpeedSource::None;
   bool locked_ = false;
-  bool proven_ = false;  // the comb of the lock carried most of the power
+  bool proven_ = false;     // the comb of the lock carried most of the power
+  bool returning_ = false;  // found again after it was lost, not yet followed cleanly
+  bool trusted_ = false;    // told roughly, or followed cleanly
   double toothPart_ = 0.0;
+  Hertz strongest_{};  // line of the last window
+  Hertz loneLine_{};
+  Hertz suspect_{};  // the lone line of this cut: the comb that it lies on is not the spindle's
 
   double angle_ = 0.0;
   double catchUp_ = 0.0;  // angle still to be slewed in
