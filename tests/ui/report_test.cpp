@@ -179,6 +179,14 @@ TEST(ReportText, TablesHaveACellForEveryColumn) {
                                           QStringLiteral("lowest-speed = 3000")}));
 }
 
+TEST(ReportText, AuthorityIsAWord) {
+  SessionSummary s = example();
+  s.events.push_back({at(1.0), 0, EventLevel::Info, {ReasonCode::AuthorityChanged, {0.0, 2.0, 0.0, 0.0}}});
+  const auto rows = eventRows(s);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].cells.back(), QStringLiteral("Authority changed from Off to Auto"));
+}
+
 TEST(ReportTable, RowsThatDoNotFitAreLeftForTheNextPage) {
   QImage paper(400, 400, QImage::Format_RGB32);
   QPainter painter(&paper);
