@@ -26,5 +26,6 @@ void addCoefficients(CLI::App& app, int& exitCode);
 void addLobes(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 void addDevices(CLI::App& app, int& exitCode);
+void addScore(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

@@ -70,6 +70,7 @@ int run(int argc, char** argv) {
   addLobes(app, exitCode);
   addConvert(app, exitCode);
   addDevices(app, exitCode);
+  addScore(app, exitCode);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

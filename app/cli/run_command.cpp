@@ -5,6 +5,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
@@ -25,7 +26,7 @@ void onSignal(int /*number*/) {
 }
 
 struct RunOptions {
-  std::string profile, record, flights;
+  std::string profile, record, job, flights;
   double seconds = 0.0;
 };
 
@@ -69,8 +70,10 @@ Status checkOptions(const RunOptions& options) {
   if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
     return Error{"--seconds", "must be a number from 0 up", "0: to the end"};
   }
+  std::error_code unknown;
+  if (std::filesystem::is_directory(options.record, unknown)) return Done{};
   if (!options.record.empty() && !options.record.ends_with(".h5")) {
-    return Error{options.record, "is no name for a session", "the suffix must be .h5"};
+    return Error{options.record, "is no name for a session", "the suffix must be .h5, or it must be a folder"};
   }
   return checkOutPath(options.record);
 }
@@ -108,7 +111,15 @@ int run(const RunOptions& options) {
   auto rig = buildProfileRig(*profile, options.profile, &fault);
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (!options.record.empty()) {
-    const Status recording = (*rig)->recordTo(options.record, config::profileText(*profile, catalog));
+    const std::string origin = config::profileText(*profile, catalog);
+    std::error_code unknown;
+    const Status recording =
+        std::filesystem::is_directory(options.record, unknown)
+            ? (*rig)->recordInto(options.record, options.job, origin,
+                                 [](const record::Deleted& file) {
+                                   std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
+                                 })
+            : (*rig)->recordTo(options.record, origin);
     if (!recording) return fail(recording.error());
   }
   std::signal(SIGINT, onSignal);
@@ -123,7 +134,8 @@ void addRun(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Monitor a machine without a screen");
   command->add_option("--profile", o->profile, "Profile of the machine (.toml)")->required();
-  command->add_option("--record", o->record, "Record the session to FILE.h5");
+  command->add_option("--record", o->record, "Record to FILE.h5, or into a FOLDER as the parameters record.* say");
+  command->add_option("--job", o->job, "Name of the job, for the names of files in a FOLDER");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
   command->callback([o, &exitCode] { exitCode = run(*o); });

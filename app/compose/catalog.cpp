@@ -3,6 +3,7 @@
 #include "core/control/registry.h"
 #include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
+#include "core/record/record_params.h"
 #include "core/safety/gate_limits.h"
 
 namespace stillcut::app {
@@ -13,6 +14,7 @@ config::ParamCatalog fullCatalog() {
   for (const auto& entry : detect::detectorTable()) catalog.add(entry.params());
   for (const auto& entry : control::strategyTable()) catalog.add(entry.params);
   catalog.add(safety::gateParams());
+  catalog.add(record::recordParams());
   return catalog;
 }
 

@@ -20,6 +20,7 @@ class SessionStepSource final : public pipeline::StepSource {
     if (!source_.read(step.block)) return false;
     const StepInput* recorded = source_.recordedStep();
     step.machine = recorded != nullptr ? recorded->machine : MachineState{};
+    step.machine.time += source_.shift();
     step.inputCount = recorded != nullptr ? recorded->inputCount : 0;
     if (recorded != nullptr) step.inputs = recorded->inputs;
     return true;
@@ -29,6 +30,13 @@ class SessionStepSource final : public pipeline::StepSource {
  private:
   daq::ReplaySource& source_;
 };
+
+void controlBy(const ReplayHand& hand, const std::string& path, const record::ReadOptions& read,
+               daq::ReplayOptions& replay) {
+  replay.control = hand.control;
+  replay.clock = hand.clock;
+  replay.reopen = [path, read] { return record::openRecording(path, read); };
+}
 
 // What filters and windows are sized for before the first block.
 Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
@@ -47,6 +55,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
 
   daq::ReplayOptions replay;
   replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlock_s));
+  controlBy(options.hand, path, options.read, replay);
   auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), replay);
 
   RigSpec spec;
@@ -66,12 +75,13 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   spec.params = options.params;
   spec.methods = options.methods;
   spec.deterministic = true;
+  spec.watched = options.hand.control != nullptr;
   auto rig = Rig::build(std::move(spec));
   if (!rig) return rig.error();
   return RecordingRig{std::move(rig).value(), format};
 }
 
-Result<RecordingRig> buildReplayRig(const std::string& path) {
+Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& hand) {
   auto reader = record::openRecording(path);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
@@ -79,7 +89,9 @@ Result<RecordingRig> buildReplayRig(const std::string& path) {
   auto run = parseRunText(format.configuration, path + " (configuration)");
   if (!run) return run.error();
 
-  auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), daq::ReplayOptions{});
+  daq::ReplayOptions replay;
+  controlBy(hand, path, {}, replay);
+  auto source = std::make_unique<daq::ReplaySource>(std::move(reader).value(), replay);
   RigSpec spec;
   spec.setup = *format.setup;
   spec.steps = std::make_unique<SessionStepSource>(*source);
@@ -89,6 +101,7 @@ Result<RecordingRig> buildReplayRig(const std::string& path) {
   spec.methods = std::move(run->methods);
   spec.autoAllowed = run->autoAllowed;
   spec.deterministic = true;
+  spec.watched = hand.control != nullptr;
   auto rig = Rig::build(std::move(spec));
   if (!rig) return rig.error();
   return RecordingRig{std::move(rig).value(), format};

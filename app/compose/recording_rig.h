@@ -8,9 +8,17 @@
 #include <vector>
 
 #include "app/compose/rig.h"
+#include "core/daq/replay_control.h"
 #include "core/record/recording_reader.h"
 
 namespace stillcut::app {
+
+// A replay led by hand: paced, paused, stepped, looped (replay_run.h runs it on a thread of its own). Its rig is
+// watched.
+struct ReplayHand {
+  std::shared_ptr<daq::ReplayControl> control;  // empty: straight through, as fast as possible
+  const Clock* clock = nullptr;                 // with a control; outlives the rig
+};
 
 struct RecordingOptions {
   record::ReadOptions read;
@@ -19,6 +27,7 @@ struct RecordingOptions {
   std::vector<pipeline::SpeedLogFeed::Point> log;  // measured speed; empty: none
   Methods methods{.detectors = {"energy-ratio"}, .fallback = {}, .strategy = "monitor"};
   config::ParamSet params;
+  ReplayHand hand;
 };
 
 struct RecordingRig {
@@ -31,7 +40,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
 // A session, decided again: its own methods, parameters, limits and leave for Auto, its machine states and operator
 // inputs. The same program gives the same verdicts, requests and commands, bit by bit. An error for a recording that
 // does not say how it was made.
-Result<RecordingRig> buildReplayRig(const std::string& path);
+Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& hand = {});
 
 // CSV with the header t,rpm; times rising.
 Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path);

@@ -5,6 +5,7 @@
 #include "app/compose/run_text.h"
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
+#include "core/record/session_markers.h"
 #include "generated/version.h"
 
 namespace stillcut::app {
@@ -111,17 +112,52 @@ cnc::LinkInfo Rig::linkInfo() const {
   return spec_.link ? spec_.link->describe() : cnc::LinkInfo{};
 }
 
-Status Rig::recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options) {
+record::SessionHeader Rig::sessionHeader(const std::string& origin) const {
   record::SessionHeader header;
   header.setup = spec_.setup;
   header.configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
   header.programVersion = STILLCUT_VERSION;
   header.simulated = spec_.link && spec_.link->describe().simulated;
-  auto recorder = record::Recorder::create(path, header, options);
-  if (!recorder) return recorder.error();
-  recorder_ = std::move(recorder).value();
+  return header;
+}
+
+void Rig::tapInto(std::unique_ptr<record::Recorder> recorder) {
+  recorder_ = std::move(recorder);
   tap_ = std::make_unique<RecorderTap>(*recorder_);
   makeLoop();
+}
+
+Status Rig::recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options) {
+  auto recorder = record::Recorder::create(path, sessionHeader(origin), options);
+  if (!recorder) return recorder.error();
+  tapInto(std::move(recorder).value());
+  return Done{};
+}
+
+Status Rig::recordInto(const std::string& folder, const std::string& job, const std::string& origin,
+                       std::function<void(const record::Deleted&)> told) {
+  const record::SessionHeader header = sessionHeader(origin);
+  const record::RecordPlan plan = record::recordPlan(spec_.params);
+  const record::NextPath nextPath = [folder, job, plan, tool = header.setup.tool,
+                                     told = std::move(told)]() -> Result<std::string> {
+    const bool history = plan.mode == record::RecordMode::Features;
+    const auto deleted =
+        record::applyRetention(folder, history ? plan.history : plan.keepFor, plan.keepBytes, record::nowUtc());
+    if (!deleted) return deleted.error();
+    for (const record::Deleted& file : deleted.value()) told(file);
+    return record::newSessionPath(folder, job, tool, record::nowUtc());
+  };
+  std::unique_ptr<record::StepSink> sink;
+  if (plan.mode == record::RecordMode::AroundEvents) {
+    sink = record::aroundEvents(header, plan, nextPath, {});
+  } else if (plan.mode == record::RecordMode::Features) {
+    sink = record::features(header, plan, nextPath, {});
+  } else {
+    const auto path = nextPath();
+    if (!path) return path.error();
+    return recordTo(path.value(), origin);
+  }
+  tapInto(record::Recorder::create(std::move(sink), header.setup));
   return Done{};
 }
 

@@ -12,6 +12,7 @@
 #include "core/pipeline/engine.h"
 #include "core/pipeline/serial_run.h"
 #include "core/record/recorder.h"
+#include "core/record/session_folder.h"
 
 namespace stillcut::app {
 
@@ -61,6 +62,10 @@ class Rig {
   // Before the first step: everything goes to the session file `path` as well, with the whole wiring of this run (see
   // run_text.h). `origin`: the scenario or profile it was made from, as text, kept for the reader.
   Status recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options = {});
+  // The same below `folder`, in files named by job, tool and time, as the parameters record.* say; what they let go is
+  // deleted first, and told (on the thread that records, once it runs).
+  Status recordInto(const std::string& folder, const std::string& job, const std::string& origin,
+                    std::function<void(const record::Deleted&)> told);
   // Null: nothing is recorded.
   record::Recorder* recorder() { return recorder_.get(); }
 
@@ -78,6 +83,8 @@ class Rig {
   // Deterministic, in the caller's thread: one block. False: the source has ended.
   using After = std::function<void(const StepInput&, const StepOutput&)>;
   bool advance(const After& after = {});
+  // Any thread: lets an advance() that waits for its block come back soon, with false.
+  void interrupt() { spec_.steps->stop(); }
   // To the end; the machine is released.
   void runToEnd(const After& after);
 
@@ -86,6 +93,8 @@ class Rig {
   Status prepare(SetUpFault& fault);
   Status open();
   void makeLoop();
+  record::SessionHeader sessionHeader(const std::string& origin) const;
+  void tapInto(std::unique_ptr<record::Recorder> recorder);
 
   RigSpec spec_;
   daq::SourceFormat format_;

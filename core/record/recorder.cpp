@@ -40,16 +40,22 @@ Result<std::unique_ptr<Recorder>> Recorder::create(const std::string& path, cons
                                                    const RecorderOptions& options) {
   Result<std::unique_ptr<SessionWriter>> writer = SessionWriter::create(path, header, {false, true, options.disk});
   if (!writer) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(std::move(*writer), header, options));
+  return create(oneFile(std::move(*writer)), header.setup, options);
 }
 
-Recorder::Recorder(std::unique_ptr<SessionWriter> writer, const SessionHeader& header, const RecorderOptions& options)
-    : path_(writer->path()),
-      options_(options),
-      writer_(std::move(writer)),
-      ring_(slotsFor(header.setup, options.buffer), [&header](StepRecord& slot) {
-        slot.input.block.allocate(static_cast<int>(header.setup.channels.size()), header.setup.blockFrames);
-      }) {}
+std::unique_ptr<Recorder> Recorder::create(std::unique_ptr<StepSink> sink, const CutSetup& setup,
+                                           const RecorderOptions& options) {
+  return std::unique_ptr<Recorder>(new Recorder(std::move(sink), setup, options));
+}
+
+Recorder::Recorder(std::unique_ptr<StepSink> sink, const CutSetup& setup, const RecorderOptions& options)
+    : options_(options),
+      sink_(std::move(sink)),
+      ring_(slotsFor(setup, options.buffer),
+            [&setup](StepRecord& slot) {
+              slot.input.block.allocate(static_cast<int>(setup.channels.size()), setup.blockFrames);
+            }),
+      path_(sink_->path()) {}
 
 Recorder::~Recorder() {
   (void)finish().ok();
@@ -57,7 +63,7 @@ Recorder::~Recorder() {
 
 void Recorder::startThread() {
   if (thread_) return;
-  if (writer_) writer_->setPowerSafe();
+  if (sink_) sink_->setPowerSafe();
   thread_.emplace(rt::ThreadRequest{"recorder"}, [this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -89,16 +95,16 @@ bool Recorder::push(const StepInput& input, const StepOutput& output) STILLCUT_R
 bool Recorder::drain() {
   constexpr std::uint64_t kSpaceEvery = 256;
   while (StepRecord* slot = ring_.front()) {
-    if (writer_ && written_.load() % kSpaceEvery == 0) {
+    if (sink_ && written_.load() % kSpaceEvery == 0) {
       if (const Status s = checkSpace(); !s) stopWith(s.error().line());
     }
-    if (writer_) {
-      if (const Status s = writer_->add(slot->input, slot->output); !s) stopWith(s.error().line());
+    if (sink_) {
+      if (const Status s = sink_->add(slot->input, slot->output); !s) stopWith(s.error().line());
     }
-    (writer_ ? written_ : dropped_).fetch_add(1);
+    (sink_ ? written_ : dropped_).fetch_add(1);
     ring_.pop();
   }
-  return writer_ != nullptr;
+  return sink_ != nullptr;
 }
 
 void Recorder::run(const std::stop_token& stop) {
@@ -110,16 +116,21 @@ void Recorder::run(const std::stop_token& stop) {
     if (now - onDisk < kToDiskEvery) continue;
     onDisk = now;
     Status s = checkSpace();
-    if (s) s = writer_->flush();
+    if (s) s = sink_->flush();
     if (!s) stopWith(s.error().line());
   }
 }
 
-Status Recorder::checkSpace() const {
+Status Recorder::checkSpace() {
+  const std::string path = sink_->path();
+  {
+    const std::scoped_lock lock(faultLock_);
+    path_ = path;
+  }
   std::error_code problem;
-  const std::filesystem::space_info space = std::filesystem::space(path_, problem);
+  const std::filesystem::space_info space = std::filesystem::space(path, problem);
   if (problem || space.available >= options_.reserveBytes) return Done{};
-  return Error{path_, "recording stopped: the disk is nearly full",
+  return Error{path, "recording stopped: the disk is nearly full",
                std::to_string(space.available >> 20U) + " MB are left"};
 }
 
@@ -130,7 +141,7 @@ void Recorder::stopWith(const std::string& fault) {
     const std::scoped_lock lock(faultLock_);
     if (fault_.empty()) fault_ = fault;
   }
-  writer_.reset();
+  sink_.reset();
 }
 
 Status Recorder::finish() {
@@ -141,9 +152,9 @@ Status Recorder::finish() {
   }
   drain();
   recording_.store(false);
-  if (writer_) {
-    const Status closed = writer_->close();
-    writer_.reset();
+  if (sink_) {
+    const Status closed = sink_->close();
+    sink_.reset();
     if (!closed) stopWith(closed.error().line());
   }
   const std::scoped_lock lock(faultLock_);
@@ -156,8 +167,8 @@ RecorderStatus Recorder::status() const {
   s.recording = recording_.load();
   s.written = written_.load();
   s.dropped = dropped_.load();
-  s.path = path_;
   const std::scoped_lock lock(faultLock_);
+  s.path = path_;
   s.fault = fault_;
   return s;
 }

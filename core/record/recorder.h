@@ -13,6 +13,7 @@
 #include "core/base/result.h"
 #include "core/model/step_record.h"
 #include "core/record/session_writer.h"
+#include "core/record/step_sink.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/spsc_ring.h"
 #include "core/rt/wakeup.h"
@@ -38,6 +39,9 @@ class Recorder {
   // Set-up thread. Creates the session file; the steps that will come have the format of header.setup.
   static Result<std::unique_ptr<Recorder>> create(const std::string& path, const SessionHeader& header,
                                                   const RecorderOptions& options = {});
+  // The same into any sink.
+  static std::unique_ptr<Recorder> create(std::unique_ptr<StepSink> sink, const CutSetup& setup,
+                                          const RecorderOptions& options = {});
   ~Recorder();  // as finish(), without a report
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -51,29 +55,29 @@ class Recorder {
   // The writing thread (startThread() does it by itself): writes everything that waits. False: recording has stopped.
   bool drain();
   // Thread of drain(), before finish(): truth of a simulated cut, and other late knowledge. Null once stopped.
-  SessionWriter* writer() { return writer_.get(); }
+  SessionWriter* writer() { return sink_ ? sink_->writer() : nullptr; }
   // Set-up thread, when the worker has stopped: joins the thread, writes what waits, closes.
   Status finish();
   // Any thread but the worker's.
   RecorderStatus status() const;
 
  private:
-  Recorder(std::unique_ptr<SessionWriter> writer, const SessionHeader& header, const RecorderOptions& options);
+  Recorder(std::unique_ptr<StepSink> sink, const CutSetup& setup, const RecorderOptions& options);
   void run(const std::stop_token& stop);
-  Status checkSpace() const;
+  Status checkSpace();
   void stopWith(const std::string& fault);
 
-  std::string path_;
   RecorderOptions options_;
-  std::unique_ptr<SessionWriter> writer_;
+  std::unique_ptr<StepSink> sink_;
   rt::SpscRing<StepRecord> ring_;
   std::uint64_t lostFrames_ = 0;  // worker's: frames of dropped steps since the last one taken
   bool lost_ = false;
   std::atomic<bool> recording_{true};
   std::atomic<std::uint64_t> written_{0};
   std::atomic<std::uint64_t> dropped_{0};
-  mutable std::mutex faultLock_;
+  mutable std::mutex faultLock_;  // of the two below
   std::string fault_;
+  std::string path_;
   rt::Wakeup wakeup_;
   std::optional<rt::RealtimeThread> thread_;  // last: joined before what it uses goes
 };

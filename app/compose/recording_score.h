@@ -1,0 +1,38 @@
+// Every detector on a recording, against what is known about it; and what a changed parameter would have changed.
+// Thread: set-up (runs the recording as fast as it can, in the caller's thread).
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "app/compose/recorded_truth.h"
+#include "core/config/param_set.h"
+
+namespace stillcut::app {
+
+struct ScoreRequest {
+  std::vector<std::string> detectors;
+  config::ParamSet params;            // of recordings that are no sessions
+  bool ownParams = true;              // sessions: begin with their own parameters
+  std::vector<std::string> settings;  // KEY=VALUE on top of all
+  int teeth = 0;                      // 0: as the truth or the recording says
+  Rpm speed{};                        // likewise
+};
+
+struct FileScore {
+  std::string file;
+  RecordedTruth truth;
+  Seconds length{};
+  std::map<std::string, AlarmScore> byDetector;
+};
+
+Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& truth, const ScoreRequest& request);
+
+// "energy-ratio would have alarmed 3 times, 2 of them marked false; before 5 times, 4 of them marked false"
+std::string whatIfSentence(const std::string& detector, const AlarmScore& before, const AlarmScore& after);
+
+// Recordings below `folder`, by name; tables of truth and other by-files left out.
+std::vector<std::string> recordingsIn(const std::string& folder);
+
+}  // namespace stillcut::app

@@ -1,0 +1,106 @@
+#include "core/record/session_folder.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <ctime>
+#include <filesystem>
+
+#include "core/record/hdf5_file.h"
+#include "core/record/journal.h"
+#include "core/record/session_markers.h"
+#include "core/record/session_open.h"
+#include "core/record/session_reader.h"
+
+namespace stillcut::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileName(const std::string& text, const char* otherwise) {
+  constexpr std::size_t kLongest = 80;
+  std::string name;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool bad = code < 0x20 || code == 0x7f || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+    name += bad ? '-' : c;
+  }
+  name.resize(std::min(name.size(), kLongest));
+  while (!name.empty() && (name.back() == ' ' || name.back() == '.')) name.pop_back();
+  while (!name.empty() && (name.front() == ' ' || name.front() == '.')) name.erase(0, 1);
+  return name.empty() ? otherwise : name;
+}
+
+struct Candidate {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::int64_t changed_ns = 0;
+};
+
+// A session that nobody has marked. What cannot be read stays: somebody may want to mend it.
+bool mayGo(const std::string& path) {
+  std::error_code unknown;
+  if (fs::exists(journalPath(path), unknown) || !isHdf5File(path)) return false;
+  {
+    const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
+    if (!opened || !readSessionFormat(opened->file.get(), path)) return false;
+  }
+  const Result<std::vector<Marker>> markers = readMarkers(path);
+  return markers.ok() && markers->empty();
+}
+
+std::vector<Candidate> sessionsBelow(const std::string& folder) {
+  std::vector<Candidate> found;
+  std::error_code problem;
+  for (auto entry = fs::recursive_directory_iterator(folder, problem);
+       !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
+    struct stat info {};
+    if (entry->path().extension() != ".h5" || stat(entry->path().c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+      continue;
+    constexpr std::int64_t kSecond_ns = 1'000'000'000;
+    found.push_back({entry->path().string(), static_cast<std::uint64_t>(info.st_size),
+                     info.st_mtim.tv_sec * kSecond_ns + info.st_mtim.tv_nsec});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Candidate& a, const Candidate& b) { return a.changed_ns < b.changed_ns; });
+  return found;
+}
+
+}  // namespace
+
+Result<std::string> newSessionPath(const std::string& folder, const std::string& job, const std::string& tool,
+                                   std::int64_t utc_ns) {
+  const fs::path place = fs::path(folder) / fileName(job, "job") / fileName(tool, "tool");
+  std::error_code problem;
+  fs::create_directories(place, problem);
+  if (problem) return Error{place.string(), "the folder cannot be made", problem.message()};
+  const std::time_t seconds = utc_ns / 1'000'000'000;
+  std::tm parts{};
+  char text[40] = "";
+  if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &parts);
+  fs::path path = place / (std::string(text) + ".h5");
+  for (int n = 2; fs::exists(path, problem); ++n) path = place / (std::string(text) + "_" + std::to_string(n) + ".h5");
+  return path.string();
+}
+
+Result<std::vector<Deleted>> applyRetention(const std::string& folder, Seconds keepFor, std::uint64_t keepBytes,
+                                            std::int64_t now_utc_ns) {
+  std::vector<Candidate> files = sessionsBelow(folder);
+  std::uint64_t total = 0;
+  for (const Candidate& f : files) total += f.bytes;
+  std::vector<Deleted> deleted;
+  for (const Candidate& f : files) {
+    const bool old = static_cast<double>(now_utc_ns - f.changed_ns) * 1e-9 > keepFor.value;
+    if ((!old && total <= keepBytes) || !mayGo(f.path)) continue;
+    std::error_code problem;
+    if (!fs::remove(f.path, problem)) return Error{f.path, "cannot be deleted", problem.message()};
+    total -= f.bytes;
+    const long hours = std::lround(keepFor.value / 3600.0);
+    const std::string age = hours >= 48 ? std::to_string(hours / 24) + " days" : std::to_string(hours) + " hours";
+    deleted.push_back(
+        {f.path, old ? "older than " + age : "more than " + std::to_string(keepBytes / 1'000'000) + " MB"});
+  }
+  return deleted;
+}
+
+}  // namespace stillcut::record

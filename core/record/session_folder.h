@@ -1,0 +1,29 @@
+// A folder of recordings: names by job, tool and time, and what may be deleted when.
+// Thread: not real-time (file access).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/record/record_params.h"
+
+namespace stillcut::record {
+
+// "FOLDER/JOB/TOOL/2026-11-21_19-02-45.h5", in UTC; the folders are made, and a name that is taken gets a number. What
+// no file name may hold becomes '-'; an empty job or tool is called "job" or "tool".
+Result<std::string> newSessionPath(const std::string& folder, const std::string& job, const std::string& tool,
+                                   std::int64_t utc_ns);
+
+struct Deleted {
+  std::string file;
+  std::string why;  // "older than 90 days"
+};
+// Deletes sessions below `folder` that are older than `keepFor`, and then the oldest until the rest has at most
+// `keepBytes`. Never one with a marker, nor one with a journal (still written, or cut off and not yet opened), nor
+// anything that is no session. Age goes by the file's last change.
+Result<std::vector<Deleted>> applyRetention(const std::string& folder, Seconds keepFor, std::uint64_t keepBytes,
+                                            std::int64_t now_utc_ns);
+
+}  // namespace stillcut::record

@@ -1,0 +1,189 @@
+// What is kept: around events, features alone, names by job, tool and time, and what may be deleted.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+
+#include "core/record/journal.h"
+#include "core/record/open_recording.h"
+#include "core/record/recorder.h"
+#include "core/record/session_folder.h"
+#include "core/record/session_markers.h"
+#include "core/record/session_reader.h"
+#include "tests/unit/record/crash_lab.h"
+#include "tests/unit/record/step_samples.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::record {
+namespace {
+
+using testing::HasSubstr;
+
+// Steps of 10 ms, quiet, numbered by their sequence.
+StepRecord quietStep(int number) {
+  StepRecord step = exampleStep(0);
+  step.input.block.frames = 64;
+  step.input.block.flags = 0;
+  step.input.block.lostFrames = 0;
+  step.input.block.rate = Hertz(6400.0);
+  step.input.block.sequence = static_cast<std::uint64_t>(number);
+  step.input.block.firstSample = instantFromNs(number * 10'000'000LL);
+  step.input.inputCount = 0;
+  step.output.verdictCount = 1;
+  step.output.inCharge = 0;
+  step.output.verdicts[0].state = CutState::Stable;
+  step.output.hasCommand = false;
+  step.output.eventCount = 0;
+  return step;
+}
+
+NextPath numbered(const TempFolder& folder, int& files) {
+  return [&folder, &files]() -> Result<std::string> { return folder / (std::to_string(files++) + ".h5"); };
+}
+
+std::vector<std::uint64_t> sequencesOf(const std::string& path) {
+  std::vector<std::uint64_t> found;
+  const auto reader = openRecording(path);
+  EXPECT_TRUE(reader.ok()) << (reader ? "" : reader.error().line());
+  if (!reader) return found;
+  SampleBlock block;
+  block.allocate(2, 64);
+  while (*(*reader)->read(block)) found.push_back(block.sequence);
+  return found;
+}
+
+TEST(RecordModes, AroundEventsKeepsTheTimeBeforeAndAfterEachAndNothingElse) {
+  const TempFolder folder;
+  RecordPlan plan;
+  plan.before = Seconds(0.5);
+  plan.after = Seconds(0.3);
+  int files = 0;
+  auto recorder = Recorder::create(aroundEvents(exampleHeader(), plan, numbered(folder, files), {}), exampleSetup());
+  for (int i = 0; i < 1000; ++i) {
+    StepRecord step = quietStep(i);
+    if (i == 200 || i == 220) {  // the second while the first still counts
+      step.output.eventCount = 1;
+      step.output.events[0] = {step.input.block.end(), 1, EventLevel::Warning, {ReasonCode::ChatterBegan, {}}};
+    }
+    if (i == 600) {
+      step.input.inputCount = 1;
+      step.input.inputs[0] = {OperatorAction::HearChatter, Authority::Off};
+    }
+    if (i == 800) {  // an event that is none to keep
+      step.output.eventCount = 1;
+      step.output.events[0] = {step.input.block.end(), 2, EventLevel::Info, {ReasonCode::ChatterEnded, {}}};
+    }
+    ASSERT_TRUE(recorder->push(step.input, step.output));
+    ASSERT_TRUE(recorder->drain());
+  }
+  ASSERT_TRUE(recorder->finish().ok());
+  ASSERT_EQ(files, 2);
+  const auto first = sequencesOf(folder / "0.h5");
+  ASSERT_FALSE(first.empty());
+  EXPECT_EQ(first.front(), 150U);
+  EXPECT_EQ(first.back(), 250U);
+  EXPECT_EQ(first.size(), 101U) << "each step once";
+  const auto second = sequencesOf(folder / "1.h5");
+  ASSERT_FALSE(second.empty());
+  EXPECT_EQ(second.front(), 550U);
+  EXPECT_EQ(second.back(), 630U);
+  const auto markers = readMarkers(folder / "1.h5");
+  ASSERT_TRUE(markers.ok());
+  EXPECT_EQ(markers->size(), 1U);
+}
+
+TEST(RecordModes, FeaturesKeepAStepASecondAndEveryChangeWithoutSamplesAnHourAFile) {
+  const TempFolder folder;
+  RecordPlan plan;
+  plan.interval = Seconds(1.0);
+  int files = 0;
+  auto recorder = Recorder::create(features(exampleHeader(), plan, numbered(folder, files), {}), exampleSetup());
+  for (int i = 0; i < 400'000; ++i) {       // 4000 s
+    if (i % 20 != 0 && i != 505) continue;  // the sink sees fewer, the times are the same
+    StepRecord step = quietStep(i);
+    if (i == 505) step.output.verdicts[0].state = CutState::Chatter;
+    ASSERT_TRUE(recorder->push(step.input, step.output));
+    ASSERT_TRUE(recorder->drain());
+  }
+  ASSERT_TRUE(recorder->finish().ok());
+  ASSERT_EQ(files, 2);
+  const auto first = sequencesOf(folder / "0.h5");
+  EXPECT_EQ(first.size(), 3600U + 2U) << "one a second, into chatter and out of it";
+  EXPECT_NE(std::find(first.begin(), first.end(), 505U), first.end());
+  const auto reader = openRecording(folder / "0.h5");
+  ASSERT_TRUE(reader.ok());
+  EXPECT_EQ((*reader)->format().frames, 0) << "no samples";
+  const auto counts = countSession(folder / "0.h5");
+  ASSERT_TRUE(counts.ok());
+  EXPECT_EQ(counts->verdicts, first.size());
+  // 24 h of it at one verdict a step stay small.
+  EXPECT_LT(std::filesystem::file_size(folder / "0.h5") * 24, 100'000'000U);
+}
+
+TEST(SessionFolder, NamesFilesByJobToolAndTime) {
+  const TempFolder folder;
+  constexpr std::int64_t kTime = 1'700'000'000'000'000'000;  // 2023-11-14T22:13:20Z
+  const auto path = newSessionPath(folder / "", "Housing 7/b", "T2 D12 Z4, 48", kTime);
+  ASSERT_TRUE(path.ok()) << path.error().line();
+  EXPECT_THAT(path.value(), HasSubstr("/Housing 7-b/T2 D12 Z4, 48/2023-11-14_22-13-20.h5"));
+  std::ofstream(path.value()) << "taken";
+  EXPECT_THAT(newSessionPath(folder / "", "Housing 7/b", "T2 D12 Z4, 48", kTime).value(), HasSubstr("22-13-20_2.h5"));
+  EXPECT_THAT(newSessionPath(folder / "", "../..", "", kTime).value(), HasSubstr("/-/tool/"));
+  EXPECT_FALSE(newSessionPath("/proc", "a", "b", kTime).ok());
+}
+
+std::string session(const TempFolder& folder, const char* name, std::int64_t age_s, std::int64_t now_ns) {
+  const std::string path = folder / name;
+  auto writer = SessionWriter::create(path, exampleHeader());
+  EXPECT_TRUE(writer.ok());
+  const StepRecord step = quietStep(0);
+  EXPECT_TRUE((*writer)->add(step.input, step.output).ok());
+  EXPECT_TRUE((*writer)->close().ok());
+  const timespec then{static_cast<time_t>(now_ns / 1'000'000'000 - age_s), 0};
+  const timespec times[2] = {then, then};
+  EXPECT_EQ(utimensat(AT_FDCWD, path.c_str(), times, 0), 0);
+  return path;
+}
+
+TEST(SessionFolder, RetentionDeletesTheOldestAndNeverWhatIsMarked) {
+  const TempFolder folder;
+  constexpr std::int64_t kDay = 86400;
+  const std::int64_t now = nowUtc();
+  const std::string marked = session(folder, "marked.h5", 0, now);
+  ASSERT_TRUE(addMarker(marked, {0, {}, {}, "note", "Ada", "keep", 0}).ok());
+  const timespec longAgo{static_cast<time_t>(now / 1'000'000'000 - 1000 * kDay), 0};
+  const timespec times[2] = {longAgo, longAgo};
+  ASSERT_EQ(utimensat(AT_FDCWD, marked.c_str(), times, 0), 0);
+  const std::string old = session(folder, "old.h5", 100 * kDay, now);
+  const std::string middle = session(folder, "middle.h5", 20 * kDay, now);
+  const std::string fresh = session(folder, "fresh.h5", kDay, now);
+  const std::string alive = session(folder, "alive.h5", 500 * kDay, now);
+  std::ofstream(journalPath(alive)) << "";
+  const std::string other = folder.file("other.h5", "not a session at all");
+  ASSERT_EQ(utimensat(AT_FDCWD, other.c_str(), times, 0), 0);
+
+  auto deleted = applyRetention(folder / "", Seconds(90.0 * kDay), 1ULL << 40U, now);
+  ASSERT_TRUE(deleted.ok()) << deleted.error().line();
+  ASSERT_EQ(deleted->size(), 1U);
+  EXPECT_EQ(deleted.value()[0].file, old);
+  EXPECT_EQ(deleted.value()[0].why, "older than 90 days");
+  EXPECT_FALSE(std::filesystem::exists(old));
+
+  const std::uint64_t all = std::filesystem::file_size(middle) + std::filesystem::file_size(fresh) +
+                            std::filesystem::file_size(marked) + std::filesystem::file_size(alive) +
+                            std::filesystem::file_size(other);
+  deleted = applyRetention(folder / "", Seconds(90.0 * kDay), all - 1, now);
+  ASSERT_TRUE(deleted.ok());
+  ASSERT_EQ(deleted->size(), 1U);
+  EXPECT_EQ(deleted.value()[0].file, middle) << "the oldest that nobody has marked";
+  deleted = applyRetention(folder / "", Seconds(90.0 * kDay), 1, now);
+  ASSERT_TRUE(deleted.ok());
+  for (const std::string& kept : {marked, alive, other}) EXPECT_TRUE(std::filesystem::exists(kept)) << kept;
+  EXPECT_FALSE(std::filesystem::exists(fresh));
+}
+
+}  // namespace
+}  // namespace stillcut::record
