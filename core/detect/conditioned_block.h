@@ -25,6 +25,7 @@ struct ConditionedBlock {
   bool afterGap = false;  // samples were lost just before: filters must restart
   Reason reason;          // why not valid
   CutPhase phase = CutPhase::Air;
+  double levelTrend = 1.0;          // mean square of the last turn over that of the last few
   Hertz spindle{};                  // best estimate at the end of the block; 0: unknown
   Hertz spindleSd{};                // its doubt
   Hertz loneLine{};                 // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none

@@ -155,6 +155,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.turnsCompare = !speed_.moving();
   advanceGate();
   out_.phase = gate_.phase();
+  out_.levelTrend = gate_.trend();
   return out_;
 }
 

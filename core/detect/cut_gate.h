@@ -31,6 +31,8 @@ class CutGate {
   bool airSeen() const noexcept { return airSeen_; }
   // Mean square of a channel in air; 0 until learned.
   double airFloor(int channel) const noexcept { return airSeen_ ? floor_[static_cast<std::size_t>(channel)] : 0.0; }
+  // Of the last turn over the last few: what grows is above 1, a tool that leaves well below.
+  double trend() const noexcept { return slow_ > 0.0 ? level_ / slow_ : 1.0; }
   double level() const noexcept { return level_; }  // mean square over the floor, loudest channel
 
  private:

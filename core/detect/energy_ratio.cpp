@@ -130,7 +130,8 @@ void EnergyRatioDetector::followBand() noexcept {
   for (dsp::Butterworth& filter : lowPass_) filter.lowPass(kBandOrder, highest, Hertz(rate_));
 }
 
-void EnergyRatioDetector::endHop(CutPhase phase, bool loneLine) noexcept {
+void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
+  const CutPhase phase = block.phase;
   const Seconds length(static_cast<double>(inHop_) / rate_);
   inHop_ = 0;
   chain_.endHop();
@@ -146,7 +147,9 @@ void EnergyRatioDetector::endHop(CutPhase phase, bool loneLine) noexcept {
     }
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
-  if (judge_.judge(channelStates_, lines_, {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_, loneLine}))
+  if (judge_.judge(channelStates_, lines_,
+                   {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_, block.levelTrend,
+                    block.loneLine.value > 0.0}))
     relearn();
 }
 
@@ -205,7 +208,7 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
     processFrames(block, f, frames);
     f += frames;
     if (inHop_ < hopFrames_) continue;
-    endHop(block.phase, block.loneLine.value > 0.0);
+    endHop(block);
     if (block.speedMoving) turns_.setTurns(marks_.framesAgo(1.0, turn), marks_.framesAgo(2.0, 2.0 * turn));
   }
   if (block.phase == CutPhase::Air) {

@@ -70,7 +70,7 @@ class EnergyRatioDetector final : public Detector {
   void leaveCut() noexcept;
   int stretch(const ConditionedBlock& block, int first) const noexcept;
   void processFrames(const ConditionedBlock& block, int first, int frames) noexcept;
-  void endHop(CutPhase phase, bool loneLine) noexcept;
+  void endHop(const ConditionedBlock& block) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
   double rate_ = 0.0;

@@ -12,6 +12,8 @@ namespace {
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntryChatterSeconds = 0.15;
+constexpr double kSettled = 1.6;       // chatter that was there from the entry has long found its size
+constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
 constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
@@ -88,7 +90,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     const bool full = high && (hop.turnsCompare || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
-  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
+  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare && hop.levelTrend > kFalling &&
              (entry || rising_ || (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
@@ -103,7 +105,8 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
 // Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
 // for one and the same line over many turns.
 bool RatioJudge::fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept {
-  if (!high || hop.steadyTurns < kSettleTurns) {
+  const bool settled = hop.levelTrend < kSettled && hop.levelTrend * kSettled > 1.0;
+  if (!high || !settled || hop.steadyTurns < kSettleTurns) {
     highTurns_ = 0.0;
     return false;
   }

@@ -27,6 +27,7 @@ struct RatioHop {
   Hertz highest{};           // up to which harmonics are removed
   double steadyTurns = 0.0;  // since the cut became steady
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
+  double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
   bool loneLine = false;     // a line that cannot be forced holds most of the vibration
 };
 
