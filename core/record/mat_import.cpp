@@ -26,8 +26,17 @@ using Variable = std::shared_ptr<matvar_t>;
 constexpr std::size_t kMostVariables = 4096;
 constexpr std::size_t kMostColumns = 256;
 constexpr std::size_t kLongestText = 256;
-// Of numbers taken from a compressed variable at once: reading on means inflating from its start again.
+// Of numbers taken at once. Reading on in a compressed variable means inflating it from its start again: there a
+// sixteenth of it, as far as all channels together stay below 128 MB.
 constexpr std::size_t kSlab = std::size_t{1} << 18U;
+constexpr std::size_t kInflatedAtOnce = 16;
+constexpr std::size_t kMostInflated = std::size_t{1} << 24U;
+
+std::size_t slabOf(const matvar_t& variable, std::size_t frames, std::size_t channels) {
+  if (variable.compression != MAT_COMPRESSION_ZLIB) return kSlab;
+  const std::size_t most = std::max<std::size_t>(1, kMostInflated / std::max<std::size_t>(channels, 1));
+  return std::min(std::max(kSlab, frames / kInflatedAtOnce), std::max(most, kSlab / 8));
+}
 
 template <class T>
 void convert(const std::vector<unsigned char>& raw, std::size_t count, std::vector<double>& out) {
@@ -80,18 +89,19 @@ bool readSlab(mat_t* mat, matvar_t* variable, bool framesAreRows, std::size_t co
 
 class MatColumn final : public Column {
  public:
-  MatColumn(MatFile mat, Variable variable, std::size_t column, std::string where)
+  MatColumn(MatFile mat, Variable variable, std::size_t column, std::size_t channels, std::string where)
       : mat_(std::move(mat)),
         variable_(std::move(variable)),
         framesAreRows_(variable_->dims[0] >= variable_->dims[1]),
         frames_(std::max(variable_->dims[0], variable_->dims[1])),
         column_(column),
+        atOnce_(slabOf(*variable_, frames_, channels)),
         where_(std::move(where)) {}
 
   Status read(std::span<double> out) override {
     for (double& value : out) {
       if (at_ == slab_.size()) {
-        const std::size_t count = std::min(kSlab, frames_ - next_);
+        const std::size_t count = std::min(atOnce_, frames_ - next_);
         if (count == 0 || !readSlab(mat_.get(), variable_.get(), framesAreRows_, column_, next_, count, slab_)) {
           return Error{where_, "'" + cleanName(variable_->name) + "' cannot be read", "a damaged file"};
         }
@@ -109,6 +119,7 @@ class MatColumn final : public Column {
   bool framesAreRows_;
   std::size_t frames_;
   std::size_t column_;
+  std::size_t atOnce_;
   std::string where_;
   std::vector<double> slab_;
   std::size_t at_ = 0;
@@ -226,8 +237,10 @@ class MatListing {
     array.name = name;
     array.frames = static_cast<std::int64_t>(longer);
     array.columns = static_cast<int>(shorter);
-    array.open = [mat = mat_, v, where = contents_.path](int column) -> Result<std::unique_ptr<Column>> {
-      return std::unique_ptr<Column>(new MatColumn(mat, v, static_cast<std::size_t>(column), where));
+    *channels_ += shorter;
+    array.open = [mat = mat_, v, channels = channels_,
+                  where = contents_.path](int column) -> Result<std::unique_ptr<Column>> {
+      return std::unique_ptr<Column>(new MatColumn(mat, v, static_cast<std::size_t>(column), *channels, where));
     };
     contents_.arrays.push_back(std::move(array));
     return Done{};
@@ -242,6 +255,7 @@ class MatListing {
   std::string inner_;
   std::uint64_t fileBytes_;
   FileContents contents_;
+  std::shared_ptr<std::size_t> channels_ = std::make_shared<std::size_t>(0);  // in all arrays
   std::vector<std::pair<std::string, std::string>> texts_;
 };
 
