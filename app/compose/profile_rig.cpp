@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/io/comedi_output.h"
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
@@ -66,6 +67,9 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
     request.folder = std::filesystem::path(path).parent_path().string();
     request.wires = makeWire;
     request.buses = busMaker();
+    request.analog = makeComediOutput;
+    request.programmedSpeed = profile.cut.nominalSpeed;
+    request.programmedFeed = profile.cut.nominalFeed;
     request.clock = clock.get();
     auto link = cnc::makeLink(profile.link.id, request);
     if (!link) return link.error();

@@ -88,11 +88,30 @@ Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
       std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), *r.clock));
 }
 
-constexpr std::array<LinkEntry, 4> kLinks{{
+Result<std::unique_ptr<CncLink>> makeAnalog(const LinkRequest& r) {
+  const std::string where = "link 'analog'";
+  config::PartSettings settings(r.settings, where);
+  const std::string file = settings.text("map", "");
+  if (Status known = settings.finish(); !known) return known.error();
+  if (file.empty()) return Error{where, "'map' is missing", "it names the file with outputs and calibration tables"};
+  if (r.programmedSpeed.value <= 0.0 || r.programmedFeed.value <= 0.0) {
+    return Error{where, "[cut] speed_rpm or feed_mm_min is missing", "such a machine tells nothing of its program"};
+  }
+  auto map = loadAnalogMap((std::filesystem::path(r.folder) / file).string());
+  if (!map) return map.error();
+  std::unique_ptr<AnalogOutput> output = r.analog ? r.analog() : nullptr;
+  if (!output)
+    return Error{where, "analog outputs are not part of this build", "install libcomedi-dev and build again"};
+  return std::unique_ptr<CncLink>(
+      std::make_unique<AnalogLink>(std::move(map).value(), std::move(output), r.programmedSpeed, r.programmedFeed));
+}
+
+constexpr std::array<LinkEntry, 5> kLinks{{
     {"simulated", "The control of the simulated mill; the only one that takes commands from a replay", makeSimulated},
     {"linuxcnc", "LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port", makeLinuxCnc},
     {"grbl", "GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port", makeGrbl},
     {"modbus", "A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers", makeModbus},
+    {"analog", "Override voltages through a Comedi card: map, a file of calibration tables", makeAnalog},
 }};
 
 }  // namespace

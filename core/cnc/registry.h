@@ -2,12 +2,14 @@
 // Thread: set-up.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "core/cnc/analog_link.h"
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/register_bus.h"
@@ -20,11 +22,14 @@ namespace stillcut::cnc {
 struct LinkRequest {
   const milling::Scenario* scenario = nullptr;  // simulated
   std::shared_ptr<milling::PlantPort> port;
-  std::map<std::string, std::string> settings;  // of the profile's [link.settings]
-  std::string folder;                           // files that settings name are looked for here
-  WireMaker wires;                              // real machines
-  BusMaker buses;                               // Modbus machines
-  const Clock* clock = nullptr;                 // real machines; outlives the link
+  std::map<std::string, std::string> settings;            // of the profile's [link.settings]
+  std::string folder;                                     // files that settings name are looked for here
+  WireMaker wires;                                        // real machines
+  BusMaker buses;                                         // Modbus machines
+  std::function<std::unique_ptr<AnalogOutput>()> analog;  // may give null
+  Rpm programmedSpeed{};                                  // of the profile, for machines that do not tell
+  MetresPerSecond programmedFeed{};
+  const Clock* clock = nullptr;  // real machines; outlives the link
 };
 
 struct LinkEntry {

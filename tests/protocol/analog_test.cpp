@@ -1,0 +1,168 @@
+// Overrides as voltages: calibration tables, their files, and the link with a backend that only notes what it is told.
+#include "core/cnc/analog_link.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/protocol/commands.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using testing::CommandMaker;
+
+struct Card {
+  std::map<int, double> volts;
+  std::vector<int> order;  // channels as they were written
+  bool gone = false;
+};
+
+class NotingOutput final : public AnalogOutput {
+ public:
+  explicit NotingOutput(Card& card) : card_(card) {}
+  Status open(const AnalogDevice& device) override {
+    if (card_.gone) return Error{device.file, "cannot be opened", "No such device"};
+    return Done{};
+  }
+  bool write(int channel, double volts) noexcept override {
+    if (card_.gone) return false;
+    card_.volts[channel] = volts;
+    card_.order.push_back(channel);
+    return true;
+  }
+
+ private:
+  Card& card_;
+};
+
+AnalogMap mapOf(const char* file) {
+  auto map = loadAnalogMap(std::string(STILLCUT_SOURCE_DIR "/resources/machines/") + file);
+  if (!map) throw std::runtime_error(map.error().line());
+  return std::move(map).value();
+}
+
+AnalogLink linkOf(const char* file, Card& card, double rpm) {
+  return {mapOf(file), std::make_unique<NotingOutput>(card), Rpm(rpm), fromMmPerMin(1000.0)};
+}
+
+TEST(CalibrationTable, GivesThePublishedVoltages) {
+  const AnalogMap xu = mapOf("analog-xu-feed-and-speed.toml");
+  EXPECT_NEAR(xu.feed->table.voltage(0.0), 1.3, 1e-12);
+  EXPECT_NEAR(xu.feed->table.voltage(150.0), 4.8, 1e-12);
+  EXPECT_NEAR(xu.feed->table.voltage(100.0), 1.3 + 3.5 * 100.0 / 150.0, 1e-12);
+  EXPECT_NEAR(xu.speed->table.voltage(500.0), 1.0, 1e-12);
+  EXPECT_NEAR(xu.speed->table.voltage(5000.0), 10.0, 1e-12);
+}
+
+TEST(CalibrationTable, NeverLeavesItsEndsAndGoesThroughEveryPoint) {
+  const std::vector<CalibrationTable::Point> points{{0.5, 120.0}, {2.0, 100.0}, {2.5, 60.0}, {4.0, 50.0}};
+  const auto table = CalibrationTable::make(points, "t");
+  ASSERT_TRUE(table.ok());
+  for (const auto& p : points) EXPECT_NEAR(table->voltage(p.value), p.volts, 1e-12);
+  double last = table->voltage(40.0);
+  for (double value = 40.0; value < 140.0; value += 0.37) {
+    const double volts = table->voltage(value);
+    EXPECT_GE(volts, 0.5);
+    EXPECT_LE(volts, 4.0);
+    EXPECT_LE(volts, last + 1e-12);  // this table falls
+    last = volts;
+  }
+}
+
+TEST(CalibrationTable, ReversedFlatShortAndEndlessTablesAreRefused) {
+  using Points = std::vector<CalibrationTable::Point>;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Points& bad : {Points{}, Points{{1.0, 100.0}}, Points{{1.0, 50.0}, {1.0, 100.0}},
+                            Points{{2.0, 50.0}, {1.0, 100.0}}, Points{{1.0, 50.0}, {2.0, 50.0}},
+                            Points{{1.0, 50.0}, {2.0, 100.0}, {3.0, 80.0}}, Points{{1.0, nan}, {2.0, 100.0}}}) {
+    EXPECT_FALSE(CalibrationTable::make(bad, "t").ok());
+  }
+}
+
+TEST(AnalogMap, BadFilesAreOneLine) {
+  const std::string good = "version = 1\n[speed]\nchannel = 0\ntable = [[0.0, 50.0], [5.0, 120.0]]\n";
+  ASSERT_TRUE(parseAnalogMap(good, "m").ok());
+  struct Case {
+    std::string from, to, says;
+  };
+  for (const Case& c : {Case{"[5.0, 120.0]", "[5.0, 90.0]", "100 %"}, Case{"[5.0, 120.0]", "[-1.0, 120.0]", "rise"},
+                        Case{"[5.0, 120.0]", "[5.0, 120.0, 1.0]", "row of 3"}, Case{"[speed]", "[sped]", "missing"},
+                        Case{"version = 1\n", "version = 1\n[feed]\nchannel = 0\ntable = [[0.0, 0.0], [5.0, 100.0]]\n",
+                             "channel of"}}) {
+    std::string text = good;
+    text.replace(text.find(c.from), c.from.size(), c.to);
+    const auto map = parseAnalogMap(text, "m");
+    ASSERT_FALSE(map.ok()) << c.to;
+    EXPECT_NE(map.error().line().find(c.says), std::string::npos) << map.error().line();
+  }
+}
+
+TEST(Analog, HoldsTheProgrammedValuesFromOpenToTheEnd) {
+  Card card;
+  {
+    AnalogLink link = linkOf("analog-hand-terminal.toml", card, 8000.0);
+    ASSERT_TRUE(link.open().ok());
+    EXPECT_NEAR(card.volts[0], 5.0 * 50.0 / 70.0, 1e-9);
+    EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+    CommandMaker gate;
+    link.apply(gate.set(90.0), {});
+    EXPECT_NEAR(card.volts[0], 5.0 * 40.0 / 70.0, 0.01);
+    EXPECT_NEAR(card.volts[1], 4.5, 0.01);
+    EXPECT_NEAR(link.read({}).speedOverride.value, 0.9, 0.001);
+  }
+  EXPECT_NEAR(card.volts[0], 5.0 * 50.0 / 70.0, 1e-9);
+  EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+}
+
+TEST(Analog, AbsoluteSpeedIsInRevolutions) {
+  Card card;
+  AnalogLink link = linkOf("analog-xu-feed-and-speed.toml", card, 3000.0);
+  ASSERT_TRUE(link.open().ok());
+  EXPECT_NEAR(card.volts[0], 1.0 + 9.0 * 2500.0 / 4500.0, 1e-9);
+  EXPECT_NEAR(link.describe().highestSpeed.value, 5000.0 / 3000.0, 1e-9);
+  EXPECT_FALSE(link.describe().machineWatchdog);
+}
+
+TEST(Analog, FeedFallsBeforeSpeedAndRisesAfterIt) {
+  Card card;
+  AnalogLink link = linkOf("analog-hand-terminal.toml", card, 8000.0);
+  ASSERT_TRUE(link.open().ok());
+  card.order.clear();
+  CommandMaker gate;
+  link.apply(gate.set(90.0), {});
+  link.release({});
+  EXPECT_EQ(card.order, (std::vector<int>{1, 0, 0, 1}));
+}
+
+TEST(Analog, SpeedOutsideTheGearsTableIsRefusedBeforeAnythingIsWritten) {
+  Card card;
+  AnalogLink link = linkOf("analog-xu-feed-and-speed.toml", card, 300.0);
+  const Status opened = link.open();
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().line().find("outside the speed table"), std::string::npos);
+  EXPECT_TRUE(card.volts.empty());
+}
+
+TEST(Analog, CardThatGoesIsAnInvalidMachine) {
+  Card card;
+  AnalogLink link = linkOf("analog-hand-terminal.toml", card, 8000.0);
+  ASSERT_TRUE(link.open().ok());
+  EXPECT_TRUE(link.read({}).valid);
+  card.gone = true;
+  CommandMaker gate;
+  link.apply(gate.set(90.0), {});
+  EXPECT_FALSE(link.read({}).valid);
+  card.gone = false;
+  link.release({});
+  EXPECT_TRUE(link.read({}).valid);
+  EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
