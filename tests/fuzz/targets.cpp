@@ -10,6 +10,11 @@
 #include <fstream>
 #include <string>
 
+#include "core/cnc/analog_map.h"
+#include "core/cnc/emc_status.h"
+#include "core/cnc/grbl_status.h"
+#include "core/cnc/line_splitter.h"
+#include "core/cnc/register_map.h"
 #include "core/config/profile.h"
 #include "core/milling/case_json.h"
 #include "core/milling/scenario.h"
@@ -85,6 +90,8 @@ void expectOneLine(const Loaded& loaded) {
 
 void readToml(std::string_view bytes) {
   expectOneLine(config::parseProfile(bytes, "fuzz.toml", config::ParamCatalog{}));
+  expectOneLine(cnc::parseRegisterMap(bytes, "fuzz.toml"));
+  expectOneLine(cnc::parseAnalogMap(bytes, "fuzz.toml"));
   const std::string path = asFile(bytes, ".toml");
   expectOneLine(milling::loadScenario(path));
   expectOneLine(milling::loadLobeCase(path));
@@ -98,6 +105,36 @@ void readJson(std::string_view bytes) {
   std::remove(path.c_str());
 }
 
+// What a machine says on its wire: lines of LinuxCNC and of GRBL.
+void hearMachine(std::string_view bytes) {
+  cnc::LineSplitter splitter;
+  cnc::EmcStatus emc;
+  cnc::GrblReport report;
+  cnc::GrblWords words;
+  splitter.feed(bytes, [&](std::string_view line) {
+    emc.take(line, {});
+    cnc::readGrblLine(line, report, words);
+    const double numbers[] = {emc.actualSpeed.value.value,
+                              emc.commandedSpeed.value.value,
+                              emc.speedWord.value.value,
+                              emc.feedWord.value.value,
+                              emc.currentFeed.value.value,
+                              emc.adaptiveFeed.value,
+                              report.feed.value_or(0.0),
+                              report.speed.value_or(0.0),
+                              words.feed,
+                              words.speed};
+    for (const double n : numbers) {
+      if (!std::isfinite(n) || std::abs(n) > 1e7) broken("a machine that is faster than any");
+    }
+    const int percents[] = {emc.feedOverride.value, emc.spindleOverride.value, report.feedOverride.value_or(0),
+                            report.speedOverride.value_or(0)};
+    for (const int p : percents) {
+      if (p < 0 || p > 1000) broken("an override that no machine has");
+    }
+  });
+}
+
 const char* const kWav = ".wav";
 const char* const kFlac = ".flac";
 const char* const kCsv = ".csv";
@@ -105,7 +142,7 @@ const char* const kUff = ".uff";
 const char* const kMat = ".mat";
 const char* const kHdf5 = ".h5";
 
-constexpr std::array<Target, 9> kTargets{{
+constexpr std::array<Target, 10> kTargets{{
     {"wav", ".wav", readRecording<kWav>},
     {"flac", ".flac", readRecording<kFlac>},
     {"text", ".csv", readRecording<kCsv>},
@@ -115,6 +152,7 @@ constexpr std::array<Target, 9> kTargets{{
     {"hdf5", ".h5", readRecording<kHdf5>},
     {"toml", ".toml", readToml},
     {"json", ".json", readJson},
+    {"machine", ".txt", hearMachine},
 }};
 
 }  // namespace
