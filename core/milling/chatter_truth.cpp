@@ -10,24 +10,20 @@ namespace stillcut::milling {
 namespace {
 
 constexpr double kEventRatio = 0.2;
-constexpr double kSureRatio = 0.35;  // noise and transients of a stable cut do not reach it for long
 constexpr double kMarkRatio = 0.5;
-constexpr double kOverRatio = 0.1;  // below it chatter has ended
-constexpr double kLeastDivisor = 0.3;
+constexpr double kOverRatio = 0.1;   // below it chatter has ended
+constexpr double kMostRatio = 50.0;  // nearly everything is chatter: the difference of squares means little
+constexpr double kSureGrowth = 1.0;  // e-folds; a stable cut's disturbance may rise for a while after a change, less
+constexpr double kLeastGain = 0.3;
+constexpr double kNoiseGain = 2.449;   // of white noise: the root of 1 + 4 + 1
+constexpr double kUsualMemory = 0.5;   // [s]
+constexpr double kLeastForced = 0.05;  // of the strongest forced vibration so far: a cut that fades out
 
-double divisor(double chatterHz, double spindleHz) {
-  if (!(spindleHz > 0.0)) return 1.0;
-  const double s = 2.0 * std::sin(std::numbers::pi * chatterHz / spindleHz);
-  return std::max(s * s, kLeastDivisor);
-}
-
-// `strongest`: the largest vibration of the run so far. As a cut fades out, what is left is noise: a twentieth of the
-// strongest counts as forced in any case.
-double ratioOf(double chatterRms, double totalRms, double strongest) {
+// `least`: what counts as forced in any case.
+double ratioOf(double chatterRms, double totalRms, double least) {
   const double rest = totalRms * totalRms - chatterRms * chatterRms;
-  // Where nearly everything is chatter the difference of squares means little: 1/50 is the least that counts as forced.
-  const double forced = std::sqrt(std::max({rest, totalRms * totalRms * 4e-4, strongest * strongest * 25e-4}));
-  return forced > 0.0 ? chatterRms / forced : 0.0;
+  const double forced = std::sqrt(std::max(rest, least * least));
+  return chatterRms > 0.0 ? std::min(chatterRms / std::max(forced, 1e-300), kMostRatio) : 0.0;
 }
 
 }  // namespace
@@ -35,20 +31,21 @@ double ratioOf(double chatterRms, double totalRms, double strongest) {
 ChatterTruth::ChatterTruth(const Settings& settings) : settings_(settings), perRev_(settings.samplesPerRevolution) {
   window_ = static_cast<std::size_t>(perRev_ * std::max(1.0, 0.008 * settings.nominalHz));
   spectrumLength_ = std::max(0.22, 8.0 / settings.nominalHz);
-  for (auto& p : past_) p.assign(static_cast<std::size_t>(2 * perRev_), 0.0);
-  chatterSq_.assign(window_, 0.0);
-  totalSq_.assign(window_, 0.0);
+  for (auto& p : past_) p.assign(static_cast<std::size_t>(2 * perRev_ / settings.periodsPerRevolution), 0.0);
+  for (Power* p : {&chatter_, &total_, &forced_, &departure_}) p->squares.assign(window_, 0.0);
   difference_.assign(static_cast<std::size_t>(1.1 * spectrumLength_ * settings.fastestHz * perRev_) + 1, 0.0);
+  departures_ = difference_;
   log_.reserve(static_cast<std::size_t>(settings.duration * 1000.0) + 16);
 }
 
-void ChatterTruth::follow(double d) noexcept {
-  // d(n+1) + d(n-1) = 2 cos(w) d(n) for one tone.
-  const double forget = 1.0 - 1.0 / (2.0 * perRev_);
-  num_ = forget * num_ + d1_ * (d + d2_);
-  den_ = forget * den_ + 2.0 * d1_ * d1_;
-  d2_ = d1_;
-  d1_ = d;
+double ChatterTruth::Power::rms() const noexcept {
+  return std::sqrt(std::max(0.0, sum) / static_cast<double>(squares.size()));
+}
+
+double ChatterTruth::gain(double chatterHz, double spindleHz) const noexcept {
+  if (!(spindleHz > 0.0)) return 1.0;
+  const double s = 2.0 * std::sin(std::numbers::pi * chatterHz / (spindleHz * settings_.periodsPerRevolution));
+  return std::max(s * s, kLeastGain);
 }
 
 void ChatterTruth::add(const TruthSample& s) noexcept {
@@ -60,58 +57,97 @@ void ChatterTruth::add(const TruthSample& s) noexcept {
   if (!s.cutting || !s.engagementSteady || sinceCut_ < 3 * static_cast<std::size_t>(perRev_)) {
     unsteadyUntil_ = s.time + settings_.settle;
   }
-  const std::size_t half = static_cast<std::size_t>(perRev_), length = 2 * half;
+  const std::size_t length = past_[0].size(), half = length / 2;
   const auto difference = [&](std::size_t i, double value) {
     const double d = value - 2.0 * past_[i][(pastAt_ + half) % length] + past_[i][pastAt_];
     past_[i][pastAt_] = value;
     return d;
   };
-  double raw = 0.0, total = 0.0, sum = 0.0, displacement = 0.0;
+  double raw = 0.0, total = 0.0, forced = 0.0, departure = 0.0, sum = 0.0, away = 0.0;
   for (std::size_t i = 0; i < 2; ++i) {
-    const double d = difference(i, s.acceleration[i]);
+    const double d = difference(i, s.acceleration[i]), off = s.acceleration[i] - s.forced[i];
     raw += d * d;
     total += s.acceleration[i] * s.acceleration[i];
+    forced += s.forced[i] * s.forced[i];
+    departure += off * off;
     sum += d;  // x and y chatter at one frequency: their sum carries it
-    displacement += difference(i + 2, s.displacement[i]);
+    away += off;
   }
   pastAt_ = (pastAt_ + 1) % length;
   ++seen_;
-  if (seen_ <= length) raw = sum = displacement = 0.0;
-  chatterSum_ += raw - chatterSq_[windowAt_];
-  totalSum_ += total - totalSq_[windowAt_];
-  chatterSq_[windowAt_] = raw;
-  totalSq_[windowAt_] = total;
+  if (seen_ <= length) raw = sum = 0.0;
+  chatter_.put(windowAt_, raw);
+  total_.put(windowAt_, total);
+  forced_.put(windowAt_, forced);
+  departure_.put(windowAt_, departure);
   windowAt_ = (windowAt_ + 1) % window_;
-  follow(displacement);
   if (!frozen_) {
     difference_[differenceAt_] = sum;
+    departures_[differenceAt_] = away;
     differenceAt_ = (differenceAt_ + 1) % difference_.size();
   }
-  note(s, std::sqrt(std::max(0.0, chatterSum_) / static_cast<double>(window_)));
+  note(s, chatter_.rms());
 }
 
-void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
+// What the stable cut's vibration would be now: the companion's, as much larger as it was when the cut was stable.
+double ChatterTruth::usualVibration() const noexcept {
+  const double usual = (flips_ ? 1.0 : usual_.vibration) * forced_.rms();
+  return std::max(usual, kLeastForced * strongest_);
+}
+
+// Chatter to forced, by the departure from the forced companion. Where the cut flips, all of it is: what a runout
+// drives there is the flip itself, seeded.
+double ChatterTruth::departed() const noexcept {
+  const double vibration = usualVibration(), usual = flips_ ? 0.0 : usual_.departure * forced_.rms();
+  const double now = departure_.rms();
+  if (!(vibration > 0.0)) return 0.0;
+  return std::min(kMostRatio, std::sqrt(std::max(0.0, now * now - usual * usual)) / vibration);
+}
+
+// How much of what was found is chatter.
+void ChatterTruth::count(const TruthSample& s, bool settled) noexcept {
+  const double dt = s.time - lastTime_, forced = forced_.rms();
+  grown_ = s.growth > 0.0 && s.cutting ? grown_ + s.growth * dt : 0.0;
+  if (grown_ > 0.0) liveGain_ = std::max(s.gain, kLeastGain);
+  if (grown_ == 0.0 && most_ < kOverRatio) liveGain_ = kNoiseGain;
+  flips_ = s.flips;
+  if (grown_ > kSureGrowth) {
+    repeats_ = s.gain < kLeastGain;
+    const double differing = std::sqrt(std::max(0.0, ratio_ * ratio_ - 4.0 * usual_.ratioSquare));
+    counted_ = repeats_ ? departed() : differing;
+    if (sustained_) counted_ = std::max(counted_, departed());
+    most_ = 1.5 * counted_;  // linear decay and what is measured agree to about that
+  } else {
+    most_ *= std::exp(std::min(0.0, s.growth) * dt);
+    counted_ = std::min(std::max(ratio_, departed()), most_);
+    if (most_ < kOverRatio && settled && forced > 0.0) {
+      usual_.departure = departure_.rms() / forced;
+      usual_.vibration = std::max(1.0, totalRms_ / forced);
+      usual_.ratioSquare += (ratio_ * ratio_ - usual_.ratioSquare) * (1.0 - std::exp(-dt / kUsualMemory));
+    }
+  }
+  if (!settled) return;
+  strongest_ = std::max(strongest_, usualVibration());
+  peak_ = std::max(peak_, counted_);
+  if (counted_ > kMarkRatio) marked_ += s.path - lastPath_;
+}
+
+void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noexcept {
   const double rate = perRev_ * s.spindleHz;
-  totalRms_ = std::sqrt(std::max(0.0, totalSum_) / static_cast<double>(window_));
-  liveHz_ = den_ > 0.0 ? std::acos(std::clamp(num_ / den_, -1.0, 1.0)) * rate / kTwoPi : 0.0;
-  const bool settled = s.time >= unsteadyUntil_;
-  if (settled) strongest_ = std::max(strongest_, totalRms_);
-  ratio_ = s.cutting ? ratioOf(std::min(raw / divisor(liveHz_, s.spindleHz), totalRms_), totalRms_, strongest_) : 0.0;
-  if (settled) peak_ = std::max(peak_, ratio_);
-  if (ratio_ > kMarkRatio && settled) marked_ += s.path - lastPath_;
-  lastPath_ = s.path;
-  if (settled && ratio_ >= (sustained_ ? kOverRatio : kEventRatio)) {
-    if (aboveSince_ < 0.0) aboveSince_ = s.time;
-    highest_ = std::max(highest_, ratio_);
-    sustained_ = highest_ >= kSureRatio && s.time - aboveSince_ >= std::max(0.05, 6.0 / s.spindleHz);
+  if (settled && counted_ >= (sustained_ ? kOverRatio : kEventRatio)) {
+    if (aboveSince_ < 0.0) aboveSince_ = middle;
+    // Full chatter is sure; it may lock and hide before six revolutions are over.
+    sustained_ = sustained_ || counted_ >= kMarkRatio || middle - aboveSince_ >= std::max(0.05, 6.0 / s.spindleHz);
   } else {
     aboveSince_ = -1.0;
-    highest_ = 0.0;
     sustained_ = false;
   }
   if (sustained_ && eventTime_ < 0.0) {
     eventTime_ = aboveSince_;
-    eventHz_ = s.spindleHz;
+    eventFlips_ = s.flips;
+    eventFolded_ = s.folded;
+    eventFoldHz_ = s.foldHz;
+    differenceShows_ = !s.flips || s.gain > kLeastGain;
     freezeAt_ = aboveSince_ + spectrumLength_;
     differenceRate_ = rate;
   }
@@ -119,17 +155,31 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
   if (eventTime_ >= 0.0 && !frozen_) {
     frozen_ = s.time >= freezeAt_ || std::abs(rate / differenceRate_ - 1.0) > 1e-3;
   }
+}
+
+void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
+  const double rate = perRev_ * s.spindleHz;
+  const double middle = s.time - 0.5 * static_cast<double>(window_) / rate;
+  totalRms_ = total_.rms();
+  const bool settled = s.time >= unsteadyUntil_;
+  ratio_ = s.cutting ? ratioOf(std::min(raw / liveGain_, totalRms_), totalRms_, kLeastForced * strongest_) : 0.0;
+  count(s, settled);
+  lastPath_ = s.path;
+  lastTime_ = s.time;
+  decide(s, middle, settled);
   if (s.time - lastLog_ >= 0.001 && log_.size() < log_.capacity()) {
     lastLog_ = s.time;
-    log_.push_back({static_cast<float>(s.time), static_cast<float>(raw), static_cast<float>(totalRms_),
-                    static_cast<float>(s.spindleHz), static_cast<float>(s.path), static_cast<float>(ratio_),
-                    settled && s.cutting});
+    log_.push_back({static_cast<float>(middle), static_cast<float>(raw), static_cast<float>(totalRms_),
+                    static_cast<float>(s.spindleHz), static_cast<float>(s.path),
+                    static_cast<float>(repeats_ ? departed() : ratio_), settled && s.cutting && s.growth > 0.0,
+                    repeats_});
   }
 }
 
 double ChatterTruth::ratioAt(const LogEntry& e, Hertz chatter) const {
+  if (e.repeats) return static_cast<double>(e.ratio);
   const double total = static_cast<double>(e.forcedAndChatterRms);
-  const double part = static_cast<double>(e.chatterRms) / divisor(chatter.value, static_cast<double>(e.spindleHz));
+  const double part = static_cast<double>(e.chatterRms) / gain(chatter.value, static_cast<double>(e.spindleHz));
   return ratioOf(std::min(part, total), total, 0.0);
 }
 
@@ -143,7 +193,7 @@ ChatterOnset ChatterTruth::onset() const {
     double from = eventTime_;
     for (auto it = log_.rbegin(); it != log_.rend(); ++it) {
       if (static_cast<double>(it->time) > eventTime_ + 0.02) continue;
-      if (!it->settled || ratioAt(*it, chatter) < mark || static_cast<double>(it->ratio) < 0.5 * mark) break;
+      if (!it->unstable || ratioAt(*it, chatter) < mark || static_cast<double>(it->ratio) < 0.5 * mark) break;
       from = static_cast<double>(it->time);
     }
     return from;
@@ -158,6 +208,13 @@ ChatterOnset ChatterTruth::onset() const {
   return result;
 }
 
+// Near a line of the linearised cut; large chatter shifts a little. Noise elsewhere, in another mode, is not meant.
+bool ChatterTruth::expected(double hz) const noexcept {
+  if (!(eventFoldHz_ > 0.0)) return true;
+  const double order = hz / eventFoldHz_;
+  return std::abs(std::abs(order - std::round(order)) - eventFolded_) < 0.06;
+}
+
 Hertz ChatterTruth::chatterFrequency() const {
   if (eventTime_ < 0.0 || !(differenceRate_ > 0.0)) return Hertz(0.0);
   const std::size_t n = std::min(difference_.size(), static_cast<std::size_t>(spectrumLength_ * differenceRate_));
@@ -165,7 +222,7 @@ Hertz ChatterTruth::chatterFrequency() const {
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t at = (differenceAt_ + difference_.size() - n + i) % difference_.size();
     const double u = std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
-    d[i] = difference_[at] * u * u;
+    d[i] = (differenceShows_ ? difference_ : departures_)[at] * u * u;
   }
   const auto power = [&](double hz) {
     const std::complex<double> turn = std::polar(1.0, -kTwoPi * hz / differenceRate_);
@@ -181,6 +238,7 @@ Hertz ChatterTruth::chatterFrequency() const {
   const int lines = static_cast<int>(std::ceil(0.5 * top));
   for (int i = 1; i < lines; ++i) {
     const double hz = 2.0 * i;
+    if (!expected(hz)) continue;
     const double p = power(hz);
     if (p > bestPower) {
       bestPower = p;
@@ -200,13 +258,9 @@ Hertz ChatterTruth::chatterFrequency() const {
   return Hertz(best);
 }
 
-ChatterKind ChatterTruth::kind(int teeth) const {
+ChatterKind ChatterTruth::kind() const {
   if (eventTime_ < 0.0) return ChatterKind::Unknown;
-  const double tooth = eventHz_ * teeth;
-  const double order = chatterFrequency().value / tooth;
-  const double offHalf = std::abs(order - std::floor(order) - 0.5) * tooth;
-  // A flip locks on half the tooth-passing frequency; 0.22 s of signal tell frequencies apart to about 2 Hz.
-  return offHalf < 2.0 ? ChatterKind::Flip : ChatterKind::Hopf;
+  return eventFlips_ ? ChatterKind::Flip : ChatterKind::Hopf;
 }
 
 }  // namespace stillcut::milling

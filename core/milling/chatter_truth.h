@@ -1,12 +1,24 @@
-// ChatterTruth: what really goes on in a simulated cut, to judge detectors and controllers by.
+// ChatterTruth: what really goes on in a simulated cut, to judge detectors and controllers by. It looks at the tip of
+// the tool itself; sensors and their noise do not come into it.
 //
-// The chatter part of the tip's acceleration is its second difference over whole spindle revolutions, a(t) - 2 a(t-T) +
-// a(t-2T): the forced vibration with its runout repeats every revolution and falls out, slow growth of it too. Divided
-// by |1 - exp(-2 pi i f_c T)|^2 it has the chatter's amplitude. Samples come at equal angles, so T is exact at any
-// speed. ratio = rms of the chatter part / rms of the rest (x and y together), over the longer of one revolution and 8
-// ms. Soft where f_c nears a spindle harmonic (the divisor is kept above 0.3) and while the cut itself changes: after
-// entry, exit and steps of the engagement it waits `settle` before it calls anything chatter. Thread: one. add() is
-// real-time safe; the questions about the past are not.
+// The chatter part of the tip's acceleration is its second difference over the period T in which the forced vibration
+// repeats, a(t) - 2 a(t-T) + a(t-2T): the forced vibration falls out, slow growth of it too. T is the spindle's
+// revolution; the tooth period where pitch and runout are the same for all teeth, so that period doubling shows with
+// any number of teeth. Divided by |1 - exp(-2 pi i f_c T)|^2 (kept above 0.3) it has the chatter's amplitude. Samples
+// come at equal angles, so T is exact at any speed. ratio = rms of the chatter part / rms of the rest (x and y
+// together), over the longer of one revolution and 8 ms; times are those of the middle of that window.
+// Onset at 1, 20, 50 % means this amplitude ratio; an energy ratio of 20 % is an amplitude ratio of 50 %.
+//
+// Two companions of the cut that know neither noise nor sensors go with it: one linearised, for its growth
+// (growth_probe.h), one whose vibration leaves no marks, for the forced vibration alone.
+// What does not repeat is chatter only where the cut excites itself: random forces shake a stable cut too. So the ratio
+// counts while the linearised cut is unstable, as far as it exceeds what it was when stable; from where it became
+// stable it counts at most as what was there then and dies at the rate of the linearised cut. While the forced
+// vibration itself settles after entry, exit and steps of the engagement nothing is called chatter for `settle`.
+// Chatter may repeat as the forced vibration does: a flip of an even number of teeth with runout, and large chatter
+// locks to a spindle harmonic near by. Where the linearised cut says so (gain below 0.3), and once chatter has begun in
+// a cut that stays unstable, its part is the departure from the forced companion, less what that was when stable
+// (Hopf). Thread: one. add() is real-time safe; the questions about the past are not.
 #pragma once
 
 #include <array>
@@ -22,9 +34,14 @@ namespace stillcut::milling {
 struct TruthSample {
   double time = 0.0;                     // [s]
   std::array<double, 2> acceleration{};  // of the tip [m/s^2]
-  std::array<double, 2> displacement{};  // of the tip [m]
+  std::array<double, 2> forced{};        // acceleration of a tip whose vibration leaves no marks [m/s^2]
   double spindleHz = 0.0;
   double path = 0.0;             // [m]
+  double growth = 0.0;           // of a small disturbance of the cut [1/s]; above zero: unstable
+  double gain = 4.0;             // of that disturbance, over the forced period
+  bool flips = false;            // that disturbance repeats after two teeth
+  double folded = 0.0;           // its frequency in periods of `foldHz`, folded into 0 .. 1/2
+  double foldHz = 0.0;           // tooth passing, or the spindle
   bool cutting = false;          // in the material
   bool engagementSteady = true;  // no entry or exit going on
 };
@@ -40,61 +57,90 @@ class ChatterTruth {
  public:
   struct Settings {
     int samplesPerRevolution = 64;
-    double nominalHz = 100.0;   // spindle frequency, for the window
-    double fastestHz = 120.0;   // highest one to come, for the sizes
-    double duration = 10.0;     // [s]
-    double settle = 0.1;        // [s]
-    double highestHz = 1000.0;  // highest mode
+    int periodsPerRevolution = 1;  // of the forced vibration: 1, or the number of teeth
+    double nominalHz = 100.0;      // spindle frequency, for the window
+    double fastestHz = 120.0;      // highest one to come, for the sizes
+    double duration = 10.0;        // [s]
+    double settle = 0.1;           // [s]
+    double highestHz = 1000.0;     // highest mode
   };
   explicit ChatterTruth(const Settings& settings);
 
   void add(const TruthSample& sample) noexcept;
 
   // Now.
-  double ratio() const { return ratio_; }            // amplitude, chatter to forced
-  bool chattering() const { return sustained_; }     // ratio above 0.2 for six revolutions and 50 ms
-  Metres marked() const { return Metres(marked_); }  // path cut with a ratio above 0.5 (an energy ratio of 20 %)
+  double ratio() const { return ratio_; }            // amplitude, chatter part to forced
+  double chatterRatio() const { return counted_; }   // as far as it counts as chatter
+  bool chattering() const { return sustained_; }     // chatterRatio above 0.2 for six revolutions and 50 ms, until 0.1
+  Metres marked() const { return Metres(marked_); }  // path cut with a chatterRatio above 0.5 (an energy ratio of 20 %)
   double vibration() const { return totalRms_; }     // rms of the tip's acceleration [m/s^2]
-  Hertz liveFrequency() const { return Hertz(liveHz_); }
 
   // The first chatter of the run, afterwards.
   ChatterOnset onset() const;
-  Hertz chatterFrequency() const;     // of the first chatter, from its first 0.22 s or 8 revolutions; 0: none
-  ChatterKind kind(int teeth) const;  // hopf, flip, unknown: no chatter
-  double peakRatio() const { return peak_; }
+  Hertz chatterFrequency() const;             // of the first chatter, from its first 0.22 s or 8 revolutions; 0: none
+  ChatterKind kind() const;                   // hopf, flip, unknown: no chatter
+  double peakRatio() const { return peak_; }  // 50 at most
 
   struct LogEntry {
-    float time, chatterRms, forcedAndChatterRms, spindleHz, path, ratio;
-    bool settled;
+    float time;        // [s], middle of the window
+    float chatterRms;  // before division
+    float forcedAndChatterRms, spindleHz, path;
+    float ratio;    // as measured
+    bool unstable;  // settled, in the cut, and growing
+    bool repeats;   // the ratio comes from the departure
   };
-  const std::vector<LogEntry>& log() const { return log_; }  // every millisecond; chatterRms before division
+  const std::vector<LogEntry>& log() const { return log_; }  // every millisecond
   double ratioAt(const LogEntry& e, Hertz chatter) const;
 
  private:
-  void follow(double difference) noexcept;
+  void count(const TruthSample& s, bool settled) noexcept;
+  void decide(const TruthSample& s, double middle, bool settled) noexcept;
+  double usualVibration() const noexcept;
+  bool expected(double hz) const noexcept;
+  double departed() const noexcept;
   void note(const TruthSample& s, double raw) noexcept;
+  double gain(double chatterHz, double spindleHz) const noexcept;
+
+  // Sum of squares over the window.
+  struct Power {
+    std::vector<double> squares;
+    double sum = 0.0;
+    void put(std::size_t at, double square) noexcept {
+      sum += square - squares[at];
+      squares[at] = square;
+    }
+    double rms() const noexcept;
+  };
 
   Settings settings_;
   int perRev_;
   std::size_t window_;
   double spectrumLength_;                    // [s]
-  std::array<std::vector<double>, 4> past_;  // two revolutions of tip acceleration and displacement, x and y
+  std::array<std::vector<double>, 2> past_;  // two periods of tip acceleration, x and y
   std::size_t pastAt_ = 0;
-  std::vector<double> chatterSq_, totalSq_;
+  Power chatter_, total_, forced_, departure_;
   std::size_t windowAt_ = 0;
-  double chatterSum_ = 0.0, totalSum_ = 0.0;
   std::size_t seen_ = 0, sinceCut_ = 0;
   double unsteadyUntil_ = 0.0, lastTime_ = 0.0, lastPath_ = 0.0, lastLog_ = -1.0;
-  double ratio_ = 0.0, totalRms_ = 0.0, strongest_ = 0.0, peak_ = 0.0, marked_ = 0.0;
-  double aboveSince_ = -1.0, highest_ = 0.0;
+  double ratio_ = 0.0, most_ = 0.0, counted_ = 0.0, totalRms_ = 0.0, peak_ = 0.0, marked_ = 0.0;
+  double grown_ = 0.0;  // of a small disturbance since the cut became unstable [e-folds]
+  struct {
+    double ratioSquare = 0.0;                 // of random forces, mean of late
+    double vibration = 1.0, departure = 0.0;  // as multiples of the forced companion's vibration
+  } usual_;                                   // of the stable cut
+  double strongest_ = 0.0;
+  bool flips_ = false;
+  bool repeats_ = false;  // as the forced vibration does: only the departure shows it
+  double aboveSince_ = -1.0;
   bool sustained_ = false;
-  // Frequency now: neighbours' correlation of the displacement's difference, in which the mode stands out most.
-  double d1_ = 0.0, d2_ = 0.0, num_ = 0.0, den_ = 0.0, liveHz_ = 0.0;
-  // The difference around the first chatter.
-  std::vector<double> difference_;
+  double liveGain_ = 1.0;  // of what is there now
+  // Difference and departure around the first chatter.
+  std::vector<double> difference_, departures_;
   std::size_t differenceAt_ = 0;
   bool frozen_ = false;
-  double freezeAt_ = -1.0, differenceRate_ = 0.0, eventTime_ = -1.0, eventHz_ = 0.0;
+  double freezeAt_ = -1.0, differenceRate_ = 0.0, eventTime_ = -1.0;
+  bool eventFlips_ = false, differenceShows_ = true;
+  double eventFolded_ = 0.0, eventFoldHz_ = 0.0;
   std::vector<LogEntry> log_;
 };
 

@@ -14,6 +14,7 @@ std::size_t at(int i) {
 RegenerativeCut::RegenerativeCut(const CutModel& model, const CutNumerics& numerics)
     : model_(model),
       mayLeave_(numerics.mayLeaveCut),
+      leavesMarks_(numerics.leavesMarks),
       linearChip_(model.material.exponent == 1.0),
       modes_(std::min(static_cast<int>(model.modes.size()), kMaxModes)),
       teeth_(model.tool.teeth),
@@ -77,7 +78,11 @@ void RegenerativeCut::setDepth(double metres) noexcept {
     const double inCut = std::max(0.0, std::min(metres, top) - below);
     const bool wasIn = edges_[at(s * teeth_)].depth > 0.0;
     if (inCut > 0.0 && !wasIn) surface_.restartSlice(s);
-    for (int j = 0; j < teeth_; ++j) edges_[at(s * teeth_ + j)].depth = inCut;
+    for (int j = 0; j < teeth_; ++j) {
+      Edge& e = edges_[at(s * teeth_ + j)];
+      e.depth = inCut;
+      e.hasReach = e.hasReach && wasIn;
+    }
     if (inCut > 0.0) liveEdges_ = (s + 1) * teeth_;
   }
 }
@@ -94,6 +99,16 @@ void RegenerativeCut::setExternalForce(double fx, double fy) noexcept {
 void RegenerativeCut::disturb(int mode, double displacement, double velocity) noexcept {
   q_[at(mode)] += displacement;
   v_[at(mode)] += velocity;
+}
+
+void RegenerativeCut::scaleMotion(double factor) noexcept {
+  for (int i = 0; i < modes_; ++i) {
+    q_[at(i)] *= factor;
+    v_[at(i)] *= factor;
+  }
+  for (Edge& e : edges_) e.lastReach *= factor;
+  for (double* force : {&fx_, &fy_, &drivenX_, &drivenY_}) *force *= factor;
+  surface_.scale(factor);
 }
 
 void RegenerativeCut::makeTransition() noexcept {
@@ -139,10 +154,11 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     reach = e.runout + s * (x_ + tipX) + c * tipY;
     weight += e.fraction * (surface_.weight()[next] - weight);
     height += e.fraction * (heights[next] - height);
-    const double last = surface_.live()[before] != 0 ? e.lastReach : reach;
+    const double last = e.hasReach && surface_.live()[before] != 0 ? e.lastReach : reach;
     const double passed = reach - e.fraction * (reach - last);
     if (!mayLeave_ || passed > heights[m]) heights[m] = passed;
     e.lastReach = reach;
+    e.hasReach = true;
   }
   double chip = reach - height;
   if (SurfaceHistory::isFresh(height)) chip = reach - s * (x_ - flatFeedPerTooth());
@@ -184,7 +200,7 @@ void RegenerativeCut::advance(int steps) noexcept {
       speedX += dx_[k] * v_[k];
       speedY += dy_[k] * v_[k];
     }
-    const Forces now = cut(tipX, tipY, speedX, speedY);
+    const Forces now = leavesMarks_ ? cut(tipX, tipY, speedX, speedY) : cut(0.0, 0.0, 0.0, 0.0);
     const double riseX = now.x + outerX_ - drivenX_, riseY = now.y + outerY_ - drivenY_;
     for (int i = 0; i < modes_; ++i) {
       const auto k = at(i);

@@ -25,6 +25,7 @@ struct CutNumerics {
   int slices = 1;           // axial, used when the tool has a helix
   Metres deepest{0.001};    // largest depth that will be set; slices share it out
   bool mayLeaveCut = true;  // false: the chip may be negative, which makes the model linear (to compare with theory)
+  bool leavesMarks = true;  // false: the tool vibrates but cuts as if it did not: forced vibration alone
 };
 
 class RegenerativeCut {
@@ -39,6 +40,8 @@ class RegenerativeCut {
   void setForceScale(double scale) noexcept { forceScale_ = scale; }  // material that is not the same everywhere
   void setExternalForce(double fx, double fy) noexcept;               // on the tool tip [N], held
   void disturb(int mode, double displacement, double velocity) noexcept;
+  // Motion, surface and forces times `factor`: the same cut at another size. For the linear model without feed only.
+  void scaleMotion(double factor) noexcept;
 
   void advance(int steps) noexcept;
 
@@ -66,7 +69,8 @@ class RegenerativeCut {
     double fraction = 0.0;  // and the rest, 0 .. 1
     double sineRest = 0.0, cosineRest = 1.0;
     double runout = 0.0;
-    double lastReach = 0.0;
+    double lastReach = 0.0;  // at the cell behind
+    bool hasReach = false;
     double depth = 0.0;  // [m] of this slice in the cut
   };
   struct Forces {
@@ -79,7 +83,7 @@ class RegenerativeCut {
   void cutEdge(Edge& e, double tipX, double tipY, double speedX, double speedY, Forces& sum) noexcept;
 
   CutModel model_;
-  bool mayLeave_, linearChip_;
+  bool mayLeave_, leavesMarks_, linearChip_;
   int modes_, teeth_, cells_, slices_;
   double sliceDepth_, radius_;
   SurfaceHistory surface_;

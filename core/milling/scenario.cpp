@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace stillcut::milling {
 
@@ -40,9 +39,10 @@ Status checkProgramme(const Scenario& s, const std::string& where) {
   if (!(p.duration.value > 0.0) || p.duration.value > 3600.0) return bad("duration must lie between 0 and 3600 s");
   if (!(p.feedLag.value >= 0.0) || p.feedLag.value > 10.0) return bad("feed lag must lie between 0 and 10 s");
   if (!(p.randomForce >= 0.0) || p.randomForce > 1e3) return bad("random force must lie between 0 and 1000 N/sqrt(Hz)");
-  if (!(p.unevenness >= 0.0) || p.unevenness > 0.5) return bad("unevenness must lie between 0 and 0.5");
+  if (!(p.unevenness >= 0.0) || p.unevenness > 0.01) return bad("unevenness must lie between 0 and 0.01 / sqrt(Hz)");
   if (Status r = check(p.depth, 0.0, 1.0, where + ": depth"); !r) return r;
   if (Status r = check(p.immersion, 0.0, 1.0, where + ": immersion"); !r) return r;
+  if (Status r = check(p.feedPerToothOverTime, 0.0, 0.01, where + ": feed per tooth"); !r) return r;
   return check(p.speedOverTime, 1.0, 200000.0, where + ": speed");
 }
 
@@ -75,8 +75,9 @@ std::optional<Expectation> expectationFromName(std::string_view text) {
   return static_cast<Expectation>(it - kExpectations.begin());
 }
 
-MetresPerSecond Scenario::programmedFeed(Rpm at) const {
-  return MetresPerSecond(programme.feedPerTooth.value * model.tool.teeth * at.value / 60.0);
+MetresPerSecond Scenario::programmedFeed(Rpm at, double seconds, double path) const {
+  const double perTooth = programme.feedPerToothOverTime.at(seconds, path, programme.feedPerTooth.value);
+  return MetresPerSecond(perTooth * model.tool.teeth * at.value / 60.0);
 }
 
 CutSetup Scenario::cutSetup() const {
@@ -94,7 +95,7 @@ CutSetup Scenario::cutSetup() const {
 }
 
 int Scenario::chosenSteps() const {
-  const int unit = std::lcm(model.tool.teeth, 32);
+  const int unit = 32 * model.tool.teeth;
   double steps = stepsPerRevolution;
   if (stepsPerRevolution == 0) {
     const double slowest = programme.speedOverTime.lowest(programme.speed.value) / 60.0;

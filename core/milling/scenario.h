@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,11 +38,12 @@ struct Programme {
   Profile depth;                 // [m]; empty: air
   Profile immersion;             // a/D; empty: the engagement's
   Profile speedOverTime;         // S word over time [rev/min]; empty: `speed`
+  Profile feedPerToothOverTime;  // [m]; empty: `feedPerTooth`
   std::optional<Passage> entry;  // the tool's edge meets the material; it is fully in after one radius of path
   std::optional<Passage> exit;   // the tool has left; it begins to leave one radius before
   Seconds feedLag{0.03};         // first-order lag of the feed drives (ours)
   double randomForce = 0.0;      // white, on the tool tip in x and in y [N/sqrt(Hz)] (floor, coolant, bearings)
-  double unevenness = 0.0;       // rms of the cutting force's random part, relative (ours: grain, chips)
+  double unevenness = 0.0;       // white random part of the cutting force, relative [1/sqrt(Hz)] (ours: grain, chips)
 };
 
 struct Scenario {
@@ -61,11 +63,13 @@ struct Scenario {
   std::string strategy = "stable-pocket";  // default one
   int stepsPerRevolution = 0;              // 0: chosen from modes, speed and rate
   int helixSlices = 8;
+  std::map<std::string, std::string> reference;  // what the file it came from says beyond the cut; text
 
-  MetresPerSecond programmedFeed(Rpm at) const;
+  // F word at a speed, time [s] and path [m].
+  MetresPerSecond programmedFeed(Rpm at, double seconds = 0.0, double path = 0.0) const;
   CutSetup cutSetup() const;
   // Steps per revolution actually used: at least 2048, 40 per period of the highest mode, 4 per sample; a multiple of
-  // the teeth, so that a regular pitch falls on whole steps.
+  // 32 times the teeth, so that a regular pitch falls on whole steps and whole looks at the truth.
   int chosenSteps() const;
 };
 

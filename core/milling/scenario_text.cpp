@@ -55,9 +55,10 @@ std::string passageText(const char* name, const std::optional<Passage>& p) {
 std::string programmeText(const Programme& p) {
   return "[programme]\n" + line("speed_rpm", p.speed.value) + line("feed_per_tooth_mm", p.feedPerTooth.value, kMm) +
          line("duration_s", p.duration.value) + line("feed_lag_ms", p.feedLag.value, kMs) +
-         line("random_force_n_per_sqrt_hz", p.randomForce) + line("unevenness", p.unevenness) +
+         line("random_force_n_per_sqrt_hz", p.randomForce) + line("unevenness_per_sqrt_hz", p.unevenness) +
          passageText("entry", p.entry) + passageText("exit", p.exit) + "\n" + profileText("depth_mm", p.depth, kMm) +
-         profileText("immersion", p.immersion, 1.0) + profileText("programmed_speed_rpm", p.speedOverTime, 1.0);
+         profileText("immersion", p.immersion, 1.0) + profileText("programmed_speed_rpm", p.speedOverTime, 1.0) +
+         profileText("programmed_feed_per_tooth_mm", p.feedPerToothOverTime, kMm);
 }
 
 std::string drivesText(const DriveSettings& d, const OverrideSettings& o) {
@@ -108,6 +109,8 @@ std::string scenarioText(const Scenario& s) {
           "\nsteps_per_revolution = " + std::to_string(s.stepsPerRevolution) +
           "\nhelix_slices = " + std::to_string(s.helixSlices) + "\n\n";
   for (const SensorSettings& c : s.sensors) text += sensorText(c);
+  if (!s.reference.empty()) text += "[reference]\n";
+  for (const auto& [key, value] : s.reference) text += quoted(key) + " = " + quoted(value) + "\n";
   return text;
 }
 

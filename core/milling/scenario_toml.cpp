@@ -49,12 +49,13 @@ Programme readProgramme(const TomlTable& t) {
   p.duration = Seconds(t.number("duration_s", 1e-3, 3600.0));
   p.feedLag = Seconds(inSi(t.numberOr("feed_lag_ms", 30.0, 0.0, 1e4), kMs));
   p.randomForce = t.numberOr("random_force_n_per_sqrt_hz", 0.0, 0.0, 1e3);
-  p.unevenness = t.numberOr("unevenness", 0.0, 0.0, 0.5);
+  p.unevenness = t.numberOr("unevenness_per_sqrt_hz", 0.0, 0.0, 0.01);
   p.entry = readPassage(t, "entry_at_s", "entry_at_mm");
   p.exit = readPassage(t, "exit_at_s", "exit_at_mm");
   p.depth = readProfile(t.tableOr("depth_mm"), kMm);
   p.immersion = readProfile(t.tableOr("immersion"), 1.0);
   p.speedOverTime = readProfile(t.tableOr("programmed_speed_rpm"), 1.0);
+  p.feedPerToothOverTime = readProfile(t.tableOr("programmed_feed_per_tooth_mm"), kMm);
   return p;
 }
 
@@ -141,6 +142,8 @@ Scenario readScenario(const TomlTable& root) {
   s.stepsPerRevolution = sampling.integerOr("steps_per_revolution", 0, 0, 1000000);
   s.helixSlices = sampling.integerOr("helix_slices", s.helixSlices, 1, 200);
   for (const TomlTable& t : root.tables("sensor")) s.sensors.push_back(readSensor(t));
+  const TomlTable reference = root.tableOr("reference");
+  for (const std::string& key : reference.keys()) s.reference[key] = reference.text(key);
   return s;
 }
 

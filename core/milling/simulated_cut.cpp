@@ -39,9 +39,24 @@ CutNumerics numericsOf(const Scenario& s) {
   return n;
 }
 
+CutNumerics forcedNumerics(const Scenario& s) {
+  CutNumerics n = companionNumerics(numericsOf(s), stepsPerTick(s));
+  n.leavesMarks = false;
+  return n;
+}
+
+// The forced vibration repeats with the tooth when the teeth are all alike, otherwise with the revolution.
+int forcedPeriods(const Tool& t) {
+  const auto same = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(), [&](const auto& v) { return v == values.front(); });
+  };
+  return same(t.pitch) && same(t.runout) ? t.teeth : 1;
+}
+
 ChatterTruth::Settings truthSettings(const Scenario& s) {
   ChatterTruth::Settings t;
   t.samplesPerRevolution = s.chosenSteps() / stepsPerTick(s);
+  t.periodsPerRevolution = forcedPeriods(s.model.tool);
   const double low = s.programme.speedOverTime.lowest(s.programme.speed.value) / 60.0;
   const double high = s.programme.speedOverTime.highest(s.programme.speed.value) / 60.0;
   t.nominalHz = s.programme.speed.value / 60.0;
@@ -58,6 +73,8 @@ SimulatedCut::SimulatedCut(const Scenario& scenario, std::uint64_t seed)
     : scenario_(scenario),
       tickSteps_(stepsPerTick(scenario)),
       cut_(scenario.model, numericsOf(scenario)),
+      probe_(scenario.model, numericsOf(scenario), stepsPerTick(scenario), scenario.programme.feedPerTooth),
+      forced_(scenario.model, forcedNumerics(scenario)),
       drive_(scenario.drive, Rpm(scenario.programme.speedOverTime.at(0.0, 0.0, scenario.programme.speed.value))),
       overrides_(scenario.overrides, (seed != 0 ? seed : scenario.seed) * 3 + 1),
       noise_((seed != 0 ? seed : scenario.seed) * 3 + 2),
@@ -70,17 +87,22 @@ SimulatedCut::SimulatedCut(const Scenario& scenario, std::uint64_t seed)
     sensors_.emplace_back(scenario.sensors[i], scenario.rate, kOversampling, noiseSeed + i);
   }
   totalFrames_ = static_cast<std::uint64_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
-  modelSpeed_ = drive_.radPerSecond();
-  cut_.setSpeed(modelSpeed_);
+  setCutSpeed(drive_.radPerSecond());
   programmedRpm_ = drive_.speed().value;
   feed_ = scenario_.programmedFeed(drive_.speed()).value;
   cut_.setFeed(feed_);
+  forced_.setFeed(feed_);
   updateEngagement();
   readSensors(now_);
 }
 
 void SimulatedCut::readSensors(std::vector<double>& values) const noexcept {
   for (std::size_t i = 0; i < sensors_.size(); ++i) values[i] = sensors_[i].quantity(cut_, drive_);
+}
+
+void SimulatedCut::setCutSpeed(double radPerSecond) noexcept {
+  modelSpeed_ = radPerSecond;
+  for (RegenerativeCut* c : cuts()) c->setSpeed(radPerSecond);
 }
 
 void SimulatedCut::updateDrives() noexcept {
@@ -94,12 +116,12 @@ void SimulatedCut::updateDrives() noexcept {
   drive_.advance(Seconds(dt), cut_.takeMeanTorque());
   // The transition of every mode depends on the step time: renew it only when the speed has really moved.
   if (std::abs(drive_.radPerSecond() - modelSpeed_) > 2e-6 * modelSpeed_) {
-    modelSpeed_ = drive_.radPerSecond();
-    cut_.setSpeed(modelSpeed_);
+    setCutSpeed(drive_.radPerSecond());
   }
   const double wanted = feedHold_ ? 0.0 : state.programmedFeed.value * state.feedOverride.value;
   feed_ += (wanted - feed_) * (p.feedLag.value > 0.0 ? 1.0 - std::exp(-dt / p.feedLag.value) : 1.0);
   cut_.setFeed(feed_);
+  forced_.setFeed(feed_);
 }
 
 void SimulatedCut::updateEngagement() noexcept {
@@ -131,21 +153,23 @@ void SimulatedCut::updateEngagement() noexcept {
   if (moved) {
     windows_ = angles.windows;
     windowCount_ = angles.count;
-    cut_.setWindows({windows_.data(), static_cast<std::size_t>(windowCount_)});
+    for (RegenerativeCut* c : cuts()) c->setWindows({windows_.data(), static_cast<std::size_t>(windowCount_)});
   }
   if (depth != depth_) {
     depth_ = depth;
-    cut_.setDepth(depth);
+    for (RegenerativeCut* c : cuts()) c->setDepth(depth);
   }
 }
 
 void SimulatedCut::disturb() noexcept {
   const Programme& p = scenario_.programme;
-  if (p.unevenness > 0.0) cut_.setForceScale(std::max(0.0, 1.0 + p.unevenness * noise_.normal()));
+  // Held over a tick, their density is flat up to several times the highest mode.
+  const double rmsPerDensity = std::sqrt(0.5 / (tickSteps_ * cut_.stepTime()));
+  if (p.unevenness > 0.0) {
+    cut_.setForceScale(std::max(0.0, 1.0 + p.unevenness * rmsPerDensity * noise_.normal()));
+  }
   if (p.randomForce > 0.0) {
-    // Held over a tick, its density is flat up to several times the highest mode.
-    const double rms = p.randomForce * std::sqrt(0.5 / (tickSteps_ * cut_.stepTime()));
-    for (double& f : random_) f = rms * noise_.normal();
+    for (double& f : random_) f = p.randomForce * rmsPerDensity * noise_.normal();
     cut_.setExternalForce(actuator_[0] + random_[0], actuator_[1] + random_[1]);
   }
 }
@@ -156,15 +180,22 @@ void SimulatedCut::setActuatorForce(double fx, double fy) noexcept {
 }
 
 void SimulatedCut::tick() noexcept {
+  probe_.advance();
+  forced_.advance(companionTick(tickSteps_));
   updateDrives();
   updateEngagement();
   disturb();
   TruthSample s;
   s.time = cut_.time();
   s.acceleration = cut_.tipAcceleration();
-  s.displacement = cut_.tip();
   s.spindleHz = modelSpeed_ / kTwoPi;
   s.path = cut_.feedPath();
+  s.forced = forced_.tipAcceleration();
+  s.growth = probe_.growth();
+  s.gain = probe_.gain(forcedPeriods(scenario_.model.tool));
+  s.flips = probe_.flips();
+  s.folded = probe_.folded();
+  s.foldHz = modelSpeed_ / kTwoPi * probe_.periodsPerRevolution();
   s.cutting = cutting_;
   s.engagementSteady = engagementSteady_;
   truth_.add(s);
@@ -228,7 +259,7 @@ MachineState SimulatedCut::machineState() const STILLCUT_RT {
   m.feedHold = feedHold_;
   m.overridesEnabled = overridesEnabled_;
   m.programmedSpeed = Rpm(programmedRpm_);
-  m.programmedFeed = scenario_.programmedFeed(m.programmedSpeed);
+  m.programmedFeed = scenario_.programmedFeed(m.programmedSpeed, cut_.time(), cut_.feedPath());
   m.operatorSpeed = knobSpeed_;
   m.operatorFeed = knobFeed_;
   if (overridesEnabled_) {

@@ -12,6 +12,7 @@
 #include "core/base/time.h"
 #include "core/milling/chatter_truth.h"
 #include "core/milling/engagement_windows.h"
+#include "core/milling/growth_probe.h"
 #include "core/milling/noise.h"
 #include "core/milling/override_path.h"
 #include "core/milling/regenerative_cut.h"
@@ -58,11 +59,15 @@ class SimulatedCut {
   void disturb() noexcept;
   void updateDrives() noexcept;
   void updateEngagement() noexcept;
+  void setCutSpeed(double radPerSecond) noexcept;
+  std::array<RegenerativeCut*, 3> cuts() noexcept { return {&cut_, &probe_.cut(), &forced_}; }
   void readSensors(std::vector<double>& values) const noexcept;
 
   Scenario scenario_;
   int tickSteps_;
   RegenerativeCut cut_;
+  GrowthProbe probe_;
+  RegenerativeCut forced_;  // vibrates as cut_ would if vibration left no marks
   SpindleDrive drive_;
   OverridePath overrides_;
   NoiseSource noise_;

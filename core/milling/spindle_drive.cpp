@@ -19,9 +19,9 @@ void SpindleDrive::advance(Seconds dt, double cuttingTorque) noexcept {
   const double proportional = 2.0 * w * settings_.inertia, integrating = w * w * settings_.inertia;
   const double most = settings_.acceleration * kTwoPi / 60.0 * h;
   const double move = std::clamp(target_ - reference_, -most, most);
-  reference_ += move;
-
+  // The move itself is fed forward; the loop is for what is left.
   const double error = reference_ - omega_;
+  reference_ += move;
   const double wanted = proportional * error + integral_ + settings_.inertia * move / h;
   torque_ = std::clamp(wanted, -settings_.torqueLimit, settings_.torqueLimit);
   // The integral rests while the torque is at its limit and the error would push it further.

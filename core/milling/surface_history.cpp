@@ -56,4 +56,10 @@ void SurfaceHistory::restartSlice(int s) noexcept {
   std::fill_n(slice(s), cells_, kFresh);
 }
 
+void SurfaceHistory::scale(double factor) noexcept {
+  for (double& height : surface_) {
+    if (!isFresh(height)) height *= factor;
+  }
+}
+
 }  // namespace stillcut::milling

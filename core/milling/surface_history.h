@@ -26,6 +26,8 @@ class SurfaceHistory {
   void setWindows(std::span<const AngularWindow> windows) noexcept;
   // A slice that comes newly into the cut is all fresh.
   void restartSlice(int slice) noexcept;
+  // All heights times `factor`; what is fresh stays fresh.
+  void scale(double factor) noexcept;
 
   // The height of a cell that no tooth has passed yet lies this deep: whoever meets it cuts a flat surface, one tooth's
   // feed behind the tool.

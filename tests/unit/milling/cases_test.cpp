@@ -43,7 +43,8 @@ std::optional<SimulatedCut> runCase(const std::string& name) {
 TEST(SharedCases, C1StaysStable) {
   RUN_CASE(cut, "c1_stable");
   EXPECT_TRUE(std::isnan(cut->truth().onset().at20));
-  EXPECT_LT(cut->truth().peakRatio(), 0.2);
+  EXPECT_EQ(cut->truth().peakRatio(), 0.0);  // a stable cut has no chatter, whatever its transients
+  EXPECT_LT(cut->truth().ratio(), 0.01);
   // Forced vibration as in the truth table (446..465 m/s^2 from one window to the next).
   EXPECT_NEAR(cut->truth().vibration(), 455.0, 15.0);
 }
@@ -60,7 +61,7 @@ TEST_P(SharedChatter, OnsetAndFrequency) {
   RUN_CASE(cut, e.name);
   EXPECT_NEAR(cut->truth().onset().at20, e.onset20, e.tolerance);
   EXPECT_NEAR(cut->truth().chatterFrequency().value, e.frequency, 0.005 * e.frequency);
-  EXPECT_EQ(cut->truth().kind(cut->scenario().model.tool.teeth), ChatterKind::Hopf);
+  EXPECT_EQ(cut->truth().kind(), ChatterKind::Hopf);
   EXPECT_LT(cut->truth().onset().at1, cut->truth().onset().at20);
   EXPECT_GT(cut->truth().onset().at50, cut->truth().onset().at20);
 }

@@ -112,32 +112,5 @@ INSTANTIATE_TEST_SUITE_P(Scenario, Expected, ::testing::ValuesIn(shipped()), [](
   return name;
 });
 
-// methods.md section 6: 3 mm is 1.3 times the limit at 477 rev/min, and the mode at 455 Hz is the one that chatters.
-// The chatter lies above its mode, as regenerative chatter does: a few times the damping ratio, 2.5 %.
-TEST(FordPlant, FollowsItsRule) {
-  for (const char* which : {"ford-unstable", "ford-stable"}) {
-    const Result<Scenario> s = loadScenario(file(which));
-    ASSERT_TRUE(s.ok()) << s.error().line();
-    const auto lobes = ExactLobes::make(s->model, which);
-    ASSERT_TRUE(lobes.ok()) << lobes.error().line();
-    const auto limits =
-        lobes->limits(Rpm(477.0), {.maxDepth = Metres(4e-3), .firstOnly = true, .frequencies = true, .hint = {}});
-    ASSERT_TRUE(limits.ok() && limits->hasLimit());
-    EXPECT_NEAR(3e-3 / limits->crossings.front().depth.value, 1.3, 1.3e-3);
-    EXPECT_GT(limits->crossings.front().frequency.value, 455.0);
-    EXPECT_LT(limits->crossings.front().frequency.value, 455.0 * 1.02 * 1.025);  // y mode, 2 % higher, plus one damping
-    const std::vector<double> rule{112, 133, 180, 300, 339, 455, 1024};
-    ASSERT_EQ(s->model.modes.size(), 2 * rule.size());
-    for (std::size_t i = 0; i < rule.size(); ++i) {
-      EXPECT_NEAR(s->model.modes[i].frequency.value, rule[i], 1e-6);
-      EXPECT_NEAR(s->model.modes[i + rule.size()].frequency.value, 1.02 * rule[i], 1e-6);
-    }
-    for (const Mode& m : s->model.modes) {
-      EXPECT_GE(m.damping, 0.02);
-      EXPECT_LE(m.damping, 0.04);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace stillcut::milling

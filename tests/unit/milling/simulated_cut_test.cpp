@@ -34,7 +34,7 @@ Scenario shortCut() {
   s.programme.duration = Seconds(1.0);
   s.programme.depth = constantProfile(3e-4);
   s.programme.randomForce = 1e-3;
-  s.programme.unevenness = 0.01;
+  s.programme.unevenness = 7e-5;
   for (const char* axis : {"x", "y"}) {
     SensorSettings c;
     c.name = c.axis = axis;

@@ -1,0 +1,158 @@
+// What the truth calls chatter: against the truth tables of the shared cuts, and where noise is all there is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/milling/case_json.h"
+#include "core/milling/simulated_cut.h"
+
+namespace stillcut::milling {
+namespace {
+
+struct Row {
+  double time, total, chatter;
+};
+
+std::string shared(const std::string& name) {
+  return std::string(STILLCUT_SHARED_DIR) + "/cases/" + name;
+}
+
+std::vector<Row> truthTable(const std::string& name) {
+  std::ifstream in(shared(name + "_truth.csv"));
+  std::vector<Row> rows;
+  std::string line;
+  std::getline(in, line);
+  while (std::getline(in, line)) {
+    Row r{};
+    char comma = 0;
+    std::istringstream(line) >> r.time >> comma >> r.total >> comma >> r.chatter;
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+SimulatedCut run(const Scenario& s) {
+  SimulatedCut cut(s);
+  SampleBlock block;
+  block.allocate(static_cast<int>(s.sensors.size()), 256);
+  while (cut.fill(block)) {
+  }
+  return cut;
+}
+
+const ChatterTruth::LogEntry& at(const ChatterTruth& truth, double time) {
+  const auto& log = truth.log();
+  const auto it = std::lower_bound(log.begin(), log.end(), time, [](const ChatterTruth::LogEntry& e, double t) {
+    return static_cast<double>(e.time) < t;
+  });
+  return it == log.end() ? log.back() : *it;
+}
+
+struct Stretch {
+  const char* name;
+  double from, to;
+  double gain;       // |1 - exp(-2 pi i f T)|^2 by which the table's chatter part is divided
+  double tolerance;  // of the chatter part: what grows from noise (c6) has a size of its own in every run
+};
+
+class TruthTable : public ::testing::TestWithParam<Stretch> {};
+
+// Vibration in the mean within 1 % (a window of 8 ms is no whole revolution: 5 % from one row to the next), and the
+// chatter part as it grows through 20 %.
+TEST_P(TruthTable, IsWhatOursSays) {
+  const Stretch& p = GetParam();
+  if (!std::filesystem::exists(shared(std::string(p.name) + ".json"))) GTEST_SKIP() << "no shared cases";
+  const Result<Scenario> s = loadCaseJson(shared(std::string(p.name) + ".json"));
+  ASSERT_TRUE(s.ok()) << s.error().line();
+  const SimulatedCut cut = run(*s);
+  double worst = 0.0, totalSum = 0.0, logSum = 0.0;
+  int rows = 0;
+  for (const Row& r : truthTable(p.name)) {
+    if (r.time < p.from || r.time > p.to) continue;
+    const ChatterTruth::LogEntry& e = at(cut.truth(), r.time);
+    worst = std::max(worst, std::abs(static_cast<double>(e.forcedAndChatterRms) / r.total - 1.0));
+    totalSum += static_cast<double>(e.forcedAndChatterRms) / r.total;
+    if (p.gain > 0.0) logSum += std::log(static_cast<double>(e.chatterRms) / p.gain / r.chatter);
+    ++rows;
+  }
+  ASSERT_GT(rows, 50);
+  EXPECT_LT(worst, 0.05);
+  EXPECT_NEAR(totalSum / rows, 1.0, 0.01);
+  EXPECT_NEAR(logSum / rows, 0.0, p.tolerance) << "chatter part";
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, TruthTable,
+                         ::testing::Values(Stretch{"c1_stable", 0.3, 1.9, 0.0, 1.0},
+                                           Stretch{"c2_hopf", 0.86, 0.94, 0.40235, 0.1},
+                                           Stretch{"c6_air_entry_chatter_exit", 1.95, 2.06, 2.9124, 1.0},
+                                           Stretch{"c7b_xu_800rpm", 3.3, 3.9, 0.48301, 0.1}));
+
+Scenario noisyCut(double depth) {
+  Scenario s;
+  s.name = "noisy";
+  Mode x;
+  x.frequency = Hertz(900.0);
+  x.damping = 0.03;
+  x.stiffness = 8e6;
+  Mode y = x;
+  y.direction = {0.0, 1.0};
+  s.model.modes = {x, y};
+  s.model.tool.teeth = 3;
+  s.model.engagement = {0.5, Side::Down};
+  s.programme.speed = Rpm(7500.0);
+  s.programme.feedPerTooth = Metres(1e-4);
+  s.programme.duration = Seconds(3.0);
+  s.programme.depth = constantProfile(depth);
+  SensorSettings c;
+  c.name = c.axis = "x";
+  s.sensors = {c};
+  return s;
+}
+
+TEST(Truth, ShakingAStableCutIsNotChatter) {
+  Scenario s = noisyCut(1e-3);
+  s.programme.randomForce = 1.0;
+  s.programme.unevenness = 1e-3;
+  const SimulatedCut cut = run(s);
+  EXPECT_GT(cut.truth().ratio(), 0.5) << "the noise is no smaller than the forced vibration";
+  EXPECT_TRUE(std::isnan(cut.truth().onset().at20));
+  EXPECT_EQ(cut.truth().peakRatio(), 0.0);
+  EXPECT_EQ(cut.truth().marked().value, 0.0);
+  EXPECT_EQ(cut.truth().kind(), ChatterKind::Unknown);
+}
+
+TEST(Truth, SensorNoiseChangesNothing) {
+  Scenario s = noisyCut(6e-3);
+  s.programme.randomForce = 1e-3;
+  const SimulatedCut quiet = run(s);
+  s.sensors[0].noise = 1e3;
+  const SimulatedCut loud = run(s);
+  ASSERT_FALSE(std::isnan(quiet.truth().onset().at20));
+  EXPECT_EQ(quiet.truth().onset().at20, loud.truth().onset().at20);
+  EXPECT_EQ(quiet.truth().chatterFrequency(), loud.truth().chatterFrequency());
+}
+
+// Chatter grown in a deep cut is chatter until it has died in a shallow one, however noisy that is.
+TEST(Truth, ChatterEndsAfterTheCutHasBecomeStable) {
+  Scenario s = noisyCut(1e-3);
+  s.programme.randomForce = 1.0;
+  s.programme.depth.segments = {{0.0, 1.5, 6e-3, 6e-3, RampShape::Linear}, {1.5, 3.0, 1e-3, 1e-3, RampShape::Linear}};
+  SimulatedCut cut(s);
+  SampleBlock block;
+  block.allocate(1, 64);
+  double ended = 0.0;
+  while (cut.fill(block)) {
+    if (cut.truth().chattering()) ended = cut.time().value;
+  }
+  EXPECT_GT(ended, 1.5);
+  EXPECT_LT(ended, 1.8);
+}
+
+}  // namespace
+}  // namespace stillcut::milling
