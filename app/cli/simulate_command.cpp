@@ -95,7 +95,7 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
   auto file = OutFile::open(out, *run.built.rig, milling::scenarioText(scenario));
   if (!file) return file.error();
   // The machine exists only in this program: what is tried on it can be left to the strategy.
-  run.built.rig->send({OperatorAction::SetAuthority, Authority::Auto});
+  run.built.rig->send({OperatorAction::GrantBySimulation, Authority::Auto});
   run.built.rig->runToEnd([&](const StepInput& input, const StepOutput& output) {
     run.history.observe(input, output, plant);
     file->add(input.block, plant);

@@ -57,6 +57,7 @@ Status FlightLog::finish() {
     wakeup_.notify();
     thread_.reset();
   }
+  recorder_.finish();
   while (poll()) {
   }
   const std::string left = problem();

@@ -1,8 +1,28 @@
 #include "app/compose/known_lobes.h"
 
+#include <utility>
+
+#include "core/config/override_limits.h"
 #include "core/milling/stability/advice.h"
+#include "core/milling/stability/lobe_case.h"
 
 namespace stillcut::app {
+namespace {
+
+StableSpeeds known(const milling::SpeedAdvice& advice, Metres depth) {
+  StableSpeeds speeds;
+  speeds.depth = depth;
+  for (const milling::SpeedPocket& pocket : advice.pockets) {
+    speeds.ranges.push_back({pocket.from.speed, pocket.to.speed, pocket.best});
+  }
+  if (advice.deepest) {
+    speeds.deepestSpeed = advice.deepest->speed;
+    speeds.deepestDepth = advice.deepest->depth;
+  }
+  return speeds;
+}
+
+}  // namespace
 
 std::optional<StableSpeeds> stableSpeeds(const milling::Scenario& scenario) {
   const milling::Programme& programme = scenario.programme;
@@ -16,16 +36,31 @@ std::optional<StableSpeeds> stableSpeeds(const milling::Scenario& scenario) {
   if (!(request.depth.value > 0.0) || !(request.highest > request.lowest)) return std::nullopt;
   const auto advice = milling::adviseSpeeds(model, request, scenario.name);
   if (!advice || !advice->finished) return std::nullopt;
-  StableSpeeds known;
-  known.depth = request.depth;
-  for (const milling::SpeedPocket& pocket : advice->pockets) {
-    known.ranges.push_back({pocket.from.speed, pocket.to.speed, pocket.best});
+  return known(*advice, request.depth);
+}
+
+Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile, const std::string& modelPath) {
+  if (profile.model.empty()) return std::optional<StableSpeeds>();
+  const auto cut = milling::loadLobeCase(modelPath);
+  if (!cut) return cut.error();
+  if (profile.cut.teeth > 0 && profile.cut.teeth != cut->model.tool.teeth) {
+    return Error{modelPath, "the tool has " + std::to_string(cut->model.tool.teeth) + " teeth",
+                 "the profile's has " + std::to_string(profile.cut.teeth)};
   }
-  if (advice->deepest) {
-    known.deepestSpeed = advice->deepest->speed;
-    known.deepestDepth = advice->deepest->depth;
-  }
-  return known;
+  const auto limits = config::checkOverrideLimits(profile.params, profile.cut, modelPath);
+  if (!limits) return limits.error();
+  MachineState programmed;
+  programmed.programmedSpeed = profile.cut.nominalSpeed;
+  programmed.programmedFeed = profile.cut.nominalFeed;
+  const config::SpeedRange reach = config::reachableSpeeds(*limits, programmed);
+  if (!(profile.cut.nominalSpeed.value > 0.0) || !(reach.high > reach.low)) return std::optional<StableSpeeds>();
+  milling::AdviceRequest request;
+  request.depth = profile.depth;
+  request.lowest = reach.low;
+  request.highest = reach.high;
+  const auto advice = milling::adviseSpeeds(cut->model, request, modelPath);
+  if (!advice) return advice.error();
+  return std::optional(known(*advice, request.depth));
 }
 
 }  // namespace stillcut::app

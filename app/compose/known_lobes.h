@@ -1,9 +1,13 @@
-// Stable speeds of a scenario's own model, for strategies that check their target against the lobes.
+// Stable speeds for strategies that check their target against the lobes: of a scenario's own model, or of the model
+// file that a profile names.
 // Thread: set-up; a second or less.
 #pragma once
 
 #include <optional>
+#include <string>
 
+#include "core/base/result.h"
+#include "core/config/profile.h"
 #include "core/milling/scenario.h"
 #include "core/model/cut_setup.h"
 
@@ -12,5 +16,9 @@ namespace stillcut::app {
 // At the deepest and widest that the programme cuts, within what the speed override reaches. Empty: nothing is cut, the
 // speed cannot be changed, or the model is beyond the lobes.
 std::optional<StableSpeeds> stableSpeeds(const milling::Scenario& scenario);
+
+// At the profile's depth, within its override limits. Empty: it names no model or no speed, or the speed cannot be
+// changed. Error: the file cannot be read, is no cut, or contradicts the profile.
+Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile, const std::string& modelPath);
 
 }  // namespace stillcut::app

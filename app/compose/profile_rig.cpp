@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/compose/known_lobes.h"
 #include "app/io/comedi_output.h"
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
@@ -76,6 +77,9 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
     spec.link = std::move(link).value();
   }
   spec.setup = profile.cut;
+  auto known = stableSpeeds(profile, besideProfile(profile.model, path));
+  if (!known) return known.error();
+  spec.setup.stableSpeeds = std::move(known).value();
   spec.params = profile.params;
   spec.autoAllowed = profile.allowAuto;
   spec.methods.detectors = {profile.detector};

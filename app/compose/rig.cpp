@@ -1,5 +1,6 @@
 #include "app/compose/rig.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/compose/run_text.h"
@@ -10,6 +11,16 @@
 
 namespace stillcut::app {
 namespace {
+
+// A strategy that weighs a detector's indicators takes that detector along.
+Status completeMethods(Methods& methods) {
+  const auto strategy = control::makeStrategy(methods.strategy);
+  if (!strategy) return strategy.error();
+  const std::string needed((*strategy)->describe().listensTo);
+  const auto has = std::find(methods.detectors.begin(), methods.detectors.end(), needed) != methods.detectors.end();
+  if (!needed.empty() && !has) methods.detectors.push_back(needed);
+  return Done{};
+}
 
 Result<pipeline::ChainParts> makeParts(const Methods& methods) {
   pipeline::ChainParts parts;
@@ -90,6 +101,7 @@ Status Rig::prepare(SetUpFault& fault) {
   if (!limits) return limits.error();
   limits->autoAllowed = spec_.autoAllowed;
 
+  if (const Status complete = completeMethods(spec_.methods); !complete) return complete;
   auto parts = makeParts(spec_.methods);
   if (!parts) return parts.error();
   chain_ = std::make_unique<pipeline::Chain>(std::move(parts).value());

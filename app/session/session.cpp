@@ -104,7 +104,7 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   info.sourceLabel = QStringLiteral("%1 (%2)").arg(text("simulated cut"), text(scenario->name));
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
-  if (scenario->grantsAuto) session->send({OperatorAction::SetAuthority, Authority::Auto});
+  if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return session;
 }
 

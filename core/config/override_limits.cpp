@@ -31,6 +31,7 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
   limits.lowestFeed = share(kLowestFeedOverride);
   limits.highestFeed = share(kHighestFeedOverride);
   limits.feedPerTooth = share(kHighestFeedPerTooth).value;
+  limits.lowestFeedPerTooth = share(kLowestFeedPerTooth).value;
   if (isEmpty(limits.lowestSpeed.value, limits.highestSpeed.value, 1.0)) {
     return refuse(where, kLowestSpeedOverride, "the range of the speed override is empty",
                   "it must be below " + std::string(kHighestSpeedOverride.key));
@@ -40,7 +41,14 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
                   "it must be below " + std::string(kHighestFeedOverride.key));
   }
   if (!params.isAutomatic(kLowestSpeed)) limits.slowest = Rpm(params.real(kLowestSpeed));
-  if (!params.isAutomatic(kHighestSpeed)) limits.fastest = Rpm(params.real(kHighestSpeed));
+  for (const ParamDecl* decl : {&kHighestSpeed, &kToolSpeed, &kHolderSpeed}) {
+    if (!params.isAutomatic(*decl)) limits.fastest = std::min(limits.fastest, Rpm(params.real(*decl)));
+  }
+  if (!params.isAutomatic(kLowestFeed)) limits.slowestFeed = fromMmPerMin(params.real(kLowestFeed));
+  if (!params.isAutomatic(kHighestFeed)) limits.fastestFeed = fromMmPerMin(params.real(kHighestFeed));
+  if (limits.slowestFeed >= limits.fastestFeed) {
+    return refuse(where, kLowestFeed, "the lowest feed is not below the highest", "see gate.highest-feed");
+  }
   if (!params.isAutomatic(kHighestCuttingSpeed)) {
     if (!(setup.toolDiameter.value > 0.0)) {
       return refuse(where, kHighestCuttingSpeed, "a cutting speed cannot be limited without the tool's diameter",
@@ -51,7 +59,8 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
   }
   if (limits.slowest >= limits.fastest) {
     return refuse(where, kLowestSpeed, "the lowest speed is not below the highest",
-                  "see gate.highest-speed and gate.highest-cutting-speed");
+                  "see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and "
+                  "gate.highest-cutting-speed");
   }
   return limits;
 }
@@ -70,25 +79,35 @@ Status narrowToMachine(ParamSet& params, const MachineOverrides& machine, std::s
   return status ? narrow(kLowestFeedOverride, kHighestFeedOverride, machine.lowestFeed, machine.highestFeed) : status;
 }
 
-FactorRange feedFactors(const OverrideLimits& limits, Ratio knob) STILLCUT_RT {
-  return withKnob(limits.lowestFeed.value, limits.highestFeed.value, knob.value);
-}
-
-FactorRange speedFactors(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT {
-  FactorRange range = withKnob(limits.lowestSpeed.value, limits.highestSpeed.value, speedKnob.value);
-  // Below this speed even the lowest feed would be too much for each tooth.
-  range.low = std::max(range.low, std::min(1.0, feedFactors(limits, feedKnob).low / limits.feedPerTooth));
-  const double base = programmed.value * speedKnob.value;
-  if (base > 0.0) {
-    range.low = std::min(1.0, std::max(range.low, limits.slowest.value / base));
-    range.high = std::max(1.0, std::min(range.high, limits.fastest.value / base));
+FactorRange feedFactors(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT {
+  FactorRange range = withKnob(limits.lowestFeed.value, limits.highestFeed.value, machine.operatorFeed.value);
+  const MetresPerSecond base = machine.programmedFeed * machine.operatorFeed.value;
+  if (base.value > 0.0) {
+    range.low = std::min(1.0, std::max(range.low, limits.slowestFeed / base));
+    range.high = std::max(1.0, std::min(range.high, limits.fastestFeed / base));
   }
   return range;
 }
 
-SpeedRange reachableSpeeds(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT {
-  const FactorRange range = speedFactors(limits, programmed, speedKnob, feedKnob);
-  const Rpm base = programmed * speedKnob.value;
+FactorRange speedFactors(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT {
+  FactorRange range = withKnob(limits.lowestSpeed.value, limits.highestSpeed.value, machine.operatorSpeed.value);
+  // Below this speed even the lowest feed would be too much for each tooth, above that one the highest too little.
+  const FactorRange feed = feedFactors(limits, machine);
+  range.low = std::max(range.low, std::min(1.0, feed.low / limits.feedPerTooth));
+  if (limits.lowestFeedPerTooth > 0.0) {
+    range.high = std::min(range.high, std::max(1.0, feed.high / limits.lowestFeedPerTooth));
+  }
+  const Rpm base = machine.programmedSpeed * machine.operatorSpeed.value;
+  if (base.value > 0.0) {
+    range.low = std::min(1.0, std::max(range.low, limits.slowest / base));
+    range.high = std::max(1.0, std::min(range.high, limits.fastest / base));
+  }
+  return range;
+}
+
+SpeedRange reachableSpeeds(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT {
+  const FactorRange range = speedFactors(limits, machine);
+  const Rpm base = machine.programmedSpeed * machine.operatorSpeed.value;
   return {base * range.low, base * range.high};
 }
 

@@ -11,6 +11,7 @@
 #include "core/base/units.h"
 #include "core/config/param_set.h"
 #include "core/model/cut_setup.h"
+#include "core/model/machine_state.h"
 
 namespace stillcut::config {
 
@@ -31,24 +32,47 @@ inline constexpr ParamDecl kLowestSpeed =
                      "Spindle speed is never driven below this; auto: no such limit"));
 inline constexpr ParamDecl kHighestSpeed =
     locked(autoParam("gate.highest-speed", "Highest speed", "rpm", 1.0, 200000.0,
-                     "Spindle speed is never driven above this: the tool's and the holder's limit; auto: none"));
+                     "Spindle speed is never driven above this: the machine's limit; auto: none"));
 inline constexpr ParamDecl kHighestCuttingSpeed =
     locked(autoParam("gate.highest-cutting-speed", "Highest cutting speed", "m/min", 1.0, 20000.0,
                      "The edge is never driven faster than this; needs the tool's diameter; auto: no such limit"));
 inline constexpr ParamDecl kHighestFeedPerTooth =
     locked(realParam("gate.highest-feed-per-tooth", "Highest feed per tooth", "%", 100.0, 100.0, 150.0,
                      "Our overrides never raise the feed per tooth above this share of the programmed one"));
+inline constexpr ParamDecl kLowestFeedPerTooth = locked(realParam(
+    "gate.lowest-feed-per-tooth", "Lowest feed per tooth", "%", 30.0, 0.0, 90.0,
+    "Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub"));
+inline constexpr ParamDecl kToolSpeed =
+    locked(autoParam("gate.tool-highest-speed", "Highest speed of the tool", "rpm", 1.0, 200000.0,
+                     "What the maker allows the tool; auto: no such limit"));
+inline constexpr ParamDecl kHolderSpeed =
+    locked(autoParam("gate.holder-highest-speed", "Highest speed of the holder", "rpm", 1.0, 200000.0,
+                     "What holder and balancing allow; auto: no such limit"));
+inline constexpr ParamDecl kLowestFeed = locked(autoParam("gate.lowest-feed", "Lowest feed", "mm/min", 0.1, 200000.0,
+                                                          "Feed is never driven below this; auto: no such limit"));
+inline constexpr ParamDecl kHighestFeed = locked(autoParam("gate.highest-feed", "Highest feed", "mm/min", 0.1, 200000.0,
+                                                           "Feed is never driven above this; auto: no such limit"));
 
 inline constexpr const ParamDecl* kOverrideLimitParams[] = {
-    &kLowestSpeedOverride, &kHighestSpeedOverride, &kLowestFeedOverride,  &kHighestFeedOverride,
-    &kLowestSpeed,         &kHighestSpeed,         &kHighestCuttingSpeed, &kHighestFeedPerTooth};
+    &kLowestSpeedOverride, &kHighestSpeedOverride, &kLowestFeedOverride, &kHighestFeedOverride,
+    &kLowestSpeed,         &kHighestSpeed,         &kToolSpeed,          &kHolderSpeed,
+    &kHighestCuttingSpeed, &kLowestFeed,           &kHighestFeed,        &kLowestFeedPerTooth,
+    &kHighestFeedPerTooth};
 
 struct OverrideLimits {
   Ratio lowestSpeed{0.5}, highestSpeed{1.2};  // lowest <= 1 <= highest, and lowest < highest
   Ratio lowestFeed{0.5}, highestFeed{1.2};
   Rpm slowest{0.0};
-  Rpm fastest{std::numeric_limits<double>::infinity()};  // cutting speed included
-  double feedPerTooth = 1.0;                             // highest ratio of our feed factor to our speed factor, >= 1
+  Rpm fastest{std::numeric_limits<double>::infinity()};  // of machine, tool, holder and cutting speed
+  MetresPerSecond slowestFeed{0.0};
+  MetresPerSecond fastestFeed{std::numeric_limits<double>::infinity()};
+  double feedPerTooth = 1.0;        // highest ratio of our feed factor to our speed factor, >= 1
+  double lowestFeedPerTooth = 0.3;  // lowest one, < 1
+
+  // The feed factor nearest to `feed` that this speed factor allows each tooth.
+  constexpr double perTooth(double feed, double speed) const noexcept {
+    return std::clamp(feed, lowestFeedPerTooth * speed, feedPerTooth * speed);
+  }
 };
 
 // What a machine's own override can do (LinkInfo); 1..1 means that it has none.
@@ -74,8 +98,10 @@ struct FactorRange {
 
 // Both our factor and its product with the operator's knob stay inside the limits. 1 is always inside: what operator
 // and program chose is not ours to correct, we only never drive it further out.
-FactorRange speedFactors(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT;
-FactorRange feedFactors(const OverrideLimits& limits, Ratio knob) STILLCUT_RT;
+// Of the machine: programmed values and knobs. For every speed factor in its range some feed factor in its own keeps
+// the feed per tooth inside.
+FactorRange speedFactors(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT;
+FactorRange feedFactors(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT;
 
 // The same as spindle speeds: programmed times knob times factor.
 struct SpeedRange {
@@ -83,6 +109,6 @@ struct SpeedRange {
   Rpm high{};
   constexpr bool contains(Rpm n) const noexcept { return n >= low && n <= high; }
 };
-SpeedRange reachableSpeeds(const OverrideLimits& limits, Rpm programmed, Ratio speedKnob, Ratio feedKnob) STILLCUT_RT;
+SpeedRange reachableSpeeds(const OverrideLimits& limits, const MachineState& machine) STILLCUT_RT;
 
 }  // namespace stillcut::config

@@ -14,6 +14,7 @@ constexpr int kMostTeeth = 64;
 constexpr double kLargestDiameterMm = 1000.0;
 constexpr double kHighestSpeedRpm = 200000.0;
 constexpr double kHighestFeedMmMin = 200000.0;
+constexpr double kDeepestMm = 1000.0;
 
 std::string idFrom(const TomlTable& table, std::string_view key, std::string_view fallback,
                    const std::vector<std::string_view>& known) {
@@ -68,6 +69,14 @@ CutSetup cutFrom(const TomlTable& root) {
   return cut;
 }
 
+void readModel(const TomlTable& cut, Profile& profile) {
+  profile.model = cut.textOr("model", "");
+  profile.depth = Metres(cut.numberOr("depth_mm", 0.0, 0.001, kDeepestMm) * 1e-3);
+  if (!profile.model.empty() && !(profile.depth.value > 0.0)) {
+    cut.refuse("model", "cannot be used without depth_mm", "which speeds are stable depends on the depth");
+  }
+}
+
 struct ParamReading {
   const ParamCatalog& catalog;
   std::span<const ParamRename> renames;
@@ -104,6 +113,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   }
   Profile profile;
   profile.cut = cutFrom(root);
+  readModel(root.tableOr("cut"), profile);
   profile.source = partFrom(root.tableOr("source"), known.sources);
   profile.link = partFrom(root.tableOr("link"), known.links);
   const TomlTable control = root.tableOr("control");
@@ -128,7 +138,8 @@ void writePart(TomlWriter& out, std::string_view name, const PartChoice& part) {
   for (const auto& [key, value] : part.settings) out.scalar(key, value);
 }
 
-void writeCut(TomlWriter& out, const CutSetup& cut) {
+void writeCut(TomlWriter& out, const Profile& profile) {
+  const CutSetup& cut = profile.cut;
   out.table("tool");
   out.text("label", cut.tool);
   if (cut.teeth > 0) out.integer("teeth", cut.teeth);
@@ -136,6 +147,8 @@ void writeCut(TomlWriter& out, const CutSetup& cut) {
   out.table("cut");
   if (cut.nominalSpeed.value > 0.0) out.number("speed_rpm", cut.nominalSpeed.value);
   if (cut.nominalFeed.value > 0.0) out.number("feed_mm_min", toMmPerMin(cut.nominalFeed));
+  if (!profile.model.empty()) out.text("model", profile.model);
+  if (profile.depth.value > 0.0) out.number("depth_mm", profile.depth.value * 1e3);
   for (const ChannelInfo& channel : cut.channels) {
     out.arrayElement("channels");
     out.text("name", channel.name);
@@ -190,7 +203,7 @@ std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
   TomlWriter out;
   out.integer("version", kProfileVersion);
   out.text("machine", profile.cut.machine);
-  writeCut(out, profile.cut);
+  writeCut(out, profile);
   writePart(out, "source", profile.source);
   writePart(out, "link", profile.link);
   out.table("control");

@@ -5,6 +5,9 @@
 //   machine = "Mill 3"
 //   [tool]       label, teeth, diameter_mm
 //   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
+//                model, depth_mm                         file of the cut's modes and material, and its depth: where
+//                both
+//                                                        are known strategies check their targets against the lobes
 //   [[channels]] name, quantity, scale, axis             scale: SI units per device unit
 //   [source]     id        [source.settings]  keys of that device
 //   [link]       id        [link.settings]    keys of that machine link
@@ -38,7 +41,9 @@ struct PartChoice {
 };
 
 struct Profile {
-  CutSetup cut;  // rate and blockFrames are the source's affair and not part of a profile
+  CutSetup cut;       // rate and blockFrames are the source's affair and not part of a profile
+  std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
+  Metres depth{};     // of the cut; 0: unknown
   PartChoice source;
   PartChoice link;
   std::string detector = "energy-ratio";  // in charge

@@ -19,6 +19,11 @@ constexpr double kLastingTurns = 5.0;
 // A gap in the alarm this long ends it; a single missed verdict does not.
 constexpr double kGap = 0.05;  // [s]
 
+// Vibration: time constants [s], and what counts as loud.
+constexpr double kLoudTime = 0.1, kUsualTime = 1.0;
+constexpr double kAsBefore = 0.3, kTimesUsual = 4.0;
+constexpr double kStandingSeverity = 0.05;
+
 // Detectors themselves do not see chatter nearer to a harmonic; a measured speed is good for 0.1 % of the order.
 constexpr double kHarmonic = 0.025;
 
@@ -38,8 +43,16 @@ void ChatterJudge::forget() STILLCUT_RT {
   confirmed_ = false;
 }
 
-void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spindle) STILLCUT_RT {
+void ChatterJudge::listen(const Verdict& verdict, double dt, bool moved, double vibration) STILLCUT_RT {
+  if (!std::isfinite(vibration) || vibration < 0.0) return;
+  loud_ += (vibration - loud_) * dt / (dt + kLoudTime);
+  const bool usual = !moved && verdict.state == CutState::Stable && verdict.phase == CutPhase::Steady;
+  if (usual) usual_ += (vibration - usual_) * (usual_ > 0.0 ? dt / (dt + kUsualTime) : 1.0);
+}
+
+void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spindle, double vibration) STILLCUT_RT {
   const double step = std::isfinite(dt.value) && dt.value > 0.0 ? dt.value : 0.0;
+  listen(verdict, step, spindle.moved, vibration);
   const bool heard = verdict.alarming() && verdict.frequency.value > 0.0 && spindle.measured.value > 0.0;
   if (!heard || (spindle.moved && onHarmonic(verdict.frequency, spindle.measured))) {
     quiet_ += step;
@@ -51,13 +64,16 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
   follow(verdict, step, spindle);
   if (!spindle.moved) {
     confirmed_ = standing_ >= options_.first.value;
+    if (confirmed_) struck_ = loud_;
     return;
   }
   const double turn = 1.0 / spindle.measured.value;
   const bool lasting = standing_ >= std::max(options_.after.value, kLastingTurns * turn);
   const bool full = verdict.state == CutState::Chatter && fast_ > kFalling * slow_;
   const bool growing = fast_ > kGrowing * slow_;
-  confirmed_ = lasting && (full || growing);
+  const bool loud = usual_ > 0.0 && loud_ > kTimesUsual * usual_ && loud_ > kAsBefore * struck_ &&
+                    slow_ > kStandingSeverity && standing_ >= 2.0 * options_.after.value;
+  confirmed_ = lasting && (full || growing || loud);
 }
 
 void ChatterJudge::follow(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT {

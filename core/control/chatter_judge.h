@@ -5,6 +5,8 @@
 // - after a move of ours, what rings down or stands is not taken for chatter: full chatter must not be falling, and an
 //   onset must grow. A line on a harmonic of the measured spindle speed is then the cut's own: the move has just put a
 //   tooth harmonic where the chatter was, and a detector whose comb still follows the old speed leaves it in the rest.
+//   An alarm that neither grows nor falls is chatter all the same where the vibration is as loud as the chatter was and
+//   several times what it was before: chatter that has grown to its end stands still.
 // Thread: worker. Real-time.
 #pragma once
 
@@ -25,20 +27,24 @@ class ChatterJudge {
     options_ = options;
     forget();
   }
+  // The alarm in hand. What was heard of the cut's level stays.
   void forget() STILLCUT_RT;
+  void forgetLevels() STILLCUT_RT { usual_ = struck_ = loud_ = 0.0; }
 
   struct Spindle {
     Hertz measured{};
     int teeth = 1;
     bool moved = false;  // by us, and it has settled since
   };
-  void hear(const Verdict& verdict, Seconds dt, const Spindle& spindle) STILLCUT_RT;
+  // `vibration`: rms, any unit; negative: unknown.
+  void hear(const Verdict& verdict, Seconds dt, const Spindle& spindle, double vibration = -1.0) STILLCUT_RT;
 
   bool confirmed() const STILLCUT_RT { return confirmed_; }
   Hertz frequency() const STILLCUT_RT { return frequency_; }  // smoothed; 0: none
   double level() const STILLCUT_RT { return slow_; }          // severity, smoothed
 
  private:
+  void listen(const Verdict& verdict, double dt, bool moved, double vibration) STILLCUT_RT;
   void follow(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT;
 
   Options options_;
@@ -47,6 +53,9 @@ class ChatterJudge {
   double standing_ = 0.0;  // [s] alarmed at one frequency
   double quiet_ = 0.0;     // [s] since the last alarm
   double fast_ = 0.0, slow_ = 0.0;
+  double usual_ = 0.0;   // vibration without an alarm, at the programmed speed
+  double struck_ = 0.0;  // ... when the first alarm was believed
+  double loud_ = 0.0;    // ... now
   bool confirmed_ = false;
 };
 

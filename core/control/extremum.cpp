@@ -35,8 +35,10 @@ config::ParamTable extremumParams() {
 }
 
 StrategyInfo Extremum::describe() const {
-  if (seek_) return {"extremum-seek", "Least vibration", "van Dijk 2010, section 4.2, then a true search", true, true};
-  return {"extremum-paper", "Toward less vibration", "van Dijk 2010, section 4.2", true, true};
+  if (seek_)
+    return {"extremum-seek", "Least vibration", "van Dijk 2010, section 4.2, then a true search", true, true,
+            "parametric"};
+  return {"extremum-paper", "Toward less vibration", "van Dijk 2010, section 4.2", true, true, "parametric"};
 }
 
 void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
@@ -114,7 +116,7 @@ Aim Extremum::whenQuiet(const RuleView& view) noexcept {
     ++searches_;
     search_.start(view.present, view.programmed);
   }
-  search_.advance({view.dt.value, view.level, view.present, view.reach});
+  search_.advance({view.dt.value, view.vibration >= 0.0 ? view.vibration : view.level, view.present, view.reach});
   return searching(view);
 }
 

@@ -8,9 +8,11 @@
 // control period (`unit`), because a full step per sample would leave the override's range at once.
 //
 // sign(Delta f) alone settles where Delta f = 0 and not where H is least (figure 7: 33 000 against 33 600 rpm).
-// extremum-paper stops there. extremum-seek goes on once the cut is quiet: it compares levels of H at neighbouring
+// extremum-paper stops there. extremum-seek goes on once the cut is quiet: it compares the vibration at neighbouring
 // speeds, brackets the least, and ends at the vertex of the parabola through the bracket; a speed at which chatter
-// returns is left again and bounds the search. A fixed number of trials: it does not hunt.
+// returns is left again and bounds the search. A fixed number of trials: it does not hunt. The vibration itself, where
+// it is known, as figure 12 compares it: H of a quiet cut is that of its noise (11 to 90 within a second at one speed
+// of the simulated ramp) and has its least where no chatter would come first, not where the cut is quietest.
 #pragma once
 
 #include "core/control/frequency_rule.h"

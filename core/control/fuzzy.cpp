@@ -8,7 +8,13 @@ namespace stillcut::control {
 namespace {
 
 constexpr double kSpeedWordShare = 1e-3;
-constexpr double kLearnStable = 0.5;  // [s] of stable cut whose level is 1 V
+constexpr double kLearnStable = 0.5;   // [s] of stable cut whose level is 1 V
+constexpr double kSteadyLevel = 0.25;  // two such stretches differ by less, or the cut is still coming in
+// Averaged spectra remember what was loud. While the level is below half of what they still hold, their coherence is
+// that of the past.
+constexpr double kMemoryTurns = 18.0;
+constexpr double kOfThePast = 0.5;
+constexpr double kFalling = 0.9;      // of the level a cycle ago: what was done works
 constexpr double kSeverityRef = 0.2;  // energy ratio that the detectors call full chatter
 constexpr double kOvershoot = 1.1, kMostOvershoot = 2.0;
 constexpr double kImpactGain = 2.0;
@@ -30,7 +36,7 @@ bool usable(const StrategyInput& in) noexcept {
 }  // namespace
 
 StrategyInfo Fuzzy::describe() const {
-  return {"fuzzy", "Fuzzy speed and feed", "Xu 2003, section 3.3", true, true};
+  return {"fuzzy", "Fuzzy speed and feed", "Xu 2003, section 3.3", true, true, "coherence"};
 }
 
 void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
@@ -44,20 +50,25 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
   reset();
 }
 
+void Fuzzy::letGo() noexcept {
+  speed_ = feed_ = 1.0;
+  moved_ = false;
+  reason_ = {ReasonCode::NothingToDo, {}};
+}
+
 void Fuzzy::reset() noexcept {
   speedRules_ = kSpeedRules;
   feedRules_ = kFeedRules;
   programmed_ = {};
-  speed_ = feed_ = 1.0;
-  moved_ = false;
+  letGo();
   elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
-  stable_ = stableSum_ = stableTime_ = 0.0;
+  stable_ = stableSum_ = stableTime_ = stableBefore_ = remembered_ = 0.0;
+  coherenceKnown_ = hearsEnergy_ = false;
   sinceAlarm_ = 1e9;
   lastCoherence_ = energy1_ = energy2_ = 0.0;
   errors_.fill(0.0);
   past_ = 0;
   rising_ = 0;
-  reason_ = {ReasonCode::NothingToDo, {}};
 }
 
 OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
@@ -77,8 +88,19 @@ OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
   if (elapsed_ >= options_.cycle) {
     cycle(input);
     elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
+    coherenceKnown_ = false;
   }
   return answer(input);
+}
+
+// E_r of eq. 3-8; where no detector makes it, the rms of the first channel. Never both: they are not in one unit.
+double Fuzzy::levelOf(const StrategyInput& input) noexcept {
+  if (input.energy >= 0.0 && !hearsEnergy_) {
+    hearsEnergy_ = true;
+    stable_ = stableSum_ = stableTime_ = stableBefore_ = remembered_ = levelSum_ = counted_ = 0.0;
+  }
+  const double level = hearsEnergy_ ? input.energy : input.vibration;
+  return std::isfinite(level) ? level : -1.0;
 }
 
 void Fuzzy::gather(const StrategyInput& input) noexcept {
@@ -95,33 +117,58 @@ void Fuzzy::gather(const StrategyInput& input) noexcept {
     // Outside the cut, and where the detector itself calls the cut stable, a high ratio is no chatter.
     if (!v.alarming()) coherence = std::min(coherence, 0.5 * ref);
   }
-  coherenceMax_ = std::max(coherenceMax_, std::clamp(coherence, 0.0, 1.0));
-  const double level = std::isfinite(input.vibration) ? input.vibration : -1.0;
-  if (level < 0.0) return;
+  const double level = levelOf(input);
+  if (!ofThePast(input, level, dt)) {
+    coherenceMax_ = std::max(coherenceMax_, std::clamp(coherence, 0.0, 1.0));
+    coherenceKnown_ = true;
+  }
+  if (!(level >= 0.0)) return;
   levelSum_ += level * dt;
   counted_ += dt;
-  if (stable_ > 0.0 || v.state != CutState::Stable || v.phase != CutPhase::Steady) return;
+  learnStable(v, level, dt);
+}
+
+// Spectra averaged over turns, as gamma_max comes from, forget chatter slower than it dies.
+bool Fuzzy::ofThePast(const StrategyInput& input, double level, double dt) noexcept {
+  if (!(input.coherence >= 0.0) || !(level >= 0.0)) return false;
+  const double turns = dt * toHertz(input.machine.programmedSpeed).value;
+  remembered_ = std::max(level * level, remembered_ * std::exp(-turns / kMemoryTurns));
+  return level * level < kOfThePast * kOfThePast * remembered_;
+}
+
+// The level of the cut before anything chatters, once it no longer grows with the tool's coming in.
+void Fuzzy::learnStable(const Verdict& v, double level, double dt) noexcept {
+  if (stable_ > 0.0 || v.state != CutState::Stable || v.phase == CutPhase::Exit) return;
   stableSum_ += level * dt;
   stableTime_ += dt;
-  if (stableTime_ >= kLearnStable) stable_ = stableSum_ / stableTime_;
+  if (stableTime_ < kLearnStable) return;
+  const double mean = stableSum_ / stableTime_;
+  if (std::abs(mean - stableBefore_) < kSteadyLevel * mean) stable_ = mean;
+  stableBefore_ = mean;
+  stableSum_ = stableTime_ = 0.0;
 }
 
 void Fuzzy::cycle(const StrategyInput& input) noexcept {
   const bool known = stable_ > 0.0 && counted_ > 0.0;
   const double energy = known ? levelSum_ / counted_ / stable_ : 0.0;
-  FuzzyInputs in = scaled(coherenceMax_, energy);
+  // At its reference coherence asks for nothing.
+  const double coherence = coherenceKnown_ ? coherenceMax_ : options_.coherenceRef;
+  FuzzyInputs in = scaled(coherence, energy);
   in.energyKnown = known;
-  lastCoherence_ = coherenceMax_;
+  lastCoherence_ = coherence;
+  if (coherence > options_.coherenceRef || (known && energy > options_.energyRef)) sinceAlarm_ = 0.0;
+  const bool works = known && energy > options_.energyRef && energy < kFalling * energy1_;
   const double stronger = overshoot(energy) * tune(in);
   const double impact = energy > options_.energyUp ? kImpactGain : 1.0;
-  moveBy(stronger * infer(speedRules_, in), stronger * infer(feedRules_, in), impact * elapsed_, input.machine);
+  const double step = impact * elapsed_ / options_.rangeTime;
+  moveBy(works ? 0.0 : stronger * infer(speedRules_, in), stronger * infer(feedRules_, in), step, input.machine);
   learn(in);
   // Table 3.1.
   if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
   if (energy > 2.0 * options_.energyUp) feed_ = 0.0;
   const Rpm speed = programmed_ * (input.machine.operatorSpeed.value * speed_);
   const MetresPerSecond feed = input.machine.programmedFeed * (input.machine.operatorFeed.value * feed_);
-  reason_ = {ReasonCode::FuzzyRules, {coherenceMax_, energy, speed.value, toMmPerMin(feed)}};
+  reason_ = {ReasonCode::FuzzyRules, {coherence, energy, speed.value, toMmPerMin(feed)}};
 }
 
 FuzzyInputs Fuzzy::scaled(double coherence, double energy) noexcept {
@@ -149,8 +196,8 @@ double Fuzzy::overshoot(double energy) noexcept {
 
 // `step`: share of the whole range that may be gone.
 void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m) noexcept {
-  const config::FactorRange speeds = speedFactors(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
-  const config::FactorRange feeds = feedFactors(limits_, m.operatorFeed);
+  const config::FactorRange speeds = speedFactors(limits_, m);
+  const config::FactorRange feeds = feedFactors(limits_, m);
   const double most = std::min(1.0, step);
   const double topSpeed = std::max(1.0, std::min(speeds.high, options_.highest));
   const double topFeed = std::max(1.0, std::min(feeds.high, options_.highest));
@@ -179,7 +226,7 @@ OverrideRequest Fuzzy::answer(const StrategyInput& input) const noexcept {
 }
 
 StrategyInfo FuzzyLearning::describe() const {
-  return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", true, true};
+  return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", true, true, "coherence"};
 }
 
 void FuzzyLearning::reset() noexcept {
@@ -207,7 +254,7 @@ void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
 }
 
 StrategyInfo FuzzyDirect::describe() const {
-  return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", true, true};
+  return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", true, true, "coherence"};
 }
 
 double FuzzyDirect::tune(const FuzzyInputs& in) const noexcept {

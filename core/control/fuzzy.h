@@ -8,8 +8,7 @@
 //   3-34 .. 3-37
 // Departures, with their reasons:
 // - Eq. 3-33 prints +. Figures 3.17 and 3.18 show rules of high E gamma lowered and of low E gamma raised, each row by
-// its
-//   own: so minus, weighted by firing strength.
+//   its own: so minus, weighted by firing strength.
 // - Eq. 3-36 and 3-37 multiply by delta; a negative one would turn every recovery round: its magnitude is taken, of the
 //   normalised error.
 // - The energy references are volts of the author's sensor. Here 1 V is the level of the stable cut, learned from its
@@ -18,8 +17,11 @@
 //   references being where the method says chatter.
 // - (f, v) = 0 above the upper limit (table 3.1) is a feed hold: the spindle never stops in the cut.
 // - Nothing rises above `fuzzy.highest` of the programme, and for `fuzzy.rest` seconds after an alarm the speed does
-// not
-//   rise at all: the rules as printed would climb back to the speed that chattered.
+//   not rise at all: the rules as printed would climb back to the speed that chattered.
+// - The paper lets the whole range go in a second. A pocket 2 % wide is then passed in less time than chatter needs to
+//   die: `fuzzy.range-time` is four, and a cycle in which the level has fallen by a tenth leaves the speed where it is.
+// - gamma_max of averaged spectra stays high after chatter has died; while the level is far below what the averages
+//   hold, coherence counts as at its reference.
 #pragma once
 
 #include <array>
@@ -38,6 +40,7 @@ class Fuzzy : public Strategy {
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
+  void letGo() noexcept override;
 
  protected:
   // What learning and direct tuning add. Real-time.
@@ -51,7 +54,10 @@ class Fuzzy : public Strategy {
  private:
   static constexpr std::size_t kPast = 8;  // n_a of eq. 3-14
 
+  double levelOf(const StrategyInput& input) noexcept;
   void gather(const StrategyInput& input) noexcept;
+  bool ofThePast(const StrategyInput& input, double level, double dt) noexcept;
+  void learnStable(const Verdict& verdict, double level, double dt) noexcept;
   void cycle(const StrategyInput& input) noexcept;
   FuzzyInputs scaled(double coherence, double energy) noexcept;
   double overshoot(double energy) noexcept;
@@ -64,7 +70,10 @@ class Fuzzy : public Strategy {
   bool moved_ = false;
 
   double elapsed_ = 0.0, levelSum_ = 0.0, coherenceMax_ = 0.0, counted_ = 0.0;  // of the cycle in hand
-  double stable_ = 0.0, stableSum_ = 0.0, stableTime_ = 0.0;                    // level of the stable cut
+  bool coherenceKnown_ = false;
+  double stable_ = 0.0, stableSum_ = 0.0, stableTime_ = 0.0, stableBefore_ = 0.0;  // level of the stable cut
+  double remembered_ = 0.0;                                                        // squared level that spectra hold
+  bool hearsEnergy_ = false;
   double sinceAlarm_ = 1e9;
   double lastCoherence_ = 0.0;
   std::array<double, kPast> errors_{};  // EE of the last cycles

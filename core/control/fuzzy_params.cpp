@@ -6,8 +6,11 @@ namespace {
 using config::ParamDecl;
 using config::realParam;
 
-constexpr ParamDecl kCycle = realParam("fuzzy.cycle", "Control cycle", "ms", 250.0, 50.0, 2000.0,
-                                       "Speed and feed are changed once per cycle; a full range takes a second");
+constexpr ParamDecl kCycle =
+    realParam("fuzzy.cycle", "Control cycle", "ms", 250.0, 50.0, 2000.0, "Speed and feed are changed once per cycle");
+constexpr ParamDecl kRangeTime =
+    realParam("fuzzy.range-time", "Time for the whole range", "s", 4.0, 1.0, 60.0,
+              "At full output the whole range of an override takes this long (the paper's limit: a second)");
 constexpr ParamDecl kCoherenceRef = realParam("fuzzy.coherence-reference", "Coherence reference", "", 0.8, 0.1, 0.95,
                                               "Coherence above which speed and feed fall (gamma_ref)");
 constexpr ParamDecl kEnergyRef = realParam("fuzzy.energy-reference", "Energy reference", "", 1.5, 1.05, 20.0,
@@ -28,8 +31,9 @@ constexpr ParamDecl kCoherenceWeight = realParam("fuzzy-direct.coherence-weight"
                                                  2.0, "Weight of the coherence error (w_gamma of eq. 3-34)");
 constexpr ParamDecl kEnergyWeight = realParam("fuzzy-direct.energy-weight", "Energy weight", "", 1.25, 0.1, 3.0,
                                               "Weight of the energy error (w_E of eq. 3-35)");
-constexpr const ParamDecl* kParams[] = {&kCycle, &kCoherenceRef, &kEnergyRef, &kEnergyUp,        &kHighest,
-                                        &kRest,  &kLearning,     &kTuning,    &kCoherenceWeight, &kEnergyWeight};
+constexpr const ParamDecl* kParams[] = {&kCycle,    &kRangeTime,       &kCoherenceRef, &kEnergyRef,
+                                        &kEnergyUp, &kHighest,         &kRest,         &kLearning,
+                                        &kTuning,   &kCoherenceWeight, &kEnergyWeight};
 
 }  // namespace
 
@@ -40,6 +44,7 @@ config::ParamTable fuzzyParams() {
 FuzzyOptions fuzzyOptions(const config::ParamSet& params) {
   FuzzyOptions o;
   o.cycle = params.real(kCycle) / 1000.0;
+  o.rangeTime = params.real(kRangeTime);
   o.coherenceRef = params.real(kCoherenceRef);
   o.energyRef = params.real(kEnergyRef);
   o.energyUp = params.real(kEnergyUp);

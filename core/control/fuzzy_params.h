@@ -7,6 +7,7 @@ namespace stillcut::control {
 
 struct FuzzyOptions {
   double cycle = 0.25;            // [s]
+  double rangeTime = 4.0;         // [s] for the whole range at full output
   double coherenceRef = 0.8;      // gamma_ref
   double energyRef = 1.5;         // E_ref, in stable cuts
   double energyUp = 5.0;          // E_up

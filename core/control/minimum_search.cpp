@@ -8,6 +8,7 @@ namespace stillcut::control {
 namespace {
 
 constexpr double kSettledShare = 0.3;  // of a step
+constexpr double kMostDrift = 0.25;    // between two trials: more is not believed
 
 }  // namespace
 
@@ -28,27 +29,43 @@ void MinimumSearch::start(Rpm speed, Rpm base) STILLCUT_RT {
 void MinimumSearch::tryAt(Rpm speed) STILLCUT_RT {
   trying_ = speed;
   waited_ = 0.0;
-  dwelt_ = 0.0;
-  sum_ = 0.0;
+  dwelt_ = sum_ = early_ = earlyTime_ = 0.0;
   ++trials_;
 }
 
 Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
   if (state_ != State::Searching || !(in.dt > 0.0) || !std::isfinite(in.level)) return trying_;
   reach_ = in.reach;
+  sinceJudged_ += in.dt;
   if (std::abs((in.present - trying_).value) > kSettledShare * options_.step * base_.value) {
-    waited_ = dwelt_ = sum_ = 0.0;
+    waited_ = dwelt_ = sum_ = early_ = earlyTime_ = 0.0;
     return trying_;
   }
   waited_ += in.dt;
   if (waited_ < options_.wait.value) return trying_;
   dwelt_ += in.dt;
   sum_ += in.level * in.dt;
+  if (dwelt_ <= 0.5 * options_.dwell.value) {
+    early_ = sum_;
+    earlyTime_ = dwelt_;
+  }
   if (dwelt_ >= options_.dwell.value) judge({trying_, sum_ / dwelt_, true});
   return trying_;
 }
 
+// Share by which the level has changed since the trial before, from the two halves of this one.
+double MinimumSearch::drift() const STILLCUT_RT {
+  const double lateTime = dwelt_ - earlyTime_;
+  if (!(earlyTime_ > 0.0) || !(lateTime > 0.0) || !(early_ > 0.0)) return 0.0;
+  const double early = early_ / earlyTime_, late = (sum_ - early_) / lateTime;
+  const double perSecond = (late - early) / (0.5 * (early + late)) / (0.5 * dwelt_);
+  return std::clamp(perSecond * sinceJudged_, -kMostDrift, kMostDrift);
+}
+
 void MinimumSearch::judge(const Point& point) STILLCUT_RT {
+  const double since = 1.0 + drift();
+  sinceJudged_ = 0.0;
+  for (Point* p : {&best_, &below_, &above_}) p->level *= since;
   if (!best_.known) {
     best_ = point;
   } else {

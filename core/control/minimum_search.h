@@ -1,7 +1,8 @@
 // MinimumSearch: finds the speed of least vibration by trying neighbours. At each speed it waits until the spindle has
 // settled, averages the level over the dwell, then decides: go on in the same direction while the level falls, turn
 // round once, and when both neighbours of the best speed are worse (or chattering) end at the vertex of the parabola
-// through the three. At most kMostTrials speeds. Thread: worker, real-time.
+// through the three. At most kMostTrials speeds. A cut that grows deeper meanwhile makes every later trial louder: how
+// the level drifts while the speed stands is taken out of the comparison. Thread: worker, real-time.
 #pragma once
 
 #include "core/base/realtime.h"
@@ -18,7 +19,7 @@ class MinimumSearch {
     double step = 0.01;     // of the base speed
     Seconds wait{0.2};      // after the spindle has settled, for the vibration to do so
     Seconds dwell{0.4};     // averaged
-    double worthIt = 0.02;  // levels closer than this share are the same
+    double worthIt = 0.01;  // levels closer than this share are the same
   };
   struct Input {
     double dt = 0.0;  // [s]
@@ -50,6 +51,7 @@ class MinimumSearch {
     double level = 0.0;
     bool known = false;
   };
+  double drift() const STILLCUT_RT;
   void judge(const Point& point) STILLCUT_RT;
   void next() STILLCUT_RT;
   Rpm vertex() const STILLCUT_RT;
@@ -67,6 +69,8 @@ class MinimumSearch {
   double waited_ = 0.0;
   double dwelt_ = 0.0;
   double sum_ = 0.0;
+  double early_ = 0.0, earlyTime_ = 0.0;  // the first half of the dwell
+  double sinceJudged_ = 0.0;              // [s]
 };
 
 }  // namespace stillcut::control

@@ -72,10 +72,16 @@ void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params
 }
 
 void StablePocket::reset() noexcept {
+  judge_.forgetLevels();
+  programmed_ = {};
+  letGo();
+}
+
+void StablePocket::letGo() noexcept {
   judge_.forget();
   search_.forget();
   phase_ = Phase::Watch;
-  programmed_ = target_ = from_ = {};
+  target_ = from_ = {};
   moves_ = 0;
   inPhase_ = waiting_ = quiet_ = 0.0;
   reason_ = {ReasonCode::NothingToDo, {}};
@@ -112,7 +118,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
 
 void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
   const double dt = input.dt.value;
-  judge_.hear(input.verdict, input.dt, {toHertz(present), teeth_, moves_ > 0});
+  judge_.hear(input.verdict, input.dt, {toHertz(present), teeth_, moves_ > 0}, input.vibration);
   quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
   if (phase_ == Phase::Resigned) {
     inPhase_ += dt;
@@ -157,7 +163,7 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
 }
 
 void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
-  const config::SpeedRange reach = reachableSpeeds(limits_, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
+  const config::SpeedRange reach = reachableSpeeds(limits_, m);
   const Hertz chatter = judge_.frequency();
   if (moves_ >= mostMoves_) {
     resign({ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value}});

@@ -24,6 +24,7 @@ class StablePocket final : public Strategy {
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
+  void letGo() noexcept override;
 
  private:
   enum class Phase { Watch, Settle, Resigned };

@@ -19,6 +19,9 @@ struct StrategyInfo {
   std::string_view source;  // "van Dijk 2010, section 4.1"
   bool drivesSpeed = false;
   bool drivesFeed = false;
+  // Id of the detector whose indicators it weighs besides the verdict in charge ("coherence"); it runs whenever the
+  // strategy does. Empty: the verdict in charge is enough.
+  std::string_view listensTo = {};
 };
 
 struct StrategyInput {
@@ -26,12 +29,13 @@ struct StrategyInput {
   Seconds dt{};   // measured time since the previous decision
   Verdict verdict;
   MachineState machine;
-  // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26) where the detector in charge reports it, for the strategies that lower
-  // it; negative: unknown, the verdict's severity stands in for it.
+  // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26), of whichever detector reports it, for the strategies that lower it;
+  // negative: unknown, the verdict's severity stands in for it.
   double perturbation = -1.0;
-  // Level of the vibration (rms of the first channel, SI) and gamma_max of Xu 2003, 0 .. 1; negative: unknown.
-  double vibration = -1.0;
+  double vibration = -1.0;  // rms of the first channel, SI; negative: unknown
+  // gamma_max, 0 .. 1, and E_r (eq. 3-8, the sensor's SI unit) of Xu 2003; negative: unknown.
   double coherence = -1.0;
+  double energy = -1.0;
 };
 
 class Strategy {
@@ -43,6 +47,9 @@ class Strategy {
   // Hold or None, never a Set.
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
   virtual void reset() noexcept = 0;
+  // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not
+  // come back with the next grant. What was learned of the cut may stay. Real-time.
+  virtual void letGo() noexcept { reset(); }
 };
 
 }  // namespace stillcut::control

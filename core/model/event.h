@@ -33,6 +33,9 @@ struct Intervention {
   double vibrationBefore = 0.0;             // rms in the channel's SI unit
   double vibrationAfter = 0.0;
   Metres marked{};  // length of path cut in chatter
+  // What it costs: time that a length of path takes after it, over the time that programme and knob give it. 1:
+  // nothing, and where the feed is not known.
+  Ratio cycleTime{1.0};
 };
 
 }  // namespace stillcut

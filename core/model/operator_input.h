@@ -11,19 +11,21 @@ std::string_view name(Authority a);
 
 enum class OperatorAction : std::uint8_t {
   SetAuthority,      // to `authority`
-  Accept,            // the advice on screen
+  Accept,            // the advice on screen, by its number: another one may have taken its place meanwhile
   Refuse,            // the advice on screen: not now
   BackToProgrammed,  // 100 %, and authority Off
   Hold,              // keep the present overrides
   EndHold,
-  TrueAlarm,    // "that was chatter"
-  FalseAlarm,   // "that was not chatter"
-  HearChatter,  // "I hear it now"
+  TrueAlarm,          // "that was chatter"
+  FalseAlarm,         // "that was not chatter"
+  HearChatter,        // "I hear it now"
+  GrantBySimulation,  // Auto, because the machine exists only in this program
 };
 
 struct OperatorInput {
   OperatorAction action = OperatorAction::BackToProgrammed;
   Authority authority = Authority::Off;
+  std::uint32_t advice = 0;  // Accept: the number of the advice that was on screen (Snapshot::adviceNumber)
 };
 
 }  // namespace stillcut

@@ -108,6 +108,8 @@ constexpr Row kRows[] = {
     {ReasonCode::AutoGrantedBySimulation, "auto-granted-by-simulation",
      "Auto is granted because this machine is simulated"},
     {ReasonCode::StrategyFault, "strategy-fault", "the strategy failed, monitoring only from now on"},
+    {ReasonCode::AdviceChanged, "advice-changed",
+     "the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -92,6 +92,7 @@ enum class ReasonCode : std::uint16_t {
   DroppedBlocks,            // blocks
   AutoGrantedBySimulation,  // -
   StrategyFault,            // -: monitoring from now on
+  AdviceChanged,            // rpm, feed mm/min: what was accepted is no longer what is advised
 };
 
 struct Reason {

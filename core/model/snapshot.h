@@ -56,6 +56,7 @@ struct Snapshot {
   std::array<Verdict, kMaxDetectors> verdicts{};
   OverrideRequest request;
   bool adviceOpen = false;  // the request waits for accept or refuse
+  std::uint32_t adviceNumber = 0;
   CommandRecord command;
   bool commanding = false;  // a command other than release is in force
   Authority authority = Authority::Off;

@@ -1,5 +1,6 @@
 #include "core/pipeline/chain.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -57,9 +58,28 @@ void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const
   gate_.prepare(limits);
   flights_.prepare(Seconds(setup.blockFrames / setup.rate.value));
   inCharge_ = parts_.inCharge;
+  perturbation_ = findIndicator("h");
+  coherence_ = findIndicator("gamma_max");
+  energy_ = findIndicator("energy");
   strategyFailed_ = false;
   saidFault_.fill(false);
   started_ = false;
+}
+
+Chain::Indicator Chain::findIndicator(std::string_view name) const {
+  for (std::size_t d = 0; d < parts_.detectors.size(); ++d) {
+    const auto names = parts_.detectors[d]->describe().indicators;
+    const auto at = std::find(names.begin(), names.end(), name);
+    if (at != names.end()) return {d, static_cast<std::size_t>(at - names.begin()), true};
+  }
+  return {};
+}
+
+double Chain::read(const Indicator& indicator) const noexcept {
+  if (!indicator.known) return -1.0;
+  const Verdict& verdict = step_.output.verdicts[indicator.detector];
+  const double value = verdict.indicators[indicator.index];
+  return verdict.valid && std::isfinite(value) ? value : -1.0;
 }
 
 const Chain::Step& Chain::process(const StepInput& input) noexcept {
@@ -72,6 +92,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   const detect::ConditionedBlock& block = conditioner_.process(input.block, machine_);
   step_.vibrationRms = rms(block.channel(0));
   runDetectors(block);
+  tellStrategy(input);
   step_.output.request = askStrategy(input);
   step_.strategyFailed = strategyFailed_;
   runGate(input);
@@ -112,11 +133,26 @@ void Chain::sayDetectorFault(int detector, Instant now) noexcept {
   event.reason = {ReasonCode::DetectorFault, {static_cast<double>(detector)}};
 }
 
+void Chain::tellStrategy(const StepInput& input) noexcept {
+  for (int i = 0; i < input.inputCount; ++i) {
+    const OperatorAction action = input.inputs[static_cast<std::size_t>(i)].action;
+    const bool another = action == OperatorAction::SetAuthority || action == OperatorAction::GrantBySimulation;
+    if (another || action == OperatorAction::BackToProgrammed) parts_.strategy->letGo();
+  }
+}
+
 OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
   if (!strategyFailed_) {
     try {
-      return parts_.strategy->decide({input.block.end(), dt_, verdict, machine_, -1.0, step_.vibrationRms});
+      return parts_.strategy->decide({.now = input.block.end(),
+                                      .dt = dt_,
+                                      .verdict = verdict,
+                                      .machine = machine_,
+                                      .perturbation = read(perturbation_),
+                                      .vibration = step_.vibrationRms,
+                                      .coherence = read(coherence_),
+                                      .energy = read(energy_)});
     } catch (...) {
       strategyFailed_ = true;  // never asked again; the gate lets go at once
     }

@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/config/param_set.h"
@@ -50,8 +51,16 @@ class Chain {
 
  private:
   void runDetectors(const detect::ConditionedBlock& block) noexcept;
+  void tellStrategy(const StepInput& input) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
   void sayDetectorFault(int detector, Instant now) noexcept;
+  struct Indicator {
+    std::size_t detector = 0, index = 0;
+    bool known = false;
+  };
+  Indicator findIndicator(std::string_view name) const;
+  // Its newest value where the detector's verdict is valid; negative: unknown.
+  double read(const Indicator& indicator) const noexcept;
   void runGate(const StepInput& input) noexcept;
 
   ChainParts parts_;
@@ -60,6 +69,7 @@ class Chain {
   safety::FlightRecorder flights_;
   int inCharge_ = 0;
   bool strategyFailed_ = false;
+  Indicator perturbation_, coherence_, energy_;  // what strategies weigh besides the verdict in charge
   std::array<bool, kMaxDetectors> saidFault_{};  // of each detector, once
   bool started_ = false;
   Instant previous_{};  // end of the previous block

@@ -63,6 +63,9 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
   if (output.hasCommand && moves(output.command) && card.commanded == Instant{}) card.commanded = output.command.time;
   card.speedAfter = input.machine.actualSpeed;
   card.feedAfter = input.machine.actualFeed;
+  const MetresPerSecond wanted = input.machine.programmedFeed * input.machine.operatorFeed.value;
+  const bool known = wanted.value > 0.0 && card.feedAfter.value > 0.0;
+  card.cycleTime = known ? Ratio(wanted / card.feedAfter) : Ratio(1.0);
   card.vibrationAfter = vibrationRms;
   if (verdict.valid) card.severityAfter = verdict.severity;
   if (alarming_) {

@@ -37,6 +37,7 @@ void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output
   s.verdicts = output.verdicts;
   s.request = output.request;
   s.adviceOpen = step.gate.adviceOpen;
+  s.adviceNumber = step.gate.adviceNumber;
   s.command = lastCommand_;
   s.commanding = commanding_;
   s.authority = step.gate.authority;

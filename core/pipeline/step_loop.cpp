@@ -3,6 +3,11 @@
 #include <algorithm>
 
 namespace stillcut::pipeline {
+namespace {
+
+constexpr Seconds kBetweenLosses{1.0};
+
+}  // namespace
 
 const Chain::Step& StepLoop::step(StepInput& input) noexcept {
   const Instant began = parts_.clock.now();
@@ -14,6 +19,7 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
 
   const Seconds length(input.block.frames / input.block.rate.value);
   output_ = done.output;
+  tellLosses(input.block.end());
   log_.follow(input, output_, done.vibrationRms, started_ ? secondsBetween(previous_, input.block.end()) : length);
   previous_ = input.block.end();
   started_ = true;
@@ -31,6 +37,17 @@ void StepLoop::tap(const StepInput& input) noexcept {
         input.block.end(), 0, EventLevel::Fault, {ReasonCode::RecorderStopped, {}}};
   }
   if (!parts_.tap->push(input, output_)) ++health_.tapDropped;
+}
+
+// Blocks that were lost are told of, at most once a second.
+void StepLoop::tellLosses(Instant now) noexcept {
+  if (health_.droppedBlocks <= saidDropped_ || output_.eventCount >= kMaxEventsPerStep) return;
+  if (saidDropped_ > 0 && secondsBetween(saidAt_, now) < kBetweenLosses) return;
+  const auto lost = static_cast<double>(health_.droppedBlocks - saidDropped_);
+  output_.events[static_cast<std::size_t>(output_.eventCount++)] = {
+      now, 0, EventLevel::Warning, {ReasonCode::DroppedBlocks, {lost}}};
+  saidDropped_ = health_.droppedBlocks;
+  saidAt_ = now;
 }
 
 void StepLoop::measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept {

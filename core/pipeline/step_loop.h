@@ -46,12 +46,15 @@ class StepLoop {
 
  private:
   void tap(const StepInput& input) noexcept;
+  void tellLosses(Instant now) noexcept;
   void measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept;
 
   StepLoopParts parts_;
   InterventionLog log_;
   StepOutput output_;
   PathHealth health_;
+  std::uint64_t saidDropped_ = 0;  // blocks that have been told of
+  Instant saidAt_{};
   bool started_ = false;
   bool tapStopTold_ = false;
   Instant previous_{};

@@ -20,6 +20,7 @@ struct Column {
   std::size_t offset;
   ColumnType type;
   std::size_t count = 1;  // over 1: a small array; for Text its length in bytes
+  bool later = false;     // added since the oldest version that is read: where a file lacks it, it is 0
 };
 
 struct ReasonRow {
@@ -58,6 +59,7 @@ struct DecisionRow {
 struct InputRow {
   std::uint64_t step = 0;
   std::uint8_t action = 0, authority = 0;
+  std::uint32_t advice = 0;
 };
 
 struct VerdictRow {

@@ -65,7 +65,7 @@ bool SessionTable::open(hid_t file, const char* path, std::span<const Column> co
   const Hdf5Id stored(H5Dget_type(dataset_.get()));
   if (H5Tget_class(stored.get()) != H5T_COMPOUND) return false;
   for (const Column& column : columns) {
-    if (H5Tget_member_index(stored.get(), column.name) < 0) return false;
+    if (!column.later && H5Tget_member_index(stored.get(), column.name) < 0) return false;
   }
   const std::optional<std::uint64_t> length = lengthOf(dataset_.get());
   rows_ = length.value_or(0);

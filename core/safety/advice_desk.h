@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <cstdint>
 
 #include "core/model/override_request.h"
 #include "core/safety/override_ramp.h"
@@ -27,17 +27,25 @@ class AdviceDesk {
     silentLeft_ = std::max(0.0, silentLeft_ - dt);
     acceptedLeft_ = std::max(0.0, acceptedLeft_ - dt);
   }
-  // The newest wish that is not in force yet; replaces the one on the desk.
+  // The newest wish that is not in force yet; replaces the one on the desk. It keeps its number while it stays the same
+  // to the eye.
   void put(const Advice& advice) STILLCUT_RT {
+    const bool wasOpen = open_;
     open_ = silentLeft_ <= 0.0 || !alike(advice.factors, refused_);
     advice_ = advice;
+    if (wasOpen && within(advice.factors, numbered_, kSameToTheEye)) return;
+    numbered_ = advice.factors;
+    ++number_;
   }
   void close() STILLCUT_RT { open_ = false; }
   bool open() const STILLCUT_RT { return open_; }
   const Advice& advice() const STILLCUT_RT { return advice_; }
 
-  bool accept() STILLCUT_RT {
-    if (!open_) return false;
+  std::uint32_t number() const STILLCUT_RT { return number_; }
+
+  // False: not the advice that is on the desk.
+  bool accept(std::uint32_t number) STILLCUT_RT {
+    if (!open_ || number != number_) return false;
     open_ = false;
     accepted_ = advice_;
     acceptedLeft_ = kAcceptedFor;
@@ -58,13 +66,17 @@ class AdviceDesk {
   static constexpr double kAcceptedFor = 5.0;  // [s]
   static constexpr double kSilentFor = 30.0;   // [s]
   static constexpr double kAlike = 0.02;       // 2 % of the programmed values
+  static constexpr double kSameToTheEye = 0.005;
 
-  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT {
-    return std::abs(a.speed - b.speed) <= kAlike && std::abs(a.feed - b.feed) <= kAlike;
+  static bool within(const Factors& a, const Factors& b, double by) STILLCUT_RT {
+    return std::abs(a.speed - b.speed) <= by && std::abs(a.feed - b.feed) <= by;
   }
+  static bool alike(const Factors& a, const Factors& b) STILLCUT_RT { return within(a, b, kAlike); }
 
   bool open_ = false;
   Advice advice_;
+  Factors numbered_;  // what the number was given to
+  std::uint32_t number_ = 0;
   Advice accepted_;
   Factors refused_;
   double silentLeft_ = 0.0;

@@ -73,12 +73,12 @@ FlightEntry flightEntry(const GateInput& in, const GateOutput& out) STILLCUT_RT 
 
 void FlightRecorder::prepare(Seconds blockLength) {
   const double blocks = blockLength.value > 0.0 ? std::ceil(kSpan / blockLength.value) : kMostEntries;
-  const auto size = static_cast<std::size_t>(std::clamp(blocks, 1.0, kMostEntries));
-  ring_.assign(size, FlightEntry{});
+  span_ = static_cast<std::size_t>(std::clamp(blocks, 1.0, kMostEntries));
+  ring_.assign(span_ + span_ / 4 + 1, FlightEntry{});
   pushed_ = 0;
   slots_ = std::make_unique<Slot[]>(kSlots);
-  for (int i = 0; i < kSlots; ++i) slots_[static_cast<std::size_t>(i)].entries.resize(size);
-  write_ = 0;
+  for (int i = 0; i < kSlots; ++i) slots_[static_cast<std::size_t>(i)].entries.resize(span_);
+  write_ = copying_ = begun_ = 0;
   read_ = 0;
   missed_ = 0;
 }
@@ -87,22 +87,41 @@ void FlightRecorder::push(const FlightEntry& entry) STILLCUT_RT {
   if (ring_.empty()) return;
   ring_[pushed_ % ring_.size()] = entry;
   ++pushed_;
+  copyPortion();
 }
 
 bool FlightRecorder::capture(const Reason& cause, Instant now) STILLCUT_RT {
   if (ring_.empty()) return false;
   Slot& slot = slots_[static_cast<std::size_t>(write_)];
-  if (slot.full.load(std::memory_order_acquire)) {
+  if (begun_ == kSlots || slot.full.load(std::memory_order_acquire)) {
     missed_.fetch_add(1, std::memory_order_relaxed);
     return false;
   }
   slot.time = now;
   slot.cause = cause;
-  slot.count = std::min(pushed_, ring_.size());
-  for (std::size_t i = 0; i < slot.count; ++i) slot.entries[i] = ring_[(pushed_ - slot.count + i) % ring_.size()];
-  slot.full.store(true, std::memory_order_release);
+  slot.count = std::min(pushed_, span_);
+  slot.first = pushed_ - slot.count;
+  slot.copied = 0;
   write_ = (write_ + 1) % kSlots;
+  ++begun_;
+  copyPortion();
   return true;
+}
+
+void FlightRecorder::copyPortion() STILLCUT_RT {
+  if (begun_ == 0) return;
+  Slot& slot = slots_[static_cast<std::size_t>(copying_)];
+  for (std::size_t i = 0; i < kPortion && slot.copied < slot.count; ++i, ++slot.copied) {
+    slot.entries[slot.copied] = ring_[(slot.first + slot.copied) % ring_.size()];
+  }
+  if (slot.copied < slot.count) return;
+  slot.full.store(true, std::memory_order_release);
+  copying_ = (copying_ + 1) % kSlots;
+  --begun_;
+}
+
+void FlightRecorder::finish() {
+  while (begun_ > 0) copyPortion();
 }
 
 bool FlightRecorder::take(FlightRecording& into) {

@@ -32,7 +32,8 @@ struct GateOutput {
   Authority authority = Authority::Off;
   Instant authoritySince{};
   bool autoAllowed = false;
-  bool adviceOpen = false;  // the request waits for accept or refuse
+  bool adviceOpen = false;         // the request waits for accept or refuse
+  std::uint32_t adviceNumber = 0;  // of the one on the desk; accepting needs it
   bool operatorHold = false;
   Reason reason;        // why the gate does what it does now
   bool flight = false;  // fault, refusal or change of authority: keep the last seconds (FlightRecorder::capture)

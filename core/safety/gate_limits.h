@@ -9,6 +9,9 @@
 
 namespace stillcut::safety {
 
+// Overrides are read back in steps of at most 1 %.
+inline constexpr double kReadbackRounding = 0.01;
+
 struct GateLimits {
   config::OverrideLimits overrides;
   // Granted by whoever set this run up (profile or scenario), never by a parameter.

@@ -23,13 +23,14 @@ class LeaseWatch {
   // Each cycle of the link thread, with the newest command in the mailbox (null: none yet) and its own clock.
   LinkAction poll(const OverrideCommand* newest, Instant now) STILLCUT_RT {
     const bool first = !polled_;
-    // The clock went back, or nobody polled for longer than any lease: how old a new command is cannot be told.
-    const bool blind = first || now < lastPoll_ || secondsBetween(lastPoll_, now) > kLongestGap;
+    // The clock went back, or nobody polled for longer than the command's own lease: it may have run out unseen.
+    const Duration gap = now - lastPoll_;
+    const auto tooLong = [&](const Duration& lease) { return first || gap < Duration::zero() || gap > lease; };
     polled_ = true;
     lastPoll_ = now;
 
-    const bool expired = inForce_ && (blind || now - renewedAt_ >= lease_);
-    if (expired) expire(now);
+    const bool expired = inForce_ && (tooLong(lease_) || now - renewedAt_ >= lease_);
+    if (expired) expire();
     const bool fresh = newest != nullptr && newest->sequence() > lastSequence_;
     if (fresh) lastSequence_ = newest->sequence();
     if (expired) return LinkAction::Release;
@@ -38,7 +39,7 @@ class LeaseWatch {
       inForce_ = false;
       return LinkAction::Release;
     }
-    return blind ? LinkAction::Nothing : grant(*newest, now);
+    return tooLong(newest->lease()) ? LinkAction::Nothing : grant(*newest, now);
   }
 
   bool inForce() const STILLCUT_RT { return inForce_; }
@@ -46,12 +47,9 @@ class LeaseWatch {
   std::uint64_t endedEngagement() const STILLCUT_RT { return endedEngagement_; }
   // Leases that ran out since the start.
   std::uint64_t expiries() const STILLCUT_RT { return expiries_; }
-  // Time since the last renewal when the last lease ran out.
-  Seconds lastSilence() const STILLCUT_RT { return lastSilence_; }
 
  private:
   static constexpr Duration kLongestLease = std::chrono::seconds(2);
-  static constexpr Seconds kLongestGap{0.2};
 
   LinkAction grant(const OverrideCommand& command, Instant now) STILLCUT_RT {
     const bool sane = command.lease() > Duration::zero() && command.lease() <= kLongestLease &&
@@ -70,10 +68,9 @@ class LeaseWatch {
     engagement_ = command.engagement();
     return LinkAction::Apply;
   }
-  void expire(Instant now) STILLCUT_RT {
+  void expire() STILLCUT_RT {
     inForce_ = false;
     endedEngagement_ = std::max(endedEngagement_, engagement_);
-    lastSilence_ = secondsBetween(renewedAt_, now);
     ++expiries_;
   }
 
@@ -86,7 +83,6 @@ class LeaseWatch {
   std::uint64_t engagement_ = 0;
   std::uint64_t endedEngagement_ = 0;  // a Set of this number or below is never obeyed again
   std::uint64_t expiries_ = 0;
-  Seconds lastSilence_{};
 };
 
 }  // namespace stillcut::safety

@@ -8,7 +8,6 @@ namespace {
 
 constexpr double kKnobClick = 0.004;      // smaller differences are rounding of what is read back
 constexpr double kSpeedWordShare = 1e-3;  // a new S word differs at least this much
-constexpr double kReadbackRounding = 0.01;
 
 bool differs(double a, double b, double by) noexcept {
   return std::abs(a - b) > by;

@@ -25,6 +25,7 @@ void OverrideGate::prepare(const GateLimits& limits) {
   saidTrouble_ = ReasonCode::None;
   saidCoolDown_ = false;
   strategyFailed_ = false;
+  linkSeen_ = linkLost_ = false;
 }
 
 GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
@@ -81,7 +82,24 @@ void OverrideGate::endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILL
   drop(why, EventLevel::Fault, in.now, out);
 }
 
+// While something is in force holdThenRelease() says what is wrong.
+void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  if (in.machine.linkUp) {
+    if (linkLost_) say(out, in.now, EventLevel::Info, {ReasonCode::LinkBack, {}});
+    linkSeen_ = true;
+    linkLost_ = false;
+    return;
+  }
+  if (!linkSeen_ || linkLost_) return;
+  linkLost_ = true;
+  if (commanding_) return;
+  const Reason lost{ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}};
+  say(out, in.now, EventLevel::Warning, lost);
+  keepFlight(out, lost);
+}
+
 Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  watchLink(in, out);
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
   watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
@@ -120,8 +138,7 @@ void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, G
   } else if (checkMachine(in.machine, in.now, limits_.machineAge).code == ReasonCode::None) {
     const config::OverrideLimits& o = limits_.overrides;
     const MachineState& m = in.machine;
-    ramp_.keepInside(speedFactors(o, m.programmedSpeed, m.operatorSpeed, m.operatorFeed),
-                     feedFactors(o, m.operatorFeed));
+    ramp_.keepInside(speedFactors(o, m), feedFactors(o, m));
   }
 }
 
@@ -173,6 +190,7 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.authoritySince = authoritySince_;
   out.autoAllowed = limits_.autoAllowed;
   out.adviceOpen = desk_.open();
+  out.adviceNumber = desk_.number();
   out.operatorHold = operatorHold_;
 }
 

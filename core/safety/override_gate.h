@@ -39,7 +39,9 @@ class OverrideGate {
   void endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
-  void answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT;
+  void acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT;
+  void refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT;
+  void watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT;
   Reason findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
 
@@ -87,6 +89,7 @@ class OverrideGate {
   ReasonCode saidTrouble_ = ReasonCode::None;
   bool saidCoolDown_ = false;  // once for each
   bool strategyFailed_ = false;
+  bool linkSeen_ = false, linkLost_ = false;
 };
 
 }  // namespace stillcut::safety

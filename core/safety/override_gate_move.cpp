@@ -106,8 +106,7 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
       return;
   }
   ramp_.halt();
-  ramp_.keepInside(speedFactors(limits_.overrides, m.programmedSpeed, m.operatorSpeed, m.operatorFeed),
-                   feedFactors(limits_.overrides, m.operatorFeed));
+  ramp_.keepInside(speedFactors(limits_.overrides, m), feedFactors(limits_.overrides, m));
 }
 
 void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
@@ -145,9 +144,10 @@ void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
   RampInput ramp;
   ramp.dt = moveTime_;
   ramp.wanted = keeper_.target();
-  ramp.speed = speedFactors(limits_.overrides, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
-  ramp.feed = feedFactors(limits_.overrides, m.operatorFeed);
+  ramp.speed = speedFactors(limits_.overrides, m);
+  ramp.feed = feedFactors(limits_.overrides, m);
   ramp.actualSpeed = m.actualSpeed / (m.programmedSpeed * m.operatorSpeed.value);
+  ramp.feedInForce = m.operatorFeed.value > 0.0 ? m.feedOverride / m.operatorFeed : 0.0;
   ramp.recovering = goingBack_ || !in.verdict.alarming();
   ramp_.advance(ramp);
   if (out.reason.code == ReasonCode::None) out.reason = inForce(m);
@@ -173,8 +173,8 @@ void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_R
 
 OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
   const config::OverrideLimits& o = limits_.overrides;
-  const config::FactorRange speeds = speedFactors(o, m.programmedSpeed, m.operatorSpeed, m.operatorFeed);
-  const config::FactorRange feeds = feedFactors(o, m.operatorFeed);
+  const config::FactorRange speeds = speedFactors(o, m);
+  const config::FactorRange feeds = feedFactors(o, m);
   const double speed = r.claimsSpeed ? r.speed / (m.programmedSpeed * watch_.baseSpeedKnob().value) : 1.0;
   const MetresPerSecond feedBase = m.programmedFeed * watch_.baseFeedKnob().value;
   double feed = 1.0;
@@ -182,7 +182,7 @@ OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineSta
   if (r.claimsFeed) feed = feedBase.value > 0.0 ? r.feed / feedBase : speed;
   Wish w;
   w.factors.speed = speeds.clamp(speed);
-  w.factors.feed = feeds.clamp(std::min(feed, o.feedPerTooth * w.factors.speed));
+  w.factors.feed = feeds.clamp(o.perTooth(feed, w.factors.speed));
   if (std::abs(w.factors.speed - speed) > limits_.deadband) {
     w.limited = {ReasonCode::GateLimited, {speed, w.factors.speed}};
   } else if (r.claimsFeed && std::abs(w.factors.feed - feed) > limits_.deadband) {
@@ -194,6 +194,7 @@ OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineSta
 Reason OverrideGate::inForce(const MachineState& m) const STILLCUT_RT {
   const Factors& now = ramp_.now();
   const Factors& goal = keeper_.target();
+  if (goingBack_ && !ramp_.at(goal)) return {ReasonCode::Recovering, {goal.speed}};
   if (!ramp_.at(goal)) {
     return {ReasonCode::GateMoving, {100.0 * now.speed, 100.0 * goal.speed, 100.0 * now.feed, 100.0 * goal.feed}};
   }

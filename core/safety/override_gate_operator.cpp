@@ -9,11 +9,17 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
       case OperatorAction::SetAuthority:
         setAuthority(input.authority, in.now, out);
         break;
+      case OperatorAction::GrantBySimulation:
+        setAuthority(Authority::Auto, in.now, out);
+        if (authority_ == Authority::Auto) {
+          say(out, in.now, EventLevel::Info, {ReasonCode::AutoGrantedBySimulation, {}});
+        }
+        break;
       case OperatorAction::Accept:
-        answerAdvice(true, in.now, out);
+        acceptAdvice(input.advice, in.now, out);
         break;
       case OperatorAction::Refuse:
-        answerAdvice(false, in.now, out);
+        refuseAdvice(in.now, out);
         break;
       case OperatorAction::BackToProgrammed:
         say(out, in.now, EventLevel::Info, {ReasonCode::BackToProgrammed, {}});
@@ -53,14 +59,23 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
   if (authority_ == Authority::Off) drop({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
 }
 
-void OverrideGate::answerAdvice(bool accept, Instant now, GateOutput& out) STILLCUT_RT {
-  if (authority_ != Authority::Advise) return;
-  if (!(accept ? desk_.accept() : desk_.refuse())) return;
+// A target that jumped as the finger landed is another advice, and nobody has accepted that one.
+void OverrideGate::acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT {
+  if (authority_ != Authority::Advise || !desk_.open()) return;
   const OverrideRequest& r = desk_.advice().request;
-  const Reason answer{accept ? ReasonCode::AdviceAccepted : ReasonCode::AdviceRefused,
+  const bool same = desk_.accept(number);
+  const Reason answer{same ? ReasonCode::AdviceAccepted : ReasonCode::AdviceChanged,
                       {r.speed.value, toMmPerMin(r.feed)}};
+  say(out, now, same ? EventLevel::Info : EventLevel::Warning, answer);
+  if (!same) keepFlight(out, answer);
+}
+
+void OverrideGate::refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT {
+  if (authority_ != Authority::Advise || !desk_.refuse()) return;
+  const OverrideRequest& r = desk_.advice().request;
+  const Reason answer{ReasonCode::AdviceRefused, {r.speed.value, toMmPerMin(r.feed)}};
   say(out, now, EventLevel::Info, answer);
-  if (!accept) keepFlight(out, answer);
+  keepFlight(out, answer);
 }
 
 }  // namespace stillcut::safety

@@ -47,16 +47,16 @@ void OverrideRamp::accept(const Factors& next) STILLCUT_RT {
 
 void OverrideRamp::keepInside(const config::FactorRange& speed, const config::FactorRange& feed) STILLCUT_RT {
   const double s = speed.clamp(now_.speed);
-  accept({s, std::min(feed.clamp(now_.feed), limits_.overrides.feedPerTooth * s)});
+  accept({s, limits_.overrides.perTooth(feed.clamp(now_.feed), s)});
 }
 
 void OverrideRamp::advance(const RampInput& in) STILLCUT_RT {
-  const double perTooth = limits_.overrides.feedPerTooth;
+  const config::OverrideLimits& o = limits_.overrides;
   const double share = in.dt > 0.0 ? in.dt / (in.dt + limits_.filter.value) : 0.0;
   filtered_.speed = lowPassed(filtered_.speed, in.wanted.speed, share);
   filtered_.feed = lowPassed(filtered_.feed, in.wanted.feed, share);
   const double speedGoal = in.speed.clamp(filtered_.speed);
-  const double feedGoal = in.feed.clamp(std::min(filtered_.feed, perTooth * speedGoal));
+  const double feedGoal = in.feed.clamp(o.perTooth(filtered_.feed, speedGoal));
 
   const auto most = [&](double from, double to, double step, double slew) {
     const double rate = in.recovering && toward100(from, to) ? limits_.recoveryShare : 1.0;
@@ -64,16 +64,37 @@ void OverrideRamp::advance(const RampInput& in) STILLCUT_RT {
   };
   double speed = approach(now_.speed, speedGoal, most(now_.speed, speedGoal, limits_.speedStep, limits_.speedSlew));
   double feed = approach(now_.feed, feedGoal, most(now_.feed, feedGoal, limits_.feedStep, limits_.feedSlew));
+  speed = orderedSpeed(in, speed);
+  feed = orderedFeed(in, feed);
+  speed = in.speed.clamp(speed);
+  accept({speed, o.perTooth(in.feed.clamp(feed), speed)});
+}
 
-  // Feed falls first: speed goes only as low as the feed that has already been sent allows.
-  if (speed < now_.speed) speed = std::max(speed, std::min(now_.speed, now_.feed / perTooth));
-  // Speed rises first: feed goes only as high as the speed sent, and reached, allows.
+// Feed falls first: speed goes only as low as the feed that has been sent, and is in force, allows; and only as high as
+// leaves each tooth enough.
+double OverrideRamp::orderedSpeed(const RampInput& in, double speed) const STILLCUT_RT {
+  const config::OverrideLimits& o = limits_.overrides;
+  if (speed < now_.speed) {
+    // What is read back is rounded.
+    const double inForce = in.feedInForce - limits_.speedTolerance - kReadbackRounding;
+    return std::max(speed, std::min(now_.speed, std::max(now_.feed, inForce) / o.feedPerTooth));
+  }
+  if (speed > now_.speed && o.lowestFeedPerTooth > 0.0) {
+    return std::min(speed, std::max(now_.speed, now_.feed / o.lowestFeedPerTooth));
+  }
+  return speed;
+}
+
+// Speed rises first: feed goes only as high as the speed sent, and reached, allows; and only as low as leaves each
+// tooth enough.
+double OverrideRamp::orderedFeed(const RampInput& in, double feed) const STILLCUT_RT {
+  const config::OverrideLimits& o = limits_.overrides;
   if (feed > now_.feed) {
     const double reached = in.actualSpeed > 0.0 ? in.actualSpeed * (1.0 + limits_.speedTolerance) : now_.speed;
-    feed = std::max(now_.feed, std::min(feed, perTooth * std::min(now_.speed, reached)));
+    return std::max(now_.feed, std::min(feed, o.feedPerTooth * std::min(now_.speed, reached)));
   }
-  speed = in.speed.clamp(speed);
-  accept({speed, std::min(in.feed.clamp(feed), perTooth * speed)});
+  if (feed < now_.feed) return std::max(feed, std::min(now_.feed, o.lowestFeedPerTooth * now_.speed));
+  return feed;
 }
 
 }  // namespace stillcut::safety

@@ -1,7 +1,7 @@
 // OverrideRamp: how our two factors travel. Low-pass on the wanted values, then the rate limits, then the order (speed
 // rises before feed, feed falls before speed), then the limits, then the finite check last.
 //
-// After every advance(): both factors finite, inside their ranges, feed <= feedPerTooth * speed, and no further from
+// After every advance(): both factors finite, inside their ranges and the feed per tooth, and no further from
 // the step before than step and slew allow. One exception: where the range itself moved past a factor (the operator
 // turned a knob), the factor goes to the edge at once; that is always toward 100 %, because every range contains it.
 // Thread: worker. Real-time after prepare().
@@ -22,6 +22,8 @@ struct RampInput {
   config::FactorRange speed, feed;  // both contain 1; speed.low >= feed.low / feedPerTooth
   // Actual spindle speed over programmed speed times knob; 0: not measured. Feed does not rise ahead of it.
   double actualSpeed = 0.0;
+  // Feed override in force over the knob; 0: the machine does not tell. Speed does not fall ahead of it.
+  double feedInForce = 0.0;
   bool recovering = false;  // nothing chatters: the way toward 100 % is slow
 };
 
@@ -39,6 +41,8 @@ class OverrideRamp {
   bool at(const Factors& f) const STILLCUT_RT;
 
  private:
+  double orderedSpeed(const RampInput& in, double speed) const STILLCUT_RT;
+  double orderedFeed(const RampInput& in, double feed) const STILLCUT_RT;
   void accept(const Factors& next) STILLCUT_RT;
 
   GateLimits limits_;

@@ -155,6 +155,72 @@ TEST(Chain, StrategySeesMeasuredTime) {
   EXPECT_NEAR(dts[1], 3.0 * block, 1e-9);
 }
 
+TEST(Chain, HandsOnTheIndicatorsThatStrategiesWeighFromWhicheverDetectorNamesThem) {
+  static constexpr std::string_view kNames[] = {"floor", "gamma_max", "energy", "h"};
+  control::StrategyInput seen;
+  bool valid = true;
+  ChainParts parts = test::scriptedChain([](const auto&) { return test::stableVerdict(); },
+                                         [&](const control::StrategyInput& in) {
+                                           seen = in;
+                                           return OverrideRequest{};
+                                         });
+  parts.detectors.push_back(std::make_unique<test::ScriptedDetector>(
+      [&](const auto&) {
+        Verdict v = test::stableVerdict();
+        v.valid = valid;
+        v.indicators = {7.0, 0.9, 3.5, 12.0};
+        return v;
+      },
+      kNames));
+  Chain chain(std::move(parts));
+  chain.prepare(test::setup(), {}, {});
+  chain.process(stepInput(0));
+  EXPECT_EQ(seen.coherence, 0.9);
+  EXPECT_EQ(seen.energy, 3.5);
+  EXPECT_EQ(seen.perturbation, 12.0);
+  EXPECT_EQ(seen.verdict.indicators[0], 0.0) << "the verdict is that of the detector in charge";
+  valid = false;
+  chain.process(stepInput(1));
+  EXPECT_LT(seen.coherence, 0.0);
+  EXPECT_LT(seen.energy, 0.0);
+  EXPECT_LT(seen.perturbation, 0.0);
+}
+
+// A target of before "Back to 100 %" may not come back with the next grant.
+TEST(Chain, WhatAStrategyAskedForEndsWhenTheOperatorTakesTheMachineBack) {
+  class Stubborn final : public control::Strategy {
+   public:
+    explicit Stubborn(int& told) : told_(told) {}
+    control::StrategyInfo describe() const override { return {"stubborn", "", "", true, true}; }
+    void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
+    OverrideRequest decide(const control::StrategyInput& /*input*/) override { return {}; }
+    void reset() noexcept override {}
+    void letGo() noexcept override { ++told_; }
+
+   private:
+    int& told_;
+  };
+  int told = 0;
+  ChainParts parts = test::scriptedChain();
+  parts.strategy = std::make_unique<Stubborn>(told);
+  Chain chain(std::move(parts));
+  chain.prepare(test::setup(), {}, {});
+  StepInput in = stepInput(0);
+  chain.process(in);
+  EXPECT_EQ(told, 0);
+  in = stepInput(1);
+  in.inputCount = 2;
+  in.inputs[0] = {OperatorAction::Hold};
+  in.inputs[1] = {OperatorAction::BackToProgrammed};
+  chain.process(in);
+  EXPECT_EQ(told, 1);
+  in = stepInput(2);
+  in.inputCount = 1;
+  in.inputs[0] = {OperatorAction::SetAuthority, Authority::Auto};
+  chain.process(in);
+  EXPECT_EQ(told, 2);
+}
+
 TEST(Chain, RefusesAnImpossibleLineUp) {
   EXPECT_THROW(Chain(ChainParts{}), std::runtime_error);
   ChainParts parts = test::scriptedChain();

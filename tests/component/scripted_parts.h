@@ -115,8 +115,9 @@ class CountingLink final : public cnc::CncLink {
 class ScriptedDetector final : public detect::Detector {
  public:
   using Script = std::function<Verdict(const detect::ConditionedBlock&)>;
-  explicit ScriptedDetector(Script script) : script_(std::move(script)) {}
-  detect::DetectorInfo describe() const override { return {"scripted", "Scripted", "test", {}}; }
+  explicit ScriptedDetector(Script script, std::span<const std::string_view> indicators = {})
+      : script_(std::move(script)), indicators_(indicators) {}
+  detect::DetectorInfo describe() const override { return {"scripted", "Scripted", "test", indicators_}; }
   void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
   Verdict process(const detect::ConditionedBlock& block) override {
     Verdict v = script_(block);
@@ -128,6 +129,7 @@ class ScriptedDetector final : public detect::Detector {
 
  private:
   Script script_;
+  std::span<const std::string_view> indicators_;
 };
 
 class ScriptedStrategy final : public control::Strategy {

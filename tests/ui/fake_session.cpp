@@ -61,6 +61,10 @@ void FakeSession::send(const OperatorInput& input) {
       s.authority = input.authority;
       s.authoritySince = s.time;
       break;
+    case OperatorAction::GrantBySimulation:
+      s.authority = Authority::Auto;
+      s.authoritySince = s.time;
+      break;
     case OperatorAction::Accept:
       moved_ = s.adviceOpen || moved_;
       break;

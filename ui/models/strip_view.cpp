@@ -88,6 +88,9 @@ CardView cardOf(const Intervention& i, const SessionInfo& info) {
   card.time = clockTime(info.wallMs(i.began));
   card.headline = headlineOf(i);
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
+  const double longer = 1e2 * (i.cycleTime.value - 1.0);
+  if (i.finished && longer >= 0.5)
+    card.speed = say("%1, %2 more time").arg(card.speed, join(number(longer), QStringLiteral("%")));
   // The proof: how much of the vibration is the cut's own. The vibration alone may stay, when the quiet speed lies
   // where the teeth excite a mode.
   card.ratio =

@@ -46,13 +46,16 @@ OperatePage::OperatePage(QWidget* parent)
   grid_->setColumnStretch(1, 56);
   space(theme_);
 
-  connect(advice_, &AdvicePanel::accepted, this, [this] { emit asked({OperatorAction::Accept, Authority::Off}); });
+  connect(advice_, &AdvicePanel::accepted, this, [this] {
+    emit asked({OperatorAction::Accept, Authority::Off, adviceShown_});
+  });
   connect(advice_, &AdvicePanel::refused, this, [this] { emit asked({OperatorAction::Refuse, Authority::Off}); });
   connect(interventions_, &InterventionList::asked, this, &OperatePage::asked);
 }
 
 void OperatePage::display(const Picture& picture) {
   if (picture.snapshot) {
+    adviceShown_ = picture.snapshot->adviceNumber;
     trend_.add(picture.verdict());
     moveReason_.see(*picture.snapshot);
   }

@@ -58,6 +58,7 @@ class OperatePage : public QWidget, public Themed {
   Theme theme_;
   ColumnReader columns_;
   SeverityTrend trend_;
+  std::uint32_t adviceShown_ = 0;
   MoveReason moveReason_;
   VibrationScale vibrationScale_;
 };

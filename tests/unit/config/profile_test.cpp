@@ -101,6 +101,16 @@ TEST(Profile, WhatIsSavedIsWhatIsLoadedAndSavesTheSameAgain) {
   EXPECT_TRUE(second->allowAuto);
 }
 
+TEST(Profile, NamesTheModelOfItsCut) {
+  std::string content(kMill3);
+  content.insert(content.find("feed_mm_min"), "model = \"cut.toml\"\ndepth_mm = 1.5\n");
+  const Result<Profile> p = parseProfile(content, "p.toml", catalog(), kKnown);
+  ASSERT_TRUE(p.ok()) << p.error().line();
+  EXPECT_EQ(p->model, "cut.toml");
+  EXPECT_DOUBLE_EQ(p->depth.value, 1.5e-3);
+  EXPECT_NE(profileText(*p, catalog()).find("model = \"cut.toml\"\ndepth_mm = 1.5\n"), std::string::npos);
+}
+
 TEST(Profile, TheLeastProfileIsCautious) {
   const Result<Profile> p = parseProfile("version = 1\nmachine = \"M\"\n", "p.toml", catalog(), kKnown);
   ASSERT_TRUE(p.ok()) << p.error().line();
@@ -116,6 +126,8 @@ TEST(ProfileErrors, AreOneLineWithFileLineAndCause) {
   EXPECT_EQ(lineWith("teeth = 4", "teeth = 0"), "p.toml:5: 'tool.teeth' is out of range: 0 (allowed: 1 to 64)");
   EXPECT_EQ(lineWith("8800", "0"), "p.toml:8: 'cut.speed_rpm' is out of range: 0 (allowed: 1 to 200000)");
   EXPECT_EQ(lineWith("8800", "nan"), "p.toml:8: 'cut.speed_rpm' is not a finite number");
+  EXPECT_EQ(lineWith("feed_mm_min", "model = \"cut.toml\"\nfeed_mm_min"),
+            "p.toml:9: 'cut.model' cannot be used without depth_mm (which speeds are stable depends on the depth)");
   EXPECT_EQ(lineWith("98.0665", "0"), "p.toml:13: 'channels.scale' is zero (SI units per device unit)");
   EXPECT_EQ(lineWith("\"sound\"", "\"loud\"").substr(0, 45), "p.toml:17: 'channels.quantity' is unknown: 'l");
   EXPECT_EQ(lineWith("fallback = \"spectral\"", "fallback = \"spektral\""),

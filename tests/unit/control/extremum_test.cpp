@@ -148,6 +148,20 @@ TEST(MinimumSearch, ParabolaVertexOfUnevenNeighbours) {
   EXPECT_NEAR(search.trying().value, 9930.0, 1e-6);
 }
 
+TEST(MinimumSearch, ALevelThatDriftsWithTheDepthDoesNotHideTheMinimum) {
+  MinimumSearch search;
+  search.configure({});
+  search.start(Rpm(34200.0), Rpm(35000.0));
+  double t = 0.0;
+  for (int i = 0; i < 2000 && search.state() == MinimumSearch::State::Searching; ++i, t += 0.01) {
+    const double rpm = search.trying().value;
+    const double level = (1.0 + std::pow((rpm - 33000.0) / 4000.0, 2.0)) * (1.0 + 0.06 * t);  // 3 % of curve, 6 %/s
+    search.advance({0.01, level, Rpm(rpm), {Rpm(17500.0), Rpm(42000.0)}});
+  }
+  EXPECT_EQ(search.state(), MinimumSearch::State::Done);
+  EXPECT_NEAR(search.trying().value, 33000.0, 360.0);
+}
+
 TEST(MinimumSearch, StaysInReach) {
   MinimumSearch search;
   MinimumSearch::Options options;

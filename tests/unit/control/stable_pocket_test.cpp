@@ -101,6 +101,23 @@ TEST_F(StablePocketTest, AnOnsetThatDoesNotGrowAfterTheMoveIsLeftAlone) {
   EXPECT_EQ(targets_.size(), 1u);
 }
 
+TEST_F(StablePocketTest, AStandingAlarmAsLoudAsTheChatterWasIsChatter) {
+  in_.vibration = 100.0;
+  in_.verdict.phase = CutPhase::Steady;
+  quiet();
+  run(2.0);
+  in_.vibration = 9000.0;
+  chatter(936.0);
+  run(0.5);
+  in_.vibration = 6000.0;  // grown to its end: it neither grows nor falls
+  chatter(1010.0, 0.12, CutState::Onset);
+  run(4.0);
+  EXPECT_EQ(targets_.size(), 2u);
+  in_.vibration = 300.0;  // the same line in a cut that is quiet again: left alone
+  run(10.0);
+  EXPECT_EQ(targets_.size(), 2u);
+}
+
 TEST_F(StablePocketTest, AnOnsetThatGrowsAfterTheMoveIsChatter) {
   chatter(936.0);
   run(1.5);
@@ -172,6 +189,17 @@ TEST_F(StablePocketTest, WhereTheLobesHaveNoSpeedItNamesTheDepthAndDoesNotMove) 
   EXPECT_EQ(r.reason.code, ReasonCode::NoStableSpeed);
   EXPECT_NEAR(r.reason.n[1], 1.1, 1e-9);
   EXPECT_NEAR(r.reason.n[2], 7100.0, 1e-9);
+}
+
+TEST_F(StablePocketTest, ATargetDoesNotSurviveTheOperatorTakingTheMachineBack) {
+  chatter(936.0);
+  run(0.3);
+  quiet();
+  EXPECT_EQ(run(1.0).kind, RequestKind::Set);
+  strategy_.letGo();
+  EXPECT_EQ(run(1.0).kind, RequestKind::None);
+  chatter(936.0);  // it chatters again: that is a new decision
+  EXPECT_EQ(run(0.3).kind, RequestKind::Set);
 }
 
 TEST_F(StablePocketTest, UnusableVerdictsAreNeverASet) {

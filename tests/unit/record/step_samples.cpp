@@ -169,7 +169,8 @@ StepRecord exampleStep(int number, int channels, int blockFrames) {
   step.input.inputCount = n.below(3) == 0 ? n.below(kMaxInputsPerStep + 1) : 0;
   for (int i = 0; i < step.input.inputCount; ++i) {
     step.input.inputs[static_cast<std::size_t>(i)] = {static_cast<OperatorAction>(n.below(8)),
-                                                      static_cast<Authority>(n.below(3))};
+                                                      static_cast<Authority>(n.below(3)),
+                                                      static_cast<std::uint32_t>(n.below(1000))};
   }
   step.output = output(n);
   return step;

@@ -31,6 +31,42 @@ TEST(FlightRecorder, KeepsTheLastTenSecondsOldestFirst) {
   EXPECT_FALSE(recorder.take(recording));
 }
 
+TEST(FlightRecorder, ALongCopyIsMadeInPortionsAndIsWholeAllTheSame) {
+  FlightRecorder recorder;
+  recorder.prepare(Seconds(0.001));  // 10 000 entries
+  int n = 0;
+  for (; n < 25000; ++n) recorder.push(entryAt(1e-3 * n));
+  for (int k = 0; k < FlightRecorder::kSlots; ++k) {
+    ASSERT_TRUE(recorder.capture({ReasonCode::LinkLost, {static_cast<double>(k)}}, entryAt(1e-3 * n).time));
+  }
+  FlightRecording recording;
+  EXPECT_FALSE(recorder.take(recording)) << "no step may cost the whole copy";
+  EXPECT_FALSE(recorder.capture({}, {}));  // every slot is promised
+  for (int taken = 0; taken < FlightRecorder::kSlots; ++taken) {
+    int steps = 0;
+    while (!recorder.take(recording) && steps < 1000) {
+      recorder.push(entryAt(1e-3 * n++));
+      ++steps;
+    }
+    EXPECT_LT(steps, 100);
+    ASSERT_EQ(recording.entries.size(), 10000U);
+    EXPECT_EQ(recording.cause.n[0], taken);
+    EXPECT_EQ(recording.entries.front().time, entryAt(15.0).time);
+    EXPECT_EQ(recording.entries.back().time, entryAt(24.999).time);
+  }
+}
+
+TEST(FlightRecorder, WhatIsHalfCopiedAtTheEndIsFinished) {
+  FlightRecorder recorder;
+  recorder.prepare(Seconds(0.001));
+  for (int i = 0; i < 10000; ++i) recorder.push(entryAt(1e-3 * i));
+  recorder.capture({}, entryAt(10.0).time);
+  recorder.finish();
+  FlightRecording recording;
+  ASSERT_TRUE(recorder.take(recording));
+  EXPECT_EQ(recording.entries.size(), 10000U);
+}
+
 TEST(FlightRecorder, AYoungRecorderGivesWhatItHas) {
   FlightRecorder recorder;
   recorder.prepare(Seconds(0.01));

@@ -62,7 +62,8 @@ class GateHarness {
     for (int i = 0; i < std::lround(seconds / kDt); ++i) step();
   }
   GateOutput authority(Authority a) { return step({{OperatorAction::SetAuthority, a}}); }
-  GateOutput act(OperatorAction a) { return step({{a, Authority::Off}}); }
+  // An acceptance is of the advice that the last step showed.
+  GateOutput act(OperatorAction a) { return step({{a, Authority::Off, last.adviceNumber}}); }
 
   void ask(double speed, double feedMmPerMin) {
     request.kind = RequestKind::Set;

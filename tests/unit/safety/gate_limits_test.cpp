@@ -19,6 +19,15 @@ void expectRefused(const config::ParamSet& params, const CutSetup& setup, const 
   EXPECT_THAT(limits.error().line(), HasSubstr("mill.toml"));
 }
 
+MachineState machineAt(double programmed, double speedKnob = 1.0, double feedKnob = 1.0) {
+  MachineState m;
+  m.programmedSpeed = Rpm(programmed);
+  m.programmedFeed = fromMmPerMin(1000.0);
+  m.operatorSpeed = Ratio(speedKnob);
+  m.operatorFeed = Ratio(feedKnob);
+  return m;
+}
+
 TEST(GateLimits, DefaultsAreAccepted) {
   const auto limits = gateLimits({}, {}, "test");
   ASSERT_TRUE(limits.ok());
@@ -57,7 +66,7 @@ TEST(GateLimits, ARangeOfOneHundredPercentAloneIsAnOverrideThatIsNotDriven) {
   ASSERT_TRUE(params.set(config::kHighestSpeedOverride, 100, "t"));
   const auto limits = gateLimits(params, {}, "test");
   ASSERT_TRUE(limits.ok());
-  const auto range = config::speedFactors(limits->overrides, Rpm(8000.0), Ratio(1.0), Ratio(1.0));
+  const auto range = config::speedFactors(limits->overrides, machineAt(8000.0));
   EXPECT_EQ(range.low, 1.0);
   EXPECT_EQ(range.high, 1.0);
 }
@@ -105,22 +114,29 @@ TEST(OverrideRanges, OneHundredPercentIsAlwaysInside) {
   config::OverrideLimits limits;
   limits.slowest = Rpm(5000.0);
   limits.fastest = Rpm(11000.0);
+  limits.slowestFeed = fromMmPerMin(800.0);
+  limits.fastestFeed = fromMmPerMin(1100.0);
+  limits.lowestFeedPerTooth = 0.8;
   for (const double programmed : {100.0, 5000.0, 10000.0, 11000.0, 50000.0}) {
     for (const double knob : {0.0, 0.1, 0.5, 1.0, 1.2, 2.0}) {
-      const config::FactorRange s = speedFactors(limits, Rpm(programmed), Ratio(knob), Ratio(knob));
+      const config::FactorRange s = speedFactors(limits, machineAt(programmed, knob, knob));
       EXPECT_TRUE(s.contains(1.0));
-      EXPECT_TRUE(feedFactors(limits, Ratio(knob)).contains(1.0));
-      EXPECT_GE(s.low * limits.feedPerTooth, feedFactors(limits, Ratio(knob)).low - 1e-12);
+      EXPECT_TRUE(feedFactors(limits, machineAt(programmed, knob, knob)).contains(1.0));
+      EXPECT_GE(s.low * limits.feedPerTooth, feedFactors(limits, machineAt(programmed, knob, knob)).low - 1e-12);
+      EXPECT_LE(s.high * limits.lowestFeedPerTooth,
+                feedFactors(limits, machineAt(programmed, knob, knob)).high + 1e-12);
     }
   }
   // Where the operator alone is inside, so is the product at both edges.
-  const config::FactorRange s = speedFactors(limits, Rpm(10000.0), Ratio(0.9), Ratio(1.0));
+  limits.slowestFeed = MetresPerSecond(0.0);
+  limits.lowestFeedPerTooth = 0.0;
+  const config::FactorRange s = speedFactors(limits, machineAt(10000.0, 0.9));
   EXPECT_NEAR(s.low * 0.9, 0.5, 1e-12);
   EXPECT_NEAR(s.high * 9000.0, 10800.0, 1e-9);  // 120 % of the knob's base is below 11 000
 }
 
 TEST(OverrideRanges, ReachableSpeedsAreTheProduct) {
-  const config::SpeedRange range = config::reachableSpeeds({}, Rpm(35000.0), Ratio(1.0), Ratio(1.0));
+  const config::SpeedRange range = config::reachableSpeeds({}, machineAt(35000.0));
   EXPECT_NEAR(range.low.value, 17500.0, 1e-9);
   EXPECT_NEAR(range.high.value, 42000.0, 1e-9);
 }

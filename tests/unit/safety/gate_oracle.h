@@ -26,6 +26,7 @@ class GateOracle {
     lived_ = true;
     for (const OperatorInput& i : in.inputs) {
       if (i.action == OperatorAction::SetAuthority) granted_ = i.authority;
+      if (i.action == OperatorAction::GrantBySimulation) granted_ = Authority::Auto;
       if (i.action == OperatorAction::BackToProgrammed) granted_ = Authority::Off;
     }
     untrusted_ = trusted(in.machine, in.now) ? 0.0 : untrusted_ + (elapsed > 0.0 && elapsed < 1.0 ? elapsed : 0.0);
@@ -95,15 +96,26 @@ class GateOracle {
   std::string whenTrusted(const GateInput& g, const CommandRecord& c, double elapsed, bool same) const {
     const MachineState& m = g.machine;
     const config::OverrideLimits& o = limits_.overrides;
-    const config::FactorRange feeds = allowed(o.lowestFeed.value, o.highestFeed.value, m.operatorFeed.value);
+    config::FactorRange feeds = allowed(o.lowestFeed.value, o.highestFeed.value, m.operatorFeed.value);
     config::FactorRange speeds = allowed(o.lowestSpeed.value, o.highestSpeed.value, m.operatorSpeed.value);
     if (!in(c.speed.value, speeds.low, speeds.high)) return "speed out of the override's range";
     const double base = m.programmedSpeed.value * m.operatorSpeed.value;
     const double n = base * c.speed.value;
     if (n > std::max(o.fastest.value, base) * (1 + 1e-9)) return "faster than the tool may turn";
     if (n < std::min(o.slowest.value, base) * (1 - 1e-9)) return "slower than the tool may turn";
+    const double feedBase = m.programmedFeed.value * m.operatorFeed.value;
+    if (feedBase > 0.0) {
+      const double feed = feedBase * c.feed.value;
+      if (feed > std::max(o.fastestFeed.value, feedBase) * (1 + 1e-9)) return "faster than the feed may be";
+      if (feed < std::min(o.slowestFeed.value, feedBase) * (1 - 1e-9)) return "slower than the feed may be";
+      feeds.low = std::min(1.0, std::max(feeds.low, o.slowestFeed.value / feedBase));
+      feeds.high = std::max(1.0, std::min(feeds.high, o.fastestFeed.value / feedBase));
+    }
     if (!in(c.feed.value, feeds.low, feeds.high)) return "feed out of the override's range";
     if (c.feed.value > o.feedPerTooth * c.speed.value + 1e-9) return "feed per tooth too high";
+    if (c.feed.value < o.lowestFeedPerTooth * c.speed.value - 1e-9) return "feed per tooth too low";
+    if (o.lowestFeedPerTooth > 0.0)
+      speeds.high = std::min(speeds.high, std::max(1.0, feeds.high / o.lowestFeedPerTooth));
     speeds.high = std::max(1.0, std::min(speeds.high, o.fastest.value / base));
     speeds.low =
         std::min(1.0, std::max({speeds.low, o.slowest.value / base, std::min(1.0, feeds.low / o.feedPerTooth)}));
@@ -113,7 +125,7 @@ class GateOracle {
   // `speed`, `feed`: where we came from, taken along by edges that moved.
   std::string rates(const GateInput& g, const CommandRecord& c, double elapsed, double speed, double feed) const {
     const double perTooth = limits_.overrides.feedPerTooth;
-    feed = std::min(feed, perTooth * speed);
+    feed = std::max(std::min(feed, perTooth * speed), limits_.overrides.lowestFeedPerTooth * speed);
     const double dt = std::min(elapsed, g.dt.value > 0.0 ? g.dt.value : 0.0);
     const auto most = [&](double from, double to, double step, double slew) {
       const bool back = std::abs(to - 1.0) < std::abs(from - 1.0) && (to - 1.0) * (from - 1.0) >= 0.0;
@@ -132,6 +144,12 @@ class GateOracle {
       s << "speed fell before feed";
     } else if (df > 1e-9 && c.feed.value > perTooth * speed + 1e-9) {
       s << "feed rose before speed";
+    } else if (ds < -1e-9 && g.machine.operatorFeed.value > 0.0 &&
+               c.speed.value < (g.machine.feedOverride.value / g.machine.operatorFeed.value - limits_.speedTolerance -
+                                kReadbackRounding) /
+                                       perTooth -
+                                   1e-9) {
+      s << "speed fell before the feed that is in force";
     }
     return s.str();
   }

@@ -41,6 +41,9 @@ class HostileWorld {
     l.overrides.lowestFeed = Ratio(uniform(0.0, 0.95));
     l.overrides.highestFeed = Ratio(uniform(1.0, 1.5));
     l.overrides.feedPerTooth = chance(0.5) ? 1.0 : uniform(1.0, 1.5);
+    if (chance(0.5)) l.overrides.lowestFeedPerTooth = uniform(0.0, 0.9);
+    if (chance(0.3)) l.overrides.slowestFeed = fromMmPerMin(uniform(10.0, 1500.0));
+    if (chance(0.3)) l.overrides.fastestFeed = l.overrides.slowestFeed + fromMmPerMin(uniform(10.0, 2000.0));
     if (chance(0.3)) l.overrides.fastest = Rpm(uniform(8000.0, 20000.0));
     if (chance(0.3)) l.overrides.slowest = Rpm(uniform(100.0, 8000.0));
     l.speedStep = uniform(0.001, 0.2);
@@ -138,7 +141,8 @@ class HostileWorld {
     inputs_ = 1 + below(4);
     for (int i = 0; i < inputs_; ++i) {
       OperatorInput& input = list_[static_cast<std::size_t>(i)];
-      input.action = chance(0.6) ? OperatorAction::SetAuthority : static_cast<OperatorAction>(below(8));
+      input.action = chance(0.6) ? OperatorAction::SetAuthority : static_cast<OperatorAction>(below(10));
+      input.advice = static_cast<std::uint32_t>(below(50));
       input.authority = chance(0.8) ? Authority::Auto : static_cast<Authority>(below(3));
     }
   }

@@ -130,6 +130,23 @@ TEST_F(LeaseWatchTest, ACommandOfUnknownAgeIsNotObeyed) {
   EXPECT_EQ(fresh.poll(&*mailbox_, linkNow_), LinkAction::Nothing);
 }
 
+// Long blocks: one tick a block, and leases of at least two of them.
+TEST_F(LeaseWatchTest, TicksAreAllowedToBeAsFarApartAsTheLease) {
+  GateLimits limits = testing::promptLimits();
+  limits.lease = Seconds(1.0);
+  limits.machineAge = limits.verdictAge = Seconds(1.0);
+  worker_.gate.prepare(limits);
+  worker_.verdict.state = CutState::Chatter;
+  worker_.authority(Authority::Auto);
+  worker_.ask(9000, 900);
+  poll(0.4);
+  work();
+  EXPECT_EQ(poll(0.4), LinkAction::Apply);
+  work();
+  EXPECT_EQ(poll(0.4), LinkAction::Apply);
+  EXPECT_EQ(releases_, 0);
+}
+
 TEST_F(LeaseWatchTest, AClockThatGoesBackReleases) {
   settle();
   EXPECT_EQ(poll(-1.0), LinkAction::Release);

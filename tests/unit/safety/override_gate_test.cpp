@@ -52,51 +52,6 @@ TEST(OverrideGate, AutoReachesTheWishAndRenewsItsLeaseEveryStep) {
   EXPECT_EQ(h.last.reason.code, ReasonCode::GateInForce);
 }
 
-TEST(OverrideGate, AdviseAsksAndAcceptExecutesThatOneAdvice) {
-  GateHarness h;
-  h.verdict.state = CutState::Chatter;
-  h.authority(Authority::Advise);
-  h.ask(9000, 900);
-  h.run(1.0);
-  EXPECT_TRUE(h.commands.empty());
-  EXPECT_TRUE(h.last.adviceOpen);
-  h.act(OperatorAction::Accept);
-  h.run(1.0);
-  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
-  EXPECT_FALSE(h.last.adviceOpen);
-  // Another wish is another advice: the accepted one stays until that is answered, too.
-  h.ask(8000, 800);
-  h.run(1.0);
-  EXPECT_TRUE(h.last.adviceOpen);
-  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
-}
-
-TEST(OverrideGate, RefusedAdviceIsNotRepeatedAndNothingMoves) {
-  GateHarness h;
-  h.authority(Authority::Advise);
-  h.ask(9000, 900);
-  h.run(0.1);
-  const GateOutput out = h.act(OperatorAction::Refuse);
-  EXPECT_TRUE(out.flight);
-  EXPECT_TRUE(h.said(ReasonCode::AdviceRefused));
-  h.run(5.0);
-  EXPECT_FALSE(h.last.adviceOpen);
-  h.ask(8000, 800);  // not the like of it
-  h.run(0.1);
-  EXPECT_TRUE(h.last.adviceOpen);
-  EXPECT_TRUE(h.commands.empty());
-}
-
-TEST(OverrideGate, AcceptWithoutOpenAdviceDoesNothing) {
-  GateHarness h;
-  h.authority(Authority::Advise);
-  h.act(OperatorAction::Accept);
-  h.ask(9000, 900);
-  h.step();
-  h.run(0.5);
-  EXPECT_TRUE(h.commands.empty());
-}
-
 TEST(OverrideGate, BackToProgrammedReleasesAtOnceAndTurnsAuthorityOff) {
   GateHarness h;
   h.settleAt(9000, 900);
@@ -264,6 +219,34 @@ TEST(OverrideGate, ChangesPerMinuteAreBoundedThenItCoolsDownThenOnlyAdvises) {
   EXPECT_TRUE(h.said(ReasonCode::GateChangesPerMinute));
   EXPECT_TRUE(h.said(ReasonCode::AutoWithdrawn));
   EXPECT_EQ(h.last.authority, Authority::Advise);
+}
+
+TEST(OverrideGate, TheEdgeIsNotMadeToRubAndTheFeedStaysInItsOwnLimits) {
+  GateLimits limits = promptLimits();
+  limits.overrides.lowestFeed = Ratio(0.0);
+  limits.overrides.lowestFeedPerTooth = 0.6;
+  GateHarness h(limits);
+  h.settleAt(9000, 0.0);  // a feed hold is the machine's and the operator's, not an override's
+  EXPECT_NEAR(h.lastCommand().feed.value, 0.6 * 0.9, 1e-9);
+  limits.overrides.slowestFeed = fromMmPerMin(800.0);
+  GateHarness floor(limits);
+  floor.settleAt(9000, 0.0);
+  EXPECT_NEAR(floor.lastCommand().feed.value, 0.8, 1e-9);
+}
+
+TEST(OverrideGate, ALinkThatGoesAndComesBackIsSaidWithNothingInForceToo) {
+  GateHarness h;
+  h.machine.linkUp = false;
+  h.run(1.0);
+  h.machine.linkUp = true;
+  h.run(1.0);
+  int lost = 0, back = 0;
+  for (const Event& e : h.events) {
+    lost += e.reason.code == ReasonCode::LinkLost ? 1 : 0;
+    back += e.reason.code == ReasonCode::LinkBack ? 1 : 0;
+  }
+  EXPECT_EQ(lost, 1);
+  EXPECT_EQ(back, 1);
 }
 
 TEST(OverrideGate, SmallWishesAreNotWorthMoving) {

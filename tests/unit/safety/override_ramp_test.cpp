@@ -60,6 +60,32 @@ TEST_F(OverrideRampTest, FeedWaitsForTheSpindleItself) {
   EXPECT_NEAR(go(1.1, 1.1, 100).feed, 1.1, 1e-9);
 }
 
+TEST_F(OverrideRampTest, SpeedWaitsForTheFeedThatIsInForce) {
+  in_.feedInForce = 1.0;  // sent, not taken yet
+  const Factors waiting = go(0.8, 0.8, 100);
+  EXPECT_NEAR(waiting.feed, 0.8, 1e-9);
+  EXPECT_NEAR(waiting.speed, 1.0 - limits_.speedTolerance - kReadbackRounding, 1e-9);
+  in_.feedInForce = 0.8;
+  EXPECT_NEAR(go(0.8, 0.8, 100).speed, 0.8, 1e-9);
+}
+
+TEST_F(OverrideRampTest, FeedPerToothStaysAboveItsLowestAllTheWay) {
+  limits_.overrides.lowestFeedPerTooth = 0.8;
+  ramp_.prepare(limits_);
+  const auto perTooth = [&] { return ramp_.now().feed / ramp_.now().speed; };
+  for (int i = 0; i < 100; ++i) {
+    go(1.0, 0.5);  // a wish for a feed that would rub
+    EXPECT_GE(perTooth(), 0.8 - 1e-12);
+  }
+  EXPECT_NEAR(ramp_.now().feed, 0.8, 1e-9);
+  for (int i = 0; i < 100; ++i) {  // both up: the feed has to come along
+    go(1.2, 1.2);
+    EXPECT_GE(perTooth(), 0.8 - 1e-12);
+  }
+  EXPECT_NEAR(ramp_.now().speed, 1.2, 1e-9);
+  EXPECT_NEAR(ramp_.now().feed, 1.2, 1e-9);
+}
+
 TEST_F(OverrideRampTest, StepAndSlewBoundEachStep) {
   in_.dt = 0.01;
   EXPECT_NEAR(go(0.5, 0.5).feed, 1.0 - 0.02, 1e-12);  // 200 %/s for 10 ms

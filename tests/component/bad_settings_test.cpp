@@ -1,0 +1,101 @@
+// Settings that contradict themselves or each other are refused before anything runs, in one line with the key and the
+// reason.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "app/compose/catalog.h"
+#include "app/compose/scenario_rig.h"
+#include "core/config/profile.h"
+#include "tests/component/demo_cut.h"
+
+namespace stillcut::app {
+namespace {
+
+struct BadSetting {
+  const char* name;
+  std::vector<const char*> settings;
+  const char* key;
+  const char* reason;
+};
+
+class BadSettings : public testing::TestWithParam<BadSetting> {};
+
+TEST_P(BadSettings, AreOneLineWithKeyAndReason) {
+  ScenarioOptions options;
+  options.methods.strategy = "fuzzy";
+  std::string line;
+  for (const char* setting : GetParam().settings) {
+    const Status set = config::applySetting(options.params, fullCatalog(), setting);
+    if (!set) line = set.error().line();
+  }
+  if (line.empty()) {
+    const auto rig = buildScenarioRig(test::demoCut(), options);
+    ASSERT_FALSE(rig.ok());
+    line = rig.error().line();
+  }
+  EXPECT_THAT(line, testing::HasSubstr(GetParam().key));
+  EXPECT_THAT(line, testing::HasSubstr(GetParam().reason));
+  EXPECT_EQ(line.find('\n'), std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, BadSettings,
+    testing::Values(BadSetting{"not_a_number", {"gate.speed-slew=fast"}, "gate.speed-slew", "number"},
+                    BadSetting{"not_finite", {"gate.speed-slew=nan"}, "gate.speed-slew", "finite"},
+                    BadSetting{"zero_range", {"gate.speed-slew=0"}, "gate.speed-slew", "allowed: 0.1 to 500"},
+                    BadSetting{"negative", {"gate.hold-time=-1"}, "gate.hold-time", "allowed: 0 to 5000"},
+                    BadSetting{"lowest_above_100",
+                               {"gate.lowest-speed-override=120"},
+                               "gate.lowest-speed-override",
+                               "allowed: 10 to 100"},
+                    BadSetting{"unknown_key", {"gate.speed-slow=1"}, "gate.speed-slow", "gate.speed-slew"},
+                    BadSetting{"speeds_crossed",
+                               {"gate.lowest-speed=9000", "gate.highest-speed=8000"},
+                               "gate.lowest-speed",
+                               "not below the highest"},
+                    BadSetting{"tool_below_lowest",
+                               {"gate.lowest-speed=9000", "gate.tool-highest-speed=8500"},
+                               "gate.lowest-speed",
+                               "not below the highest"},
+                    BadSetting{"holder_below_lowest",
+                               {"gate.lowest-speed=9000", "gate.holder-highest-speed=8500"},
+                               "gate.lowest-speed",
+                               "not below the highest"},
+                    BadSetting{"speeds_equal",
+                               {"gate.lowest-speed=9000", "gate.highest-speed=9000"},
+                               "gate.lowest-speed",
+                               "not below the highest"},
+                    BadSetting{"feeds_crossed",
+                               {"gate.lowest-feed=3000", "gate.highest-feed=1000"},
+                               "gate.lowest-feed",
+                               "not below the highest"},
+                    BadSetting{"references_reversed",
+                               {"fuzzy.energy-reference=6", "fuzzy.energy-limit=5"},
+                               "fuzzy.energy-limit",
+                               "above fuzzy.energy-reference"}),
+    [](const auto& which) { return std::string(which.param.name); });
+
+TEST(BadScenario, RangesThatAreReversedOrEmptyAreRefused) {
+  const auto lineOf = [](auto change) {
+    milling::Scenario cut = test::demoCut();
+    change(cut);
+    const Status status = milling::check(cut, "s.toml");
+    return status ? std::string() : status.error().line();
+  };
+  EXPECT_THAT(lineOf([](milling::Scenario& s) { std::swap(s.overrides.lowestSpeed, s.overrides.highestSpeed); }),
+              testing::HasSubstr("s.toml: overrides: the speed range must rise"));
+  EXPECT_THAT(lineOf([](milling::Scenario& s) { s.overrides.longestDelay = Seconds(0.0); }),
+              testing::HasSubstr("the delays must rise"));
+  EXPECT_THAT(lineOf([](milling::Scenario& s) { s.drive.acceleration = 0.0; }),
+              testing::HasSubstr("s.toml: drive: every value must be above zero"));
+  EXPECT_THAT(
+      lineOf([](milling::Scenario& s) { std::swap(s.programme.depth.segments[0], s.programme.depth.segments[1]); }),
+      testing::HasSubstr("s.toml: programme: depth"));
+}
+
+}  // namespace
+}  // namespace stillcut::app

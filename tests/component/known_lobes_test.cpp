@@ -1,0 +1,78 @@
+// What a profile knows of its cut reaches the strategies as stable speeds.
+
+#include "app/compose/known_lobes.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
+#include "core/milling/scenario.h"
+#include "core/milling/stability/lobe_case.h"
+
+namespace stillcut::app {
+namespace {
+
+// The demo's profile with its cut's own modes beside it.
+class KnownLobes : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) / "known-lobes";
+    std::filesystem::create_directories(folder_);
+    const auto demo = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml");
+    ASSERT_TRUE(demo.ok());
+    const milling::LobeCase cut{.name = "demo", .model = demo->model, .maxDepth = Metres(5e-3), .reference = {}};
+    ASSERT_TRUE(milling::saveLobeCase(cut, path("cut.toml")).ok());
+    auto read = config::loadProfile(STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml", fullCatalog());
+    ASSERT_TRUE(read.ok()) << read.error().line();
+    profile_ = *read;
+    profile_.source.settings["scenario"] = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
+    profile_.model = "cut.toml";
+    profile_.depth = Metres(1.5e-3);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string path(const char* file) const { return (folder_ / file).string(); }
+
+  std::filesystem::path folder_;
+  config::Profile profile_;
+};
+
+TEST_F(KnownLobes, OfAProfilesModelReachTheStrategies) {
+  const auto rig = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_TRUE(rig.ok()) << rig.error().line();
+  const auto& known = (*rig)->setup().stableSpeeds;
+  ASSERT_TRUE(known.has_value());
+  EXPECT_EQ(known->depth.value, 1.5e-3);
+  bool demoPocket = false, programmed = false;
+  for (const StableSpeeds::Range& r : known->ranges) {
+    demoPocket = demoPocket || (r.from < Rpm(7030.0) && r.to > Rpm(7030.0));
+    programmed = programmed || (r.from < Rpm(8500.0) && r.to > Rpm(8500.0));
+  }
+  EXPECT_TRUE(demoPocket);  // where the scenario's own text says that 1.8 mm are stable
+  EXPECT_FALSE(programmed) << "1.5 mm are too deep for the programmed speed";
+}
+
+TEST_F(KnownLobes, WithoutAModelNothingIsKnown) {
+  profile_.model.clear();
+  const auto rig = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_TRUE(rig.ok()) << rig.error().line();
+  EXPECT_FALSE((*rig)->setup().stableSpeeds.has_value());
+}
+
+TEST_F(KnownLobes, AModelThatIsMissingOrOfAnotherToolIsOneLine) {
+  profile_.model = "absent.toml";
+  auto rig = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_FALSE(rig.ok());
+  EXPECT_NE(rig.error().line().find("absent.toml"), std::string::npos) << rig.error().line();
+  profile_.model = "cut.toml";
+  profile_.cut.teeth = 3;
+  rig = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_FALSE(rig.ok());
+  EXPECT_NE(rig.error().line().find("the tool has 4 teeth (the profile's has 3)"), std::string::npos)
+      << rig.error().line();
+}
+
+}  // namespace
+}  // namespace stillcut::app

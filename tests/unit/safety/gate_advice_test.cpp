@@ -1,0 +1,96 @@
+// The gate and the person at the machine: what is asked, accepted, refused, granted.
+#include <gtest/gtest.h>
+
+#include "tests/unit/safety/gate_harness.h"
+
+namespace stillcut::safety {
+namespace {
+
+using testing::GateHarness;
+using testing::promptLimits;
+
+TEST(GateAdvice, AdviseAsksAndAcceptExecutesThatOneAdvice) {
+  GateHarness h;
+  h.verdict.state = CutState::Chatter;
+  h.authority(Authority::Advise);
+  h.ask(9000, 900);
+  h.run(1.0);
+  EXPECT_TRUE(h.commands.empty());
+  EXPECT_TRUE(h.last.adviceOpen);
+  h.act(OperatorAction::Accept);
+  h.run(1.0);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
+  EXPECT_FALSE(h.last.adviceOpen);
+  // Another wish is another advice: the accepted one stays until that is answered, too.
+  h.ask(8000, 800);
+  h.run(1.0);
+  EXPECT_TRUE(h.last.adviceOpen);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
+}
+
+TEST(GateAdvice, RefusedAdviceIsNotRepeatedAndNothingMoves) {
+  GateHarness h;
+  h.authority(Authority::Advise);
+  h.ask(9000, 900);
+  h.run(0.1);
+  const GateOutput out = h.act(OperatorAction::Refuse);
+  EXPECT_TRUE(out.flight);
+  EXPECT_TRUE(h.said(ReasonCode::AdviceRefused));
+  h.run(5.0);
+  EXPECT_FALSE(h.last.adviceOpen);
+  h.ask(8000, 800);  // not the like of it
+  h.run(0.1);
+  EXPECT_TRUE(h.last.adviceOpen);
+  EXPECT_TRUE(h.commands.empty());
+}
+
+TEST(GateAdvice, AnAdviceThatChangedUnderTheFingerIsNotTakenForTheOneThatWasRead) {
+  GateHarness h;
+  h.verdict.state = CutState::Chatter;
+  h.authority(Authority::Advise);
+  h.ask(9000, 900);
+  h.run(0.5);
+  const std::uint32_t read = h.last.adviceNumber;
+  h.ask(9003, 900.3);  // the frequency's noise: the same advice to the eye
+  h.run(0.1);
+  EXPECT_EQ(h.last.adviceNumber, read);
+  h.ask(7000, 700);
+  h.step();  // it jumps as the finger lands
+  EXPECT_NE(h.last.adviceNumber, read);
+  h.flights = 0;
+  h.step({{OperatorAction::Accept, Authority::Off, read}});
+  EXPECT_EQ(h.flights, 1);
+  EXPECT_TRUE(h.said(ReasonCode::AdviceChanged));
+  h.run(1.0);
+  EXPECT_TRUE(h.commands.empty()) << "nobody accepted 7000 rpm";
+  EXPECT_TRUE(h.last.adviceOpen);
+  h.act(OperatorAction::Accept);
+  h.run(1.5);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.7, 1e-9);
+}
+
+TEST(GateAdvice, AcceptWithoutOpenAdviceDoesNothing) {
+  GateHarness h;
+  h.authority(Authority::Advise);
+  h.act(OperatorAction::Accept);
+  h.ask(9000, 900);
+  h.step();
+  h.run(0.5);
+  EXPECT_TRUE(h.commands.empty());
+}
+
+TEST(GateAdvice, AGrantOfTheSimulationIsSaidAsOne) {
+  GateHarness h;
+  h.act(OperatorAction::GrantBySimulation);
+  EXPECT_EQ(h.last.authority, Authority::Auto);
+  EXPECT_TRUE(h.said(ReasonCode::AutoGrantedBySimulation));
+  GateLimits limits = promptLimits();
+  limits.autoAllowed = false;
+  GateHarness refused(limits);
+  refused.act(OperatorAction::GrantBySimulation);
+  EXPECT_EQ(refused.last.authority, Authority::Off);
+  EXPECT_FALSE(refused.said(ReasonCode::AutoGrantedBySimulation));
+}
+
+}  // namespace
+}  // namespace stillcut::safety
