@@ -68,11 +68,10 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   spectrum_.prepare(frames, setup.rate, dsp::WindowKind::Hann);
   mask_.prepare(spectrum_.bins(), spectrum_.binWidth());
   pairs_.assign(count > 1 ? count - 1 : 0, {});
-  for (CoherenceRatio& pair : pairs_) pair.prepare(spectrum_.bins(), settings);
+  for (CoherenceRatio& pair : pairs_) pair.prepare(spectrum_.bins(), spectrum_.binWidth(), settings);
   channels_.assign(count, {});
   frame_.assign(count, 0.0);
   difference_.assign(count, 0.0);
-  segment_.assign(static_cast<std::size_t>(frames), 0.0);
   before_.assign(static_cast<std::size_t>(spectrum_.bins()), {});
   reset();
 }
@@ -117,12 +116,11 @@ void CoherenceDetector::takeEnergies() noexcept {
 void CoherenceDetector::transform() noexcept {
   peak_ = {};
   for (std::size_t c = 0; c < channels_.size(); ++c) {
-    ring_.copy(static_cast<int>(c), segment_);
-    spectrum_.transform(segment_);
+    spectrum_.transform(ring_.newest(static_cast<int>(c)));
     if (c > 0) {
       CoherenceRatio& pair = pairs_[c - 1];
       pair.update(before_, spectrum_.values());
-      const CoherencePeak peak = pair.peak(mask_, spectrum_.binWidth());
+      const CoherencePeak peak = pair.peak(mask_);
       if (c == 1 || peak.gammaMax > peak_.gammaMax) peak_ = peak;
     }
     std::copy(spectrum_.values().begin(), spectrum_.values().end(), before_.begin());
@@ -222,7 +220,7 @@ Verdict CoherenceDetector::process(const ConditionedBlock& block) noexcept {
       frame_[c] = block.samples[static_cast<std::ptrdiff_t>(c) * block.stride + f];
     }
     turns_.process(frame_.data(), difference_.data());
-    ring_.push(difference_.data(), 1);
+    ring_.push(difference_.data(), 1, 1);
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       channels_[c].sum += std::abs(frame_[c]);
       channels_[c].changed += std::abs(difference_[c]);

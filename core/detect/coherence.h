@@ -108,7 +108,7 @@ class CoherenceDetector final : public Detector {
   dsp::Spectrum spectrum_;
   std::vector<CoherenceRatio> pairs_;
   std::vector<Channel> channels_;
-  std::vector<double> frame_, difference_, segment_;
+  std::vector<double> frame_, difference_;
   std::vector<std::complex<double>> before_;  // transform of the pair's first channel
   double rate_ = 0.0;
   int hop_ = 1;

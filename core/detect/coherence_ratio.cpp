@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -16,11 +18,13 @@ constexpr std::size_t kLobe = 2;
 
 }  // namespace
 
-double sharpen(double gamma, SharpenForm form) noexcept {
-  if (gamma > kKnee) return std::exp(-(1.0 - gamma) / kAbove);
-  const double printed = std::exp(-(1.0 - gamma) / kBelow);
-  if (form == SharpenForm::Printed) return printed;
-  return printed * std::exp((1.0 - kKnee) * (1.0 / kBelow - 1.0 / kAbove));
+dsp::kernels::SharpenRun sharpening(SharpenForm form) noexcept {
+  dsp::kernels::SharpenRun run;
+  run.knee = kKnee;
+  run.above = kAbove;
+  run.below = kBelow;
+  if (form == SharpenForm::Monotone) run.factor = std::exp((1.0 - kKnee) * (1.0 / kBelow - 1.0 / kAbove));
+  return run;
 }
 
 double CoherenceBand::weight(Hertz f) const noexcept {
@@ -31,59 +35,64 @@ double CoherenceBand::weight(Hertz f) const noexcept {
   return kOutside + (1.0 - kOutside) * std::clamp(std::min(rise, fall), 0.0, 1.0);
 }
 
-void CoherenceRatio::prepare(int bins, const Settings& settings) {
+void CoherenceRatio::prepare(int bins, double binWidth, const Settings& settings) {
   settings_ = settings;
-  for (auto* v : {&gx_, &gy_, &raw_, &ratio_}) v->assign(static_cast<std::size_t>(bins), 0.0);
-  gxy_.assign(static_cast<std::size_t>(bins), {});
+  kernels_ = dsp::kernels::bestKernels();
+  binWidth_ = binWidth;
+  bins_ = static_cast<std::size_t>(bins);
+  const std::size_t lanes = dsp::kernels::wholeLanes(bins_);
+  for (auto* v : {&gx_, &gy_, &crossRe_, &crossIm_, &cross_, &raw_}) v->assign(lanes, 0.0);
+  for (auto* v : {&weight_, &ratio_}) v->assign(bins_, 0.0);
+  for (auto* v : {&x_, &y_}) v->assign(2 * lanes, 0.0);
+  for (std::size_t b = 0; b < bins_; ++b) {
+    weight_[b] = settings.band.weight(Hertz(static_cast<double>(b) * binWidth));
+  }
   reset();
 }
 
 void CoherenceRatio::reset() noexcept {
   segments_ = 0;
-  for (auto* v : {&gx_, &gy_, &raw_, &ratio_}) std::fill(v->begin(), v->end(), 0.0);
-  std::fill(gxy_.begin(), gxy_.end(), std::complex<double>{});
+  for (auto* v : {&gx_, &gy_, &crossRe_, &crossIm_, &cross_, &raw_, &ratio_}) std::fill(v->begin(), v->end(), 0.0);
 }
 
 void CoherenceRatio::update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) noexcept {
   const bool welch = settings_.form == CoherenceForm::Welch;
   segments_ = std::min(segments_ + 1, settings_.averages);
-  const double part = welch ? 1.0 / segments_ : 1.0;
-  for (std::size_t b = 0; b < gx_.size(); ++b) {
-    gx_[b] += part * (std::norm(x[b]) - gx_[b]);
-    gy_[b] += part * (std::norm(y[b]) - gy_[b]);
-    gxy_[b] += part * (std::conj(x[b]) * y[b] - gxy_[b]);
-    const double both = gx_[b] * gy_[b];
-    const double cross = welch ? std::norm(gxy_[b]) : gxy_[b].real() * gxy_[b].real();
-    raw_[b] = both > 0.0 ? std::min(cross / both, 1.0) : 0.0;
-  }
+  // To whole lanes: the last bins go with silence behind them.
+  std::copy_n(reinterpret_cast<const double*>(x.data()), 2 * bins_, x_.begin());
+  std::copy_n(reinterpret_cast<const double*>(y.data()), 2 * bins_, y_.begin());
+  kernels_.coherence({x_.data(), y_.data(), raw_.size(), welch ? 1.0 / segments_ : 1.0, welch, gx_.data(), gy_.data(),
+                      crossRe_.data(), crossIm_.data(), raw_.data(), cross_.data()});
 }
 
-CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask, double binWidth) noexcept {
+CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) noexcept {
+  dsp::kernels::SharpenRun run = sharpening(settings_.sharpening);
+  run.coherence = raw_.data();
+  run.weight = weight_.data();
+  run.bins = bins_;
+  run.out = ratio_.data();
+  kernels_.sharpen(run);
   CoherencePeak found;
   std::size_t line = 0;
   double height = 0.0;
   double free = 0.0;
-  for (std::size_t b = std::max(mask.first(), kSmooth); b <= mask.last() && b + kSmooth < raw_.size(); ++b) {
-    double sum = 0.0;
-    for (std::size_t i = b - kSmooth; i <= b + kSmooth; ++i) sum += raw_[i];
-    const double smooth = sum / (2.0 * kSmooth + 1.0);
-    ratio_[b] = sharpen(smooth, settings_.sharpening) * settings_.band.weight(Hertz(static_cast<double>(b) * binWidth));
+  for (std::size_t b = std::max(mask.first(), kSmooth); b <= mask.last() && b + kSmooth < bins_; ++b) {
     if (!mask.free(b)) continue;
     found.gammaMax = std::max(found.gammaMax, ratio_[b]);
-    const double cross = std::abs(gxy_[b]);
-    free += cross;
-    if (cross * ratio_[b] > height) {
-      height = cross * ratio_[b];
+    const double size = cross_[b];
+    free += size;
+    if (size * ratio_[b] > height) {
+      height = size * ratio_[b];
       line = b;
     }
   }
-  if (line == 0 || line + kLobe >= gxy_.size()) return found;
+  if (line == 0 || line + kLobe >= bins_) return found;
   double lobe = 0.0;
   for (std::size_t b = line - std::min(line, kLobe); b <= line + kLobe; ++b) {
-    if (mask.free(b)) lobe += std::abs(gxy_[b]);
+    if (mask.free(b)) lobe += cross_[b];
   }
-  const double shift = peakShift(std::abs(gxy_[line - 1]), std::abs(gxy_[line]), std::abs(gxy_[line + 1]));
-  found.frequency = Hertz((static_cast<double>(line) + shift) * binWidth);
+  const double shift = peakShift(cross_[line - 1], cross_[line], cross_[line + 1]);
+  found.frequency = Hertz((static_cast<double>(line) + shift) * binWidth_);
   found.purity = free > 0.0 ? lobe / free : 0.0;
   return found;
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/units.h"
 #include "core/detect/spectral_frames.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -21,7 +22,8 @@ enum class SharpenForm {
   Printed,   // eq. 3-17b: 0.435 up to 0.5, then 0.287
 };
 
-double sharpen(double gamma, SharpenForm form) noexcept;
+// eq. 3-17a and b of the inner bins, times weight.
+dsp::kernels::SharpenRun sharpening(SharpenForm form) noexcept;
 
 // The trapezoid of eq. 3-18: 0.1 below low, 1 in the band, 0.1 above high; ramps 17 of 170 and 250 Hz in proportion.
 // low = 0: no window, 1 everywhere.
@@ -45,21 +47,24 @@ class CoherenceRatio {
     CoherenceBand band;
     int averages = 6;  // memory of the Welch averages, in segments taken
   };
-  void prepare(int bins, const Settings& settings);
+  void prepare(int bins, double binWidth, const Settings& settings);
   void reset() noexcept;
   // One pair of transforms of the same stretch.
   void update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) noexcept;
-  CoherencePeak peak(const HarmonicMask& mask, double binWidth) noexcept;
+  CoherencePeak peak(const HarmonicMask& mask) noexcept;
 
-  std::span<const double> raw() const { return raw_; }      // before smoothing
+  std::span<const double> raw() const { return std::span(raw_).first(bins_); }  // before smoothing
   std::span<const double> ratio() const { return ratio_; }  // smoothed, sharpened, windowed; after peak()
   int segments() const noexcept { return segments_; }
 
  private:
   Settings settings_;
   int segments_ = 0;
-  std::vector<double> gx_, gy_, raw_, ratio_;
-  std::vector<std::complex<double>> gxy_;
+  dsp::kernels::Kernels kernels_;
+  double binWidth_ = 1.0;
+  std::size_t bins_ = 0;
+  std::vector<double> x_, y_;  // the transforms in whole lanes
+  std::vector<double> gx_, gy_, crossRe_, crossIm_, cross_, raw_, weight_, ratio_;
 };
 
 }  // namespace stillcut::detect

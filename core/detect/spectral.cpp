@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/dsp/fft.h"
+#include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
 namespace {
@@ -36,26 +37,16 @@ DetectorInfo SpectralDetector::describe() const {
 }
 
 LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& mask, double binWidth, double amplitude,
-                             int eta) noexcept {
-  const auto weight = [binWidth, eta](std::size_t b) {
-    const double f = static_cast<double>(b) * binWidth;
-    return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f);
-  };
+                             int eta, const dsp::kernels::Kernels& kernels) noexcept {
   LineOutside found;
-  double all = 0.0;
-  double free = 0.0;
-  double forced = 0.0;
-  for (std::size_t b = mask.first(); b <= mask.last(); ++b) {
-    all += power[b];
-    if (!mask.free(b)) {
-      forced += power[b] * weight(b);
-      continue;
-    }
-    free += power[b];
-    const bool top = power[b] >= power[b - 1] && power[b] >= power[b + 1];  // not the flank of a harmonic
-    if (top && (found.bin == 0 || power[b] > power[found.bin])) found.bin = b;
+  if (mask.first() > mask.last()) return found;
+  const std::span<const double> weight = mask.weights(eta);
+  dsp::kernels::LineScan scan{power.data(), mask.frees().data(), weight.data(), mask.first(), mask.last()};
+  kernels.scanLines(scan);
+  if (!(scan.top > 0.0)) return found;
+  for (std::size_t b = mask.first(); found.bin == 0; ++b) {  // a local maximum, not the flank of a harmonic
+    if (power[b] == scan.top && mask.free(b)) found.bin = b;
   }
-  if (found.bin == 0 || !(free > 0.0)) return found;
   double line = 0.0;
   for (std::size_t b = found.bin - std::min(found.bin, kLobe); b <= std::min(found.bin + kLobe, mask.last()); ++b) {
     if (mask.free(b)) line += power[b];
@@ -65,9 +56,9 @@ LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& 
   const double shift = mask.free(b - 1) && mask.free(b + 1) ? peakShift(power[b - 1], power[b], power[b + 1]) : 0.0;
   found.frequency = Hertz((static_cast<double>(b) + shift) * binWidth);
   found.amplitude = amplitude * std::sqrt(power[b]);
-  found.part = line / all;
-  found.purity = line / free;
-  found.severity = line * weight(b) / (line * weight(b) + forced);
+  found.part = line / scan.sum;
+  found.purity = line / scan.freeSum;
+  found.severity = line * weight[b] / (line * weight[b] + scan.forcedSum);
   return found;
 }
 
@@ -82,11 +73,11 @@ void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& pa
   threshold_ = params.isAutomatic(kSpeThreshold) ? 0.0 : params.real(kSpeThreshold);
   purity_ = params.real(kSpePurity);
   chatterRatio_ = params.real(kSpeChatter);
+  kernels_ = dsp::kernels::bestKernels();
   judge_.prepare(setup.teeth, chatterRatio_);
   spectrum_.prepare(frames, setup.rate, dsp::WindowKind::Hann);
   ring_.prepare(static_cast<int>(setup.channels.size()), frames);
   mask_.prepare(spectrum_.bins(), spectrum_.binWidth());
-  segment_.assign(static_cast<std::size_t>(frames), 0.0);
   power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -116,13 +107,11 @@ void SpectralDetector::leaveCut() noexcept {
 }
 
 void SpectralDetector::look(Channel& c, int index) noexcept {
-  ring_.copy(index, segment_);
-  spectrum_.transform(segment_);
-  std::transform(spectrum_.values().begin(), spectrum_.values().end(), power_.begin(),
-                 [](std::complex<double> x) { return std::norm(x); });
+  spectrum_.transform(ring_.newest(index));
+  spectrum_.powers(power_);
   const double norm = std::sqrt(power_[mask_.first()]);
   const double amplitude = norm > 0.0 ? spectrum_.amplitude(static_cast<int>(mask_.first())) / norm : 0.0;
-  c.line = strongestOutside(power_, mask_, spectrum_.binWidth(), amplitude, c.eta);
+  c.line = strongestOutside(power_, mask_, spectrum_.binWidth(), amplitude, c.eta, kernels_);
 }
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
@@ -182,9 +171,12 @@ Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept 
 Verdict SpectralDetector::process(const ConditionedBlock& block) noexcept {
   if (!block.valid || channels_.empty()) return judge_.verdict(block);
   if (block.afterGap) restart();
-  for (int f = 0; f < block.frames; ++f) {
-    ring_.push(block.samples + f, block.stride);
-    if (++sinceLook_ < hop_) continue;
+  for (int f = 0; f < block.frames;) {
+    const int frames = static_cast<int>(std::min<long>(hop_ - sinceLook_, block.frames - f));
+    ring_.push(block.samples + f, block.stride, static_cast<std::size_t>(frames));
+    f += frames;
+    sinceLook_ += frames;
+    if (sinceLook_ < hop_) continue;
     sinceLook_ = 0;
     analyse(block);
   }

@@ -61,7 +61,7 @@ struct LineOutside {
 
 // power: |X|^2 of every bin; amplitude: of a line per root of its |X|^2.
 LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& mask, double binWidth, double amplitude,
-                             int eta) noexcept;
+                             int eta, const dsp::kernels::Kernels& kernels) noexcept;
 
 class SpectralDetector final : public Detector {
  public:
@@ -85,11 +85,12 @@ class SpectralDetector final : public Detector {
   bool fromEntry(const LineOutside& line, double turns) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
+  dsp::kernels::Kernels kernels_;
   AlarmJudge judge_;
   FrameRing ring_;
   HarmonicMask mask_;
   dsp::Spectrum spectrum_;
-  std::vector<double> segment_, power_;
+  std::vector<double> power_;
   std::vector<Channel> channels_;
   double rate_ = 0.0;
   int hop_ = 1;

@@ -2,10 +2,12 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -14,18 +16,18 @@ class FrameRing {
  public:
   void prepare(int channels, int window);
   void reset() noexcept;
-  // One value per channel, `stride` apart.
-  void push(const double* x, std::ptrdiff_t stride) noexcept;
+  // x[channel * stride + frame]; at most a window at once.
+  void push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
   bool full() const noexcept { return seen_ >= window_; }
-  // Oldest first.
-  void copy(int channel, std::span<double> out) const noexcept;
+  // The newest window, oldest first; good until the next push().
+  std::span<const double> newest(int channel) const noexcept;
   std::size_t window() const noexcept { return window_; }
 
  private:
   std::size_t window_ = 0;
-  std::size_t head_ = 0;
+  std::size_t end_ = 0;  // of the frames, in each channel's row of two windows
   std::size_t seen_ = 0;
-  std::vector<double> ring_;
+  std::vector<double> rows_;
 };
 
 // Bins of the spindle harmonics (the tooth-passing ones are among them): free() is 1 between them and 0 on them.
@@ -35,15 +37,21 @@ class HarmonicMask {
   // halfWidth: bins to either side. doubt: of the spindle frequency, widens the mask with the order.
   // Below half the spindle frequency and above `high` nothing is free.
   void update(Hertz spindle, Hertz doubt, double halfWidth, Hertz high) noexcept;
-  bool free(std::size_t bin) const noexcept { return free_[bin] != 0; }
+  bool free(std::size_t bin) const noexcept { return free_[bin] != 0.0; }
+  std::span<const double> frees() const noexcept { return std::span(free_).first(bins_); }
+  // Frequency^(2 eta) of every bin; eta -1, 0, 1.
+  std::span<const double> weights(int eta) const noexcept { return weights_[static_cast<std::size_t>(eta + 1)]; }
   std::size_t first() const noexcept { return first_; }
   std::size_t last() const noexcept { return last_; }  // inclusive; the outermost bins are never in reach
 
  private:
+  dsp::kernels::Kernels kernels_;
+  std::size_t bins_ = 0;
   double binWidth_ = 1.0;
   std::size_t first_ = 1;
   std::size_t last_ = 0;
-  std::vector<unsigned char> free_;
+  std::vector<double> free_;
+  std::array<std::vector<double>, 3> weights_;
 };
 
 // Place of a peak between bins, from a parabola through the logarithms of three powers: -0.5 .. 0.5.

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::dsp {
 
 void Spectrum::prepare(int segment, Hertz rate, WindowKind window, int padded) {
+  kernels_ = kernels::bestKernels();
   window_.assign(static_cast<std::size_t>(std::max(segment, 2)), 0.0);
   sums_ = fillWindow(window, window_);
   fft_.prepare(goodFftSize(std::max(padded, segment)));
@@ -16,9 +19,13 @@ void Spectrum::prepare(int segment, Hertz rate, WindowKind window, int padded) {
 
 void Spectrum::transform(std::span<const double> samples) noexcept {
   const std::span<double> in = fft_.input();
-  for (std::size_t n = 0; n < window_.size(); ++n) in[n] = samples[n] * window_[n];
+  kernels_.multiply(samples.data(), window_.data(), in.data(), window_.size());
   std::fill(in.begin() + static_cast<std::ptrdiff_t>(window_.size()), in.end(), 0.0);
   values_ = fft_.forward();
+}
+
+void Spectrum::powers(std::span<double> out) const noexcept {
+  kernels_.squares(reinterpret_cast<const double*>(values_.data()), out.data(), values_.size());
 }
 
 double Spectrum::density(int bin) const noexcept {

@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/dsp/fft.h"
+#include "core/dsp/kernels/kernels.h"
 #include "core/dsp/window.h"
 
 namespace stillcut::dsp {
@@ -25,6 +26,8 @@ class Spectrum {
   void transform(std::span<const double> samples) noexcept;
 
   std::span<const std::complex<double>> values() const { return values_; }
+  // |X|^2 of every bin.
+  void powers(std::span<double> out) const noexcept;
   // Power spectral density [unit^2/Hz]: its sum times binWidth() is the mean square of the windowed signal divided by
   // the mean square of the window (Parseval).
   double density(int bin) const noexcept;
@@ -34,6 +37,7 @@ class Spectrum {
   Hertz peakFrequency(int bin) const noexcept;
 
  private:
+  kernels::Kernels kernels_;
   RealFft fft_;
   std::vector<double> window_;
   WindowSums sums_;

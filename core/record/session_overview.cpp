@@ -1,7 +1,13 @@
 #include "core/record/session_overview.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
+
+#include "core/record/session_open.h"
+#include "core/record/session_samples.h"
+#include "core/record/session_segments.h"
 
 namespace stillcut::record {
 namespace {
@@ -20,15 +26,47 @@ MinMax scaled(MinMax value, double scale) {
 
 }  // namespace
 
+struct SessionOverview::Impl {
+  struct Channel {
+    SampleReader samples;
+    std::array<FloatTable, kPyramidLevels> levels;
+  };
+  explicit Impl(std::string name) : path_(std::move(name)) {}
+  Status use(OpenedSession opened);
+  // Buckets first .. first + count of `level`, -1: the samples themselves. False: damaged.
+  bool buckets(Channel& channel, int level, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
+  bool samples(Channel& channel, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
+  Result<std::vector<MinMax>> overview(int channel, Instant from, Instant to, int columns);
+
+  std::string path_;
+  std::unique_ptr<JournaledFile> journaled_;
+  Hdf5Id file_;
+  RecordingFormat format_;
+  std::vector<Channel> channels_;
+  std::vector<SegmentRow> segments_;
+  std::uint64_t frames_ = 0;  // of the shortest channel
+};
+
+SessionOverview::SessionOverview(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SessionOverview::~SessionOverview() = default;
+
 Result<std::unique_ptr<SessionOverview>> SessionOverview::open(const std::string& path) {
   Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
-  std::unique_ptr<SessionOverview> overview(new SessionOverview(path));
-  if (const Status s = overview->use(std::move(*opened)); !s) return s.error();
-  return overview;
+  auto impl = std::make_unique<Impl>(path);
+  if (const Status s = impl->use(std::move(*opened)); !s) return s.error();
+  return std::unique_ptr<SessionOverview>(new SessionOverview(std::move(impl)));
 }
 
-Status SessionOverview::use(OpenedSession opened) {
+const RecordingFormat& SessionOverview::format() const {
+  return impl_->format_;
+}
+
+Result<std::vector<MinMax>> SessionOverview::overview(int channel, Instant from, Instant to, int columns) {
+  return impl_->overview(channel, from, to, columns);
+}
+
+Status SessionOverview::Impl::use(OpenedSession opened) {
   journaled_ = std::move(opened.journaled);
   file_ = std::move(opened.file);
   Result<RecordingFormat> format = readSessionFormat(file_.get(), path_);
@@ -51,22 +89,25 @@ Status SessionOverview::use(OpenedSession opened) {
 }
 
 Instant SessionOverview::begin() const {
-  return segments_.empty() ? Instant{} : timeOf(segments_.front(), segments_.front().offset);
+  const std::vector<SegmentRow>& segments = impl_->segments_;
+  return segments.empty() ? Instant{} : timeOf(segments.front(), segments.front().offset);
 }
 
 Instant SessionOverview::end() const {
-  return segments_.empty() ? Instant{} : timeOf(segments_.back(), std::max(frames_, segments_.back().offset));
+  const std::vector<SegmentRow>& segments = impl_->segments_;
+  return segments.empty() ? Instant{} : timeOf(segments.back(), std::max(impl_->frames_, segments.back().offset));
 }
 
-bool SessionOverview::samples(Channel& channel, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out) {
+bool SessionOverview::Impl::samples(Channel& channel, std::uint64_t first, std::uint64_t count,
+                                    std::vector<MinMax>& out) {
   std::vector<float> values(count);
   if (!channel.samples.read(first, values)) return false;
   for (const float v : values) out.push_back({v, v});
   return true;
 }
 
-bool SessionOverview::buckets(Channel& channel, int level, std::uint64_t first, std::uint64_t count,
-                              std::vector<MinMax>& out) {
+bool SessionOverview::Impl::buckets(Channel& channel, int level, std::uint64_t first, std::uint64_t count,
+                                    std::vector<MinMax>& out) {
   if (level < 0) return samples(channel, first, count, out);
   const FloatTable& table = channel.levels[static_cast<std::size_t>(level)];
   const std::uint64_t stored = first < table.rows() ? std::min(count, table.rows() - first) : 0;
@@ -89,7 +130,7 @@ bool SessionOverview::buckets(Channel& channel, int level, std::uint64_t first, 
   return true;
 }
 
-Result<std::vector<MinMax>> SessionOverview::overview(int channel, Instant from, Instant to, int columns) {
+Result<std::vector<MinMax>> SessionOverview::Impl::overview(int channel, Instant from, Instant to, int columns) {
   if (channel < 0 || channel >= static_cast<int>(channels_.size())) {
     return Error{path_, "there is no channel " + std::to_string(channel), ""};
   }

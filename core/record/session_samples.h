@@ -14,6 +14,7 @@
 
 #include "core/model/channel.h"
 #include "core/record/float_table.h"
+#include "core/record/min_max.h"
 
 namespace stillcut::record {
 
@@ -29,11 +30,6 @@ constexpr std::uint64_t bucketFrames(int level) {
 }
 // "pyramid/00/256"
 std::string pyramidPath(int channel, int level);
-
-struct MinMax {
-  float min = 0.0F;
-  float max = 0.0F;
-};
 
 // The extremes of a growing number of parts. A sample that is no number counts only while there is no other.
 class Extremes {

@@ -86,9 +86,9 @@ void trace(const milling::Scenario& scenario, const LoopOptions& options) {
     const milling::ChatterTruth& truth = run.plant().truth();
     std::printf("%7.3f  %-7s %-6s %s %7.1f Hz er %.3f | true %c %.3f, %8.2f m/s2 | %6.0f rpm %6.0f mm/min | %s\n", t,
                 std::string(name(v.state)).c_str(), std::string(name(v.phase)).c_str(), v.valid ? "ok" : "--",
-                v.frequency.value, v.severity.value, truth.chattering() ? 'C' : '-', truth.ratio(),
-                truth.liveFrequency().value, truth.vibration(), run.input().machine.actualSpeed.value,
-                toMmPerMin(run.input().machine.actualFeed), sentence(out.request.reason).c_str());
+                v.frequency.value, v.severity.value, truth.chattering() ? 'C' : '-', truth.chatterRatio(),
+                truth.vibration(), run.input().machine.actualSpeed.value, toMmPerMin(run.input().machine.actualFeed),
+                sentence(out.request.reason).c_str());
   }
 }
 

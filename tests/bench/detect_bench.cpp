@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "core/detect/coherence_ratio.h"
 #include "core/detect/energy_chain.h"
 #include "core/detect/full_harmonic_kalman.h"
 #include "core/detect/parametric_recursions.h"
+#include "core/detect/spectral.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/bench/best_of.h"
 
@@ -92,6 +94,61 @@ void parametric(benchmark::State& state, InstructionSet set) {
   });
 }
 
+// Every frame into the ring; every hop one windowed transform, its power and the strongest line beside the harmonics.
+void spectrum(benchmark::State& state) {
+  constexpr int kWindow = 2048;
+  constexpr std::size_t kHop = 256;
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  FrameRing ring;
+  ring.prepare(1, kWindow);
+  dsp::Spectrum transform;
+  transform.prepare(kWindow, Hertz(kRate), dsp::WindowKind::Hann);
+  const auto kernels = dsp::kernels::bestKernels();
+  HarmonicMask mask;
+  mask.prepare(transform.bins(), transform.binWidth());
+  std::vector<double> power(static_cast<std::size_t>(transform.bins()));
+  bench::bestOf(state, {kFrames, 12.0, 1.0 / kRate}, [&] {
+    LineOutside line;
+    for (std::size_t k = 0; k < kFrames; k += kHop) {
+      ring.push(x.data() + k, 0, kHop);
+      transform.transform(ring.newest(0));
+      transform.powers(power);
+      mask.update(spindle, Hertz(), 2.25, Hertz(0.45 * kRate));
+      line = strongestOutside(power, mask, transform.binWidth(), 1.0, -1, kernels);
+    }
+    benchmark::DoNotOptimize(line);
+  });
+}
+
+// Two transforms, their averages, the ratio and its peak.
+void coherenceUpdate(benchmark::State& state) {
+  constexpr int kSegment = 512;
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  const std::vector<double> y = cut(spindle, 0.4);
+  dsp::Spectrum first;
+  dsp::Spectrum second;
+  for (dsp::Spectrum* s : {&first, &second}) s->prepare(kSegment, Hertz(kRate), dsp::WindowKind::Hann);
+  HarmonicMask mask;
+  mask.prepare(first.bins(), first.binWidth());
+  CoherenceRatio ratio;
+  ratio.prepare(first.bins(), first.binWidth(), {});
+  constexpr std::size_t kHop = 128;
+  constexpr double kUpdates = static_cast<double>((kFrames - kSegment) / kHop);
+  bench::bestOf(state, {kUpdates, 2000.0, kHop / kRate}, [&] {
+    double sum = 0.0;
+    for (std::size_t k = 0; k + kSegment < kFrames; k += kHop) {
+      first.transform(std::span(x).subspan(k, kSegment));
+      second.transform(std::span(y).subspan(k, kSegment));
+      mask.update(spindle, Hertz(), 1.0, Hertz(0.45 * kRate));
+      ratio.update(first.values(), second.values());
+      sum += ratio.peak(mask).gammaMax;
+    }
+    benchmark::DoNotOptimize(sum);
+  });
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
   for (const InstructionSet set : dsp::kernels::availableSets()) {
     const std::string name(dsp::kernels::nameOf(set));
@@ -99,6 +156,8 @@ void parametric(benchmark::State& state, InstructionSet set) {
     benchmark::RegisterBenchmark(("full covariance N=32, " + name).c_str(), fullCovariance, set);
     benchmark::RegisterBenchmark(("NLMS 32 + Kalman AR(4), " + name).c_str(), parametric, set);
   }
+  benchmark::RegisterBenchmark("spectrum 2048 hop 256", spectrum);
+  benchmark::RegisterBenchmark("coherence 512, an update", coherenceUpdate);
   return true;
 }();
 

@@ -115,6 +115,59 @@ struct ParametricRun {
   double* thetaSum = nullptr;  // 4, += theta of every frame
 };
 
+// Auto and cross spectra of two transforms (interleaved re, im), and their coherence.
+struct CoherenceRun {
+  const double* x = nullptr;
+  const double* y = nullptr;
+  std::size_t bins = 0;  // in whole lanes
+  double part = 1.0;     // of the new segment in the averages
+  bool welch = true;     // |Gxy|^2 / (Gx Gy), else Re(Gxy)^2 / (Gx Gy)
+  double* gx = nullptr;
+  double* gy = nullptr;
+  double* crossRe = nullptr;
+  double* crossIm = nullptr;
+  double* coherence = nullptr;
+  double* cross = nullptr;  // |Gxy|
+};
+
+// Mean over two bins to either side, then exp(-(1 - g) / above) over the knee and factor exp(-(1 - g) / below) up to
+// it, times weight. The two outermost bins are left as they are.
+struct SharpenRun {
+  const double* coherence = nullptr;
+  const double* weight = nullptr;
+  std::size_t bins = 0;
+  double knee = 0.5;
+  double above = 1.0;
+  double below = 1.0;
+  double factor = 1.0;
+  double* out = nullptr;
+};
+
+// 1 for the bins first .. last that lie `halfWidth` + order `spread` bins or more from every harmonic, at most 0.45 of
+// the way to the next; 0 for all others.
+struct MaskRun {
+  double spacing = 1.0;  // of the harmonics, in bins
+  double spread = 0.0;
+  double halfWidth = 0.0;
+  std::size_t first = 1;
+  std::size_t last = 0;
+  std::size_t bins = 0;  // in whole lanes
+  double* free = nullptr;
+};
+
+// Bins first .. last of a power spectrum; free is 1 or 0, bins first - 1 and last + 1 exist.
+struct LineScan {
+  const double* power = nullptr;
+  const double* free = nullptr;
+  const double* weight = nullptr;
+  std::size_t first = 1;
+  std::size_t last = 0;
+  double sum = 0.0;        // of the power
+  double freeSum = 0.0;    // between the harmonics
+  double forcedSum = 0.0;  // weighted, on the harmonics
+  double top = 0.0;        // largest free local maximum
+};
+
 struct Kernels {
   InstructionSet set = InstructionSet::Baseline;
   // turn^1 .. turn^n of the unit number (c, s).
@@ -127,6 +180,14 @@ struct Kernels {
   // ph = P h from the kept blocks
   void (*covarianceTimes)(const CovarianceRun&) noexcept = nullptr;
   void (*parametric)(const ParametricRun&) noexcept = nullptr;
+  // out = a b
+  void (*multiply)(const double* a, const double* b, double* out, std::size_t n) noexcept = nullptr;
+  // |z|^2 of n complex numbers, interleaved
+  void (*squares)(const double* z, double* out, std::size_t n) noexcept = nullptr;
+  void (*maskHarmonics)(const MaskRun&) noexcept = nullptr;
+  void (*scanLines)(LineScan&) noexcept = nullptr;
+  void (*coherence)(const CoherenceRun&) noexcept = nullptr;
+  void (*sharpen)(const SharpenRun&) noexcept = nullptr;
   void (*bank)(const BankRun&) noexcept = nullptr;
   void (*designBank)(const BankDesign&) noexcept = nullptr;
   void (*operatorSums)(const OperatorRun&) noexcept = nullptr;

@@ -77,6 +77,9 @@ STILLCUT_INLINE Choices operator<(Lanes a, Lanes b) {
 STILLCUT_INLINE Choices operator&(Choices a, Choices b) {
   return each([&](std::size_t i) { return a.part[i] & b.part[i]; });
 }
+STILLCUT_INLINE Choices operator|(Choices a, Choices b) {
+  return each([&](std::size_t i) { return a.part[i] | b.part[i]; });
+}
 STILLCUT_INLINE Lanes pick(Choices which, Lanes yes, Lanes no) {
   return each([&](std::size_t i) { return which.part[i] ? yes.part[i] : no.part[i]; });
 }
@@ -95,6 +98,27 @@ STILLCUT_INLINE Lanes load(const double* p) {
 }
 STILLCUT_INLINE void store(double* p, Lanes a) {
   for (std::size_t i = 0; i < kParts; ++i) storeNative(p + i * kNative, a.part[i]);
+}
+
+// Eight interleaved complex numbers.
+struct ComplexLanes {
+  Lanes re;
+  Lanes im;
+};
+STILLCUT_INLINE ComplexLanes loadComplex(const double* p) {
+  const auto halves = [p](std::size_t i, bool odd) {
+    const Native a = loadNative(p + 2 * i * kNative);
+    const Native b = loadNative(p + (2 * i + 1) * kNative);
+#if STILLCUT_NATIVE == 8
+    return odd ? __builtin_shufflevector(a, b, 1, 3, 5, 7, 9, 11, 13, 15)
+               : __builtin_shufflevector(a, b, 0, 2, 4, 6, 8, 10, 12, 14);
+#elif STILLCUT_NATIVE == 4
+    return odd ? __builtin_shufflevector(a, b, 1, 3, 5, 7) : __builtin_shufflevector(a, b, 0, 2, 4, 6);
+#else
+    return odd ? __builtin_shufflevector(a, b, 1, 3) : __builtin_shufflevector(a, b, 0, 2);
+#endif
+  };
+  return {each([&](std::size_t i) { return halves(i, false); }), each([&](std::size_t i) { return halves(i, true); })};
 }
 
 // ((l0 + l4) + (l2 + l6)) + ((l1 + l5) + (l3 + l7)), whatever the registers.

@@ -12,6 +12,12 @@ double weightedPower(const double* re, const double* im, const double* weight, s
 void covariance(const CovarianceRun& run) noexcept;
 void covarianceTimes(const CovarianceRun& run) noexcept;
 void parametric(const ParametricRun& run) noexcept;
+void multiply(const double* a, const double* b, double* out, std::size_t n) noexcept;
+void squares(const double* z, double* out, std::size_t n) noexcept;
+void maskHarmonics(const MaskRun& run) noexcept;
+void scanLines(LineScan& scan) noexcept;
+void coherence(const CoherenceRun& run) noexcept;
+void sharpen(const SharpenRun& run) noexcept;
 void bank(const BankRun& run) noexcept;
 void designBank(const BankDesign& design) noexcept;
 void operatorSums(const OperatorRun& run) noexcept;

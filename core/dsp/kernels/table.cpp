@@ -11,6 +11,12 @@ void fill(Kernels& k) noexcept {
   k.covariance = covariance;
   k.covarianceTimes = covarianceTimes;
   k.parametric = parametric;
+  k.multiply = multiply;
+  k.squares = squares;
+  k.maskHarmonics = maskHarmonics;
+  k.scanLines = scanLines;
+  k.coherence = coherence;
+  k.sharpen = sharpen;
   k.bank = bank;
   k.designBank = designBank;
   k.operatorSums = operatorSums;

@@ -4,6 +4,7 @@
 #include <complex>
 
 #include "core/detect/conditioner.h"
+#include "core/dsp/kernels/choose.h"
 #include "tests/unit/detect/signals.h"
 
 namespace stillcut::detect::testing {
@@ -32,7 +33,7 @@ TEST(StrongestOutside, IsNeitherAHarmonicNorItsFlank) {
   power[102] = power[98] = 5.0;
   power[173] = 2.0;
   power[172] = power[174] = 0.5;
-  const LineOutside line = strongestOutside(power, mask, 1.0, 2.0, 0);
+  const LineOutside line = strongestOutside(power, mask, 1.0, 2.0, 0, dsp::kernels::bestKernels());
   EXPECT_EQ(line.bin, 173U);
   EXPECT_NEAR(line.frequency.value, 173.0, 1e-9);
   EXPECT_NEAR(line.amplitude, 2.0 * std::sqrt(2.0), 1e-12);

@@ -121,6 +121,43 @@ TEST(Kernels, CovarianceIsTheSameWithEverySet) {
   for (const double v : all) EXPECT_TRUE(std::isfinite(v));
 }
 
+TEST(Kernels, SpectraAreTheSameWithEverySetAndCoherentWhereTheyShould) {
+  constexpr std::size_t kBins = 137;
+  const std::size_t lanes = wholeLanes(kBins);
+  Values x = noise(2 * lanes, 7);
+  const Values y = noise(2 * lanes, 8);
+  x[2 * 40] = x[2 * 40 + 1] = 0.0;  // nothing there
+  const Values all = sameWithEverySet([&](const Kernels& k) {
+    Values rows(9 * lanes);
+    const auto row = [&](std::size_t i) { return rows.data() + i * lanes; };
+    k.squares(x.data(), row(0), kBins);
+    k.maskHarmonics({10.0, 0.01, 1.5, 5, kBins - 2, lanes, row(1)});
+    LineScan scan{row(0), row(1), y.data(), 5, kBins - 2};
+    k.scanLines(scan);
+    for (const double part : {1.0, 0.5}) {
+      k.coherence({x.data(), y.data(), lanes, part, true, row(2), row(3), row(4), row(5), row(6), row(7)});
+    }
+    k.sharpen({row(6), y.data(), kBins, 0.5, 0.4, 0.6, 0.7, row(8)});
+    for (const double v : {scan.sum, scan.freeSum, scan.forcedSum, scan.top}) rows.push_back(v);
+    return rows;
+  });
+  double sum = 0.0;
+  double top = 0.0;
+  for (std::size_t b = 0; b < kBins; ++b) {
+    const double power = x[2 * b] * x[2 * b] + x[2 * b + 1] * x[2 * b + 1];
+    EXPECT_NEAR(all[b], power, 1e-12) << b;
+    const double order = std::round(static_cast<double>(b) / 10.0);
+    const bool beside = std::abs(static_cast<double>(b) - 10.0 * order) >= 1.5 + 0.01 * order;
+    const bool free = beside && b >= 5 && b <= kBins - 2;
+    EXPECT_EQ(all[lanes + b], free ? 1.0 : 0.0) << b;
+    EXPECT_NEAR(all[6 * lanes + b], b == 40 ? 0.0 : 1.0, 1e-12) << b;  // the same segment twice
+    if (b >= 5 && b <= kBins - 2) sum += power;
+    if (free && all[b] >= all[b - 1] && all[b] >= all[b + 1]) top = std::max(top, all[b]);
+  }
+  EXPECT_NEAR(all[9 * lanes], sum, 1e-10);
+  EXPECT_EQ(all[9 * lanes + 3], top);
+}
+
 TEST(Kernels, TheBankIsButterworth) {
   constexpr Hertz kRate(25600.0);
   constexpr std::size_t kLanesUsed = 24;

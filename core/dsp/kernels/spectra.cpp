@@ -1,0 +1,145 @@
+// Bin by bin: plain loops that the compiler turns into lanes without changing a sum. Sums are lanes by hand.
+#include "core/dsp/kernels/set.h"
+
+namespace stillcut::dsp::kernels::STILLCUT_SET {
+namespace {
+
+constexpr std::size_t kSmooth = 2;  // bins to either side
+
+// exp for -1.68 .. 0: Chebyshev fit about the middle, good to 1e-18.
+STILLCUT_INLINE Lanes expOfSmall(Lanes x) {
+  constexpr double kMiddle = 0.84;
+  constexpr double kExpMiddle = 0.431710523429079693;
+  constexpr double kEven[] = {
+      4.828812813540571783e-14, 1.147010602799005194e-11, 2.087676138366418269e-9, 2.755731920678476175e-7,
+      2.480158730162547791e-5,  1.388888888888884396e-3,  4.16666666666666669e-2,  0.5};
+  constexpr double kOdd[] = {
+      7.73601567135906691e-13, 1.605789178401563565e-10, 2.505211630424266158e-8, 2.755731919299741223e-6,
+      1.984126984133861943e-4, 8.333333333333252391e-3,  1.666666666666666709e-1, 1.0};
+  // Even and odd powers side by side: half the wait.
+  const Lanes t = x + all(kMiddle);
+  const Lanes t2 = t * t;
+  Lanes even = all(kEven[0]);
+  Lanes odd = all(kOdd[0]);
+  for (std::size_t i = 1; i < 8; ++i) {
+    even = even * t2 + all(kEven[i]);
+    odd = odd * t2 + all(kOdd[i]);
+  }
+  even = even * t2 + all(1.0);
+  return (even + odd * t) * all(kExpMiddle);
+}
+
+STILLCUT_INLINE Lanes sharpened(const SharpenRun& run, const double* g) {
+  const Lanes mean = (((load(g - 2) + load(g - 1)) + load(g)) + load(g + 1) + load(g + 2)) * all(0.2);
+  const Choices high = all(run.knee) < mean;
+  const Lanes rest = mean - all(1.0);
+  const Lanes e = expOfSmall(pick(high, rest * all(1.0 / run.above), rest * all(1.0 / run.below)));
+  return pick(high, e, all(run.factor) * e);
+}
+
+}  // namespace
+
+void multiply(const double* __restrict a, const double* __restrict b, double* __restrict out, std::size_t n) noexcept {
+  for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * b[i];
+}
+
+void squares(const double* __restrict z, double* __restrict out, std::size_t n) noexcept {
+  for (std::size_t i = 0; i < n; ++i) out[i] = z[2 * i] * z[2 * i] + z[2 * i + 1] * z[2 * i + 1];
+}
+
+void maskHarmonics(const MaskRun& run) noexcept {
+  constexpr double kIndex[kLanes] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+  const Lanes whole = all(6755399441055744.0);  // 1.5 * 2^52: adding it rounds to whole numbers
+  const Lanes spacing = all(run.spacing);
+  const Lanes perBin = all(1.0 / run.spacing);
+  const Lanes most = all(0.45) * spacing;
+  const Lanes first = all(static_cast<double>(run.first));
+  const Lanes last = all(static_cast<double>(run.last));
+  const Lanes zero = all(0.0);
+  for (std::size_t b = 0; b < run.bins; b += kLanes) {
+    const Lanes bin = load(kIndex) + all(static_cast<double>(b));
+    const Lanes order = (bin * perBin + whole) - whole;
+    const Lanes offset = bin - order * spacing;
+    const Lanes distance = pick(offset < zero, zero - offset, offset);
+    const Lanes wanted = all(run.halfWidth) + all(run.spread) * order;
+    const Lanes width = pick(most < wanted, most, wanted);
+    const Choices taken = (distance < width) | (bin < first) | (last < bin);
+    store(run.free + b, pick(taken, zero, all(1.0)));
+  }
+}
+
+void scanLines(LineScan& scan) noexcept {
+  const Lanes zero = all(0.0);
+  Lanes sum = zero;
+  Lanes free = zero;
+  Lanes forced = zero;
+  Lanes top = zero;
+  std::size_t b = scan.first;
+  for (; b + kLanes <= scan.last + 1; b += kLanes) {
+    const Lanes p = load(scan.power + b);
+    const Lanes f = load(scan.free + b) * p;
+    sum = sum + p;
+    free = free + f;
+    forced = forced + (p - f) * load(scan.weight + b);
+    const Choices below = (p < load(scan.power + b - 1)) | (p < load(scan.power + b + 1));
+    const Lanes line = pick(below, zero, f);
+    top = pick(top < line, line, top);
+  }
+  scan.sum = total(sum);
+  scan.freeSum = total(free);
+  scan.forcedSum = total(forced);
+  scan.top = 0.0;
+  double tops[kLanes];
+  store(tops, top);
+  for (const double t : tops) scan.top = scan.top < t ? t : scan.top;
+  for (; b <= scan.last; ++b) {
+    const double p = scan.power[b];
+    const double f = scan.free[b] * p;
+    scan.sum += p;
+    scan.freeSum += f;
+    scan.forcedSum += (p - f) * scan.weight[b];
+    if (p >= scan.power[b - 1] && p >= scan.power[b + 1] && f > scan.top) scan.top = f;
+  }
+}
+
+void coherence(const CoherenceRun& run) noexcept {
+  const Lanes part = all(run.part);
+  const Lanes imaginary = all(run.welch ? 1.0 : 0.0);
+  const Lanes zero = all(0.0);
+  const Lanes one = all(1.0);
+  const auto follow = [part](double* mean, Lanes now) {
+    const Lanes before = load(mean);
+    const Lanes after = before + part * (now - before);
+    store(mean, after);
+    return after;
+  };
+  for (std::size_t b = 0; b < run.bins; b += kLanes) {
+    const ComplexLanes x = loadComplex(run.x + 2 * b);
+    const ComplexLanes y = loadComplex(run.y + 2 * b);
+    const Lanes both = follow(run.gx + b, x.re * x.re + x.im * x.im) * follow(run.gy + b, y.re * y.re + y.im * y.im);
+    const Lanes re = follow(run.crossRe + b, x.re * y.re + x.im * y.im);
+    const Lanes im = follow(run.crossIm + b, x.re * y.im - x.im * y.re);
+    const Lanes quotient = (re * re + imaginary * (im * im)) / both;
+    const Choices some = zero < both;
+    store(run.coherence + b, pick(some, pick(quotient < one, quotient, one), zero));
+    store(run.cross + b, root(re * re + im * im));
+  }
+}
+
+void sharpen(const SharpenRun& run) noexcept {
+  if (run.bins < 2 * kSmooth + 1) return;
+  const std::size_t end = run.bins - kSmooth;
+  std::size_t b = kSmooth;
+  for (; b + kLanes <= end; b += kLanes) {
+    store(run.out + b, sharpened(run, run.coherence + b) * load(run.weight + b));
+  }
+  if (b == end) return;
+  // The last few once more in a row of their own.
+  double g[kLanes + 2 * kSmooth] = {};
+  double out[kLanes];
+  for (std::size_t i = b - kSmooth; i < run.bins; ++i) g[i - (b - kSmooth)] = run.coherence[i];
+  store(out, sharpened(run, g + kSmooth));
+  for (std::size_t i = b; i < end; ++i) run.out[i] = out[i - b] * run.weight[i];
+}
+
+}  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -1,0 +1,83 @@
+// The manual's script reads a session with h5py alone, closed or while it is still being written; skipped where h5py is
+// not installed.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/record/session_markers.h"
+#include "tests/unit/record/crash_lab.h"
+#include "tests/unit/record/step_samples.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::record {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kPython = "/usr/bin/python3";  // the system's, which the package belongs to
+
+struct Ran {
+  int status = -1;
+  std::string out;
+};
+
+Ran python(const std::string& arguments) {
+  Ran ran;
+  std::FILE* pipe = popen((std::string("exec ") + kPython + " " + arguments + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return ran;
+  std::array<char, 4096> part{};
+  while (std::fgets(part.data(), part.size(), pipe) != nullptr) ran.out += part.data();
+  ran.status = pclose(pipe);
+  return ran;
+}
+
+class H5py : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (python("-c 'import h5py'").status != 0) GTEST_SKIP() << "python3-h5py is not installed";
+  }
+};
+
+TEST_F(H5py, TheManualsScriptReadsASession) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  {
+    auto writer = SessionWriter::create(path, exampleHeader());
+    ASSERT_TRUE(writer.ok());
+    for (int i = 0; i < 300; ++i) {
+      const StepRecord step = exampleStep(i);
+      ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+    }
+  }
+  const auto number =
+      addMarker(path, {0, instantFromNs(1'500'000'000), instantFromNs(2'000'000'000), "chatter", "Ada", "loud", 0});
+  ASSERT_TRUE(number.ok());
+  const Ran ran = python(STILLCUT_SOURCE_DIR "/resources/manual/read_session.py " + path);
+  ASSERT_EQ(ran.status, 0) << ran.out;
+  EXPECT_THAT(ran.out, HasSubstr("machine Mill 3"));
+  EXPECT_THAT(ran.out, HasSubstr("steps 300 "));
+  EXPECT_THAT(ran.out, HasSubstr("marker 1.5 2.0 chatter Ada loud"));
+}
+
+TEST_F(H5py, ReadsASessionWhileItIsWritten) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  auto writer = SessionWriter::create(path, exampleHeader());
+  ASSERT_TRUE(writer.ok());
+  for (int i = 0; i < 100; ++i) {
+    const StepRecord step = exampleStep(i);
+    ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE((*writer)->flush().ok());
+  const Ran ran =
+      python("-c \"import h5py; f = h5py.File('" + path +
+             "', 'r', swmr=True, libver='latest'); print('steps', len(f['steps/blocks']), f['samples/01'][1])\"");
+  ASSERT_EQ(ran.status, 0) << ran.out;
+  EXPECT_THAT(ran.out, HasSubstr("steps 100 "));
+}
+
+}  // namespace
+}  // namespace stillcut::record
