@@ -51,10 +51,10 @@ double inProfileUnit(Quantity q, double value, const std::string& unit, const Sc
     case Quantity::Immersion:
       if (mm || metres) return length / s.model.tool.diameter.value;
       if (unit == "percent") return value / 1e2;
-      if (unit == "aD" || unit == "ratio" || unit == "immersion") return value;
+      if (unit == "aD" || unit == "ratio" || unit == "immersion" || unit == "radial_immersion") return value;
       break;
     case Quantity::Speed:
-      if (unit == "rpm") return value;
+      if (unit == "rpm" || unit == "rev_min") return value;
       if (unit == "hz") return value * 60.0;
       break;
     case Quantity::Feed:
