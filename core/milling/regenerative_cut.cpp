@@ -141,9 +141,10 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
   double weight = surface_.weight()[m];
   double* const heights = surface_.slice(e.slice);
   double height = heights[m];
-  double reach = 0.0;
+  // What the tip does comes last everywhere: the rest is known before the motion is, and need not be waited for.
+  double rigid = e.runout + s * x_, reach = 0.0;
   if (e.fraction == 0.0) {
-    reach = e.runout + s * (x_ + tipX) + c * tipY;
+    reach = rigid + (s * tipX + c * tipY);
     if (!mayLeave_ || reach > height) heights[m] = reach;
   } else {
     // Between two cells: read both, and leave the reach the edge had when it passed the one behind.
@@ -151,7 +152,8 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     const double s0 = s;
     s = s0 * e.cosineRest + c * e.sineRest;
     c = c * e.cosineRest - s0 * e.sineRest;
-    reach = e.runout + s * (x_ + tipX) + c * tipY;
+    rigid = e.runout + s * x_;
+    reach = rigid + (s * tipX + c * tipY);
     weight += e.fraction * (surface_.weight()[next] - weight);
     height += e.fraction * (heights[next] - height);
     const double last = e.hasReach && surface_.live()[before] != 0 ? e.lastReach : reach;
@@ -160,19 +162,22 @@ void RegenerativeCut::cutEdge(Edge& e, double tipX, double tipY, double speedX, 
     e.lastReach = reach;
     e.hasReach = true;
   }
-  double chip = reach - height;
-  if (SurfaceHistory::isFresh(height)) chip = reach - s * (x_ - flatFeedPerTooth());
+  const double met = SurfaceHistory::isFresh(height) ? s * (x_ - flatFeedPerTooth()) : height;
+  const double chip = (rigid - met) + (s * tipX + c * tipY);
   if (weight == 0.0 || (mayLeave_ && chip <= 0.0)) return;
   const Material& mat = model_.material;
-  const double area = linearChip_ ? chip : std::copysign(std::pow(std::abs(chip), mat.exponent), chip);
   const double scale = weight * e.depth * forceScale_;
-  const double ft = scale * (mat.tangential * area + mat.tangentialEdge);
-  double fr = scale * (mat.radial * area + mat.radialEdge);
-  // Indentation under the flank opposes the radial speed; fr counts inwards.
-  if (mat.processDamping != 0.0) fr += scale * mat.processDamping * (s * speedX + c * speedY) / (omega_ * radius_);
-  sum.x -= ft * c + fr * s;
-  sum.y += ft * s - fr * c;
-  sum.tangential += ft;
+  const double perTangential = scale * mat.tangential, perRadial = scale * mat.radial;
+  const double area = linearChip_ ? chip : std::copysign(std::pow(std::abs(chip), mat.exponent), chip);
+  const double edgeTangential = scale * mat.tangentialEdge;
+  double edgeRadial = scale * mat.radialEdge;
+  // Indentation under the flank opposes the radial speed; the radial force counts inwards.
+  if (mat.processDamping != 0.0) {
+    edgeRadial += scale * mat.processDamping * (s * speedX + c * speedY) / (omega_ * radius_);
+  }
+  sum.x -= area * (perTangential * c + perRadial * s) + (edgeTangential * c + edgeRadial * s);
+  sum.y += area * (perTangential * s - perRadial * c) + (edgeTangential * s - edgeRadial * c);
+  sum.tangential += area * perTangential + edgeTangential;
 }
 
 RegenerativeCut::Forces RegenerativeCut::cut(double tipX, double tipY, double speedX, double speedY) noexcept {
@@ -192,8 +197,8 @@ void RegenerativeCut::advance(int steps) noexcept {
       const auto k = at(i);
       const Transition& t = step_[k];
       const double f = drivenX_ * dx_[k] + drivenY_ * dy_[k];
-      const double q = t.qq * q_[k] + t.qv * v_[k] + t.qf * f;
-      v_[k] = t.vq * q_[k] + t.vv * v_[k] + t.vf * f;
+      const double q = (t.qq * q_[k] + t.qv * v_[k]) + t.qf * f;
+      v_[k] = (t.vq * q_[k] + t.vv * v_[k]) + t.vf * f;
       q_[k] = q;
       tipX += dx_[k] * q;
       tipY += dy_[k] * q;
