@@ -1,6 +1,7 @@
 #include "core/detect/line_finder.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace stillcut::detect {
@@ -10,6 +11,17 @@ constexpr int kPadding = 4;  // zero-padding: the parabola then errs by less tha
 // Half width of what counts as the line: twice a Hann lobe, since a line that grows fast is broad.
 constexpr int kLobe = 4 * kPadding;  // padded bins
 
+// Four sums side by side: one alone waits for every addition.
+double sum(std::span<const double> x) noexcept {
+  std::array<double, 4> parts{};
+  std::size_t i = 0;
+  for (; i + 4 <= x.size(); i += 4) {
+    for (std::size_t k = 0; k < 4; ++k) parts[k] += x[i + k];
+  }
+  for (; i < x.size(); ++i) parts[0] += x[i];
+  return (parts[0] + parts[1]) + (parts[2] + parts[3]);
+}
+
 }  // namespace
 
 void LineFinder::prepare(int channels, int window, Hertz rate) {
@@ -18,7 +30,7 @@ void LineFinder::prepare(int channels, int window, Hertz rate) {
   spectrum_.prepare(window, rate, dsp::WindowKind::Recent, kPadding * window);
   ring_.assign(static_cast<std::size_t>(channels) * window_, 0.0);
   unrolled_.assign(window_, 0.0);
-  power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
+  for (auto* v : {&power_, &now_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
   reset();
 }
 
@@ -47,23 +59,22 @@ FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
     const auto end = begin + static_cast<std::ptrdiff_t>(window_);
     std::copy(begin, middle, std::copy(middle, end, unrolled_.begin()));
     spectrum_.transform(unrolled_);
-    double total = 0.0;
-    for (std::size_t b = first; b <= last; ++b) total += std::norm(spectrum_.values()[b]);
+    spectrum_.powers(now_);
+    const double total = sum(std::span(now_).subspan(first, last + 1 - first));
     if (!(total > 0.0)) continue;
-    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += std::norm(spectrum_.values()[b]) / total;
+    const double share = 1.0 / total;
+    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += share * now_[b];
   }
   const auto from = power_.begin() + static_cast<std::ptrdiff_t>(first);
   const auto to = power_.begin() + static_cast<std::ptrdiff_t>(last + 1);
   const auto peak = static_cast<std::size_t>(std::max_element(from, to) - power_.begin());
-  double all = 0.0;
-  double lobe = 0.0;
-  for (std::size_t b = first; b <= last; ++b) {
-    all += power_[b];
-    if (b + kLobe >= peak && b <= peak + kLobe) lobe += power_[b];
-  }
-  if (!(all > 0.0)) return found;
+  const std::span<const double> all(power_);
+  const double whole = sum(all.subspan(first, last + 1 - first));
+  if (!(whole > 0.0)) return found;
+  const std::size_t left = std::max(first, peak - std::min<std::size_t>(peak, kLobe));
+  const std::size_t right = std::min<std::size_t>(last, peak + kLobe);
   found.frequency = refined(peak);
-  found.purity = lobe / all;
+  found.purity = sum(all.subspan(left, right + 1 - left)) / whole;
   return found;
 }
 

@@ -2,6 +2,7 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/base/units.h"
@@ -40,6 +41,7 @@ class LineFinder {
   std::vector<double> ring_;
   std::vector<double> unrolled_;
   std::vector<double> power_;
+  std::vector<double> now_;  // of one channel, scratch
 };
 
 }  // namespace stillcut::detect

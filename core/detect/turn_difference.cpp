@@ -12,7 +12,7 @@ void TurnDifference::prepare(int channels, Hertz rate, Hertz slowest) {
   rate_ = rate.value;
   const double longest = 2.0 * rate_ / slowest.value + 2.0 * kTaps;
   mask_ = std::bit_ceil(static_cast<std::size_t>(longest) + 1) - 1;
-  ring_.assign(static_cast<std::size_t>(channels) * (mask_ + 1), 0.0);
+  ring_.assign(static_cast<std::size_t>(channels) * 2 * (mask_ + 1), 0.0);
   reset();
 }
 
@@ -57,9 +57,13 @@ void TurnDifference::setTurns(double one, double two) noexcept {
 }
 
 double TurnDifference::read(const double* ring, const Delay& delay) const noexcept {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < kTaps; ++k) sum += delay.taps[k] * ring[(head_ - delay.whole - k) & mask_];
-  return sum;
+  // Every frame is there twice, so that the taps lie side by side; four sums, so that none waits for another.
+  const double* newest = ring + mask_ + 1 + head_ - delay.whole;
+  std::array<double, 4> sums{};
+  for (std::size_t k = 0; k < kTaps; k += 4) {
+    for (std::size_t i = 0; i < 4; ++i) sums[i] += delay.taps[k + i] * newest[-static_cast<std::ptrdiff_t>(k + i)];
+  }
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 void TurnDifference::process(const double* x, double* difference, double* news) noexcept {
@@ -68,8 +72,8 @@ void TurnDifference::process(const double* x, double* difference, double* news) 
   ++seen_;
   const bool known = ready() && turn_ > 0.0;
   for (int c = 0; c < channels_; ++c) {
-    double* ring = ring_.data() + static_cast<std::size_t>(c) * (mask_ + 1);
-    ring[head_] = x[c];
+    double* ring = ring_.data() + static_cast<std::size_t>(c) * 2 * (mask_ + 1);
+    ring[head_] = ring[head_ + mask_ + 1] = x[c];
     difference[c] = 0.0;
     if (news != nullptr) news[c] = 0.0;
     if (!known) continue;
