@@ -59,7 +59,7 @@ Status readTable(const std::string& path, const Take& take) {
     const std::vector<std::string> cells = cellsOf(line);
     Row row;
     for (std::size_t i = 0; i < header.size(); ++i) row[header[i]] = i < cells.size() ? cells[i] : "";
-    if (const Status s = take(row, path + ":" + std::to_string(number)); !s) return s;
+    if (Status s = take(row, path + ":" + std::to_string(number)); !s) return s;
   }
   return Done{};
 }

@@ -34,7 +34,7 @@ class ReplayControl {
   void loopBetween(Seconds from, Seconds to) noexcept;
   void endLoop() noexcept;
   // Of the newest block handed out: where in the recording it ends.
-  Seconds position() const noexcept { return Seconds(position_s_.load(std::memory_order_relaxed)); }
+  Seconds position() const noexcept { return Seconds(position_.load(std::memory_order_relaxed)); }
   bool paused() const noexcept { return paused_.load(std::memory_order_relaxed); }
   double pace() const noexcept { return pace_.load(std::memory_order_relaxed); }
 
@@ -43,7 +43,7 @@ class ReplayControl {
   bool mayGo() noexcept;
   std::optional<Seconds> takeGoTo() noexcept { return places_.take(); }
   Loop loop() noexcept { return loops_.latest().value_or(Loop{}); }
-  void tellPosition(Seconds position) noexcept { position_s_.store(position.value, std::memory_order_relaxed); }
+  void tellPosition(Seconds position) noexcept { position_.store(position.value, std::memory_order_relaxed); }
   // Waits until something was changed, or the time is over.
   void waitFor(Seconds limit) noexcept { changed_.waitFor(limit); }
   void wake() noexcept { changed_.notify(); }
@@ -52,7 +52,7 @@ class ReplayControl {
   std::atomic<double> pace_{0.0};
   std::atomic<bool> paused_{false};
   std::atomic<int> steps_{0};
-  std::atomic<double> position_s_{0.0};
+  std::atomic<double> position_{0.0};  // [s]
   rt::Mailbox<Seconds> places_;
   rt::Mailbox<Loop> loops_;
   rt::Wakeup changed_;

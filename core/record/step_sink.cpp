@@ -29,7 +29,7 @@ class ManyFiles : public StepSink {
   Status flush() override { return writer_ ? writer_->flush() : Status(Done{}); }
   Status close() override {
     if (!writer_) return Done{};
-    const Status closed = writer_->close();
+    Status closed = writer_->close();
     writer_.reset();
     return closed;
   }
