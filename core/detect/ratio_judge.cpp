@@ -22,6 +22,8 @@ constexpr double kLineReach = 0.25;    // orders within which a line is the same
 constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
 
+constexpr int kLookHops = kHopsPerTurn / 2;
+
 }  // namespace
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
@@ -134,12 +136,17 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   if (!alarming()) {
     frequency_ = {};
     frequencySd_ = lostTurns_ = 0.0;
+    sinceLook_ = 0;
     return;
   }
+  // A line that is followed is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
+  if (frequency_.value > 0.0 && ++sinceLook_ < kLookHops) return;
+  const int hops = frequency_.value > 0.0 ? kLookHops : 1;
+  sinceLook_ = 0;
   const double spindle = hop.spindle.value;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
-  lostTurns_ = purity_ < kLostPurity ? lostTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  lostTurns_ = purity_ < kLostPurity ? lostTurns_ + static_cast<double>(hops) / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
   // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
   // frequency: the chatter's is the one from before.
@@ -155,7 +162,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     frequencySd_ = spindle / kLineTurns;
   } else {
     const double jump = std::abs(next.value - frequency_.value);
-    frequencySd_ += (1.0 - std::exp(-hop.length.value * spindle)) * (jump - frequencySd_);
+    frequencySd_ += (1.0 - std::exp(-hops * hop.length.value * spindle)) * (jump - frequencySd_);
   }
   frequency_ = next;
 }

@@ -66,6 +66,7 @@ class RatioJudge {
   CalmWatch calm_;
   double highTurns_ = 0.0;
   double lostTurns_ = 0.0;
+  int sinceLook_ = 0;         // hops, at the line that is followed
   double severity_ = 0.0;     // of the worst channel
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
