@@ -39,7 +39,7 @@ void FxlmsController::reset() noexcept {
   filtered_.reset();
   heard_.reset();
   shaped_.reset();
-  power_ = disturbance_ = wanted_ = error_ = 0.0;
+  power_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
 }
 
 double FxlmsController::largestStep() const noexcept {
@@ -57,7 +57,9 @@ double FxlmsController::process(double error, double reference) STILLCUT_RT {
   shaped_.push(x);
   filtered_.push(filtered);
   reference_.push(x);
-  power_ += forget_ * (filtered * filtered - power_);
+  // Follows a rise at once, so that a step taken from it is never too large, and a fall slowly.
+  const double inFilter = dot(filtered_.data(), filtered_.data(), filtered_.size()) / options_.filter.taps;
+  power_ = std::max(inFilter, power_ + forget_ * (filtered * filtered - power_));
   wanted_ = dot(weights_.data(), reference_.data(), weights_.size());
   return wanted_;
 }
@@ -66,7 +68,15 @@ void FxlmsController::written(double output) STILLCUT_RT {
   heard_.push(output);
   const bool limited = output != wanted_;
   const double step = options_.filter.normalised ? options_.filter.step * largestStep() : options_.filter.step;
-  steer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error_, filtered_.data(), weights_.size());
+  // The filtered reference follows a sudden rise later than the error does: until it has, a step taken from its power
+  // would be too large by as much as the vibration rose. So the error counts up to thrice its own size before.
+  double error = error_;
+  if (options_.filter.normalised) {
+    const double usual = 3.0 * std::sqrt(errorPower_);
+    error = std::clamp(error_, -usual, usual);
+    errorPower_ += forget_ * (error_ * error_ - errorPower_);
+  }
+  steer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filtered_.data(), weights_.size());
   std::fill(weights_.begin() + options_.filter.taps, weights_.end(), 0.0);
 }
 

@@ -8,9 +8,10 @@
 //                    (Morari and Zafiriou)
 // The automatic step is a share of 1/(P (L + D)): P the mean square of x', L the taps, D the samples the path delays by
 // (Elliott, Signal Processing for Active Control, 2001, section 3.4).
-// What leaves the output limited (written()) is what went through the path: the model is fed with it, and while
-// it was limited the weights only leak, so that nothing winds up.
-// Thread: one; everything but prepare() is real-time.
+// With it the error counts up to thrice its usual size, which keeps the first instants of a cut from throwing the
+// weights. What leaves the output limited (written()) is what went through the path: the model is fed with it, and
+// while it was limited the weights only leak, so that nothing winds up. Thread: one; everything but prepare() is
+// real-time.
 #pragma once
 
 #include <vector>
@@ -54,7 +55,8 @@ class FxlmsController {
   TapLine reference_, filtered_;
   PathFilter heard_, shaped_;  // s^ * y and s^ * x
   double delay_ = 0.0;         // of the model [samples]
-  double power_ = 0.0;         // of the filtered reference, over about 8 filter lengths
+  double power_ = 0.0;         // of the filtered reference, the larger of one filter length and about 8
+  double errorPower_ = 0.0;    // over about 8 filter lengths
   double forget_ = 0.0;
   double disturbance_ = 0.0;
   double wanted_ = 0.0;

@@ -48,6 +48,20 @@ PathModel learn(std::span<const double> output, std::span<const double> reading,
   return identifier.model();
 }
 
+// Learns in units in which output and reading have the same size: the recursive step treats both alike.
+PathModel learnScaled(std::span<const double> output, std::span<const double> reading, const IdentifierOptions& options,
+                      int passes) {
+  const double perOutput = 1.0 / std::sqrt(meanSquare(output));
+  const double perReading = 1.0 / std::sqrt(meanSquare(reading));
+  std::vector<double> y(output.begin(), output.end());
+  std::vector<double> r(reading.begin(), reading.end());
+  for (double& v : y) v *= perOutput;
+  for (double& v : r) v *= perReading;
+  PathModel model = learn(y, r, options, passes);
+  for (double& a : model.forward) a *= perOutput / perReading;
+  return model;
+}
+
 // Welch's estimate, half overlapped.
 void measure(std::span<const double> output, std::span<const double> reading, Hertz rate, PathReport& report) {
   dsp::Spectrum y;
@@ -105,10 +119,10 @@ Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<co
   IdentifiedPath found;
   IdentifierOptions finiteResponse = request.filter;
   finiteResponse.backward = 0;
-  found.model = learn(output, reading, finiteResponse, request.passes);
+  found.model = learnScaled(output, reading, finiteResponse, request.passes);
   found.report.residual = residualOf(found.model, output, reading);
   if (request.filter.backward > 0) {
-    const PathModel recursive = learn(output, reading, request.filter, request.passes);
+    const PathModel recursive = learnScaled(output, reading, request.filter, request.passes);
     if (checkPath(recursive, where).ok()) {
       const double residual = residualOf(recursive, output, reading);
       if (residual < found.report.residual) {

@@ -15,7 +15,7 @@
 namespace stillcut::active {
 
 struct PathRequest {
-  IdentifierOptions filter{.forward = 35, .backward = 35, .step = 0.5, .normalised = true};
+  IdentifierOptions filter{.forward = 35, .backward = 35, .step = 0.1, .normalised = true};
   int passes = 4;  // over the record
 };
 

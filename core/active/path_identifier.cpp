@@ -25,8 +25,8 @@ double PathIdentifier::reading(double r) STILLCUT_RT {
   const double error = r - predicted;
   double step = options_.step;
   if (options_.normalised) {
-    const double power = dot(outputs_.data(), outputs_.data(), outputs_.size()) +
-                         dot(predictions_.data(), predictions_.data(), predictions_.size());
+    double power = dot(outputs_.data(), outputs_.data(), outputs_.size());
+    if (options_.backward > 0) power += dot(predictions_.data(), predictions_.data(), predictions_.size());
     step = normalisedStep(options_.step, power);
   }
   steer(forward_.data(), 1.0, 2.0 * step * error, outputs_.data(), forward_.size());

@@ -18,7 +18,7 @@ struct IdentifierOptions {
   int forward = 35;         // taps of A
   int backward = 35;        // taps of B; 0: finite response
   double step = 5e-5;       // mu; with `normalised` a share, 0 .. 1
-  bool normalised = false;  // divided by the power in both lines
+  bool normalised = false;  // divided by the power in both lines, which should then be of one size
 };
 
 class PathIdentifier {

@@ -19,6 +19,8 @@ std::string_view actuatorReleaseText(ActuatorRelease why) {
       return "the loop diverged";
     case ActuatorRelease::Saturated:
       return "the actuator was at its end and the vibration grew";
+    case ActuatorRelease::Worse:
+      return "control made the vibration worse";
     case ActuatorRelease::DeadSensor:
       return "the error sensor stands still";
   }
@@ -98,7 +100,7 @@ double ActuatorGate::ramped() STILLCUT_RT {
   return held_ * ramp_;
 }
 
-ActuatorCommand ActuatorGate::pass(double wanted, double error) STILLCUT_RT {
+ActuatorCommand ActuatorGate::pass(double wanted, double error, double without) STILLCUT_RT {
   listen();
   limited_ = false;
   double output = 0.0;
@@ -106,7 +108,7 @@ ActuatorCommand ActuatorGate::pass(double wanted, double error) STILLCUT_RT {
   if (open && (!std::isfinite(wanted) || !std::isfinite(error))) letGo(ActuatorRelease::NotFinite);
   if (state_ == ActuatorState::RampIn || state_ == ActuatorState::On) {
     output = shaped(wanted);
-    switch (watch_.watch(error, output, limited_)) {
+    switch (watch_.watch(error, without, output, limited_)) {
       case LoopHealth::Fine:
         break;
       case LoopHealth::Diverging:
@@ -114,6 +116,9 @@ ActuatorCommand ActuatorGate::pass(double wanted, double error) STILLCUT_RT {
         break;
       case LoopHealth::Saturated:
         letGo(ActuatorRelease::Saturated);
+        break;
+      case LoopHealth::Worse:
+        letGo(ActuatorRelease::Worse);
         break;
       case LoopHealth::DeadSensor:
         letGo(ActuatorRelease::DeadSensor);

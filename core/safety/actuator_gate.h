@@ -18,7 +18,16 @@
 namespace stillcut::safety {
 
 enum class ActuatorState : std::uint8_t { Off, RampIn, On, RampOut };
-enum class ActuatorRelease : std::uint8_t { None, Asked, LeaseOver, NotFinite, Diverging, Saturated, DeadSensor };
+enum class ActuatorRelease : std::uint8_t {
+  None,
+  Asked,
+  LeaseOver,
+  NotFinite,
+  Diverging,
+  Saturated,
+  Worse,
+  DeadSensor
+};
 std::string_view actuatorReleaseText(ActuatorRelease why);  // "the loop diverged", for a screen or a report
 
 struct ActuatorLimits {
@@ -48,8 +57,10 @@ class ActuatorGate {
   void release() noexcept { releaseAsked_.store(true); }
   void renew() noexcept { renewals_.fetch_add(1); }
 
-  // Once a sample: what the controller wants and the error it was made from.
-  ActuatorCommand pass(double wanted, double error) STILLCUT_RT;
+  // Once a sample: what the controller wants, the error it was made from, and what the error would be without control
+  // by the controller's model (left out: nobody knows).
+  ActuatorCommand pass(double wanted, double error) STILLCUT_RT { return pass(wanted, error, error); }
+  ActuatorCommand pass(double wanted, double error, double without) STILLCUT_RT;
 
   ActuatorState state() const noexcept { return state_.load(); }
   ActuatorRelease why() const noexcept { return why_.load(); }  // of the last letting go

@@ -11,6 +11,7 @@ constexpr double kWindow = 0.004;       // [s]
 constexpr double kSilence = 0.005;      // [s]
 constexpr double kGrowth = 1.3;         // energy, from window to window
 constexpr double kBeyond = 4.0;         // energy: twice the amplitude
+constexpr double kWorse = 2.0;          // energy
 constexpr std::size_t kSaturating = 3;  // windows
 
 }  // namespace
@@ -29,11 +30,12 @@ void DivergenceWatch::reset() noexcept {
   last_ = 0.0;
 }
 
-LoopHealth DivergenceWatch::watch(double error, double output, bool limited) STILLCUT_RT {
+LoopHealth DivergenceWatch::watch(double error, double without, double output, bool limited) STILLCUT_RT {
   still_ = error == last_ && output != 0.0 ? still_ + 1 : 0;
   last_ = error;
   if (still_ >= silence_) return LoopHealth::DeadSensor;
   open_.error += error * error;
+  open_.without += without * without;
   open_.output += output * output;
   open_.limited += limited ? 1 : 0;
   if (++count_ < length_) return LoopHealth::Fine;
@@ -53,6 +55,9 @@ LoopHealth DivergenceWatch::judge() const STILLCUT_RT {
   int limited = 0;
   for (std::size_t w = 0; w < kSaturating; ++w) limited += back(w).limited;
   if (loud && 2 * limited > static_cast<int>(kSaturating) * length_) return LoopHealth::Saturated;
+  bool worse = true;
+  for (std::size_t w = 0; w < kSaturating; ++w) worse = worse && back(w).error > kWorse * back(w).without;
+  if (worse) return LoopHealth::Worse;
   bool growing = loud;
   for (std::size_t w = 0; w < kGrowing && growing; ++w) {
     growing = back(w).error > kGrowth * back(w + 1).error && back(w).output > kGrowth * back(w + 1).output;

@@ -7,6 +7,9 @@
 //   Saturated:  more than half of the last three windows' samples were cut off at a limit, and the error is twice that
 //   too:
 //               the output is at its end and nothing gets better
+//   Worse:      over three windows in a row the error had twice the power of what the controller's own model says it
+//   would
+//               be without output: slow drift that the others do not see
 //   DeadSensor: the reading has not changed at all for 5 ms while something goes out
 // so that at the latest 16 ms of growth, 12 ms of saturation or 5 ms of silence pass.
 // Thread: one, real-time.
@@ -20,20 +23,21 @@
 
 namespace stillcut::safety {
 
-enum class LoopHealth { Fine, Diverging, Saturated, DeadSensor };
+enum class LoopHealth { Fine, Diverging, Saturated, Worse, DeadSensor };
 
 class DivergenceWatch {
  public:
   void prepare(Hertz rate) noexcept;
   void reset() noexcept;
-  // Once a sample: the error read, what was written, and whether a limit had cut it off.
-  LoopHealth watch(double error, double output, bool limited) STILLCUT_RT;
+  // Once a sample: the error read, what it would be without output (the error itself when nobody knows), what was
+  // written, and whether a limit had cut it off.
+  LoopHealth watch(double error, double without, double output, bool limited) STILLCUT_RT;
 
  private:
   static constexpr std::size_t kWindows = 64;  // a quarter second
   static constexpr std::size_t kGrowing = 4;
   struct Window {
-    double error = 0.0, output = 0.0;
+    double error = 0.0, without = 0.0, output = 0.0;
     int limited = 0;
   };
   LoopHealth judge() const STILLCUT_RT;

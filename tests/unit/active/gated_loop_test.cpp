@@ -56,7 +56,8 @@ Course run(const Loop& loop, int samples) {
     const double e = loop.sensor(n, d - path.arrive());
     if (course.beyond < 0 && n > 500 && std::abs(e) > 2.0 * largest) course.beyond = n;
     gate.renew();
-    const double y = gate.pass(controller.process(e), e).value();
+    const double wanted = controller.process(e);
+    const double y = gate.pass(wanted, e, controller.disturbance()).value();
     controller.written(y);
     path.push(y);
     if (course.letGo < 0 && gate.state() == safety::ActuatorState::RampOut) course.letGo = n;

@@ -63,6 +63,18 @@ TEST(IdentifyPath, FindsARingingPathFromWhiteNoise) {
   }
 }
 
+// Metres out, metres per second squared in: eight orders of magnitude between them.
+TEST(IdentifyPath, UnitsDoNotMatter) {
+  auto y = whiteNoise(20000, 2);
+  auto r = plainPath(kForward, kBackward, y);
+  const double plain = identifyPath(y, r, kRate, {}, "test")->report.residual;
+  for (double& v : y) v *= 1e-7;
+  for (double& v : r) v *= 50.0;
+  const auto found = identifyPath(y, r, kRate, {}, "test");
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  EXPECT_NEAR(found->report.residual, plain, 1e-3);
+}
+
 TEST(IdentifyPath, TheReportSeesAPhaseThatIsWrong) {
   const auto y = whiteNoise(20000, 4);
   const auto r = plainPath({0.0, 0.0, 0.0, 0.0, 1.0}, {}, y);

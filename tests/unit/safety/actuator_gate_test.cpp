@@ -140,6 +140,17 @@ TEST_F(OpenGate, LetsGoWhenItIsAtItsEndAndTheVibrationGrows) {
   expectRampsOut(ActuatorRelease::Saturated);
 }
 
+TEST_F(OpenGate, LetsGoWhenTheModelSaysItWouldBeQuieterWithout) {
+  int n = 0;
+  while (gate_.state() == ActuatorState::On && n < 1000) {
+    gate_.renew();
+    gate_.pass(0.5 * wave(n), 1.2 * wave(n), 0.5 * wave(n));
+    ++n;
+  }
+  EXPECT_LE(n, 100);  // 20 ms
+  expectRampsOut(ActuatorRelease::Worse);
+}
+
 TEST_F(OpenGate, LetsGoOfADeadSensor) {
   int n = 0;
   while (gate_.state() == ActuatorState::On && n < 1000) {
