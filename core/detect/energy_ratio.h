@@ -12,8 +12,8 @@
 //   turn_difference.h).
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
 // Known limits: period doubling with an even number of teeth lies on spindle harmonics, is removed with them, and is
-// not seen; chatter nearer than 0.03 orders to a harmonic neither. Where chatter fills the cut from the entry and the
-// told speed is off, the comb takes about two seconds on a slow face mill to be found.
+// not seen; chatter nearer than 0.03 orders to a harmonic neither. Chatter that fills the cut
+// from the entry is alarmed by its line alone where that can be no tooth passing (speed_tracker.h).
 // Thread: worker. See detector.h.
 #pragma once
 
