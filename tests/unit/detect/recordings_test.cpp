@@ -39,7 +39,7 @@ TEST(Recordings, ChatterFromTheEntryIsFoundAndHeld) {
   for (const double rpm : {1655.0 * 0.98, 1655.0, 1655.0 * 1.02}) {
     const RunResult r = run(recording, faceMill(rpm));
     EXPECT_LT(r.firstAlarmAfter(16.5), 0.0) << rpm;
-    EXPECT_GT(r.firstAlarm, 1.0) << rpm;  // idle until then
+    EXPECT_GT(r.firstAlarm, 1.0) << rpm;        // idle until then
     EXPECT_LT(r.firstAlarm, 1.8 + 1.0) << rpm;  // how soon depends on where the windows fall
     EXPECT_GT(r.alarmTimeIn(1.8, 15.5), 0.9 * (15.5 - 1.8)) << rpm;
   }
