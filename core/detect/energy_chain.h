@@ -43,6 +43,10 @@ class EnergyChain {
   int active() const noexcept { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
   double ratio(int channel, int eta) const noexcept;
+  // Amplitude squared of harmonic n (from 1) of a channel.
+  double harmonicPower(int channel, int n) const noexcept {
+    return size_.fullCovariance ? full_.power(channel, n) : harmonics_.power(channel, n);
+  }
   // What the harmonics left of one channel in the frames of the last process(), as far as they fit in one stretch.
   const double* rest(int channel) const noexcept { return rest_.data() + channel * kMost; }
   const EnergySeparation& bands() const noexcept { return bands_; }

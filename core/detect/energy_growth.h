@@ -24,6 +24,7 @@ class EnergyGrowth {
   // Forgets the levels, after a gap; what was learned stays.
   void restart() noexcept;
   void relearn() noexcept { onset_.reset(); }
+  void setSpindle(Hertz spindle) noexcept { onset_.setSpindle(spindle); }
 
   // One frame: the vibration and what is new in it.
   void add(double x, double unrepeated) noexcept {

@@ -67,6 +67,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
     const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
     s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
     s.news.prepare(limits, TurnDifference::kNewsArrival);
+    s.doubling.prepare(teeth_, integrationFactor(s.quantity), limits.evidence);
   }
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
   for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_), 0.0);
@@ -102,6 +103,7 @@ void EnergyRatioDetector::leaveCut() noexcept {
 void EnergyRatioDetector::relearn() noexcept {
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
+    s.doubling.relearn();
   }
 }
 
@@ -112,6 +114,10 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   windowHops_ = std::clamp(static_cast<int>(std::ceil(kLeastSamples / static_cast<double>(hopFrames_))), kHopsPerTurn,
                            EnergyGrowth::kLevelHops / 2);
   chain_.tune(spindle_, fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
+  for (RatioChannel& s : channelStates_) {
+    for (EnergyGrowth* g : {&s.growth, &s.news}) g->setSpindle(spindle_);
+    s.doubling.setSpindle(spindle_);
+  }
   followBand();
   if (!block.speedMoving) turns_.setTurn(spindle_);
   if (turnsCompare_ && !block.turnsCompare) {
@@ -145,6 +151,8 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       g->endHop(windowHops_, length);
       if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
     }
+    s.doubling.endHop(chain_, c);
+    if (test) s.doubling.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
   if (judge_.judge(channelStates_, lines_,

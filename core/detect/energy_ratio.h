@@ -11,8 +11,8 @@
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
-// Known limits: period doubling with an even number of teeth lies on spindle harmonics, is removed with them, and is
-// not seen; chatter nearer than 0.03 orders to a harmonic neither. Chatter that fills the cut
+// - Period doubling with an even number of teeth lies on spindle harmonics: tooth_doubling.h.
+// Known limits: chatter nearer than 0.03 orders to a harmonic neither. Chatter that fills the cut
 // from the entry is alarmed by its line alone where that can be no tooth passing (speed_tracker.h).
 // Thread: worker. See detector.h.
 #pragma once

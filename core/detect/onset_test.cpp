@@ -6,7 +6,8 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kMemoryTurns = 40.0;
+constexpr double kMemoryTurns = 40.0;  // at least
+constexpr Seconds kMemory{1.0};
 constexpr double kShortTurns = 10.0;  // a floor that falls is followed this fast
 constexpr double kPriorTurns = 4.0;   // weight of "k = 1" before anything is learned
 constexpr double kMostShape = 16.0;   // 1 dB of scatter: a lucky stretch must not make the test nervous
@@ -28,6 +29,10 @@ void OnsetTest::reset() noexcept {
   variance_ = 1.0;
   shortVariance_ = 0.0;
   alarm_ = false;
+}
+
+void OnsetTest::setSpindle(Hertz spindle) noexcept {
+  memoryTurns_ = std::max(kMemoryTurns, kMemory.value * spindle.value);
 }
 
 double OnsetTest::shape() const noexcept {
@@ -78,7 +83,7 @@ void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
     meanEnergy_ = energy;
   }
   const bool known = learned();
-  learnedTurns_ = std::min(learnedTurns_ + turns, kMemoryTurns);
+  learnedTurns_ = std::min(learnedTurns_ + turns, memoryTurns_);
   const double most = mean_ * (1.0 + kOrdinary / std::sqrt(shape()) + 1.0 / shape());
   const double r = known ? std::min(ratio, most) : ratio;
   shortMean_ += turns / std::min(learnedTurns_, kShortTurns) * (r - shortMean_);
@@ -87,7 +92,7 @@ void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
   if (!(mean_ > 0.0)) return;
   const double error = r / mean_ - 1.0;
   const double shortError = shortMean_ / mean_ - 1.0;
-  const double rate = turns / std::min(learnedTurns_ + kPriorTurns, kMemoryTurns);
+  const double rate = turns / std::min(learnedTurns_ + kPriorTurns, memoryTurns_);
   variance_ += rate * (error * error - variance_);
   shortVariance_ += rate * (shortError * shortError - shortVariance_);
   if (known && shortMean_ * (1.0 + kFallen * doubt(kShortTurns)) < mean_) {

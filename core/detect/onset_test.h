@@ -16,6 +16,8 @@
 // Thread: worker; real-time.
 #pragma once
 
+#include "core/base/units.h"
+
 namespace stillcut::detect {
 
 class OnsetTest {
@@ -27,6 +29,9 @@ class OnsetTest {
 
   void prepare(const Limits& limits) noexcept { limits_ = limits; }
   void reset() noexcept;
+  // How fast one turn follows the other: the floor's memory is at least a second, for chatter grows in time and not in
+  // turns, and on a fast spindle would become its own floor.
+  void setSpindle(Hertz spindle) noexcept;
   // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms. energy:
   // E_d itself, in any unit; 0 where it is not known.
   void update(double ratio, double turns, bool learn, double energy = 0.0) noexcept;
@@ -47,6 +52,7 @@ class OnsetTest {
   double doubt(double turns) const noexcept;
 
   Limits limits_;
+  double memoryTurns_ = 40.0;
   double mean_ = 0.0;
   double meanEnergy_ = 0.0;
   double shortMean_ = 0.0;

@@ -12,15 +12,17 @@ namespace {
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntryChatterSeconds = 0.15;
-constexpr double kSettled = 1.6;       // chatter that was there from the entry has long found its size
-constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
-constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
-constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
-constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
-constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
-constexpr double kLineReach = 0.25;    // orders within which a line is the same
-constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
-constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
+constexpr double kSettled = 1.6;        // chatter that was there from the entry has long found its size
+constexpr double kFalling = 0.8;        // what grows does not make the vibration fall; a tool that leaves does
+constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not
+constexpr double kLostPurity = 0.25;    // an alarm whose line sinks into the noise ...
+constexpr double kLostTurns = 32.0;     // ... for so long was none, or is over
+constexpr double kOtherLine = 4.0;      // a line this much stronger than the one followed takes its place
+constexpr double kLineReach = 0.25;     // orders within which a line is the same
+constexpr double kLeastLine = 2.5e-3;   // of the vibration's energy: 5 % of its amplitude
+constexpr double kLeastDoubling = 0.5;  // line over severity from which it is no doubling
+constexpr double kDoubledSd = 2e-4;     // relative: as well as the spindle's speed is known
+constexpr double kLeastOffset = 0.03;   // orders; nearer to a harmonic a line is forced
 
 constexpr int kLookHops = kHopsPerTurn / 2;
 
@@ -57,9 +59,13 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   severity_ = joint_ = evidence_ = mostChanged_ = 0.0;
   grown_ = growing_ = rising_ = false;
+  doubledOrder_ = 0;
   learned_ = true;
   for (const RatioChannel& c : channels) {
     severity_ = std::max(severity_, c.ratio);
+    severity_ = std::max(severity_, c.doubling.severity());
+    grown_ = grown_ || c.doubling.grown();
+    if (c.doubling.stands()) doubledOrder_ = c.doubling.order();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
     // What is new also holds forced vibration that changes: for the fast only.
@@ -93,7 +99,8 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare && hop.levelTrend > kFalling &&
-             (entry || rising_ || (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))) {
+             (entry || rising_ || doubledOrder_ > 0 ||
+              (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -137,6 +144,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     frequency_ = {};
     frequencySd_ = lostTurns_ = 0.0;
     sinceLook_ = 0;
+    doubled_ = false;
     return;
   }
   // A line that is followed is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
@@ -146,6 +154,17 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   const double spindle = hop.spindle.value;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
+  // A line between the harmonics that is larger than the doubling is what the doubling's orders have caught a part of.
+  const double offset = std::abs(dsp::orderOffset(line.frequency, hop.spindle));
+  const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity &&
+                       mostChanged_ > kLeastDoubling * severity_ * TurnDifference::differenceGain(offset);
+  doubled_ = doubledOrder_ > 0 && !between;
+  if (doubled_) {
+    frequency_ = hop.spindle * doubledOrder_;
+    frequencySd_ = kDoubledSd * frequency_.value;
+    lostTurns_ = 0.0;
+    return;
+  }
   lostTurns_ = purity_ < kLostPurity ? lostTurns_ + static_cast<double>(hops) / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
   // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
@@ -170,6 +189,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
 // Period doubling sits half way between the tooth-passing harmonics, whatever the speed; Hopf chatter anywhere else.
 ChatterKind RatioJudge::kind(Hertz spindle) const noexcept {
   if (teeth_ < 1 || !(frequency_.value > 0.0)) return ChatterKind::Unknown;
+  if (doubled_) return ChatterKind::Flip;
   const double offset = std::abs(dsp::orderOffset(frequency_, spindle * teeth_));
   const double doubt = 0.02 + 2.0 * frequencySd_ / (spindle.value * teeth_);
   return 0.5 - offset < doubt ? ChatterKind::Flip : ChatterKind::Hopf;

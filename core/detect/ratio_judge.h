@@ -7,6 +7,7 @@
 #include "core/detect/calm_watch.h"
 #include "core/detect/energy_growth.h"
 #include "core/detect/line_finder.h"
+#include "core/detect/tooth_doubling.h"
 #include "core/model/channel.h"
 #include "core/model/verdict.h"
 
@@ -15,7 +16,8 @@ namespace stillcut::detect {
 struct RatioChannel {
   EnergyGrowth growth;  // of the turn difference
   EnergyGrowth news;    // of the news (turn_difference.h)
-  double ratio = 0.0;   // ER, smoothed
+  ToothDoubling doubling;
+  double ratio = 0.0;  // ER, smoothed
   SensorQuantity quantity = SensorQuantity::Acceleration;
 };
 
@@ -77,6 +79,8 @@ class RatioJudge {
   bool grown_ = false;    // of any channel
   bool growing_ = false;  // the difference of any, and neither a blow nor what is left of one
   bool rising_ = false;   // ... so fast that no spectrum is waited for
+  int doubledOrder_ = 0;  // spindle order of period doubling that stands; 0: none
+  bool doubled_ = false;  // the alarm is one of period doubling with even teeth
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double purity_ = 0.0;

@@ -1,6 +1,7 @@
 // Synthetic signals with known truth for the detector tests. Deterministic.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -21,6 +22,7 @@ struct CutSignal {
   double amplitudeSd = 0.05;  // relative, 0.5 s correlation
   double noise = 0.1;         // rms over the rms of the main tooth harmonic
   double chatterHertz = 1234.0;
+  double chatterOrder = 0.0;     // above 0: locked to the spindle at this order instead, as period doubling is
   double growthStart = -1.0;     // s; -1: no chatter
   double growthConstant = 0.02;  // s
   double startAmplitude = 0.02;  // of the main tooth harmonic
@@ -74,16 +76,16 @@ inline Recording makeCut(const CutSignal& s) {
       mode = next;
       x += s.modeRms * mode;
     }
+    const double t = static_cast<double>(k) * dt;
     for (std::size_t h = 0; h < amplitude.size(); ++h) {
       if (k % 32 == 0)
         wander[h] = std::exp(-32 * dt / 0.5) * wander[h] +
                     s.amplitudeSd * std::sqrt(1.0 - std::exp(-64 * dt / 0.5)) * normal(engine);
       x += amplitude[h] * (1.0 + wander[h]) * std::cos((static_cast<double>(h) + 1.0) * angle + start[h]);
     }
-    const double t = static_cast<double>(k) * dt;
     if (s.growthStart >= 0.0 && t >= s.growthStart) {
       const double a = std::min(s.cap, s.startAmplitude * std::exp((t - s.growthStart) / s.growthConstant));
-      x += a * std::sin(kTwoPi * s.chatterHertz * t);
+      x += a * std::sin(s.chatterOrder > 0.0 ? s.chatterOrder * angle : kTwoPi * s.chatterHertz * t);
     }
     r.channels[0][k] = static_cast<float>(x);
   }

@@ -1,0 +1,53 @@
+#include "core/detect/tooth_doubling.h"
+
+#include <algorithm>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kSmallest = 5e-3;  // of the vibration's energy: 7 % of its amplitude
+
+}  // namespace
+
+void ToothDoubling::prepare(int teeth, int eta, double evidence) noexcept {
+  teeth_ = teeth % 2 == 0 ? teeth : 0;
+  eta_ = eta;
+  share_ = weightedShare_ = purity_ = 0.0;
+  order_ = 0;
+  onset_.prepare({kSmallest, evidence});
+  relearn();
+}
+
+void ToothDoubling::endHop(const EnergyChain& chain, int channel) noexcept {
+  if (teeth_ < 2) return;
+  double all = 0.0;
+  double odd = 0.0;
+  double weightedAll = 0.0;
+  double weightedOdd = 0.0;
+  double strongest = 0.0;
+  for (int n = 1; n <= chain.active(); ++n) {
+    const double power = chain.harmonicPower(channel, n);
+    const double weight = eta_ == 0 ? 1.0 : eta_ > 0 ? 1.0 * n * n : 1.0 / (1.0 * n * n);
+    all += power;
+    weightedAll += power * weight;
+    if (n % teeth_ != teeth_ / 2) continue;
+    odd += power;
+    weightedOdd += power * weight;
+    if (power <= strongest) continue;
+    strongest = power;
+    order_ = n;
+  }
+  share_ = all > 0.0 ? odd / all : 0.0;
+  weightedShare_ = weightedAll > 0.0 ? weightedOdd / weightedAll : 0.0;
+  purity_ = odd > 0.0 ? strongest / odd : 0.0;
+}
+
+void ToothDoubling::test(double turns, bool learn) noexcept {
+  if (teeth_ >= 2) onset_.update(share_, turns, learn);
+}
+
+double ToothDoubling::severity() const noexcept {
+  return grown() && share_ > 0.0 ? weightedShare_ * std::max(0.0, 1.0 - onset_.floor() / share_) : 0.0;
+}
+
+}  // namespace stillcut::detect

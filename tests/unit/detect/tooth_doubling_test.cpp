@@ -1,0 +1,57 @@
+// Period doubling with even teeth, which lies on spindle harmonics.
+#include "tests/unit/detect/signals.h"
+
+namespace stillcut::detect::testing {
+namespace {
+
+RunOptions told(const CutSignal& s) {
+  RunOptions o;
+  o.teeth = s.teeth;
+  o.rpm = 60.0 * s.spindle * 1.01;
+  return o;
+}
+
+CutSignal withTeeth(int teeth, unsigned seed) {
+  CutSignal s;
+  s.rate = 12800.0;
+  s.teeth = teeth;
+  s.seed = seed;
+  s.noise = 0.05;
+  return s;
+}
+
+TEST(Doubling, OnSpindleHarmonicsIsSeenAndNamed) {
+  for (const int teeth : {2, 4}) {
+    for (const unsigned seed : {11U, 12U, 13U}) {
+      CutSignal s = withTeeth(teeth, seed);
+      s.chatterOrder = 2.5 * teeth;
+      s.growthStart = 2.5;
+      s.growthConstant = 0.03;
+      s.cap = 2.0;
+      s.seconds = 3.2;
+      const RunResult r = run(makeCut(s), told(s));
+      ASSERT_GT(r.firstAlarm, s.growthStart) << teeth << " teeth, seed " << seed;
+      // Before it is as large as the main tooth harmonic, although runout holds a tenth of that on every order.
+      EXPECT_LT(r.firstAlarm, s.growthStart + s.growthConstant * std::log(1.0 / s.startAmplitude) + 2.0 / s.spindle);
+      const Verdict& v = r.at(r.firstAlarm + 0.05);
+      EXPECT_NEAR(v.frequency.value, s.chatterOrder * s.spindle, 0.005 * s.chatterOrder * s.spindle);
+      EXPECT_EQ(v.kind, ChatterKind::Flip);
+      // It stands still from turn to turn once it is full, and is chatter all the same.
+      EXPECT_EQ(r.verdicts.back().state, CutState::Chatter);
+      EXPECT_EQ(r.verdicts.back().kind, ChatterKind::Flip);
+    }
+  }
+}
+
+TEST(Doubling, RunoutOfAlternateTeethIsNoAlarm) {
+  for (const int teeth : {2, 4}) {
+    for (const unsigned seed : {21U, 22U}) {
+      CutSignal s = withTeeth(teeth, seed);
+      s.seconds = 15.0;
+      EXPECT_LT(run(makeCut(s), told(s)).firstAlarm, 0.0) << teeth << " teeth, seed " << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::detect::testing
