@@ -10,6 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "app/cli/setting_options.h"
+#include "app/cli/simulate_active.h"
 #include "app/compose/scenario_rig.h"
 #include "app/compose/simulation_report.h"
 #include "core/control/registry.h"
@@ -109,7 +110,7 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
 
 // What can be known to be wrong before the cut is run.
 Status checkOptions(const SimulateOptions& options) {
-  if (!options.strategy.empty()) {
+  if (!options.strategy.empty() && options.strategy != "active") {
     if (const auto strategy = control::makeStrategy(options.strategy); !strategy) return strategy.error();
   }
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
@@ -126,6 +127,9 @@ int simulate(const SimulateOptions& options) {
   if (!settings) return fail(settings.error());
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
 
+  if ((options.strategy.empty() ? scenario->strategy : options.strategy) == "active") {
+    return simulateActive(*scenario, settings->params, options.seed, options.out, options.json);
+  }
   const auto begin = std::chrono::steady_clock::now();
   ScenarioOptions run;
   run.seed = options.seed;

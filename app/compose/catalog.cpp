@@ -1,5 +1,6 @@
 #include "app/compose/catalog.h"
 
+#include "core/active/active_params.h"
 #include "core/control/registry.h"
 #include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
@@ -15,6 +16,7 @@ config::ParamCatalog fullCatalog() {
   for (const auto& entry : control::strategyTable()) catalog.add(entry.params);
   catalog.add(safety::gateParams());
   catalog.add(record::recordParams());
+  catalog.add(active::activeParams());
   return catalog;
 }
 

@@ -91,6 +91,13 @@ void RegenerativeCut::setWindows(std::span<const AngularWindow> windows) noexcep
   surface_.setWindows(windows);
 }
 
+void RegenerativeCut::leadModalForce(int mode, double first, double slope) noexcept {
+  if (mode < 0 || mode >= modes_) return;
+  firstPushed_ = std::min(firstPushed_, mode);
+  lead_[at(mode)] = first - pushed_[at(mode)];
+  slope_[at(mode)] = slope;
+}
+
 void RegenerativeCut::setExternalForce(double fx, double fy) noexcept {
   outerX_ = fx;
   outerY_ = fy;
@@ -105,6 +112,7 @@ void RegenerativeCut::scaleMotion(double factor) noexcept {
   for (int i = 0; i < modes_; ++i) {
     q_[at(i)] *= factor;
     v_[at(i)] *= factor;
+    for (auto* force : {&pushed_, &lead_, &slope_}) (*force)[at(i)] *= factor;
   }
   for (Edge& e : edges_) e.lastReach *= factor;
   for (double* force : {&fx_, &fy_, &drivenX_, &drivenY_}) *force *= factor;
@@ -196,7 +204,7 @@ void RegenerativeCut::advance(int steps) noexcept {
     for (int i = 0; i < modes_; ++i) {
       const auto k = at(i);
       const Transition& t = step_[k];
-      const double f = drivenX_ * dx_[k] + drivenY_ * dy_[k];
+      const double f = drivenX_ * dx_[k] + drivenY_ * dy_[k] + pushed_[k];
       const double q = (t.qq * q_[k] + t.qv * v_[k]) + t.qf * f;
       v_[k] = (t.vq * q_[k] + t.vv * v_[k]) + t.vf * f;
       q_[k] = q;
@@ -213,6 +221,13 @@ void RegenerativeCut::advance(int steps) noexcept {
       q_[k] += step_[k].qr * rise;
       v_[k] += step_[k].vr * rise;
     }
+    for (int i = firstPushed_; i < modes_; ++i) {
+      const auto k = at(i);
+      q_[k] += step_[k].qr * lead_[k];
+      v_[k] += step_[k].vr * lead_[k];
+      pushed_[k] += lead_[k];
+      lead_[k] = slope_[k] * stepTime_;
+    }
     fx_ = now.x;
     fy_ = now.y;
     drivenX_ += riseX;
@@ -224,7 +239,7 @@ void RegenerativeCut::advance(int steps) noexcept {
 
 double RegenerativeCut::acceleration(int mode) const noexcept {
   const auto k = at(mode);
-  const double f = drivenX_ * dx_[k] + drivenY_ * dy_[k];
+  const double f = drivenX_ * dx_[k] + drivenY_ * dy_[k] + pushed_[k];
   return (f - damper_[k] * v_[k] - stiffness_[k] * q_[k]) / mass_[k];
 }
 

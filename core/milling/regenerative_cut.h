@@ -39,6 +39,10 @@ class RegenerativeCut {
   void setWindows(std::span<const AngularWindow> windows) noexcept;
   void setForceScale(double scale) noexcept { forceScale_ = scale; }  // material that is not the same everywhere
   void setExternalForce(double fx, double fy) noexcept;               // on the tool tip [N], held
+  // Force on one mode alone: `first` [N] at the end of the next step, from there on by `slope` [N/s] until the next
+  // call.
+  void leadModalForce(int mode, double first, double slope) noexcept;
+  double modalForce(int mode) const { return pushed_[static_cast<std::size_t>(mode)]; }
   void disturb(int mode, double displacement, double velocity) noexcept;
   // Motion, surface and forces times `factor`: the same cut at another size. For the linear model without feed only.
   void scaleMotion(double factor) noexcept;
@@ -92,6 +96,8 @@ class RegenerativeCut {
 
   // Per mode: state, shape, mass, and the transition over one step.
   std::array<double, kMaxModes> q_{}, v_{}, dx_{}, dy_{}, mass_{}, stiffness_{}, damper_{};
+  int firstPushed_ = kMaxModes;                                // modes before it have no force of their own
+  std::array<double, kMaxModes> pushed_{}, lead_{}, slope_{};  // force on it [N], its rise over the next step, after it
   struct Transition {
     double qq, qv, vq, vv;  // free motion
     double qf, vf;          // force held over the step

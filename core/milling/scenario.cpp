@@ -106,7 +106,10 @@ int Scenario::chosenSteps() const {
 
 Status check(const Scenario& s, const std::string& where) {
   if (Status r = check(s.model, where); !r) return r;
-  if (s.model.modes.size() > kMaxModes) {
+  if (s.workHolder) {
+    if (Status r = check(*s.workHolder, where); !r) return r;
+  }
+  if (s.model.modes.size() + (s.workHolder ? 2 : 0) > kMaxModes) {
     return Error{where, "at most " + std::to_string(kMaxModes) + " modes can be simulated", ""};
   }
   if (Status r = checkProgramme(s, where + ": programme"); !r) return r;

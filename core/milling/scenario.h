@@ -15,6 +15,7 @@
 #include "core/milling/profile.h"
 #include "core/milling/sensors.h"
 #include "core/milling/spindle_drive.h"
+#include "core/milling/work_holder.h"
 #include "core/model/cut_setup.h"
 
 namespace stillcut::milling {
@@ -57,6 +58,7 @@ struct Scenario {
   Hertz rate{25600.0};
   int blockFrames = 256;
   std::vector<SensorSettings> sensors;
+  std::optional<WorkHolderSettings> workHolder;  // under the workpiece; its flexure comes on top of the model's modes
   std::uint64_t seed = 1;
   Expectation expect = Expectation::Hold;
   bool grantsAuto = false;                 // on its own simulated machine only

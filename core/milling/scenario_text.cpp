@@ -61,6 +61,13 @@ std::string programmeText(const Programme& p) {
          profileText("programmed_feed_per_tooth_mm", p.feedPerToothOverTime, kMm);
 }
 
+std::string workHolderText(const WorkHolderSettings& w) {
+  return "[work_holder]\n" + line("flexure_hz", w.flexure.value) + line("damping", w.damping) +
+         line("stiffness_n_per_m", w.stiffness) + line("stroke_um", w.stroke.value, 1e6) +
+         line("reconstruction_hz", w.reconstruction.value) + line("amplifier_hz", w.amplifier.value) +
+         line("slew_m_per_s", w.slew) + "\n";
+}
+
 std::string drivesText(const DriveSettings& d, const OverrideSettings& o) {
   return "[drive]\n" + line("inertia_kg_m2", d.inertia) + line("torque_limit_nm", d.torqueLimit) +
          line("bandwidth_hz", d.bandwidth.value) + line("acceleration_rpm_per_s", d.acceleration) +
@@ -105,6 +112,7 @@ std::string scenarioText(const Scenario& s) {
                      "\ngrants_auto = " + (s.grantsAuto ? "true" : "false") + "\nseed = " + std::to_string(s.seed) +
                      "\n\n";
   text += modelText(s.model) + programmeText(s.programme) + drivesText(s.drive, s.overrides);
+  if (s.workHolder) text += workHolderText(*s.workHolder);
   text += "[sampling]\n" + line("rate_hz", s.rate.value) + "block_frames = " + std::to_string(s.blockFrames) +
           "\nsteps_per_revolution = " + std::to_string(s.stepsPerRevolution) +
           "\nhelix_slices = " + std::to_string(s.helixSlices) + "\n\n";

@@ -11,6 +11,7 @@ namespace {
 using config::TomlTable;
 
 constexpr double kMm = 1e3;       // per metre
+constexpr double kUm = 1e6;       // per metre
 constexpr double kPercent = 1e2;  // per one
 constexpr double kMs = 1e3;       // per second
 
@@ -57,6 +58,19 @@ Programme readProgramme(const TomlTable& t) {
   p.speedOverTime = readProfile(t.tableOr("programmed_speed_rpm"), 1.0);
   p.feedPerToothOverTime = readProfile(t.tableOr("programmed_feed_per_tooth_mm"), kMm);
   return p;
+}
+
+std::optional<WorkHolderSettings> readWorkHolder(const TomlTable& t) {
+  if (!t.present()) return std::nullopt;
+  WorkHolderSettings w;
+  w.flexure = Hertz(t.numberOr("flexure_hz", w.flexure.value, 1.0, 1e5));
+  w.damping = t.numberOr("damping", w.damping, 1e-4, 0.99);
+  w.stiffness = t.numberOr("stiffness_n_per_m", w.stiffness, 1.0, 1e15);
+  w.stroke = Metres(inSi(t.numberOr("stroke_um", w.stroke.value * kUm, 1e-3, 1000.0), kUm));
+  w.reconstruction = Hertz(t.numberOr("reconstruction_hz", w.reconstruction.value, 1.0, 1e6));
+  w.amplifier = Hertz(t.numberOr("amplifier_hz", w.amplifier.value, 1.0, 1e6));
+  w.slew = t.numberOr("slew_m_per_s", w.slew, 1e-9, 1e3);
+  return w;
 }
 
 DriveSettings readDrive(const TomlTable& t) {
@@ -135,6 +149,7 @@ Scenario readScenario(const TomlTable& root) {
   s.model = readModel(root);
   s.programme = readProgramme(root.table("programme"));
   s.drive = readDrive(root.tableOr("drive"));
+  s.workHolder = readWorkHolder(root.tableOr("work_holder"));
   s.overrides = readOverrides(root.tableOr("overrides"));
   const TomlTable sampling = root.table("sampling");
   s.rate = Hertz(sampling.number("rate_hz", 10.0, 1e6));

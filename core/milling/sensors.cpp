@@ -5,29 +5,12 @@
 
 namespace stillcut::milling {
 
-double Sensor::Biquad::run(double x) noexcept {
-  const double y = b0 * x + s1;
-  s1 = b1 * x - a1 * y + s2;
-  s2 = b2 * x - a2 * y;
-  return y;
-}
-
 Sensor::Sensor(const SensorSettings& settings, Hertz rate, int oversampling, std::uint64_t seed)
     : settings_(settings), axis_(settings.axis == "y" ? 1 : 0), noise_(seed) {
   const double fine = rate.value * oversampling;
   const double most = 0.45 * rate.value;
   const double cut = settings.bandwidth.value > 0.0 ? std::min(settings.bandwidth.value, most) : most;
-  // Butterworth, 4th order, bilinear with the edge at -3 dB.
-  const double w = std::tan(kTwoPi * 0.5 * cut / fine);
-  const std::array<double, 2> quality{0.54119610014619701, 1.3065629648763764};
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double norm = 1.0 / (1.0 + w / quality[i] + w * w);
-    Biquad& b = lowPass_[i];
-    b.b0 = b.b2 = w * w * norm;
-    b.b1 = 2.0 * b.b0;
-    b.a1 = 2.0 * (w * w - 1.0) * norm;
-    b.a2 = (1.0 - w / quality[i] + w * w) * norm;
-  }
+  lowPass_.prepare(Hertz(cut), Hertz(fine));
   std::size_t longest = 0;
   for (const Echo& e : settings.echoes) {
     const auto delay = static_cast<std::size_t>(std::llround(std::max(0.0, e.delay.value) * fine));
@@ -81,7 +64,7 @@ void Sensor::push(double si) noexcept {
     for (const Tap& t : taps_) si += t.gain * line_[(head_ + line_.size() - t.delay) % line_.size()];
     head_ = (head_ + 1) % line_.size();
   }
-  filtered_ = lowPass_[1].run(lowPass_[0].run(si));
+  filtered_ = lowPass_.run(si);
 }
 
 double Sensor::withFault(double value, double seconds) noexcept {

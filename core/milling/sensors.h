@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/milling/low_pass.h"
 #include "core/milling/noise.h"
 #include "core/milling/regenerative_cut.h"
 #include "core/milling/spindle_drive.h"
@@ -51,16 +52,12 @@ class Sensor {
   bool clipped() const { return clipped_; }  // the last taken sample was
 
  private:
-  struct Biquad {
-    double b0 = 1.0, b1 = 0.0, b2 = 0.0, a1 = 0.0, a2 = 0.0, s1 = 0.0, s2 = 0.0;
-    double run(double x) noexcept;
-  };
   double weight(int mode) const noexcept;
   double withFault(double value, double seconds) noexcept;
 
   SensorSettings settings_;
   int axis_;
-  std::array<Biquad, 2> lowPass_{};
+  LowPass4 lowPass_;
   struct Tap {
     std::size_t delay = 0;
     double gain = 0.0;

@@ -53,6 +53,12 @@ int forcedPeriods(const Tool& t) {
   return same(t.pitch) && same(t.runout) ? t.teeth : 1;
 }
 
+Scenario withFlexure(Scenario s) {
+  if (!s.workHolder) return s;
+  for (const Mode& mode : workHolderModes(*s.workHolder)) s.model.modes.push_back(mode);
+  return s;
+}
+
 ChatterTruth::Settings truthSettings(const Scenario& s) {
   ChatterTruth::Settings t;
   t.samplesPerRevolution = s.chosenSteps() / stepsPerTick(s);
@@ -70,21 +76,26 @@ ChatterTruth::Settings truthSettings(const Scenario& s) {
 }  // namespace
 
 SimulatedCut::SimulatedCut(const Scenario& scenario, std::uint64_t seed)
-    : scenario_(scenario),
-      tickSteps_(stepsPerTick(scenario)),
-      cut_(scenario.model, numericsOf(scenario)),
-      probe_(scenario.model, numericsOf(scenario), stepsPerTick(scenario), scenario.programme.feedPerTooth),
-      forced_(scenario.model, forcedNumerics(scenario)),
+    : scenario_(withFlexure(scenario)),
+      tickSteps_(stepsPerTick(scenario_)),
+      cut_(scenario_.model, numericsOf(scenario_)),
+      probe_(scenario_.model, numericsOf(scenario_), tickSteps_, scenario.programme.feedPerTooth),
+      forced_(scenario_.model, forcedNumerics(scenario_)),
       drive_(scenario.drive, Rpm(scenario.programme.speedOverTime.at(0.0, 0.0, scenario.programme.speed.value))),
       overrides_(scenario.overrides, (seed != 0 ? seed : scenario.seed) * 3 + 1),
       noise_((seed != 0 ? seed : scenario.seed) * 3 + 2),
-      truth_(truthSettings(scenario)),
+      truth_(truthSettings(scenario_)),
       before_(scenario.sensors.size(), 0.0),
       now_(scenario.sensors.size(), 0.0) {
   const std::uint64_t noiseSeed = (seed != 0 ? seed : scenario.seed) * 1000003;
   sensors_.reserve(scenario.sensors.size());
   for (std::size_t i = 0; i < scenario.sensors.size(); ++i) {
     sensors_.emplace_back(scenario.sensors[i], scenario.rate, kOversampling, noiseSeed + i);
+  }
+  if (scenario.workHolder) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      holder_.emplace_back(*scenario.workHolder, kOversampling * scenario.rate);
+    }
   }
   totalFrames_ = static_cast<std::uint64_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
   setCutSpeed(drive_.radPerSecond());
@@ -179,8 +190,40 @@ void SimulatedCut::setActuatorForce(double fx, double fy) noexcept {
   cut_.setExternalForce(actuator_[0] + random_[0], actuator_[1] + random_[1]);
 }
 
+void SimulatedCut::setWorkHolder(double x, double y) noexcept {
+  wanted_ = {x, y};
+}
+
+bool SimulatedCut::workHolderSaturated() const noexcept {
+  return std::any_of(holder_.begin(), holder_.end(), [](const WorkHolderAxis& axis) { return axis.saturated(); });
+}
+
+void SimulatedCut::moveWorkHolder() noexcept {
+  // In a straight line from reading to reading: in stairs, every reading would fall on the same side of a step.
+  // Readings fall between steps, so the line is laid through its own time, one step late; the end of it need not be
+  // known before it is there, and nothing adds up.
+  const double fineRate = kOversampling * scenario_.rate.value;
+  const double share = std::clamp(1.0 - (static_cast<double>(fine_) - cut_.time() * fineRate), 0.0, 1.0);
+  for (std::size_t i = 0; i < holder_.size(); ++i) {
+    const double from = push_[i];
+    push_[i] = holder_[i].step(wanted_[i]);
+    const double rise = push_[i] - from;
+    cut_.leadModalForce(flexure(i), from + share * rise, rise * fineRate);
+  }
+}
+
+// A companion moves with the table: the table's own motion is nothing that the cut excites.
+void SimulatedCut::takeAlong(RegenerativeCut& companion, int steps) noexcept {
+  for (std::size_t i = 0; i < holder_.size(); ++i) {
+    const int mode = flexure(i);
+    const double rise = (cut_.modalForce(mode) - companion.modalForce(mode)) / steps;
+    companion.leadModalForce(mode, companion.modalForce(mode) + rise, rise / companion.stepTime());
+  }
+}
+
 void SimulatedCut::tick() noexcept {
   probe_.advance();
+  takeAlong(forced_, companionTick(tickSteps_));
   forced_.advance(companionTick(tickSteps_));
   updateDrives();
   updateEngagement();
@@ -234,6 +277,7 @@ bool SimulatedCut::fill(SampleBlock& block) STILLCUT_RT {
     const std::uint64_t last = frames_ * kOversampling;
     for (; fine_ <= last; ++fine_) {
       const double at = static_cast<double>(fine_) / (scenario_.rate.value * kOversampling);
+      moveWorkHolder();
       advanceTo(at);
       const double span = nowTime_ - beforeTime_;
       const double u = span > 0.0 ? std::clamp((at - beforeTime_) / span, 0.0, 1.0) : 1.0;

@@ -46,6 +46,12 @@ class SimulatedCut {
   // Force of an actuator on the tool [N], held until the next call.
   void setActuatorForce(double fx, double fy) noexcept;
 
+  // Strokes asked of the work-holder [m], as its converter holds them until the next call. With fill() called frame by
+  // frame this is the loop of an active table: the command of one frame acts from that frame to the next.
+  void setWorkHolder(double x, double y) noexcept;
+  bool workHolderSaturated() const noexcept;
+
+  // With the flexure of a work-holder among the model's modes.
   const Scenario& scenario() const { return scenario_; }
   const ChatterTruth& truth() const { return truth_; }
   Seconds time() const { return Seconds(cut_.time()); }
@@ -57,6 +63,9 @@ class SimulatedCut {
   void advanceTo(double seconds) noexcept;
   void tick() noexcept;
   void disturb() noexcept;
+  void moveWorkHolder() noexcept;
+  void takeAlong(RegenerativeCut& companion, int steps) noexcept;
+  int flexure(std::size_t axis) const { return cut_.modes() - static_cast<int>(holder_.size() - axis); }
   void updateDrives() noexcept;
   void updateEngagement() noexcept;
   void setCutSpeed(double radPerSecond) noexcept;
@@ -85,6 +94,8 @@ class SimulatedCut {
   double modelSpeed_ = 0.0;  // [rad/s] the cut steps with
   double programmedRpm_ = 0.0, feed_ = 0.0, depth_ = 0.0, immersion_ = 0.0;
   std::array<double, 2> actuator_{}, random_{};  // [N]
+  std::vector<WorkHolderAxis> holder_;           // none, or x and y
+  std::array<double, 2> wanted_{}, push_{};      // [m]; [N] on its flexure at the last reading
   std::array<AngularWindow, 2> windows_{};
   int windowCount_ = -1;
   bool cutting_ = false, engagementSteady_ = true;

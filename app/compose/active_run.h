@@ -1,0 +1,54 @@
+// The loop of the active work-holder on a simulated machine, frame by frame as its own thread would run it: identify
+// the path from each actuator to its accelerometer in air, then cut with and without control. Thread: one; not the
+// sample path, but the step of the loop itself is (tests count).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/active/active_params.h"
+#include "core/base/result.h"
+#include "core/milling/simulated_cut.h"
+#include "core/safety/actuator_gate.h"
+
+namespace stillcut::app {
+
+struct ActiveOptions {
+  std::uint64_t seed = 0;
+  active::FxlmsOptions controller;
+  active::PathRequest path;
+  double identifyRms = 0.3e-6;  // of the white noise while identifying [m]
+  Seconds identifyTime{4.0};
+  // Every frame of the controlled cut, samples in device units.
+  std::function<void(const SampleBlock&, const milling::SimulatedCut&)> observe;
+};
+
+struct AxisResult {
+  std::string axis;
+  active::IdentifiedPath path;
+  safety::ActuatorRelease released = safety::ActuatorRelease::None;
+  double releasedAt = 0.0;  // [s]
+  double strokeUsed = 0.0;  // largest share of the amplitude limit
+  double limitedShare = 0.0;
+};
+
+struct Attenuation {
+  std::string axis;
+  double frequency = 0.0;  // [Hz]
+  double db = 0.0;         // power within 5 Hz of it over the last second, without control over with control
+};
+
+struct ActiveResult {
+  std::vector<AxisResult> axes;
+  std::vector<Attenuation> attenuation;
+  bool chatterAlone = false, chatterControlled = false;  // true chatter in the last second
+  double finalRatio = 0.0;  // rms of the tip's acceleration, with over without, last second
+  double chatterHz = 0.0;   // of the cut left alone
+};
+
+// Refuses a scenario without a work-holder or without an accelerometer on each axis, and a path that cannot be
+// identified.
+Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options);
+
+}  // namespace stillcut::app

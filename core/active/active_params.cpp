@@ -1,0 +1,58 @@
+#include "core/active/active_params.h"
+
+#include <array>
+
+namespace stillcut::active {
+namespace {
+
+using config::booleanParam;
+using config::choiceParam;
+using config::integerParam;
+using config::locked;
+using config::ParamDecl;
+using config::realParam;
+
+constexpr std::array<std::string_view, 2> kReferences{"error", "internal-model"};
+
+constexpr ParamDecl kTaps = locked(integerParam("active.taps", "Taps", 35, 1, kMostTaps,
+                                                "Length of the adaptive filter of each axis (Ford 2013 table 3: 35)"));
+constexpr ParamDecl kStep =
+    realParam("active.step", "Step", "", 0.02, 0.0, 1.0,
+              "Adaptation step mu; while 'normalised' is on, as a share of the largest stable step");
+constexpr ParamDecl kNormalised =
+    locked(booleanParam("active.normalised", "Normalised", true,
+                        "Take the step as a share of the bound that follows the power of the filtered reference"));
+constexpr ParamDecl kLeak = realParam("active.leak", "Leak", "", 1.0, 0.9, 1.0,
+                                      "Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing");
+constexpr ParamDecl kReference =
+    locked(choiceParam("active.reference", "Reference", 1, kReferences,
+                       "What the filter works from: the error itself, or the disturbance as the model sees it"));
+constexpr ParamDecl kPathTaps =
+    locked(integerParam("active.path-taps", "Path taps", 35, 1, kMostTaps,
+                        "Length of each part of the recursive model from actuator to sensor (table 3: 35)"));
+
+constexpr std::array<const ParamDecl*, 6> kAll{&kTaps, &kStep, &kNormalised, &kLeak, &kReference, &kPathTaps};
+
+}  // namespace
+
+config::ParamTable activeParams() {
+  return kAll;
+}
+
+FxlmsOptions fxlmsOptions(const config::ParamSet& params) {
+  FxlmsOptions o;
+  o.filter.taps = params.integer(kTaps);
+  o.filter.step = params.real(kStep);
+  o.filter.normalised = params.boolean(kNormalised);
+  o.filter.leak = params.real(kLeak);
+  o.reference = params.choice(kReference) == 0 ? Reference::ErrorFeedback : Reference::InternalModel;
+  return o;
+}
+
+PathRequest pathRequest(const config::ParamSet& params) {
+  PathRequest request;
+  request.filter.forward = request.filter.backward = params.integer(kPathTaps);
+  return request;
+}
+
+}  // namespace stillcut::active

@@ -1,0 +1,15 @@
+// The parameters of the active table's controller, `active.*`.
+// Thread: set-up.
+#pragma once
+
+#include "core/active/fxlms.h"
+#include "core/active/identify_path.h"
+#include "core/config/param_set.h"
+
+namespace stillcut::active {
+
+config::ParamTable activeParams();
+FxlmsOptions fxlmsOptions(const config::ParamSet& params);
+PathRequest pathRequest(const config::ParamSet& params);
+
+}  // namespace stillcut::active
