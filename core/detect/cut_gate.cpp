@@ -48,12 +48,14 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
   // A growing memory at first, so that the floor is a mean and not one lucky block.
   const double memory = std::clamp(elapsed_, 2.0 * seconds, kFloorSeconds);
   for (std::size_t c = 0; c < channels_; ++c) {
-    follow(calm_[c], meanSquares[c], seconds, memory);
-    if (elapsed_ < 0.25 * kFloorSeconds) {
-      floor_[c] = calm_[c];
-    } else {
-      floor_[c] = std::min(floor_[c], calm_[c]);
+    const bool young = elapsed_ < 0.25 * kFloorSeconds;
+    // The first block may be longer than that, and digital silence is no level to compare with.
+    if (!young && floor_[c] <= 0.0) {
+      calm_[c] = floor_[c] = meanSquares[c];
+      continue;
     }
+    follow(calm_[c], meanSquares[c], seconds, memory);
+    floor_[c] = young ? calm_[c] : std::min(floor_[c], calm_[c]);
   }
 }
 

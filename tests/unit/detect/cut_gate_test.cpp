@@ -1,0 +1,62 @@
+// The gate sees levels only: what it says must not depend on how long the blocks are that bring them.
+#include "core/detect/cut_gate.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kOpen = 4.0;
+constexpr double kTurn = 0.02;  // 3000 rev/min
+
+struct Gate {
+  Gate() {
+    CutSetup setup;
+    setup.channels.resize(1);
+    gate.prepare(setup, kOpen);
+    gate.setSpeedKnown(true);
+  }
+  // `seconds` at this mean square; the phases on the way.
+  std::vector<CutPhase> run(double meanSquare, double seconds, double block) {
+    std::vector<CutPhase> seen;
+    for (long i = std::lround(seconds / block); i > 0; --i) {
+      gate.advance({&meanSquare, 1}, Seconds(block), Seconds(kTurn));
+      seen.push_back(gate.phase());
+    }
+    return seen;
+  }
+  CutGate gate;
+};
+
+class CutGateBlocks : public ::testing::TestWithParam<double> {};
+
+TEST_P(CutGateBlocks, AirEntrySteadyAndAirAgain) {
+  Gate g;
+  g.run(1.0, 2.0, GetParam());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+  const auto in = g.run(100.0, 2.0, GetParam());
+  EXPECT_NE(std::find(in.begin(), in.end(), CutPhase::Entry), in.end());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
+  EXPECT_LE(g.gate.airFloor(0), 1.0 + 1e-9);
+  EXPECT_GT(g.gate.airFloor(0), 0.7);  // 1.5 dB: the first blocks weigh more
+  g.run(1.0, 2.0, GetParam());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+}
+
+TEST_P(CutGateBlocks, DigitalSilenceIsNoFloorThatAnythingExceeds) {
+  Gate g;
+  g.run(0.0, 1.0, GetParam());
+  g.run(1.0, 2.0, GetParam());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+  g.run(100.0, 2.0, GetParam());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, CutGateBlocks, ::testing::Values(0.001, 0.01, 0.05, 0.1));
+
+}  // namespace
+}  // namespace stillcut::detect
