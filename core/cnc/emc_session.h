@@ -47,6 +47,8 @@ class EmcSession {
   // Sends a request; only when idle(). False: the wire broke.
   bool ask(std::string_view request, Instant now) noexcept;
   bool idle() const { return standing_ == Standing::Ready && !waiting_; }
+  // Something was said, greetings included, and not answered yet.
+  bool waiting() const { return waiting_; }
   Standing standing() const { return standing_; }
   // Waits for bytes, at most this long.
   void wait(Duration atMost) noexcept { channel_->wait(atMost); }

@@ -93,7 +93,7 @@ Status LinuxCncLink::open() {
 }
 
 void LinuxCncLink::watchMachine(Instant now) noexcept {
-  goRound(watch_, kWatched, nextWatch_, status_, now, kWait);
+  if (!control_.waiting()) goRound(watch_, kWatched, nextWatch_, status_, now, kWait);
   goRound(hal_, kPins, nextHal_, status_, now, kWait);
   if (watch_.standing() != EmcSession::Standing::Ready) {
     speed_.lost();
@@ -121,6 +121,8 @@ void LinuxCncLink::setOverride(Asked what, SharedKnob& knob, Instant now) noexce
 }
 
 void LinuxCncLink::command(Instant now) noexcept {
+  const bool answering = control_.waiting();
+  if (!answering && !watch_.idle()) return;
   control_.pump(now, [&](std::string_view line) { commandReply(line, now); });
   if (control_.standing() != EmcSession::Standing::Ready) {
     if (asked_ == Asked::Speed) speed_.refused();
@@ -129,7 +131,7 @@ void LinuxCncLink::command(Instant now) noexcept {
     asked_ = Asked::Nothing;
     return;
   }
-  if (!control_.idle()) return;
+  if (answering || !control_.idle()) return;  // after an answer it is the watch's turn
   const bool needed = wanted_ || !speed_.home() || !feed_.home();
   if (!needed) {
     if (inControl_) askCommand(Asked::GiveBack, "set enable off", now);

@@ -3,6 +3,8 @@
 //   control   takes control ("set enable") with the first command, sets the two overrides, gives control back
 //   watch     overrides, program, S and F words, machine on
 //   hal       spindle.0.speed-in, speed-out, at-speed; motion.current-vel, feed-hold, adaptive-feed
+// Only one of the first two has a request under way at any time: linuxcncrsh serves each client on a thread of its own
+// and takes requests apart in memory that they share; two at once have brought the machine down.
 // The ACK is not believed: under M49 and M51 P0 a set is acknowledged and even read back, and only speed-out tells.
 // The overrides stay where they are when we die: describe() says that the machine has no watchdog of its own.
 // Thread: as CncLink says. A tick waits for replies at most kWait; release() at most kReleaseTime.

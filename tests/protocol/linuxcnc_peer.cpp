@@ -107,7 +107,8 @@ void LinuxCncPeer::end() {
     hal_ = -1;
   }
   if (machine_ <= 0) return;
-  talk({"set enable EMCTOO", "shutdown"});
+  // The whole group: its script then cleans up after the servers that have gone.
+  ::kill(-machine_, SIGTERM);
   const auto wire = wireTo(kPort);
   for (int i = 0; i < 500; ++i) {
     if (::waitpid(machine_, nullptr, WNOHANG) == machine_) {
@@ -119,6 +120,7 @@ void LinuxCncPeer::end() {
   ::kill(-machine_, SIGKILL);
   ::waitpid(machine_, nullptr, 0);
   machine_ = -1;
+  why_ = "LinuxCNC does not end by itself here";
 }
 
 std::string LinuxCncPeer::talk(const std::vector<std::string>& requests) {
