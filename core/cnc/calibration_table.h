@@ -21,8 +21,6 @@ class CalibrationTable {
 
   double lowest() const;   // value
   double highest() const;  // value
-  double lowestVolts() const { return points_.front().volts; }
-  double highestVolts() const { return points_.back().volts; }
   // The voltage for `value`, which is brought inside the table's range first. Finite for every finite value.
   double voltage(double value) const noexcept;
 

@@ -36,7 +36,6 @@ void EmcSession::keepUp(Instant now) noexcept {
     case WireState::Open:
       if (standing_ != Standing::Down) return;
       opening_ = false;
-      ++connects_;
       standing_ = Standing::Greeting;
       say(hello_, now);
       return;
@@ -70,12 +69,6 @@ bool EmcSession::ask(std::string_view request, Instant now) noexcept {
   if (!idle()) return false;
   say(request, now);
   return standing_ == Standing::Ready;
-}
-
-void EmcSession::heard(Instant now) noexcept {
-  if (!waiting_) return;
-  waiting_ = false;
-  roundTrip_ = now - asked_;
 }
 
 // Echoes are lower case as we write them; replies are upper case.

@@ -35,7 +35,7 @@ class EmcSession {
         if (standing_ == Standing::Greeting) {
           greeted(line, now);
         } else if (isReply(line)) {
-          heard(now);
+          waiting_ = false;
           take(line);
         }
       });
@@ -53,17 +53,12 @@ class EmcSession {
   // Waits for bytes, at most this long.
   void wait(Duration atMost) noexcept { channel_->wait(atMost); }
   void close() noexcept;
-  // Round trip of the last answered request.
-  Duration roundTrip() const { return roundTrip_; }
-  // How often the conversation began anew.
-  std::uint64_t connects() const { return connects_; }
   std::string_view address() const noexcept { return channel_->address(); }
 
  private:
   void keepUp(Instant now) noexcept;
   void greeted(std::string_view line, Instant now) noexcept;
   void say(std::string_view line, Instant now) noexcept;
-  void heard(Instant now) noexcept;
   void watchSilence(Instant now) noexcept;
   static bool isReply(std::string_view line) noexcept;
 
@@ -74,8 +69,6 @@ class EmcSession {
   bool waiting_ = false;
   bool opening_ = false;
   Instant asked_{}, nextTry_{};
-  Duration roundTrip_{};
-  std::uint64_t connects_ = 0;
 };
 
 }  // namespace stillcut::cnc

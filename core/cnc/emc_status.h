@@ -23,7 +23,6 @@ struct Said {
     when = now;
     ever = true;
   }
-  bool fresh(Instant now, Duration atMost) const noexcept { return ever && now - when <= atMost; }
 };
 
 enum class EmcProgram : std::uint8_t { Idle, Running, Paused };

@@ -101,7 +101,6 @@ void GrblLink::listen(Instant now) noexcept {
 }
 
 void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
-  if (waiting_) roundTrip_ = now - asked_;
   const bool askedSinceMove = waiting_ && asked_ >= moved_;
   waiting_ = false;
   missed_ = 0;

@@ -43,8 +43,6 @@ class GrblLink final : public CncLink {
   static constexpr Duration kWait = std::chrono::milliseconds(6);
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(800);
 
-  Duration roundTrip() const { return roundTrip_; }
-
  private:
   void keepUp(Instant now) noexcept;
   void listen(Instant now) noexcept;
@@ -68,7 +66,6 @@ class GrblLink final : public CncLink {
   int missed_ = 0;
   Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{};
   bool ever_ = false;
-  Duration roundTrip_{};
 };
 
 }  // namespace stillcut::cnc

@@ -101,7 +101,6 @@ void ModbusLink::pump(Instant now) noexcept {
 void ModbusLink::takeReply(Instant now) noexcept {
   const auto reply = bus_->take();
   if (!reply || underway_ == Underway::Nothing) return;
-  roundTrip_ = now - asked_;
   const Underway what = std::exchange(underway_, Underway::Nothing);
   if (!reply->ok) {
     // One exception is the machine's business; several in a row are a machine that cannot be believed.
@@ -128,7 +127,7 @@ bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
   writing_ = o.wanted;
   which_ = static_cast<std::size_t>(which);
   underway_ = Underway::Write;
-  asked_ = o.when = now;
+  o.when = now;
   touched_ = true;
   if (bus_->write(r->table, r->address, r->words, *words)) return true;
   broke(now);
@@ -169,7 +168,6 @@ bool ModbusLink::readNext(Instant now) noexcept {
   seen_[oldest].due = now + toDuration(r.period);
   which_ = oldest;
   underway_ = Underway::Read;
-  asked_ = now;
   if (bus_->read(r.table, r.address, r.words)) return true;
   broke(now);
   return false;

@@ -35,8 +35,6 @@ class ModbusLink final : public CncLink {
   static constexpr int kRequests = 4;
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(1000);
 
-  Duration roundTrip() const { return roundTrip_; }
-
  private:
   struct Seen {
     RegisterWords words{};
@@ -75,8 +73,7 @@ class ModbusLink final : public CncLink {
   bool inCommand_ = false;
   bool touched_ = false;  // something of ours may stand in the machine
   int failures_ = 0;      // in a row
-  Instant asked_{}, nextTry_{};
-  Duration roundTrip_{};
+  Instant nextTry_{};
 };
 
 }  // namespace stillcut::cnc

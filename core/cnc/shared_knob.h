@@ -41,7 +41,6 @@ class SharedKnob {
   int shown() const { return shown_.value_or(100); }
   // The operator's part, 1.0 is 100 %.
   Ratio base() const { return Ratio(base_ * 0.01); }
-  bool grabbed() const { return grabbed_; }
 
  private:
   struct Sent {
