@@ -6,7 +6,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSettings>
+#include <QStandardPaths>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,7 +16,6 @@
 #include "app/desktop/report_mode.h"
 #include "app/session/session.h"
 #include "generated/version.h"
-#include "ui/shell/apply_theme.h"
 #include "ui/shell/main_window.h"
 
 namespace stillcut::app {
@@ -135,25 +134,6 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
   return fail(options.screenshot.toStdString() + ": cannot be written");
 }
 
-// Theme and place of the window are kept over restarts; what the command line says goes first.
-void restoreWindow(ui::MainWindow& window, const Options& options) {
-  const QSettings settings;
-  if (!options.sizeGiven) window.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
-  QObject::connect(&window, &ui::MainWindow::closed,
-                   [&window] { QSettings().setValue(QStringLiteral("window/geometry"), window.saveGeometry()); });
-  QObject::connect(&window, &ui::MainWindow::themeChanged, [](ui::ThemeKind kind) {
-    QSettings().setValue(QStringLiteral("window/theme"), static_cast<int>(kind));
-  });
-}
-
-ui::ThemeKind wantedTheme(const Options& options) {
-  if (options.theme) return *options.theme;
-  const QVariant kept = QSettings().value(QStringLiteral("window/theme"));
-  const int kind = kept.toInt();
-  const bool known = kept.isValid() && kind >= 0 && kind <= static_cast<int>(ui::ThemeKind::HighContrast);
-  return known ? static_cast<ui::ThemeKind>(kind) : ui::desktopTheme();
-}
-
 int run(int argc, char** argv) {
   // A report needs no display.
   if (asksForReport(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -176,13 +156,15 @@ int run(int argc, char** argv) {
     if (!recording) return fail(recording.error().line());
   }
 
-  ui::MainWindow window(**session, wantedTheme(*options));
-  window.resize(options->size);
+  // Pictures are made of what the command line says alone.
+  if (live) (*session)->keepStateIn(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+  ui::MainWindow window(**session, options->theme);
+  if (live) window.restorePlace();
+  if (!live || options->sizeGiven) window.resize(options->size);
   if (!live) return takePicture(**session, window, *options);
   QObject::connect(&window, &ui::MainWindow::closed, [&] {
     if (const Status kept = (*session)->stop(); !kept) fail(kept.error().line());
   });
-  restoreWindow(window, *options);
   (*session)->start(defaultFlightsFolder());
   window.start();
   window.show();

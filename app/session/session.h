@@ -21,6 +21,8 @@ class Session final : public ui::SessionFacade {
 
   // Before start(): everything goes to the session file as well.
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
+  // Before the window is made: where the screens keep what outlives a restart.
+  void keepStateIn(const QString& folder) { stateFolder_ = folder; }
   // Threads on. Flight recordings go to `flights`.
   void start(const std::filesystem::path& flights);
   // Threads off; the machine has its programmed values back, what was recorded is on the disk. An error: not all of it.
@@ -33,11 +35,13 @@ class Session final : public ui::SessionFacade {
   void send(const OperatorInput& input) override { rig_->send(input); }
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override;
+  QString stateFolder() const override { return stateFolder_; }
 
  private:
   std::unique_ptr<Rig> rig_;
   ui::SessionInfo info_;
   std::string configuration_;
+  QString stateFolder_;
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
 };
 

@@ -18,6 +18,15 @@ class FakeSession final : public SessionFacade {
   void send(const OperatorInput& input) override;
   RecorderStatus recorder() const override { return recorder_; }
   LinkStatus link() const override { return link_; }
+  std::uint32_t generation() const override { return generation_; }
+  QString stateFolder() const override { return stateFolder_; }
+
+  void keepStateIn(const QString& folder) { stateFolder_ = folder; }
+  // As if something else had been opened, with another machine.
+  void openOther(const std::string& machine) {
+    info_.setup.machine = machine;
+    ++generation_;
+  }
 
   // Lets the story go on, in steps of one spectrum column (40 ms).
   void advance(Seconds s);
@@ -43,6 +52,8 @@ class FakeSession final : public SessionFacade {
   Snapshot snapshot_;
   RecorderStatus recorder_;
   LinkStatus link_;
+  QString stateFolder_;
+  std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
   std::mt19937 random_{7};
   bool started_ = false;

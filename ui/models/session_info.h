@@ -8,6 +8,7 @@
 
 #include "core/model/cut_setup.h"
 #include "core/model/snapshot.h"
+#include "ui/models/units.h"
 
 namespace stillcut::ui {
 
@@ -61,6 +62,7 @@ struct Picture {
   qint64 nowMs = 0;  // the screen's own clock, for touches
   RecorderStatus recorder;
   LinkStatus link;
+  UnitSystem units = UnitSystem::Metric;
 
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

@@ -13,9 +13,18 @@
 #include "ui/widgets/verdict_sign.h"
 
 namespace stillcut::ui {
+namespace {
+
+Tone alarmTone(const Picture& picture) {
+  const Verdict& verdict = picture.verdict();
+  if (!verdict.alarming()) return Tone::Normal;
+  return verdict.state == CutState::Chatter ? Tone::Chatter : Tone::Onset;
+}
+
+}  // namespace
 
 OperatePage::OperatePage(QWidget* parent)
-    : QWidget(parent),
+    : Page(parent),
       verdict_(new VerdictSign),
       advice_(new AdvicePanel),
       spectrogram_(new SpectrogramWidget),
@@ -53,12 +62,17 @@ OperatePage::OperatePage(QWidget* parent)
   connect(interventions_, &InterventionList::asked, this, &OperatePage::asked);
 }
 
+void OperatePage::see(const Picture& picture) {
+  if (!picture.snapshot) return;
+  trend_.add(picture.verdict());
+  moveReason_.see(*picture.snapshot);
+  spectrogram_->setSpectrumTop(picture.snapshot->spectrumTop);
+  columns_.read(*picture.snapshot,
+                [&](const SpectrumColumn& column) { spectrogram_->append(column, alarmTone(picture)); });
+}
+
 void OperatePage::display(const Picture& picture) {
-  if (picture.snapshot) {
-    adviceShown_ = picture.snapshot->adviceNumber;
-    trend_.add(picture.verdict());
-    moveReason_.see(*picture.snapshot);
-  }
+  if (picture.snapshot) adviceShown_ = picture.snapshot->adviceNumber;
   verdict_->display(makeVerdictView(picture, trend_.trend()));
   advice_->display(makeAdviceView(picture, moveReason_.reason()));
   overrides_->display(makeMachineView(picture));
@@ -77,12 +91,8 @@ void OperatePage::showSpectrogram(const Picture& picture) {
       QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
   spectrogram_->setStale(picture.stale);
   if (!picture.snapshot) return;
-  spectrogram_->setSpectrumTop(picture.snapshot->spectrumTop);
   const Verdict& verdict = picture.verdict();
-  const Tone alarm = !verdict.alarming()                  ? Tone::Normal
-                     : verdict.state == CutState::Chatter ? Tone::Chatter
-                                                          : Tone::Onset;
-  columns_.read(*picture.snapshot, [&](const SpectrumColumn& column) { spectrogram_->append(column, alarm); });
+  const Tone alarm = alarmTone(picture);
   const bool marked = alarm != Tone::Normal && verdict.frequency.value > 0;
   spectrogram_->setChatter(marked ? verdict.frequency : Hertz(),
                            marked ? join(number(verdict.frequency.value), QStringLiteral("Hz")) : QString(), alarm);

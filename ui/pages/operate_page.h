@@ -2,16 +2,13 @@
 // knows no session.
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
-#include "core/model/operator_input.h"
 #include "ui/models/advice_view.h"
 #include "ui/models/column_reader.h"
 #include "ui/models/machine_view.h"
-#include "ui/models/session_info.h"
 #include "ui/models/severity_trend.h"
-#include "ui/models/themed.h"
+#include "ui/pages/page.h"
 
 class QGridLayout;
 class QVBoxLayout;
@@ -26,17 +23,14 @@ class Panel;
 class SpectrogramWidget;
 class VerdictSign;
 
-class OperatePage : public QWidget, public Themed {
+class OperatePage : public Page {
   Q_OBJECT
  public:
   explicit OperatePage(QWidget* parent = nullptr);
 
-  // At the display tick, GUI thread.
-  void display(const Picture& picture);
+  void see(const Picture& picture) override;
+  void display(const Picture& picture) override;
   void applyTheme(const Theme& theme) override;
-
- signals:
-  void asked(const stillcut::OperatorInput& input);
 
  private:
   void showSpectrogram(const Picture& picture);

@@ -30,8 +30,10 @@ void HeaderBar::setSession(const SessionInfo& info) {
   update();
 }
 
-void HeaderBar::addPage(const QString& title) {
+void HeaderBar::addPage(const QString& title, const QKeySequence& key, const QString& name) {
   auto* button = new TouchButton(title, TouchButton::Look::Tab, this);
+  button->setObjectName(name);
+  button->setToolTip(QStringLiteral("%1 (%2)").arg(title, key.toString(QKeySequence::NativeText)));
   button->setCheckable(true);
   button->setBaseHeight(44);
   const int index = static_cast<int>(pages_.size());

@@ -17,7 +17,8 @@ class HeaderBar : public QWidget, public Themed {
   explicit HeaderBar(QWidget* parent = nullptr);
 
   void setSession(const SessionInfo& info);
-  void addPage(const QString& title);
+  // `name`: the button's object name.
+  void addPage(const QString& title, const QKeySequence& key, const QString& name);
   void setCurrentPage(int index);
   bool clipped() const { return clipped_; }
 

@@ -4,24 +4,27 @@
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/models/strip_view.h"
-#include "ui/pages/operate_page.h"
+#include "ui/pages/page.h"
 #include "ui/shell/apply_theme.h"
 #include "ui/shell/header_bar.h"
+#include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/status_strip.h"
 
 namespace stillcut::ui {
 
-MainWindow::MainWindow(SessionFacade& session, ThemeKind theme, QWidget* parent)
+MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, QWidget* parent)
     : QMainWindow(parent),
       session_(session),
-      kind_(theme),
+      state_(session.stateFolder()),
+      kind_(theme.value_or(state_.theme().value_or(desktopTheme()))),
+      units_(state_.units()),
       header_(new HeaderBar),
-      pages_(new QStackedWidget),
-      operate_(new OperatePage),
+      stack_(new QStackedWidget),
       command_(new CommandBar),
       strip_(new StatusStrip) {
   setWindowTitle(tr("Stillcut"));
@@ -30,28 +33,50 @@ MainWindow::MainWindow(SessionFacade& session, ThemeKind theme, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   column->addWidget(header_);
-  column->addWidget(pages_, 1);
+  column->addWidget(stack_, 1);
   column->addWidget(command_);
   column->addWidget(strip_);
   setCentralWidget(centre);
 
-  header_->setSession(session.info());
-  pages_->addWidget(operate_);
-  header_->addPage(tr("Operate"));
-  header_->setCurrentPage(0);
-  connect(header_, &HeaderBar::pageAsked, this, [this](int index) {
-    pages_->setCurrentIndex(index);
-    header_->setCurrentPage(index);
-  });
+  addPages();
+  meetSession();
+  connect(header_, &HeaderBar::pageAsked, this, qOverload<int>(&MainWindow::showPage));
   connect(header_, &HeaderBar::themeAsked, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F12, this), &QShortcut::activated, this, &MainWindow::nextTheme);
-  connect(operate_, &OperatePage::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   connect(command_, &CommandBar::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   connect(&timer_, &QTimer::timeout, this, [this] { tick(clock_.elapsed()); });
-  operate_->setFocusPolicy(Qt::ClickFocus);
-  operate_->setFocus();
   resize(1280, 800);
   retheme();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::addPages() {
+  for (const PageEntry& entry : pageTable()) {
+    Page* page = entry.make(session_);
+    page->setObjectName(QLatin1String(entry.id));
+    page->setFocusPolicy(Qt::ClickFocus);
+    const QString title = pageTitle(entry);
+    if (page->accessibleName().isEmpty()) page->setAccessibleName(title);
+    const int index = stack_->addWidget(page);
+    pages_.push_back(page);
+    const QKeySequence key(static_cast<int>(Qt::CTRL) | (static_cast<int>(Qt::Key_0) + entry.number));
+    header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
+    connect(new QShortcut(key, this), &QShortcut::activated, this, [this, index] { showPage(index); });
+    connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input); });
+  }
+  state_.restore(pages_);
+  showPage(0);
+}
+
+void MainWindow::meetSession() {
+  generation_ = session_.generation();
+  header_->setSession(session_.info());
+}
+
+void MainWindow::restorePlace() {
+  restoreGeometry(state_.geometry());
+  showPage(state_.page());
 }
 
 void MainWindow::start() {
@@ -61,13 +86,31 @@ void MainWindow::start() {
 }
 
 void MainWindow::tick(qint64 nowMs) {
+  if (session_.generation() != generation_) meetSession();
   const Snapshot* snapshot = session_.pull();
   freshness_.see(snapshot, nowMs);
-  const Picture picture{&session_.info(),    snapshot,       freshness_.age(), snapshot && freshness_.stale(), nowMs,
-                        session_.recorder(), session_.link()};
-  operate_->display(picture);
+  const Picture picture{
+      &session_.info(), snapshot, freshness_.age(), snapshot && freshness_.stale(), nowMs, session_.recorder(),
+      session_.link(),  units_};
+  for (Page* page : pages_) page->see(picture);
+  pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
   command_->display(makeCommandView(picture), nowMs);
   strip_->display(makeStrip(picture));
+}
+
+void MainWindow::showPage(int index) {
+  stack_->setCurrentIndex(index);
+  stack_->currentWidget()->setFocus();
+  header_->setCurrentPage(index);
+}
+
+void MainWindow::showPage(const QString& id) {
+  const auto found = std::find_if(pages_.begin(), pages_.end(), [&](const Page* p) { return p->objectName() == id; });
+  if (found != pages_.end()) showPage(static_cast<int>(found - pages_.begin()));
+}
+
+QString MainWindow::currentPage() const {
+  return stack_->currentWidget()->objectName();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -77,6 +120,9 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   timer_.stop();
+  state_.setGeometry(saveGeometry());
+  state_.setPage(currentPage());
+  state_.keep(pages_);
   emit closed();
   event->accept();
 }
@@ -86,7 +132,7 @@ void MainWindow::nextTheme() {
           : kind_ == ThemeKind::Dark ? ThemeKind::HighContrast
                                      : ThemeKind::Light;
   retheme();
-  emit themeChanged(kind_);
+  state_.setTheme(kind_);
 }
 
 void MainWindow::retheme() {

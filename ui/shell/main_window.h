@@ -1,13 +1,17 @@
-// The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot.
+// The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot. Pages come
+// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F12 changes the theme.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QMainWindow>
 #include <QTimer>
+#include <optional>
+#include <vector>
 
 #include "ui/models/freshness.h"
 #include "ui/models/theme.h"
 #include "ui/shell/session_facade.h"
+#include "ui/shell/window_state.h"
 
 class QStackedWidget;
 
@@ -15,7 +19,7 @@ namespace stillcut::ui {
 
 class CommandBar;
 class HeaderBar;
-class OperatePage;
+class Page;
 class StatusStrip;
 
 inline constexpr int kDisplayTickMs = 33;
@@ -23,16 +27,21 @@ inline constexpr int kDisplayTickMs = 33;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  // The session must outlive the window. Ticks by itself once start() was called.
-  MainWindow(SessionFacade& session, ThemeKind theme, QWidget* parent = nullptr);
+  // The session must outlive the window. Ticks by itself once start() was called. Without a theme: the one kept, or the
+  // desktop's.
+  explicit MainWindow(SessionFacade& session, std::optional<ThemeKind> theme = {}, QWidget* parent = nullptr);
+  ~MainWindow() override;
 
+  // Size, place, and page as they were left.
+  void restorePlace();
   void start();
   // One display tick at `nowMs` of the screen's own clock.
   void tick(qint64 nowMs);
   ThemeKind theme() const { return kind_; }
+  void showPage(const QString& id);
+  QString currentPage() const;
 
  signals:
-  void themeChanged(stillcut::ui::ThemeKind kind);
   // The window was closed; the session must bring the programmed values back.
   void closed();
 
@@ -41,18 +50,24 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void addPages();
+  void showPage(int index);
+  void meetSession();
   void nextTheme();
   void retheme();
 
   SessionFacade& session_;
+  WindowState state_;
   ThemeKind kind_;
+  UnitSystem units_;
   double scale_ = 0.0;
+  std::uint32_t generation_ = 0;
   Freshness freshness_;
   QTimer timer_;
   QElapsedTimer clock_;
   HeaderBar* header_;
-  QStackedWidget* pages_;
-  OperatePage* operate_;
+  QStackedWidget* stack_;
+  std::vector<Page*> pages_;
   CommandBar* command_;
   StatusStrip* strip_;
 };

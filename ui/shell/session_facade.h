@@ -2,6 +2,9 @@
 // Every function is called on the GUI thread and returns at once.
 #pragma once
 
+#include <QString>
+#include <cstdint>
+
 #include "core/model/operator_input.h"
 #include "core/model/snapshot.h"
 #include "ui/models/session_info.h"
@@ -12,14 +15,19 @@ class SessionFacade {
  public:
   virtual ~SessionFacade() = default;
 
-  // Constant for the life of the session.
+  // Constant while generation() is.
   virtual const SessionInfo& info() const = 0;
+  // Counts what has been opened: another number means another cut, replay or machine, with another info(), whose
+  // pictures have nothing to do with those before.
+  virtual std::uint32_t generation() const { return 0; }
   // The newest snapshot, or null before the first. Immutable and valid until the next pull().
   virtual const Snapshot* pull() = 0;
   // Queued to the worker, acts at its next block; what came of it shows in the snapshot.
   virtual void send(const OperatorInput& input) = 0;
   virtual RecorderStatus recorder() const = 0;
   virtual LinkStatus link() const = 0;
+  // Where window and pages keep what outlives a restart; empty: nothing is kept.
+  virtual QString stateFolder() const { return {}; }
 };
 
 }  // namespace stillcut::ui

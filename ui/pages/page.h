@@ -1,0 +1,33 @@
+// What every page of the window is. A page wires itself, shows pictures and asks by signals; it knows neither the
+// window nor the session, and what it needs beyond the picture it is given as an interface (ui/models) when it is made.
+// How to add one: ADDING.md beside this file. GUI thread.
+#pragma once
+
+#include <QWidget>
+
+#include "core/model/operator_input.h"
+#include "ui/models/session_info.h"
+#include "ui/models/themed.h"
+
+class QSettings;
+
+namespace stillcut::ui {
+
+class Page : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  using QWidget::QWidget;
+
+  // Every display tick, on screen or not: takes in what must not be missed. Cheap.
+  virtual void see(const Picture& picture) { static_cast<void>(picture); }
+  // Every display tick while the page is on screen, after see().
+  virtual void display(const Picture& picture) = 0;
+  // What outlives a restart: its own group of the settings.
+  virtual void keep(QSettings& settings) const { static_cast<void>(settings); }
+  virtual void restore(const QSettings& settings) { static_cast<void>(settings); }
+
+ signals:
+  void asked(const stillcut::OperatorInput& input);
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,42 @@
+// What the window keeps over restarts, in one file of the session's folder. Without a folder nothing is kept. GUI
+// thread.
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <span>
+
+#include "ui/models/theme.h"
+#include "ui/models/units.h"
+
+class QSettings;
+
+namespace stillcut::ui {
+
+class Page;
+
+class WindowState {
+ public:
+  explicit WindowState(const QString& folder);
+  ~WindowState();
+
+  QByteArray geometry() const;
+  void setGeometry(const QByteArray& geometry);
+  std::optional<ThemeKind> theme() const;
+  void setTheme(ThemeKind kind);
+  UnitSystem units() const;
+  void setUnits(UnitSystem units);
+  QString page() const;  // id; empty: none kept
+  void setPage(const QString& id);
+
+  // Every page has the group of its object name to itself.
+  void restore(std::span<Page* const> pages);
+  void keep(std::span<Page* const> pages);
+
+ private:
+  std::unique_ptr<QSettings> settings_;  // null: nothing is kept
+};
+
+}  // namespace stillcut::ui
