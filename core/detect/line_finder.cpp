@@ -3,13 +3,37 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 namespace stillcut::detect {
 namespace {
 
-constexpr int kPadding = 4;  // zero-padding: the parabola then errs by less than a thousandth of a bin width
+constexpr std::size_t kPlaces = 4;  // to a bin: a parabola through three then errs by a thousandth of a bin
 // Half width of what counts as the line: twice a Hann lobe, since a line that grows fast is broad.
-constexpr int kLobe = 4 * kPadding;  // padded bins
+constexpr double kLobe = 4.0;  // of 1 / window
+constexpr std::size_t kTaps = 16;
+constexpr std::size_t kHalfTaps = kTaps / 2;
+constexpr double kScalloped = 0.7;  // of a line's power that a bin half way beside it holds at least
+
+using Taps = std::array<std::array<double, kTaps>, kPlaces>;
+
+// Taps of the bins b - 7 .. b + 8 for the places of bin b. The signs move time's origin into the middle of the period.
+Taps makeTaps() {
+  Taps taps{};
+  for (std::size_t p = 1; p < kPlaces; ++p) {
+    const double part = static_cast<double>(p) / kPlaces;
+    for (std::size_t k = 0; k < kTaps; ++k) {
+      const double t = static_cast<double>(k) - (kHalfTaps - 1.0) - part;
+      const double window = std::cos(std::numbers::pi * t / (kTaps + 1));
+      const double sinc = std::sin(std::numbers::pi * t) / (std::numbers::pi * t);
+      taps[p][k] = (k % 2 == 0 ? 1.0 : -1.0) * sinc * window * window;
+    }
+  }
+  return taps;
+}
+
+const Taps kInterpolation = makeTaps();
 
 // Four sums side by side: one alone waits for every addition.
 double sum(std::span<const double> x) noexcept {
@@ -22,85 +46,143 @@ double sum(std::span<const double> x) noexcept {
   return (parts[0] + parts[1]) + (parts[2] + parts[3]);
 }
 
+// |X|^2 at a place of one channel's transform.
+double powerAt(std::span<const std::complex<double>> bins, std::size_t place) noexcept {
+  const std::size_t b = place / kPlaces;
+  const std::size_t part = place % kPlaces;
+  if (part == 0) return std::norm(bins[b]);
+  const std::array<double, kTaps>& taps = kInterpolation[part];
+  std::complex<double> value = 0.0;
+  if (b + 1 >= kHalfTaps && b + kHalfTaps < bins.size()) {
+    const std::complex<double>* from = bins.data() + (b + 1 - kHalfTaps);
+    for (std::size_t k = 0; k < kTaps; ++k) value += taps[k] * from[k];
+    return std::norm(value);
+  }
+  const auto last = static_cast<std::ptrdiff_t>(bins.size()) - 1;
+  for (std::size_t k = 0; k < kTaps; ++k) {  // beyond either end stands the mirror image
+    const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(b + k + 1) - static_cast<std::ptrdiff_t>(kHalfTaps);
+    const bool mirrored = i < 0 || i > last;
+    const std::complex<double> x = bins[static_cast<std::size_t>(i < 0 ? -i : i > last ? 2 * last - i : i)];
+    value += taps[k] * (mirrored ? std::conj(x) : x);
+  }
+  return std::norm(value);
+}
+
 }  // namespace
 
 void LineFinder::prepare(int channels, int window, Hertz rate) {
-  channels_ = channels;
   window_ = static_cast<std::size_t>(window);
-  spectrum_.prepare(window, rate, dsp::WindowKind::Recent, kPadding * window);
-  ring_.assign(static_cast<std::size_t>(channels) * window_, 0.0);
+  channels_.clear();
+  channels_.resize(static_cast<std::size_t>(channels));
+  for (Channel& c : channels_) {
+    c.ring.assign(window_, 0.0);
+    c.spectrum.prepare(window, rate, dsp::WindowKind::Recent, window + (window + 7) / 8);
+  }
+  const auto bins = static_cast<std::size_t>(channels_.front().spectrum.bins());
+  lobe_ = static_cast<std::size_t>(std::lround(kLobe * kPlaces * rate.value / (window * binWidth())));
   unrolled_.assign(window_, 0.0);
-  for (auto* v : {&power_, &now_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
+  for (auto* v : {&power_, &now_}) v->assign(bins, 0.0);
   reset();
 }
 
 void LineFinder::reset() noexcept {
-  std::fill(ring_.begin(), ring_.end(), 0.0);
+  for (Channel& c : channels_) std::fill(c.ring.begin(), c.ring.end(), 0.0);
   head_ = seen_ = 0;
 }
 
 void LineFinder::push(const double* rest) noexcept {
-  for (int c = 0; c < channels_; ++c) ring_[static_cast<std::size_t>(c) * window_ + head_] = rest[c];
+  for (std::size_t c = 0; c < channels_.size(); ++c) channels_[c].ring[head_] = rest[c];
   head_ = head_ + 1 == window_ ? 0 : head_ + 1;
   if (seen_ < window_) ++seen_;
+}
+
+void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
+  std::fill(power_.begin(), power_.end(), 0.0);
+  for (Channel& c : channels_) {
+    const auto middle = c.ring.begin() + static_cast<std::ptrdiff_t>(head_);
+    std::copy(c.ring.begin(), middle, std::copy(middle, c.ring.end(), unrolled_.begin()));
+    c.spectrum.transform(unrolled_);
+    c.spectrum.powers(now_);
+    const double total = sum(std::span(now_).subspan(first, last + 1 - first));
+    c.share = total > 0.0 ? 1.0 / total : 0.0;
+    if (!(total > 0.0)) continue;
+    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += c.share * now_[b];
+  }
+}
+
+double LineFinder::power(std::size_t place) const noexcept {
+  double all = 0.0;
+  for (const Channel& c : channels_) {
+    if (c.share > 0.0) all += c.share * powerAt(c.spectrum.values(), place);
+  }
+  return all;
+}
+
+std::size_t LineFinder::highest(std::size_t from, std::size_t to) const noexcept {
+  std::size_t place = from;
+  double most = power(from);
+  for (std::size_t p = from + 1; p <= to; ++p) {
+    const double now = power(p);
+    if (now <= most) continue;
+    most = now;
+    place = p;
+  }
+  return place;
 }
 
 FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
   FoundLine found;
   if (2 * seen_ < window_) return found;
-  std::fill(power_.begin(), power_.end(), 0.0);
-  const double width = spectrum_.binWidth();
-  const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil(low.value / width)));
-  const auto last = std::min(static_cast<std::size_t>(high.value / width), power_.size() - 2);
+  const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil(low.value / binWidth())));
+  const auto last = std::min(static_cast<std::size_t>(high.value / binWidth()), power_.size() - 2);
   if (first >= last) return found;
-  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
-    const auto begin = ring_.begin() + static_cast<std::ptrdiff_t>(c * window_);
-    const auto middle = begin + static_cast<std::ptrdiff_t>(head_);
-    const auto end = begin + static_cast<std::ptrdiff_t>(window_);
-    std::copy(begin, middle, std::copy(middle, end, unrolled_.begin()));
-    spectrum_.transform(unrolled_);
-    spectrum_.powers(now_);
-    const double total = sum(std::span(now_).subspan(first, last + 1 - first));
-    if (!(total > 0.0)) continue;
-    const double share = 1.0 / total;
-    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += share * now_[b];
-  }
-  const auto from = power_.begin() + static_cast<std::ptrdiff_t>(first);
-  const auto to = power_.begin() + static_cast<std::ptrdiff_t>(last + 1);
-  const auto peak = static_cast<std::size_t>(std::max_element(from, to) - power_.begin());
-  const std::span<const double> all(power_);
-  const double whole = sum(all.subspan(first, last + 1 - first));
+  transform(first, last);
+  const std::span<const double> inReach = std::span<const double>(power_).subspan(first, last + 1 - first);
+  const double whole = sum(inReach);
   if (!(whole > 0.0)) return found;
-  const std::size_t left = std::max(first, peak - std::min<std::size_t>(peak, kLobe));
-  const std::size_t right = std::min<std::size_t>(last, peak + kLobe);
+  // Between the bins a line may be higher than any bin says.
+  const double top = *std::max_element(inReach.begin(), inReach.end());
+  std::size_t peak = first * kPlaces;
+  double most = 0.0;
+  for (std::size_t b = first; b <= last; ++b) {
+    if (power_[b] < kScalloped * top || (b > first && power_[b - 1] > power_[b]) ||
+        (b < last && power_[b + 1] > power_[b])) {
+      continue;
+    }
+    const std::size_t place = highest(std::max(first, b - 1) * kPlaces, std::min(last, b + 1) * kPlaces);
+    const double height = power(place);
+    if (height <= most) continue;
+    most = height;
+    peak = place;
+  }
+  double line = 0.0;
+  const std::size_t right = std::min(last * kPlaces, peak + lobe_);
+  for (std::size_t p = std::max(first * kPlaces, peak - std::min(peak, lobe_)); p <= right; ++p) line += power(p);
   found.frequency = refined(peak);
-  found.purity = sum(all.subspan(left, right + 1 - left)) / whole;
+  found.purity = std::min(line / (kPlaces * whole), 1.0);
   return found;
 }
 
 // The top of the parabola through the logarithms of the peak and its neighbours.
-Hertz LineFinder::refined(std::size_t peak) const noexcept {
-  const double left = std::log(power_[peak - 1] + 1e-300);
-  const double mid = std::log(power_[peak] + 1e-300);
-  const double right = std::log(power_[peak + 1] + 1e-300);
+Hertz LineFinder::refined(std::size_t place) const noexcept {
+  const double left = std::log(power(place - 1) + 1e-300);
+  const double mid = std::log(power(place) + 1e-300);
+  const double right = std::log(power(place + 1) + 1e-300);
   const double curve = left - 2.0 * mid + right;
   const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
-  return Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth());
+  return Hertz((static_cast<double>(place) + shift) * binWidth() / kPlaces);
 }
 
 LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const noexcept {
-  const double width = spectrum_.binWidth();
+  const double width = binWidth() / kPlaces;
   const double low = std::max(1.0, std::ceil((middle.value - reach.value) / width));
-  const double high = std::min((middle.value + reach.value) / width, static_cast<double>(power_.size()) - 2.0);
+  const double high =
+      std::min((middle.value + reach.value) / width, static_cast<double>((power_.size() - 1) * kPlaces) - 2.0);
   if (!(low < high)) return {};
-  const auto first = static_cast<std::size_t>(low);
-  const auto last = static_cast<std::size_t>(high);
-  std::size_t peak = first;
-  for (std::size_t b = first; b <= last; ++b) {
-    if (power_[b] > power_[peak]) peak = b;
-  }
-  if (power_[peak] < power_[peak - 1] || power_[peak] < power_[peak + 1]) return {};
-  return {refined(peak), power_[peak]};
+  const std::size_t peak = highest(static_cast<std::size_t>(low), static_cast<std::size_t>(high));
+  const double height = power(peak);
+  if (height < power(peak - 1) || height < power(peak + 1)) return {};
+  return {refined(peak), height};
 }
 
 }  // namespace stillcut::detect

@@ -1,4 +1,9 @@
 // The strongest line of the rest: chatter frequency and its doubt.
+//
+// The transform is hardly padded (9/8 of the window); values between its bins, four to a bin, are interpolated where
+// they are wanted, by a sinc of 16 taps under a Hann window. The signal lies within one period of the transform and is
+// windowed to nothing at its begin and padded at its end, so that the sinc's taper cuts into silence: the
+// interpolated power is that of a transform padded to four times the length within 1e-3 of the line's.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
@@ -31,17 +36,25 @@ class LineFinder {
   Peak near(Hertz middle, Hertz reach) const noexcept;
 
  private:
-  Hertz refined(std::size_t peak) const noexcept;
+  struct Channel {
+    std::vector<double> ring;
+    dsp::Spectrum spectrum;
+    double share = 0.0;  // 1 / power of the newest window; 0: silent
+  };
+  double binWidth() const noexcept { return channels_.front().spectrum.binWidth(); }
+  void transform(std::size_t first, std::size_t last) noexcept;
+  double power(std::size_t place) const noexcept;
+  std::size_t highest(std::size_t from, std::size_t to) const noexcept;
+  Hertz refined(std::size_t place) const noexcept;
 
-  int channels_ = 0;
   std::size_t window_ = 0;
   std::size_t head_ = 0;
   std::size_t seen_ = 0;
-  dsp::Spectrum spectrum_;
-  std::vector<double> ring_;
+  std::size_t lobe_ = 0;  // half width of what counts as the line, in places
+  std::vector<Channel> channels_;
   std::vector<double> unrolled_;
-  std::vector<double> power_;
-  std::vector<double> now_;  // of one channel, scratch
+  std::vector<double> power_;  // of every bin, all channels
+  std::vector<double> now_;    // of one channel, scratch
 };
 
 }  // namespace stillcut::detect

@@ -1,7 +1,10 @@
 // The detector's parts, one at a time: energy separation, turn difference, onset test, line finder, input check.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <random>
 
@@ -11,6 +14,7 @@
 #include "core/detect/onset_test.h"
 #include "core/detect/turn_difference.h"
 #include "core/dsp/kernels/choose.h"
+#include "core/dsp/window.h"
 
 namespace stillcut::detect {
 namespace {
@@ -121,6 +125,57 @@ TEST(LineFinder, FindsALineAndItsPurity) {
   const FoundLine line = lines.find(Hertz(50.0), Hertz(5000.0));
   EXPECT_NEAR(line.frequency.value, 935.5, 0.5);
   EXPECT_GT(line.purity, 0.95);
+}
+
+// Against |X|^2 summed plainly, thirty-two frequencies to each 1 / window: two channels of tones and noise.
+TEST(LineFinder, ReadsBetweenTheBinsWhatAPlainTransformSaysThere) {
+  constexpr int kWindow = 1000;
+  constexpr double kStep = kRate / kWindow / 32.0;
+  constexpr double kLow = 200.0;
+  constexpr double kHigh = 4000.0;
+  std::vector<double> window(kWindow);
+  dsp::fillWindow(dsp::WindowKind::Recent, window);
+  std::mt19937 engine(3);
+  std::normal_distribution<double> normal(0.0, 0.3);
+  for (const double hertz : {931.0, 944.0}) {  // a bin is 25.6 Hz
+    LineFinder lines;
+    lines.prepare(2, kWindow, Hertz(kRate));
+    std::vector<std::vector<double>> heard(2, std::vector<double>(kWindow));
+    for (int k = 0; k < kWindow; ++k) {
+      const std::array<double, 2> x{tone(hertz, k) + 0.5 * tone(1370.0, k) + normal(engine),
+                                    20.0 * tone(hertz, k + 5) + 10.0 * normal(engine)};
+      for (std::size_t c = 0; c < 2; ++c)
+        heard[c][static_cast<std::size_t>(k)] = x[c] * window[static_cast<std::size_t>(k)];
+      lines.push(x.data());
+    }
+    const auto count = static_cast<std::size_t>((kHigh - kLow) / kStep);
+    std::vector<double> plain(count, 0.0);
+    for (const auto& channel : heard) {
+      std::vector<double> power(count);
+      double all = 0.0;
+      for (std::size_t i = 0; i < count; ++i) {
+        std::complex<double> x = 0.0;
+        const double turn = -kTwoPi * (kLow + kStep * static_cast<double>(i)) / kRate;
+        for (int k = 0; k < kWindow; ++k) x += channel[static_cast<std::size_t>(k)] * std::polar(1.0, turn * k);
+        power[i] = std::norm(x);
+        all += power[i];
+      }
+      for (std::size_t i = 0; i < count; ++i) plain[i] += power[i] / all;
+    }
+    const auto top = static_cast<std::size_t>(std::max_element(plain.begin(), plain.end()) - plain.begin());
+    double lobe = 0.0;
+    for (std::size_t i = top - 4 * 32; i <= top + 4 * 32; ++i) lobe += plain[i];
+    const FoundLine line = lines.find(Hertz(kLow), Hertz(kHigh));
+    EXPECT_NEAR(line.frequency.value, kLow + kStep * static_cast<double>(top), kStep) << hertz;
+    EXPECT_NEAR(line.purity, lobe / 2.0, 0.02 * lobe) << hertz;
+    // The weaker line, and its height against the stronger one.
+    const LineFinder::Peak strong = lines.near(line.frequency, Hertz(60.0));
+    const LineFinder::Peak weak = lines.near(Hertz(1370.0), Hertz(60.0));
+    const auto at = [&](Hertz f) { return plain[static_cast<std::size_t>(std::lround((f.value - kLow) / kStep))]; };
+    EXPECT_NEAR(strong.frequency.value, line.frequency.value, 1e-9);
+    EXPECT_NEAR(weak.power / strong.power, at(weak.frequency) / at(strong.frequency), 0.02 * weak.power / strong.power)
+        << hertz;
+  }
 }
 
 class InputCheckTest : public ::testing::Test {
