@@ -9,6 +9,9 @@ test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tid
 # Real machines for the link tests; a test whose peer is absent skips with one line.
 peer_packages="linuxcnc-uspace python3-pymodbus python3-serial-asyncio socat"
 
+# What makes and checks the Debian package.
+package_packages="dpkg-dev help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
+
 # install_missing PACKAGE... : asks dpkg first, so that a second run costs nothing and needs no network.
 install_missing() {
   local package missing=()

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/compose/build_info.h"
 #include "core/config/nearest_word.h"
-#include "generated/version.h"
 
 namespace stillcut::app {
 
@@ -58,7 +58,8 @@ Error usageError(const CLI::App& app, const CLI::ParseError& wrong, std::string_
 
 int run(int argc, char** argv) {
   CLI::App app{"Stillcut tells chatter before it marks the part, and what to do about it."};
-  app.set_version_flag("--version", "stillcut-cli " STILLCUT_VERSION);
+  app.set_version_flag(
+      "--version", [] { return versionText("stillcut-cli"); }, "Version, commit and libraries");
   app.require_subcommand(1);
   int exitCode = kExitDone;
   addSimulate(app, exitCode);

@@ -7,12 +7,17 @@
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QStandardPaths>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <optional>
+#include <string_view>
 
+#include "app/compose/build_info.h"
+#include "app/compose/resource_folder.h"
 #include "app/desktop/report_mode.h"
 #include "app/session/session.h"
 #include "generated/version.h"
@@ -28,6 +33,7 @@ struct Options {
   QString scenario, profile, record;
   QString screenshot;
   bool report = false;
+  bool version = false;
   QStringList files;  // of a report
   double after_s = kPictureAfter;
   QSize size{1280, 800};
@@ -69,8 +75,10 @@ Result<Options> parse(const QStringList& arguments) {
   parser.addPositionalArgument(QStringLiteral("files"),
                                QStringLiteral("With --report: the recording and the file to write."),
                                QStringLiteral("[RECORDING OUT]"));
+  const QCommandLineOption version({QStringLiteral("v"), QStringLiteral("version")},
+                                   QStringLiteral("Show version, commit and libraries."));
+  parser.addOption(version);
   parser.addHelpOption();
-  parser.addVersionOption();
   parser.process(arguments);
 
   Options options;
@@ -79,6 +87,7 @@ Result<Options> parse(const QStringList& arguments) {
   options.record = parser.value(record);
   options.screenshot = parser.value(screenshot);
   options.report = parser.isSet(report);
+  options.version = parser.isSet(version);
   options.files = parser.positionalArguments();
   if (!options.report && !options.files.isEmpty()) {
     return Error{"command line", "'" + options.files[0].toStdString() + "' is not understood", "files need --report"};
@@ -110,7 +119,7 @@ Result<Options> parse(const QStringList& arguments) {
     return Error{"command line", "--profile and --screenshot exclude each other", "pictures are made of scenarios"};
   }
   if (options.scenario.isEmpty() && options.profile.isEmpty()) {
-    options.scenario = QStringLiteral(STILLCUT_RESOURCE_DIR "/scenarios/demo.toml");
+    options.scenario = QString::fromStdString((resourceFolder() / "scenarios/demo.toml").string());
   }
   return options;
 }
@@ -134,15 +143,23 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
   return fail(options.screenshot.toStdString() + ": cannot be written");
 }
 
+bool needsNoDisplay(int argc, char** argv) {
+  static constexpr std::array<std::string_view, 6> kQuiet{"--report", "--version", "-v", "--help", "-h", "--help-all"};
+  return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::ranges::count(kQuiet, word) > 0; });
+}
+
 int run(int argc, char** argv) {
-  // A report needs no display.
-  if (asksForReport(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (needsNoDisplay(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication app(argc, argv);
   QApplication::setOrganizationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationName(QStringLiteral("Stillcut"));
   QApplication::setApplicationVersion(QStringLiteral(STILLCUT_VERSION));
   const auto options = parse(QApplication::arguments());
   if (!options) return fail(options.error().line());
+  if (options->version) {
+    std::puts(versionText("stillcut", std::string("Qt ") + qVersion()).c_str());
+    return 0;
+  }
   if (options->report) {
     const Status made = makeReport(options->files, options->sizeGiven ? options->size : QSize(1400, 900));
     return made ? 0 : fail(made.error().line());

@@ -1,18 +1,9 @@
 #include "app/desktop/report_mode.h"
 
-#include <cstring>
-
 #include "app/compose/session_summary_builder.h"
 #include "ui/report/report_files.h"
 
 namespace stillcut::app {
-
-bool asksForReport(int argc, char** argv) {
-  for (int i = 1; i < argc; ++i) {
-    if (std::strcmp(argv[i], "--report") == 0) return true;
-  }
-  return false;
-}
 
 Status makeReport(const QStringList& files, QSize pictureSize) {
   if (files.size() != 2) return Error{"--report", "needs a recording and a file to write", "--report IN OUT.pdf"};

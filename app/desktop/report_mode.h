@@ -8,9 +8,6 @@
 
 namespace stillcut::app {
 
-// True where the command line asks for it: then no window is made, and no display is needed.
-bool asksForReport(int argc, char** argv);
-
 // `files`: the recording, and what to write. Runs under a QGuiApplication or QApplication.
 Status makeReport(const QStringList& files, QSize pictureSize);
 
