@@ -1,0 +1,106 @@
+// stillcut-cli parameters: every parameter there is, made from the declarations. With --markdown the chapter
+// resources/manual/parameters.md, which a test holds against this output.
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/compose/catalog.h"
+#include "core/config/nearest_word.h"
+#include "core/config/number_text.h"
+
+namespace stillcut::app {
+namespace {
+
+using config::ParamDecl;
+using config::ParamKind;
+
+std::string_view partOf(const ParamDecl& decl) {
+  return decl.key.substr(0, decl.key.find('.'));
+}
+
+std::string rangeText(const ParamDecl& decl) {
+  if (decl.kind == ParamKind::Boolean) return "true, false";
+  if (decl.kind == ParamKind::Choice) {
+    std::string words;
+    for (const std::string_view choice : decl.choices) words.append(words.empty() ? "" : ", ").append(choice);
+    return words;
+  }
+  return config::numberText(decl.lowest) + " to " + config::numberText(decl.highest) +
+         (decl.unit.empty() ? "" : " " + std::string(decl.unit));
+}
+
+void printPlain(const ParamDecl& decl) {
+  std::printf("%.*s = %s\n    %.*s (%s%s)\n", static_cast<int>(decl.key.size()), decl.key.data(),
+              config::ParamSet().text(decl).c_str(), static_cast<int>(decl.meaning.size()), decl.meaning.data(),
+              rangeText(decl).c_str(), decl.lockedWhileRunning ? "; locked while a cut runs" : "");
+}
+
+// A bar would end the cell.
+std::string cell(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) escaped.append(c == '|' ? "\\|" : std::string(1, c));
+  return escaped;
+}
+
+void printRow(const ParamDecl& decl) {
+  std::printf("| `%.*s` | %s | %s%s | %s |\n", static_cast<int>(decl.key.size()), decl.key.data(),
+              config::ParamSet().text(decl).c_str(), cell(rangeText(decl)).c_str(),
+              decl.lockedWhileRunning ? ", locked" : "", cell(decl.meaning).c_str());
+}
+
+void printChapter(const std::vector<const ParamDecl*>& decls) {
+  std::puts("# Parameters\n");
+  std::puts(
+      "Every parameter, its default, its range and its meaning. `auto`: the program finds the value itself and says");
+  std::puts(
+      "what it found. Locked: not while a cut runs. A parameter file or a profile sets them ([files](files.md)).");
+  std::puts("This chapter is made by `stillcut-cli parameters --markdown`.");
+  std::string_view part;
+  for (const ParamDecl* decl : decls) {
+    if (partOf(*decl) != part) {
+      part = partOf(*decl);
+      std::printf("\n## %.*s\n\n| key | default | range | meaning |\n|---|---|---|---|\n",
+                  static_cast<int>(part.size()), part.data());
+    }
+    printRow(*decl);
+  }
+}
+
+Status print(const std::string& wanted, bool markdown) {
+  const config::ParamCatalog catalog = fullCatalog();
+  std::vector<const ParamDecl*> chosen;
+  std::vector<std::string_view> parts;
+  for (const ParamDecl* decl : catalog.all()) {
+    if (parts.empty() || parts.back() != partOf(*decl)) parts.push_back(partOf(*decl));
+    if (wanted.empty() || partOf(*decl) == wanted) chosen.push_back(decl);
+  }
+  if (chosen.empty()) return Error{"parameters", "'" + wanted + "' has none", config::didYouMean(wanted, parts)};
+  if (markdown) {
+    printChapter(chosen);
+  } else {
+    for (const ParamDecl* decl : chosen) printPlain(*decl);
+  }
+  return Done{};
+}
+
+struct Options {
+  std::string part;
+  bool markdown = false;
+};
+
+}  // namespace
+
+void addParameters(CLI::App& app, int& exitCode) {
+  CLI::App* command = app.add_subcommand("parameters", "List the parameters of detectors, strategies and the gate");
+  auto options = std::make_shared<Options>();
+  command->add_option("PART", options->part, "Only those of one part: energy-ratio, stable-pocket, gate ...");
+  command->add_flag("--markdown", options->markdown, "As the chapter of the manual");
+  command->callback([&exitCode, options] {
+    const Status printed = print(options->part, options->markdown);
+    exitCode = printed ? kExitDone : fail(printed.error());
+  });
+}
+
+}  // namespace stillcut::app
