@@ -246,7 +246,7 @@ Orders stable(int seeds) {
   Orders orders;
   constexpr DepthPlan kLong{.rise = 1.0, .risen = 1.3, .end = 4.0};
   each(kFast, seeds, 1200, [&](Scenario& s, const milling::StabilityLimit& limit) {
-    s.programme.unevenness = 0.005;
+    s.programme.unevenness = 1.85e-5;
     planDepth(s, kLong, 0.9 * limit.depth.value, 0.9 * limit.depth.value);
     orders.push_back(order("stable, near the limit", s, AlarmRule::Silent));
     planDepth(s, kLong, 0.5 * limit.depth.value, 0.9 * limit.depth.value);

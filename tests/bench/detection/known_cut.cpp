@@ -100,7 +100,7 @@ void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::Chatt
   cut.at1 = onset.at1;
   cut.at20 = onset.at20;
   cut.chatterHz = truth.chatterFrequency().value;
-  cut.kind = truth.kind(cut.teeth);
+  cut.kind = truth.kind();
   if (!order.recovers) return;
   for (const auto& entry : truth.log()) {
     if (static_cast<double>(entry.time) > cut.at20 && truth.ratioAt(entry, Hertz(cut.chatterHz)) > 0.2) {
