@@ -13,9 +13,10 @@ constexpr double kSlowGrowth = 1.5;      // from turn to turn
 constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
 constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
 constexpr double kLeap = 6.0;            // energy of a hop above that and above all hops of a turn: scatter of noise
-constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap nothing is believed for so long: two turns are compared
-constexpr double kBeating = 3.0;             // a line beats with the harmonics beside it
-constexpr double kFalling = 0.7;             // of the energy one and a half turns ago: it rings down
+constexpr int kNewLoadHops = 6 * kHopsPerTurn;  // what is left by then is not the leap but a new load
+constexpr double kBeyond = 2.0;                 // in energy, of what has grown over a leap
+constexpr double kBeating = 3.0;                // a line beats with the harmonics beside it
+constexpr double kFalling = 0.7;                // of the energy one and a half turns ago: it rings down
 
 }  // namespace
 
@@ -23,7 +24,7 @@ void EnergyGrowth::restart() noexcept {
   sums_ = {};
   hops_ = {};
   newest_ = 0;
-  changed_ = energy_ = level_ = 0.0;
+  changed_ = energy_ = level_ = leap_ = 0.0;
   sinceLeap_ = kLevelHops;
 }
 
@@ -43,6 +44,22 @@ void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
   all *= static_cast<double>(windowHops) / kLevelHops;
   changed_ = all > 0.0 ? changed / all : 0.0;
   sinceLeap_ = leaps(length) ? 0 : std::min(sinceLeap_ + 1, kLevelHops);
+  if (leapt()) leap_ = std::max(leap_, energy_);
+}
+
+void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
+  if (other.sinceLeap_ > 0) return;
+  sinceLeap_ = 0;
+  leap_ = std::max(leap_, energy_);
+}
+
+void EnergyGrowth::test(int windowHops, bool learn) noexcept {
+  onset_.update(changed_, 1.0 / windowHops, learn, energy_);
+  if (!(leap_ > 0.0) || leapt()) return;
+  const bool calm = !onset_.alarm();
+  const bool newLoad = learn && sinceLeap_ >= kNewLoadHops;
+  if (newLoad && !calm) relearn();
+  if (newLoad || calm) leap_ = 0.0;
 }
 
 double EnergyGrowth::changedIn(int from, int hops) const noexcept {
@@ -82,7 +99,7 @@ bool EnergyGrowth::leaps(Seconds length) const noexcept {
 }
 
 bool EnergyGrowth::steadyGrowth() const noexcept {
-  if (sinceLeap_ < kLeapHops) return false;
+  if (leapt() || energy_ < kBeyond * leap_) return false;
   return changedIn(0, kHopsPerTurn) > kFalling * changedIn(kHopsPerTurn + kHopsPerTurn / 2, kHopsPerTurn);
 }
 

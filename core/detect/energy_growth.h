@@ -15,6 +15,7 @@ inline constexpr int kHopsPerTurn = 8;
 class EnergyGrowth {
  public:
   static constexpr int kLevelHops = 8 * kHopsPerTurn;
+  static constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap two turns are compared with it
 
   // arrival: part of the power of a line that the statistic passes during the line's first turn.
   void prepare(const OnsetTest::Limits& limits, double arrival) noexcept {
@@ -33,8 +34,10 @@ class EnergyGrowth {
   }
   // windowHops: newest hops over which the energies are averaged; length: of the hop.
   void endHop(int windowHops, Seconds length) noexcept;
+  // Before test(): what leaps in one statistic of a channel has leapt in the other, whose floor may hide it.
+  void leapWith(const EnergyGrowth& other) noexcept;
   // Tests the level of the last hop; learn: the cut is steady and nobody alarms.
-  void test(int windowHops, bool learn) noexcept { onset_.update(changed_, 1.0 / windowHops, learn, energy_); }
+  void test(int windowHops, bool learn) noexcept;
 
   // E_d / E_x of the newest window.
   double changed() const noexcept { return changed_; }
@@ -45,8 +48,12 @@ class EnergyGrowth {
   // energy by 2 e: the energy must grow by no more than what is new explains.
   bool rising() const noexcept;
   // Growth, and neither a blow nor what rings down after one: a vibration that grows passes through every level between
-  // its noise and what it is now; a blow, or a tooth that leaves the material at once, leaps over them.
+  // its noise and what it is now; a blow, or a tooth that leaves the material at once, leaps over them. What is there
+  // after a leap has grown only where it exceeds the leap; where it neither does nor calms down the load has changed,
+  // and the floor of the new one is learned.
   bool steadyGrowth() const noexcept;
+  // Turns since the last leap, no further than kLevelHops.
+  double turnsSinceLeap() const noexcept { return static_cast<double>(sinceLeap_) / kHopsPerTurn; }
   const OnsetTest& onset() const noexcept { return onset_; }
 
  private:
@@ -60,6 +67,7 @@ class EnergyGrowth {
   double changedIn(int from, int hops) const noexcept;
   bool grows(int hops, double factor) const noexcept;
   bool leaps(Seconds length) const noexcept;
+  bool leapt() const noexcept { return sinceLeap_ < kLeapHops; }
   bool explainsEnergy() const noexcept;
 
   double arrival_ = 1.0;
@@ -69,6 +77,7 @@ class EnergyGrowth {
   double changed_ = 0.0;
   double energy_ = 0.0;  // E_d of the newest window, per hop
   double level_ = 0.0;
+  double leap_ = 0.0;           // E_d of the leap that nothing has come of yet; 0: none
   int sinceLeap_ = kLevelHops;  // hops, no further than kLevelHops
   OnsetTest onset_;
 };

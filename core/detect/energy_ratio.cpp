@@ -147,12 +147,17 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
+    for (EnergyGrowth* g : {&s.growth, &s.news}) g->endHop(windowHops_, length);
+    s.growth.leapWith(s.news);
+    s.news.leapWith(s.growth);
     for (EnergyGrowth* g : {&s.growth, &s.news}) {
-      g->endHop(windowHops_, length);
       if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
     }
     s.doubling.endHop(chain_, c);
-    if (test) s.doubling.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
+    // A load that leaps takes its own pattern of runout along.
+    const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns;
+    if (held && judge_.state() == CutState::Stable) s.doubling.relearn();
+    if (test && !held) s.doubling.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
   if (judge_.judge(channelStates_, lines_,

@@ -51,7 +51,6 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
     changed_ = growth.changed();
   }
   grown_ = grown_ || onset.alarm();
-  rising_ = rising_ || (growth.rising() && growth.steadyGrowth());
   learned_ = learned_ && onset.learned();
   growing_ = growing_ || (onset.alarm() && growth.steadyGrowth());
 }
@@ -69,7 +68,7 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
     // What is new also holds forced vibration that changes: for the fast only.
-    rising_ = rising_ || (c.news.rising() && c.news.steadyGrowth());
+    rising_ = rising_ || ((c.growth.rising() || c.news.rising()) && c.growth.steadyGrowth() && c.news.steadyGrowth());
     grown_ = grown_ || c.news.onset().alarm();
     double unrepeated = 0.0;
     double all = 0.0;

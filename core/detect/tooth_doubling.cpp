@@ -37,13 +37,14 @@ void ToothDoubling::endHop(const EnergyChain& chain, int channel) noexcept {
     strongest = power;
     order_ = n;
   }
+  energy_ = odd;
   share_ = all > 0.0 ? odd / all : 0.0;
   weightedShare_ = weightedAll > 0.0 ? weightedOdd / weightedAll : 0.0;
   purity_ = odd > 0.0 ? strongest / odd : 0.0;
 }
 
 void ToothDoubling::test(double turns, bool learn) noexcept {
-  if (teeth_ >= 2) onset_.update(share_, turns, learn);
+  if (teeth_ >= 2) onset_.update(share_, turns, learn, energy_);
 }
 
 double ToothDoubling::severity() const noexcept {

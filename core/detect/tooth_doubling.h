@@ -36,6 +36,7 @@ class ToothDoubling {
   int teeth_ = 0;
   int eta_ = 0;
   double share_ = 0.0;
+  double energy_ = 0.0;
   double weightedShare_ = 0.0;
   double purity_ = 0.0;
   int order_ = 0;

@@ -27,6 +27,9 @@ struct CutSignal {
   double growthConstant = 0.02;  // s
   double startAmplitude = 0.02;  // of the main tooth harmonic
   double cap = 3.0;              // of the main tooth harmonic
+  // From then on every harmonic has another size and phase, as when the tool's arc of engagement is cut short; s, -1:
+  // never.
+  double newLoad = -1.0;
   // A lightly damped mode shaken by noise: stable, yet narrow-band.
   double modeHertz = 922.0;
   double modeDamping = 0.02;
@@ -66,7 +69,14 @@ inline Recording makeCut(const CutSignal& s) {
   Recording r;
   r.rate = s.rate;
   r.channels.assign(1, std::vector<float>(n));
+  const auto loadChange = s.newLoad < 0.0 ? n : static_cast<std::size_t>(s.newLoad * s.rate);
   for (std::size_t k = 0; k < n; ++k) {
+    if (k == loadChange) {
+      for (std::size_t h = 0; h < amplitude.size(); ++h) {
+        amplitude[h] *= (h + 1) % static_cast<std::size_t>(s.teeth) == 0 ? 0.7 : 2.0;
+        start[h] = phase(engine);
+      }
+    }
     step(speed, s.speedSd, 1.0);
     angle += kTwoPi * s.spindle * (1.0 + speed) * dt;
     double x = s.noise * std::sqrt(0.5) * normal(engine);

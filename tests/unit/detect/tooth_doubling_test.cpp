@@ -53,5 +53,29 @@ TEST(Doubling, RunoutOfAlternateTeethIsNoAlarm) {
   }
 }
 
+// The tool comes to the end of the material: runout weighs more in what is left of the arc, and nothing grows.
+TEST(Doubling, ALoadThatLeapsIsNoAlarm) {
+  for (const int teeth : {2, 3, 4}) {
+    for (const unsigned seed : {31U, 32U, 33U}) {
+      CutSignal s = withTeeth(teeth, seed);
+      s.newLoad = 2.5;
+      s.seconds = 4.0;
+      EXPECT_LT(run(makeCut(s), told(s)).firstAlarm, 0.0) << teeth << " teeth, seed " << seed;
+    }
+  }
+}
+
+// The cut goes on with the new load, and chatter in it is seen.
+TEST(Doubling, ChatterAfterALeapOfTheLoadIsSeen) {
+  CutSignal s = withTeeth(4, 34);
+  s.newLoad = 1.5;
+  s.growthStart = 2.2;
+  s.growthConstant = 0.02;
+  s.seconds = 2.8;
+  const RunResult r = run(makeCut(s), told(s));
+  EXPECT_GT(r.firstAlarm, s.growthStart);
+  EXPECT_LT(r.firstAlarm, s.growthStart + 4.4 * s.growthConstant);
+}
+
 }  // namespace
 }  // namespace stillcut::detect::testing
