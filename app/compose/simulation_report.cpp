@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMoved = 1e-3;     // a factor nearer to 1 than this is the programmed value
-constexpr double kRest = 0.1;       // [s] a commanded speed must have stood still before a move counts as a new one
+constexpr double kRest = 0.5;       // [s] a commanded speed must have stood still before a move counts as a new one
 constexpr double kQuietFor = 0.25;  // [s] without true chatter that count as quiet
 constexpr double kFinal = 1.0;      // [s] in the cut that count as the end
 
@@ -59,13 +59,16 @@ std::string outcomeOf(const RunHistory& run) {
   return resigned ? "no-stable-speed" : "chatter";
 }
 
+// As the gate counts them: a move on the way waits for the feed that is read back, and goes on.
 int countMoves(const std::vector<Point>& points) {
   int moves = 0;
-  double factor = 1.0;
-  double lastMove = -1.0;
+  double factor = 1.0, way = 0.0, lastMove = 0.0;
   for (const Point& p : points) {
-    if (std::abs(p.speedFactor - factor) < 1e-4) continue;
-    if (p.t - lastMove > kRest) ++moves;
+    const double step = p.speedFactor - factor;
+    if (std::abs(step) < 1e-4) continue;
+    const bool goesOn = step * way > 0.0 && p.t - lastMove <= kRest;
+    if (!goesOn) ++moves;
+    way = step;
     factor = p.speedFactor;
     lastMove = p.t;
   }

@@ -52,7 +52,7 @@ struct SimulationReport {
   double finalSpeed = 0.0;    // [rpm]
   double finalFeed = 0.0;     // [mm/min]
   double mrrRatio = 0.0;      // removal rate at the end against the programmed one
-  int speedChanges = 0;       // moves of the commanded speed that start from rest
+  int speedChanges = 0;       // moves of the commanded speed that start from rest or turn round
 };
 
 SimulationReport report(const RunHistory& controlled, const RunHistory& alone, const milling::SimulatedCut& plant);

@@ -39,7 +39,7 @@ bool onHarmonic(Hertz frequency, Hertz spindle) noexcept {
 
 void ChatterJudge::forget() STILLCUT_RT {
   frequency_ = {};
-  fraction_ = standing_ = quiet_ = fast_ = slow_ = 0.0;
+  fraction_ = standing_ = full_ = quiet_ = fast_ = slow_ = 0.0;
   confirmed_ = false;
 }
 
@@ -61,6 +61,7 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
     return;
   }
   quiet_ = 0.0;
+  full_ = verdict.state == CutState::Chatter ? full_ + step : 0.0;
   follow(verdict, step, spindle);
   if (!spindle.moved) {
     confirmed_ = standing_ >= options_.first.value;
@@ -68,12 +69,13 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
     return;
   }
   const double turn = 1.0 / spindle.measured.value;
-  const bool lasting = standing_ >= std::max(options_.after.value, kLastingTurns * turn);
+  const double lasts = std::max(options_.after.value, kLastingTurns * turn);
   const bool full = verdict.state == CutState::Chatter && fast_ > kFalling * slow_;
   const bool growing = fast_ > kGrowing * slow_;
   const bool loud = usual_ > 0.0 && loud_ > kTimesUsual * usual_ && loud_ > kAsBefore * struck_ &&
                     slow_ > kStandingSeverity && standing_ >= 2.0 * options_.after.value;
-  confirmed_ = lasting && (full || growing || loud);
+  const bool restless = loud_ > struck_ && full_ >= 2.0 * lasts;
+  confirmed_ = restless || (standing_ >= lasts && (full || growing || loud));
 }
 
 void ChatterJudge::follow(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT {

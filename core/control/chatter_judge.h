@@ -6,7 +6,9 @@
 //   onset must grow. A line on a harmonic of the measured spindle speed is then the cut's own: the move has just put a
 //   tooth harmonic where the chatter was, and a detector whose comb still follows the old speed leaves it in the rest.
 //   An alarm that neither grows nor falls is chatter all the same where the vibration is as loud as the chatter was and
-//   several times what it was before: chatter that has grown to its end stands still.
+//   several times what it was before: chatter that has grown to its end stands still. Full chatter that lasts louder
+//   than what was struck at needs no standing frequency either: grown until the tool leaves the cut it may have two
+//   lines, or none that stands, and a rattling sensor rattled before the move too.
 // Thread: worker. Real-time.
 #pragma once
 
@@ -51,6 +53,7 @@ class ChatterJudge {
   Hertz frequency_{};
   double fraction_ = 0.0;  // of a spindle frequency, -0.5 .. 0.5
   double standing_ = 0.0;  // [s] alarmed at one frequency
+  double full_ = 0.0;      // [s] of full chatter, whatever its frequency
   double quiet_ = 0.0;     // [s] since the last alarm
   double fast_ = 0.0, slow_ = 0.0;
   double usual_ = 0.0;   // vibration without an alarm, at the programmed speed

@@ -20,9 +20,14 @@ constexpr ParamDecl kSmoothing = config::realParam("extremum.smoothing", "Smooth
 constexpr ParamDecl kSeekStep =
     config::realParam("extremum.seek-step", "Step of the search", "%", 1.0, 0.2, 5.0,
                       "Distance of neighbouring trials, in percent of the programmed speed");
-constexpr ParamDecl kSeekDwell = config::realParam("extremum.seek-dwell", "Time per trial", "ms", 400.0, 20.0, 10000.0,
-                                                   "The vibration at each trial is averaged this long");
-constexpr const ParamDecl* kParams[] = {&kMu, &kLambda, &kUnit, &kPeriod, &kSmoothing, &kSeekStep, &kSeekDwell};
+constexpr ParamDecl kSeekDwell =
+    config::realParam("extremum.seek-dwell", "Longest time per trial", "ms", 400.0, 20.0, 10000.0,
+                      "The vibration at each trial is averaged no longer than this");
+constexpr ParamDecl kSeekTurns =
+    config::realParam("extremum.seek-turns", "Revolutions per trial", "", 80.0, 5.0, 1000.0,
+                      "The vibration at each trial is averaged over so many revolutions, or as long as is allowed");
+constexpr const ParamDecl* kParams[] = {&kMu,        &kLambda,   &kUnit,      &kPeriod,
+                                        &kSmoothing, &kSeekStep, &kSeekDwell, &kSeekTurns};
 
 constexpr double kOnHarmonic = 1e-3;      // of the frequency: closer, the sign of Delta f is noise
 constexpr double kChatterPatience = 1.0;  // [s] that chatter may take to die at the next trial
@@ -48,6 +53,7 @@ void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
   period_ = Seconds(params.real(kPeriod) / 1000.0);
   MinimumSearch::Options options;
   options.step = params.real(kSeekStep) / 100.0;
+  options.turns = params.real(kSeekTurns);
   options.dwell = Seconds(params.real(kSeekDwell) / 1000.0);
   search_.configure(options);
   prepareRule(setup, params, {Seconds(params.real(kSmoothing) / 1000.0), false, false});
@@ -59,6 +65,7 @@ void Extremum::forget() noexcept {
   alarmedFor_ = 0.0;
   searches_ = 0;
   started_ = false;
+  settles_ = quietAt_ = {};
 }
 
 Aim Extremum::aim(const RuleView& view) noexcept {
@@ -73,7 +80,12 @@ bool Extremum::searchGoesOn(const RuleView& view) noexcept {
   alarmedFor_ = alarmed_ ? alarmedFor_ + view.dt.value : 0.0;
   if (alarmed_ && alarmedFor_ < kChatterPatience) return true;
   alarmedFor_ = 0.0;
-  return search_.chattered();
+  if (search_.chattered()) return true;
+  // Where the law would settle it chatters: back to where the cut became quiet, and search from there.
+  if (!(quietAt_.value > 0.0)) return false;
+  search_.start(quietAt_, view.programmed);
+  quietAt_ = {};
+  return true;
 }
 
 // Eq. 31-33.
@@ -93,6 +105,7 @@ Aim Extremum::law(const RuleView& view) noexcept {
   const double relative = gamma_ > 0.0 ? root / gamma_ : 0.0;
   const int waves = wavesBetweenTeeth(view.chatter, view.teeth, view.present);
   const Hertz apart = view.chatter - toothPassing(view.present, view.teeth) * waves;
+  settles_ = speedForWaves(view.chatter, view.teeth, waves);
   if (std::abs(apart.value) > kOnHarmonic * view.chatter.value) {
     theta_ += std::copysign(2.0 * mu_ * relative * unit_, apart.value);
   }
@@ -114,9 +127,13 @@ Aim Extremum::whenQuiet(const RuleView& view) noexcept {
   if (search_.state() == MinimumSearch::State::Idle) {
     if (searches_ >= kMostSearches) return FrequencyRule::whenQuiet(view);
     ++searches_;
-    search_.start(view.present, view.programmed);
+    const bool farther = view.reach.contains(settles_);
+    quietAt_ = farther ? view.present : Rpm();
+    search_.start(farther ? settles_ : view.present, view.programmed);
   }
-  search_.advance({view.dt.value, view.vibration >= 0.0 ? view.vibration : view.level, view.present, view.reach});
+  const double level = view.vibration >= 0.0 ? view.vibration : view.level;
+  search_.advance({view.dt.value, level, view.present, view.reach, view.perturbation});
+  if (search_.best().value > 0.0) quietAt_ = {};
   return searching(view);
 }
 

@@ -8,11 +8,14 @@
 // control period (`unit`), because a full step per sample would leave the override's range at once.
 //
 // sign(Delta f) alone settles where Delta f = 0 and not where H is least (figure 7: 33 000 against 33 600 rpm).
-// extremum-paper stops there. extremum-seek goes on once the cut is quiet: it compares the vibration at neighbouring
-// speeds, brackets the least, and ends at the vertex of the parabola through the bracket; a speed at which chatter
-// returns is left again and bounds the search. A fixed number of trials: it does not hunt. The vibration itself, where
-// it is known, as figure 12 compares it: H of a quiet cut is that of its noise (11 to 90 within a second at one speed
-// of the simulated ramp) and has its least where no chatter would come first, not where the cut is quietest.
+// extremum-paper stops where chatter stops, at Delta f = 0 at the latest. extremum-seek goes on once the cut is quiet:
+// first to where the law would settle for the last frequency heard, because the edge of the pocket is no place to stay
+// (the speed that Delta f = 0 asks for changes with the frequency; near its end the law's own steps are slow). From
+// there it compares the vibration at neighbouring speeds, brackets the least, and ends at the vertex of the parabola
+// through the bracket; a speed at which chatter returns is left again and bounds the search. A fixed number of trials:
+// it does not hunt. The vibration itself, where it is known, as figure 12 compares it: H of a quiet cut is that of its
+// noise (11 to 90 within a second at one speed of the simulated ramp) and has its least where no chatter would come
+// first, not where the cut is quietest.
 #pragma once
 
 #include "core/control/frequency_rule.h"
@@ -47,6 +50,8 @@ class Extremum : public FrequencyRule {
   double alarmedFor_ = 0.0;  // [s] since the search was last told of chatter
   int searches_ = 0;
   bool started_ = false;  // the law has run in this episode
+  Rpm settles_{};         // where Delta f = 0 for the last frequency heard
+  Rpm quietAt_{};         // where the cut became quiet, while the search has not left settles_; 0: no such place
   double theta_ = 0.0;
   double gamma_ = 0.0;
   double sincePeriod_ = 0.0;

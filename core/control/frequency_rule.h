@@ -21,10 +21,11 @@ struct RuleView {
   Seconds dt{};
   Hertz chatter{};  // low-passed; 0 when quiet
   int teeth = 0;
-  Rpm present{};            // measured, or commanded where the machine does not measure
-  Rpm programmed{};         // times the operator's knob
-  double level = 0.0;       // perturbation power, any unit (StrategyInput::perturbation, else the severity)
-  double vibration = -1.0;  // StrategyInput::vibration
+  Rpm present{};               // measured, or commanded where the machine does not measure
+  Rpm programmed{};            // times the operator's knob
+  double level = 0.0;          // perturbation power, any unit (StrategyInput::perturbation, else the severity)
+  double vibration = -1.0;     // StrategyInput::vibration
+  double perturbation = -1.0;  // StrategyInput::perturbation
   config::SpeedRange reach;
 };
 

@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kSettledShare = 0.3;  // of a step
 constexpr double kMostDrift = 0.25;    // between two trials: more is not believed
+// Times H at the best speed. H of a quiet cut scatters by eight within a second at one speed of the simulated ramp.
+constexpr double kNearChatter = 8.0;
 
 }  // namespace
 
@@ -29,7 +31,7 @@ void MinimumSearch::start(Rpm speed, Rpm base) STILLCUT_RT {
 void MinimumSearch::tryAt(Rpm speed) STILLCUT_RT {
   trying_ = speed;
   waited_ = 0.0;
-  dwelt_ = sum_ = early_ = earlyTime_ = 0.0;
+  dwelt_ = sum_ = early_ = earlyTime_ = perturbationSum_ = 0.0;
   ++trials_;
 }
 
@@ -38,28 +40,40 @@ Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
   reach_ = in.reach;
   sinceJudged_ += in.dt;
   if (std::abs((in.present - trying_).value) > kSettledShare * options_.step * base_.value) {
-    waited_ = dwelt_ = sum_ = early_ = earlyTime_ = 0.0;
+    waited_ = dwelt_ = sum_ = early_ = earlyTime_ = perturbationSum_ = 0.0;
     return trying_;
   }
   waited_ += in.dt;
-  if (waited_ < options_.wait.value) return trying_;
+  const double turns = options_.turns / toHertz(in.present).value;  // [s]
+  if (waited_ < std::min(options_.wait.value, 0.5 * turns)) return trying_;
   dwelt_ += in.dt;
   sum_ += in.level * in.dt;
-  if (dwelt_ <= 0.5 * options_.dwell.value) {
+  if (std::isfinite(in.perturbation)) perturbationSum_ += std::max(0.0, in.perturbation) * in.dt;
+  const double dwell = std::min(options_.dwell.value, turns);
+  if (dwelt_ <= 0.5 * dwell) {
     early_ = sum_;
     earlyTime_ = dwelt_;
   }
-  if (dwelt_ >= options_.dwell.value) judge({trying_, sum_ / dwelt_, true});
+  if (dwelt_ > 0.5 * dwell && nearChatter()) {
+    closeThisSide();
+  } else if (dwelt_ >= dwell) {
+    judge({trying_, sum_ / dwelt_, perturbationSum_ / dwelt_, true});
+  }
   return trying_;
 }
 
+bool MinimumSearch::nearChatter() const STILLCUT_RT {
+  return best_.known && best_.perturbation > 0.0 && perturbationSum_ > kNearChatter * best_.perturbation * dwelt_;
+}
+
 // Share by which the level has changed since the trial before, from the two halves of this one.
-double MinimumSearch::drift() const STILLCUT_RT {
+double MinimumSearch::drift() STILLCUT_RT {
   const double lateTime = dwelt_ - earlyTime_;
   if (!(earlyTime_ > 0.0) || !(lateTime > 0.0) || !(early_ > 0.0)) return 0.0;
   const double early = early_ / earlyTime_, late = (sum_ - early_) / lateTime;
-  const double perSecond = (late - early) / (0.5 * (early + late)) / (0.5 * dwelt_);
-  return std::clamp(perSecond * sinceJudged_, -kMostDrift, kMostDrift);
+  const double before = growth_;
+  growth_ = (late - early) / (0.5 * (early + late)) / (0.5 * dwelt_);
+  return std::clamp(std::min(growth_, before) * sinceJudged_, -kMostDrift, kMostDrift);
 }
 
 void MinimumSearch::judge(const Point& point) STILLCUT_RT {
@@ -97,11 +111,14 @@ void MinimumSearch::next() STILLCUT_RT {
 }
 
 bool MinimumSearch::chattered() STILLCUT_RT {
-  if (state_ == State::Idle || !best_.known || trying_ == best_.speed) {
-    forget();
-    return false;
-  }
-  // A neighbour without a level: the bracket stays open on that side.
+  if (state_ != State::Idle && closeThisSide()) return true;
+  forget();
+  return false;
+}
+
+// A neighbour without a level: the bracket stays open on that side. False: it is the best speed itself.
+bool MinimumSearch::closeThisSide() STILLCUT_RT {
+  if (!best_.known || trying_ == best_.speed) return false;
   (trying_ > best_.speed ? closedAbove_ : closedBelow_) = true;
   next();
   return true;

@@ -2,7 +2,10 @@
 // settled, averages the level over the dwell, then decides: go on in the same direction while the level falls, turn
 // round once, and when both neighbours of the best speed are worse (or chattering) end at the vertex of the parabola
 // through the three. At most kMostTrials speeds. A cut that grows deeper meanwhile makes every later trial louder: how
-// the level drifts while the speed stands is taken out of the comparison. Thread: worker, real-time.
+// the level drifts while the speed stands is taken out of the comparison. Beginning chatter grows too, but at one speed
+// only: the smaller drift of two trials is the depth's. Least vibration may lie at the stability limit; where the
+// perturbation's gain H (van Dijk 2010 eq. 26) leaves its scatter of a quiet cut, the side is closed before it
+// chatters. Thread: worker, real-time.
 #pragma once
 
 #include "core/base/realtime.h"
@@ -17,8 +20,9 @@ class MinimumSearch {
 
   struct Options {
     double step = 0.01;     // of the base speed
-    Seconds wait{0.2};      // after the spindle has settled, for the vibration to do so
-    Seconds dwell{0.4};     // averaged
+    Seconds wait{0.2};      // after the spindle has settled, for the vibration to do so; at most
+    Seconds dwell{0.4};     // averaged; at most
+    double turns = 1e9;     // averaged; half as many to settle
     double worthIt = 0.01;  // levels closer than this share are the same
   };
   struct Input {
@@ -26,6 +30,7 @@ class MinimumSearch {
     double level = 0.0;
     Rpm present{};  // measured spindle speed
     config::SpeedRange reach;
+    double perturbation = -1.0;  // H; negative: unknown
   };
   enum class State { Idle, Searching, Done };
 
@@ -49,9 +54,12 @@ class MinimumSearch {
   struct Point {
     Rpm speed{};
     double level = 0.0;
+    double perturbation = 0.0;  // mean; 0: unknown
     bool known = false;
   };
-  double drift() const STILLCUT_RT;
+  double drift() STILLCUT_RT;
+  bool nearChatter() const STILLCUT_RT;
+  bool closeThisSide() STILLCUT_RT;
   void judge(const Point& point) STILLCUT_RT;
   void next() STILLCUT_RT;
   Rpm vertex() const STILLCUT_RT;
@@ -70,7 +78,9 @@ class MinimumSearch {
   double dwelt_ = 0.0;
   double sum_ = 0.0;
   double early_ = 0.0, earlyTime_ = 0.0;  // the first half of the dwell
-  double sinceJudged_ = 0.0;              // [s]
+  double perturbationSum_ = 0.0;
+  double sinceJudged_ = 0.0;  // [s]
+  double growth_ = 1e9;       // [1/s] of the level, at the trial before
 };
 
 }  // namespace stillcut::control

@@ -12,6 +12,8 @@ constexpr double kSamePlace = 0.125;
 constexpr double kSmallestMove = 0.01;
 // Distance kept from a stability limit, as a share of the stable range.
 constexpr double kInside = 0.2;
+// How much of a step of the rule the next one may repeat: at 0.85 what is left of the way is seven steps.
+constexpr double kSteepest = 0.85;
 
 }  // namespace
 
@@ -80,9 +82,23 @@ NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
   return best;
 }
 
+// Where the rule's own sequence of speeds ends, from its last two members; before that, its next one.
+Rpm PocketSearch::centreOf(const SearchView& view, int waves) const STILLCUT_RT {
+  const Rpm next = speedForWaves(view.chatter, teeth_, waves);
+  if (tried_ < 2) return next;
+  const Failure& before = failure_[tried_ - 2];
+  if (wavesBetweenTeeth(before.chatter, teeth_, before.speed) != waves) return next;
+  const Rpm predicted = speedForWaves(before.chatter, teeth_, waves);
+  const double repeats = (predicted - next) / (before.speed - view.present);
+  if (!(repeats > 0.0) || repeats > kSteepest) return next;
+  const double halfway = 0.5 * view.present.value / (waves + 1);  // to the neighbouring pocket
+  const double step = (next - view.present).value / (1.0 - repeats);
+  return view.present + Rpm(std::clamp(step, -halfway, halfway));
+}
+
 NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
   const int here = wavesBetweenTeeth(view.chatter, teeth_, view.present);
-  const Rpm first = speedForWaves(view.chatter, teeth_, here);
+  const Rpm first = centreOf(view, here);
   const auto waves = static_cast<double>(here);
   if (view.reach.contains(first) && !wasTried(first, here)) {
     return {first, {ReasonCode::CentreOfNextPocket, {first.value, waves, view.chatter.value, view.present.value}}};

@@ -2,6 +2,9 @@
 // frequency rule points. Without lobes, or where a speed that they promised was heard to chatter: the rule itself
 // (van Dijk 2010 eq. 29, 30) and then its neighbouring pockets, nearest first, for every frequency heard so far;
 // never again near a speed that has been tried.
+// Chatter's frequency falls with the speed, so that eq. 30 with the frequency of the old speed stops short of the
+// pocket's centre. Its repetition is a fixed-point iteration, n -> 60 f_c(n) / (p Z), whose fixed point is the centre
+// for every member f_c + k f_tp of the family; two of its members give the rest by Aitken's extrapolation.
 // Thread: prepare() at set-up, the rest on the worker, real-time.
 #pragma once
 
@@ -47,6 +50,7 @@ class PocketSearch {
   bool wasTried(Rpm speed, int waves) const STILLCUT_RT;
   NextSpeed fromLobes(const SearchView& view) const STILLCUT_RT;
   NextSpeed fromRule(const SearchView& view) const STILLCUT_RT;
+  Rpm centreOf(const SearchView& view, int waves) const STILLCUT_RT;
 
   int teeth_ = 0;
   bool lobesKnown_ = false;

@@ -1,7 +1,7 @@
 // What control makes of the scenarios and of random tools, one line per run:
-//   closed_loop_table [--strategies a,b] [--no-scenarios] [--scenario NAME|FILE] [--tools N] [--first K] [--verdicts
-//   real|ideal|both]
-//                     [--modes-known] [--delays] [--trace]
+//   closed_loop_table [--strategies a,b] [--detector ID] [--no-scenarios] [--scenario NAME|FILE] [--tools N] [--first
+//   K]
+//                     [--verdicts real|ideal|both] [--modes-known] [--delays] [--trace]
 // Scenarios run under every strategy with the program's own verdicts; random tools under the named ones (the default
 // strategy unless told), with the program's verdicts and with the simulation's truth in their place, so that strategies
 // can be judged on their own.
@@ -25,7 +25,7 @@ namespace {
 
 struct TableOptions {
   std::vector<std::string> strategies;
-  std::string scenario;
+  std::string scenario, detector;
   bool noScenarios = false, modesKnown = false, delays = false, trace = false;
   std::uint64_t tools = 0, first = 1;
   std::string verdicts = "both";
@@ -110,6 +110,7 @@ void scenarios(const TableOptions& options) {
     for (const std::string& strategy : options.strategies.empty() ? bySpeedStrategies() : options.strategies) {
       LoopOptions loop;
       loop.strategy = strategy;
+      loop.detector = options.detector;
       if (options.modesKnown) loop.stableSpeeds = app::stableSpeeds(*scenario);
       for (const bool ideal : {false, true}) {
         if (options.verdicts == (ideal ? "real" : "ideal")) continue;
@@ -142,6 +143,7 @@ void randomTools(const TableOptions& options) {
         if (options.verdicts == (ideal ? "real" : "ideal")) continue;
         LoopOptions loop;
         loop.strategy = strategy;
+        loop.detector = options.detector;
         loop.ideal = ideal;
         if (options.modesKnown) loop.stableSpeeds = tool.known;
         if (options.trace) trace(tool.scenario, loop);
@@ -185,6 +187,7 @@ int table(int argc, char** argv) {
   CLI::App app{"What control makes of the scenarios and of random tools"};
   app.add_option("--strategies", options.strategies)->delimiter(',');
   app.add_option("--scenario", options.scenario);
+  app.add_option("--detector", options.detector);
   app.add_flag("--no-scenarios", options.noScenarios);
   app.add_flag("--modes-known", options.modesKnown);
   app.add_flag("--delays", options.delays);

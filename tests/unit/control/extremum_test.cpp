@@ -119,6 +119,15 @@ TEST(ExtremumSeek, AfterTheSearchItStays) {
   EXPECT_EQ(plant.asked.size(), before);
 }
 
+TEST(ExtremumSeek, BeginsWhereTheLawWouldSettleAndNotAtThePocketsEdge) {
+  ExtremumSeek strategy;
+  Figure7 plant(strategy);
+  plant.run(3.0);
+  // Chatter at 2200 Hz, two teeth: Delta f = 0 at 33 000 rpm. The law itself is quiet from 34 400 on.
+  EXPECT_TRUE(
+      std::any_of(plant.asked.begin(), plant.asked.end(), [](double rpm) { return std::abs(rpm - 33000.0) < 20.0; }));
+}
+
 TEST(ExtremumSeek, ChatterDuringTheSearchClosesThatSide) {
   // A narrow pocket: quiet only from 33 400 to 33 800, narrower than the steps of the search.
   ExtremumSeek strategy;

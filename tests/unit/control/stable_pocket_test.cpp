@@ -118,6 +118,50 @@ TEST_F(StablePocketTest, AStandingAlarmAsLoudAsTheChatterWasIsChatter) {
   EXPECT_EQ(targets_.size(), 2u);
 }
 
+TEST_F(StablePocketTest, LoudChatterWithoutALineThatStandsIsChatter) {
+  in_.vibration = 100.0;
+  in_.verdict.phase = CutPhase::Steady;
+  quiet();
+  run(2.0);
+  in_.vibration = 3000.0;
+  chatter(936.0);
+  run(0.5);
+  const auto wander = [&](double seconds) {
+    for (double t = 0.0; t < seconds; t += kBlock.value) {
+      chatter(std::fmod(t, 0.1) < 0.05 ? 930.0 : 985.0);  // half a spindle frequency apart
+      step();
+    }
+  };
+  in_.vibration = 300.0;
+  wander(3.0);
+  EXPECT_EQ(targets_.size(), 1u) << "not louder than what was struck at";
+  in_.vibration = 6000.0;
+  wander(3.0);
+  EXPECT_GE(targets_.size(), 2u);
+}
+
+// Liao's first cut: chatter at 168 Hz from 949 rpm, at 158 Hz from 840 rpm; the pocket is 717 to 784 rpm wide.
+TEST_F(StablePocketTest, TwoSpeedsTellWhereThePocketsCentreIs) {
+  PocketSearch search;
+  search.prepare(setup_);
+  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
+  const NextSpeed first = search.next({Hertz(167.9), Rpm(949.0), reach});
+  EXPECT_NEAR(first.speed.value, 839.5, 0.1);  // eq. 30
+  const NextSpeed second = search.next({Hertz(157.8), Rpm(840.0), reach});
+  // The frequency falls by 0.0927 Hz a rev/min: where 60 f / (3 Z) is the speed itself.
+  EXPECT_NEAR(second.speed.value, 744.8, 1.5);
+  EXPECT_EQ(second.reason.n[1], 3.0);
+}
+
+TEST_F(StablePocketTest, FrequenciesOfTwoModesAreNotExtrapolated) {
+  PocketSearch search;
+  search.prepare(setup_);
+  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
+  search.next({Hertz(167.9), Rpm(949.0), reach});
+  const NextSpeed second = search.next({Hertz(176.0), Rpm(840.0), reach});  // rises as the speed falls: another mode
+  EXPECT_NEAR(second.speed.value, 60.0 * 176.0 / 12.0, 0.1);
+}
+
 TEST_F(StablePocketTest, AnOnsetThatGrowsAfterTheMoveIsChatter) {
   chatter(936.0);
   run(1.5);
