@@ -1,8 +1,5 @@
 #include "ui/report/page_style.h"
 
-#include <QCoreApplication>
-#include <QFontMetricsF>
-
 namespace stillcut::ui {
 
 QFont PageStyle::font(double size, bool bold) const {
@@ -25,10 +22,6 @@ double drawWords(QPainter& painter, const QRectF& area, const QString& text, con
   QRectF taken;
   painter.drawText(area, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap | Qt::TextDontClip, text, &taken);
   return taken.height();
-}
-
-QString reportText(const char* english) {
-  return QCoreApplication::translate("Report", english);
 }
 
 }  // namespace stillcut::ui

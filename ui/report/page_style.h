@@ -27,7 +27,4 @@ void drawLine(QPainter& painter, const QRectF& area, const QString& text, const 
 // Words over as many lines as needed from the top of `area`; returns the height they took.
 double drawWords(QPainter& painter, const QRectF& area, const QString& text, const QFont& font, const QColor& color);
 
-// Texts of the report, translated.
-QString reportText(const char* english);
-
 }  // namespace stillcut::ui

@@ -18,10 +18,6 @@ double stepOf(const std::vector<double>& ticks) {
 
 }  // namespace
 
-int decimalsFor(double step) {
-  return step > 0.0 ? std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6) : 0;
-}
-
 void PlotFrame::drawGrid(QPainter& painter, const PageStyle& style, int mostTicks) const {
   painter.fillRect(inside_, style.colors().raised);
   painter.setPen(QPen(style.colors().track, 0.8));
@@ -53,7 +49,7 @@ void PlotFrame::drawEdge(QPainter& painter, const PageStyle& style, const QStrin
       drawLine(painter, place, number(x, decimalsFor(stepOf(xs))), font, colors.secondary,
                Qt::AlignHCenter | Qt::AlignTop);
     }
-    drawLine(painter, QRectF(inside_.right() - 100, inside_.bottom() + 17, 100, 14), reportText("time [s]"), font,
+    drawLine(painter, QRectF(inside_.right() - 100, inside_.bottom() + 17, 100, 14), tr("time [s]"), font,
              colors.secondary, Qt::AlignRight | Qt::AlignTop);
   }
   drawLine(painter, QRectF(inside_.left(), inside_.top() - 17, inside_.width(), 15), title, style.font(11, true),

@@ -1,6 +1,7 @@
 // The frame of one curve: scales, grid, numbers and a title. What is inside is drawn by others. GUI thread.
 #pragma once
 
+#include <QCoreApplication>
 #include <QPainter>
 #include <QRectF>
 #include <QString>
@@ -15,6 +16,8 @@ struct PlotScale {
 };
 
 class PlotFrame {
+  Q_DECLARE_TR_FUNCTIONS(PlotFrame)
+
  public:
   // `inside` is the area of the curve; numbers stand left of it and below it.
   PlotFrame(const QRectF& inside, PlotScale x, PlotScale y) : inside_(inside), x_(x), y_(y) {}
@@ -31,8 +34,5 @@ class PlotFrame {
   QRectF inside_;
   PlotScale x_, y_;
 };
-
-// Digits that tell neighbouring ticks apart.
-int decimalsFor(double step);
 
 }  // namespace stillcut::ui

@@ -52,8 +52,8 @@ void ReportPages::beginPage() {
   const QString file = QFileInfo(QString::fromStdString(summary_.file)).fileName();
   const QRectF head(kMargin, kMargin - 24, kWidth, 28);
   const QFont large = style_.font(page_ == 1 ? 22 : 13, true);
-  drawLine(painter_, head, page_ == 1 ? reportText("Cut report") : file, large, colors.text);
-  const QString right = page_ == 1 ? file : reportText("page %1 of %2").arg(page_).arg(pageCount_);
+  drawLine(painter_, head, page_ == 1 ? tr("Cut report") : file, large, colors.text);
+  const QString right = page_ == 1 ? file : tr("page %1 of %2").arg(page_).arg(pageCount_);
   drawLine(painter_, head.adjusted(200, 0, 0, 0), right, style_.font(12), colors.secondary,
            Qt::AlignRight | Qt::AlignVCenter);
   painter_.setPen(QPen(colors.text, 1.4));
@@ -114,25 +114,25 @@ void ReportPages::table(const QString& title, const std::vector<TableColumn>& co
 
 void ReportPages::interventions() {
   if (summary_.interventions.empty()) return;
-  table(reportText("Alarms and what was done"), interventionColumns(), interventionRows(summary_));
-  const QString note = reportText(
-      "Before: highest until the first command. After: newest at the end of the alarm. "
-      "Numbers are those in the plots.");
+  table(tr("Alarms and what was done"), interventionColumns(), interventionRows(summary_));
+  const QString note =
+      tr("Before: highest until the first command. After: newest at the end of the alarm. "
+         "Numbers are those in the plots.");
   y_ += 4 + drawWords(painter_, QRectF(left(), y_ + 4, kWidth, 40), note, style_.font(10), style_.colors().secondary);
 }
 
 void ReportPages::events() {
   if (summary_.events.empty()) return;
-  table(reportText("Events"), eventColumns(), eventRows(summary_));
+  table(tr("Events"), eventColumns(), eventRows(summary_));
   if (summary_.eventCount <= summary_.events.size()) return;
   drawLine(painter_, QRectF(left(), y_ + 2, kWidth, 16),
-           reportText("and %1 more").arg(summary_.eventCount - summary_.events.size()), style_.font(10),
+           tr("and %1 more").arg(summary_.eventCount - summary_.events.size()), style_.font(10),
            style_.colors().secondary);
   y_ += 18;
 }
 
 void ReportPages::sensors() {
-  table(reportText("Sensor check"), sensorColumns(), sensorRows(summary_));
+  table(tr("Sensor check"), sensorColumns(), sensorRows(summary_));
   if (!summary_.session) return;
   y_ += 2;
 }
@@ -142,7 +142,7 @@ void ReportPages::settings() {
   if (lines.isEmpty()) return;
   constexpr double kLine = 12.5;
   constexpr int kColumns = 3;
-  section(reportText("Settings in force"), 6 * kLine);
+  section(tr("Settings in force"), 6 * kLine);
   qsizetype next = 0;
   while (next < lines.size()) {
     const auto rows = static_cast<qsizetype>(room() / kLine);

@@ -1,6 +1,7 @@
 // The pages of a report, drawn on any paged device. GUI thread.
 #pragma once
 
+#include <QCoreApplication>
 #include <QPagedPaintDevice>
 #include <QPainter>
 
@@ -14,6 +15,8 @@ inline constexpr double kPageWidth = 793.7;
 inline constexpr double kPageHeight = 1122.5;
 
 class ReportPages {
+  Q_DECLARE_TR_FUNCTIONS(ReportPages)
+
  public:
   // Without a device the pages are only counted.
   ReportPages(QPainter& painter, QPagedPaintDevice* device, const SessionSummary& summary, int pageCount);

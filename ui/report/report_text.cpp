@@ -5,6 +5,7 @@
 
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
+#include "ui/models/say.h"
 #include "ui/report/page_style.h"
 
 namespace stillcut::ui {
@@ -31,31 +32,31 @@ QString siText(SensorQuantity quantity) {
 }
 
 QString authorityText(Authority authority) {
-  if (authority == Authority::Auto) return reportText("Auto: Stillcut commanded the overrides");
-  if (authority == Authority::Advise) return reportText("Advise: Stillcut proposed");
-  return reportText("Off: Stillcut watched");
+  if (authority == Authority::Auto) return say("Auto: Stillcut commanded the overrides");
+  if (authority == Authority::Advise) return say("Advise: Stillcut proposed");
+  return say("Off: Stillcut watched");
 }
 
 QString healthText(SensorHealth health) {
   switch (health) {
     case SensorHealth::Dead:
-      return reportText("no signal: check cable and supply");
+      return say("no signal: check cable and supply");
     case SensorHealth::Clipped:
-      return reportText("clipped: lower the gain");
+      return say("clipped: lower the gain");
     case SensorHealth::Offset:
-      return reportText("large constant part: check coupling");
+      return say("large constant part: check coupling");
     case SensorHealth::Faint:
-      return reportText("far weaker than the others: loose?");
+      return say("far weaker than the others: loose?");
     case SensorHealth::InOrder:
       break;
   }
-  return reportText("in order");
+  return say("in order");
 }
 
 QString outcome(const Intervention& i) {
-  if (i.quiet) return reportText("quiet");
-  if (!i.finished) return reportText("cut ended");
-  return toNs(i.commanded) > 0 ? reportText("not quiet") : reportText("not answered");
+  if (i.quiet) return say("quiet");
+  if (!i.finished) return say("cut ended");
+  return toNs(i.commanded) > 0 ? say("not quiet") : say("not answered");
 }
 
 // Something of our own scale instead of the last digits of a sum.
@@ -80,59 +81,58 @@ Facts cutFacts(const SessionSummary& s) {
   Facts facts;
   const CutSetup& setup = s.setup;
   if (s.session) {
-    facts.emplace_back(reportText("Machine"), text(setup.machine) + (s.simulated ? reportText(" (simulated)") : ""));
-    facts.emplace_back(reportText("Tool"), text(setup.tool));
+    facts.emplace_back(say("Machine"), text(setup.machine) + (s.simulated ? say(" (simulated)") : ""));
+    facts.emplace_back(say("Tool"), text(setup.tool));
     if (setup.teeth > 0) {
       QString teeth = QString::number(setup.teeth);
-      if (setup.toolDiameter.value > 0.0) teeth += reportText(", diameter ") + millimetres(setup.toolDiameter);
-      facts.emplace_back(reportText("Teeth"), teeth);
+      if (setup.toolDiameter.value > 0.0)
+        teeth += say(", diameter ") + lengthText(setup.toolDiameter, UnitSystem::Metric);
+      facts.emplace_back(say("Teeth"), teeth);
     }
-    facts.emplace_back(reportText("Programmed"), join(rpm(setup.nominalSpeed), reportText("rpm")) +
-                                                     QStringLiteral(", ") +
-                                                     join(mmPerMin(setup.nominalFeed), reportText("mm/min")));
-    facts.emplace_back(reportText("Authority"), authorityText(s.highestAuthority));
+    facts.emplace_back(say("Programmed"), join(rpm(setup.nominalSpeed), say("rpm")) + QStringLiteral(", ") +
+                                              join(mmPerMin(setup.nominalFeed), say("mm/min")));
+    facts.emplace_back(say("Authority"), authorityText(s.highestAuthority));
   }
-  facts.emplace_back(reportText("Length"), duration(s.length));
-  facts.emplace_back(reportText("Sensors"),
-                     reportText("%1 at %2 Hz").arg(s.sensors.size()).arg(number(setup.rate.value)));
+  facts.emplace_back(say("Length"), duration(s.length));
+  facts.emplace_back(say("Sensors"), say("%1 at %2 Hz").arg(s.sensors.size()).arg(number(setup.rate.value)));
   if (s.lostFrames > 0 || s.gaps > 0) {
     const double lost = static_cast<double>(s.lostFrames) / std::max(setup.rate.value, 1e-9);
-    facts.emplace_back(reportText("Missing"), reportText("%1 in %2 gaps").arg(duration(Seconds(lost))).arg(s.gaps));
+    facts.emplace_back(say("Missing"), say("%1 in %2 gaps").arg(duration(Seconds(lost))).arg(s.gaps));
   }
-  if (!s.session) facts.emplace_back(reportText("Format"), text(s.kind));
-  if (!s.closedCleanly) facts.emplace_back(reportText("File"), reportText("not closed: ends where it was cut off"));
+  if (!s.session) facts.emplace_back(say("Format"), text(s.kind));
+  if (!s.closedCleanly) facts.emplace_back(say("File"), say("not closed: ends where it was cut off"));
   if (!s.programVersion.empty())
-    facts.emplace_back(reportText("Recorded by"), QStringLiteral("Stillcut ") + text(s.programVersion));
+    facts.emplace_back(say("Recorded by"), QStringLiteral("Stillcut ") + text(s.programVersion));
   return facts;
 }
 
 QString whatHappened(const SessionSummary& s) {
   if (!s.session) {
-    return reportText(
+    return say(
         "This recording holds measurements only: nobody decided while it was made. Vibration and "
         "spectrogram are shown as they are.");
   }
-  if (s.alarms == 0) return reportText("No chatter was found.");
-  QString words = s.alarms == 1 ? reportText("Chatter began once") : reportText("Chatter began %1 times").arg(s.alarms);
+  if (s.alarms == 0) return say("No chatter was found.");
+  QString words = s.alarms == 1 ? say("Chatter began once") : say("Chatter began %1 times").arg(s.alarms);
   if (!s.interventions.empty() && s.interventions.front().frequency.value > 0.0) {
-    words += reportText(", first at %1").arg(join(number(s.interventions.front().frequency.value), reportText("Hz")));
+    words += say(", first at %1").arg(join(number(s.interventions.front().frequency.value), say("Hz")));
   }
-  words += reportText("; it lasted %1 in all").arg(duration(s.chatterTime));
-  if (s.chatterLength.value > 0.0) words += reportText(" and marked %1 of path").arg(millimetres(s.chatterLength));
+  words += say("; it lasted %1 in all").arg(duration(s.chatterTime));
+  if (s.chatterLength.value > 0.0)
+    words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, UnitSystem::Metric));
   words += QStringLiteral(". ");
   const std::size_t moved = movedCount(s);
   if (moved == 0) {
-    return words + reportText("The overrides were not touched.");
+    return words + say("The overrides were not touched.");
   }
-  words += moved == 1 ? reportText("Stillcut moved speed and feed once; ")
-                      : reportText("Stillcut moved speed and feed %1 times; ").arg(moved);
+  words += moved == 1 ? say("Stillcut moved speed and feed once; ")
+                      : say("Stillcut moved speed and feed %1 times; ").arg(moved);
   const std::size_t quiet = quietCount(s);
   if (quiet == moved)
-    return words +
-           (moved == 1 ? reportText("the cut was quiet again.") : reportText("each time the cut was quiet again."));
-  if (quiet == 0) return words + reportText("it did not become quiet before the cut ended.");
-  return words + (quiet == 1 ? reportText("once the cut was quiet again before it ended.")
-                             : reportText("%1 times the cut was quiet again before it ended.").arg(quiet));
+    return words + (moved == 1 ? say("the cut was quiet again.") : say("each time the cut was quiet again."));
+  if (quiet == 0) return words + say("it did not become quiet before the cut ended.");
+  return words + (quiet == 1 ? say("once the cut was quiet again before it ended.")
+                             : say("%1 times the cut was quiet again before it ended.").arg(quiet));
 }
 
 Tone whatHappenedTone(const SessionSummary& s) {
@@ -143,11 +143,11 @@ Tone whatHappenedTone(const SessionSummary& s) {
 }
 
 std::vector<TableColumn> interventionColumns() {
-  return {{reportText("No."), 0.5, true},           {reportText("At"), 0.9, true},
-          {reportText("Chatter"), 1.1, true},       {reportText("Speed [rpm]"), 1.9, true},
-          {reportText("Feed [mm/min]"), 1.9, true}, {reportText("Energy ratio"), 1.6, true},
-          {reportText("Vibration rms"), 1.8, true}, {reportText("Quiet after"), 1.35, true},
-          {reportText("Marked"), 1.0, true},        {reportText("Outcome"), 1.4, false}};
+  return {{say("No."), 0.5, true},           {say("At"), 0.9, true},
+          {say("Chatter"), 1.1, true},       {say("Speed [rpm]"), 1.9, true},
+          {say("Feed [mm/min]"), 1.9, true}, {say("Energy ratio"), 1.6, true},
+          {say("Vibration rms"), 1.8, true}, {say("Quiet after"), 1.35, true},
+          {say("Marked"), 1.0, true},        {say("Outcome"), 1.4, false}};
 }
 
 std::vector<TableRow> interventionRows(const SessionSummary& s) {
@@ -159,12 +159,12 @@ std::vector<TableRow> interventionRows(const SessionSummary& s) {
     };
     TableRow row;
     row.cells << QString::number(i.number + 1) << join(number(sinceEpoch(i.began).value, 2), QStringLiteral("s"))
-              << join(number(i.frequency.value), reportText("Hz")) << pair(rpm(i.speedBefore), rpm(i.speedAfter))
+              << join(number(i.frequency.value), say("Hz")) << pair(rpm(i.speedBefore), rpm(i.speedAfter))
               << pair(mmPerMin(i.feedBefore), mmPerMin(i.feedAfter))
               << pair(number(i.severityBefore.value, 2), number(i.severityAfter.value, 2))
               << pair(significant(i.vibrationBefore, 3), significant(i.vibrationAfter, 3))
               << (i.quiet ? duration(i.timeToQuiet) : kNothing)
-              << (i.marked.value > 0.0 ? millimetres(i.marked) : kNothing) << outcome(i);
+              << (i.marked.value > 0.0 ? lengthText(i.marked, UnitSystem::Metric) : kNothing) << outcome(i);
     row.tone = i.finished && !i.quiet ? Tone::Chatter : Tone::Normal;
     rows.push_back(row);
   }
@@ -172,9 +172,9 @@ std::vector<TableRow> interventionRows(const SessionSummary& s) {
 }
 
 std::vector<TableColumn> sensorColumns() {
-  return {{reportText("Sensor"), 1.6, false}, {reportText("Quantity"), 1.6, false}, {reportText("Scale"), 1.6, true},
-          {reportText("rms"), 1.0, true},     {reportText("Peak"), 1.0, true},      {reportText("Mean"), 1.0, true},
-          {reportText("Unit"), 0.8, false},   {reportText("Check"), 3.0, false}};
+  return {{say("Sensor"), 1.6, false}, {say("Quantity"), 1.6, false}, {say("Scale"), 1.6, true},
+          {say("rms"), 1.0, true},     {say("Peak"), 1.0, true},      {say("Mean"), 1.0, true},
+          {say("Unit"), 0.8, false},   {say("Check"), 3.0, false}};
 }
 
 std::vector<TableRow> sensorRows(const SessionSummary& s) {
@@ -185,7 +185,7 @@ std::vector<TableRow> sensorRows(const SessionSummary& s) {
     const QString unit = siText(sensor.info.quantity);
     row.cells << text(sensor.info.name)
               << QString::fromUtf8(quantity.data(), static_cast<qsizetype>(quantity.size())) +
-                     (sensor.calibrated ? QString() : reportText(" (assumed)"))
+                     (sensor.calibrated ? QString() : say(" (assumed)"))
               << QString::number(sensor.info.scale, 'g', 6) << significant(sensor.rms, 3) << significant(sensor.peak, 3)
               << meanText(sensor) << (sensor.calibrated ? unit : kNothing) << healthText(sensor.health);
     row.tone = sensor.health == SensorHealth::InOrder ? Tone::Normal
@@ -197,16 +197,16 @@ std::vector<TableRow> sensorRows(const SessionSummary& s) {
 }
 
 std::vector<TableColumn> eventColumns() {
-  return {{reportText("At"), 0.7, true}, {reportText("Level"), 0.9, false}, {reportText("What"), 9.0, false}};
+  return {{say("At"), 0.7, true}, {say("Level"), 0.9, false}, {say("What"), 9.0, false}};
 }
 
 std::vector<TableRow> eventRows(const SessionSummary& s) {
   std::vector<TableRow> rows;
   for (const Event& event : s.events) {
     TableRow row;
-    const QString level = event.level == EventLevel::Fault     ? reportText("fault")
-                          : event.level == EventLevel::Warning ? reportText("warning")
-                                                               : reportText("info");
+    const QString level = event.level == EventLevel::Fault     ? say("fault")
+                          : event.level == EventLevel::Warning ? say("warning")
+                                                               : say("info");
     row.cells << join(number(sinceEpoch(event.time).value, 2), QStringLiteral("s")) << level
               << reasonText(event.reason);
     if (event.level == EventLevel::Fault) row.tone = Tone::Chatter;

@@ -1,5 +1,6 @@
 #include "ui/report/session_plots.h"
 
+#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainterPath>
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "ui/models/format.h"
+#include "ui/models/say.h"
 #include "ui/report/plot_frame.h"
 #include "ui/report/spectrogram_picture.h"
 
@@ -53,8 +55,8 @@ void drawStates(QPainter& painter, const QRectF& band, const SessionSummary& sum
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colors.border, 1.0));
   painter.drawRect(band);
-  drawLine(painter, QRectF(band.left() - 62, band.top(), 56, band.height()), reportText("Verdict"),
-           style.font(11, true), colors.text, Qt::AlignRight | Qt::AlignVCenter);
+  drawLine(painter, QRectF(band.left() - 62, band.top(), 56, band.height()), say("Verdict"), style.font(11, true),
+           colors.text, Qt::AlignRight | Qt::AlignVCenter);
 }
 
 // Below the last plot: what the heights and the numbers mean.
@@ -64,9 +66,9 @@ void drawLegend(QPainter& painter, const QPointF& at, const SessionSummary& summ
     QColor color;
     QString word;
   };
-  const Item items[] = {{0.33, style.colors().fill, reportText("stable")},
-                        {0.66, style.theme().back(Tone::Onset), reportText("onset")},
-                        {1.0, style.theme().back(Tone::Chatter), reportText("chatter")}};
+  const Item items[] = {{0.33, style.colors().fill, say("stable")},
+                        {0.66, style.theme().back(Tone::Onset), say("onset")},
+                        {1.0, style.theme().back(Tone::Chatter), say("chatter")}};
   constexpr double kHeight = 11;
   const QFont font = style.font(10);
   double x = at.x();
@@ -79,7 +81,7 @@ void drawLegend(QPainter& painter, const QPointF& at, const SessionSummary& summ
   if (summary.interventions.empty()) return;
   painter.setPen(QPen(style.colors().advice, 1.0, Qt::DashLine));
   painter.drawLine(QPointF(x + 4, at.y()), QPointF(x + 4, at.y() + 14));
-  drawLine(painter, QRectF(x + 13, at.y(), 160, 14), reportText("Stillcut moved speed or feed"), font,
+  drawLine(painter, QRectF(x + 13, at.y(), 160, 14), say("Stillcut moved speed or feed"), font,
            style.colors().secondary);
 }
 
@@ -149,7 +151,7 @@ void drawMoveNumbers(QPainter& painter, const QRectF& band, const SessionSummary
 }
 
 QString unitOf(const SessionSummary& summary) {
-  if (summary.sensors.empty() || !summary.sensors.front().calibrated) return reportText("uncalibrated");
+  if (summary.sensors.empty() || !summary.sensors.front().calibrated) return say("uncalibrated");
   const std::string_view unit = siUnit(summary.sensors.front().info.quantity);
   return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
 }
@@ -159,6 +161,8 @@ QString firstName(const SessionSummary& summary) {
 }
 
 class Plots {
+  Q_DECLARE_TR_FUNCTIONS(Plots)
+
  public:
   Plots(QPainter& painter, const SessionSummary& summary, const PageStyle& style)
       : painter_(painter), summary_(summary), style_(style), x_{0.0, std::max(summary.length.value, 1e-9)} {}
@@ -179,17 +183,17 @@ class Plots {
     const PlotFrame frame(inside, x_, {0.0, std::max(top.value, 1.0) / 1e3});
     drawSpectrogram(painter_, inside, summary_, top, style_);
     drawMoves(painter_, inside, summary_, style_);
-    frame.drawEdge(painter_, style_, reportText("Spectrogram of %1 [kHz]").arg(firstName(summary_)), 6, last);
+    frame.drawEdge(painter_, style_, tr("Spectrogram of %1 [kHz]").arg(firstName(summary_)), 6, last);
   }
   void vibration(const QRectF& inside, bool last) {
     const auto value = [](const SummaryPoint& p) { return p.vibration; };
     curve(inside, last, {0.0, 1.08 * std::max(largest(summary_, value), 1e-12)}, style_.colors().text, value,
-          reportText("Vibration of %1, rms [%2]").arg(firstName(summary_), unitOf(summary_)));
+          tr("Vibration of %1, rms [%2]").arg(firstName(summary_), unitOf(summary_)));
   }
   void severity(const QRectF& inside, bool last) {
     curve(
         inside, last, {0.0, 1.0}, style_.colors().chatterText,
-        [](const SummaryPoint& p) { return p.valid ? p.severity : NAN; }, reportText("Energy ratio, chatter to all"));
+        [](const SummaryPoint& p) { return p.valid ? p.severity : NAN; }, tr("Energy ratio, chatter to all"));
   }
   void speed(const QRectF& inside, bool last) {
     const auto value = [](const SummaryPoint& p) { return p.speed.value > 0.0 ? p.speed.value : NAN; };
@@ -200,8 +204,7 @@ class Plots {
       high = std::max(high, p.speed.value);
     }
     const double margin = std::max(0.08 * (high - low), 0.01 * high);
-    curve(inside, last, {low - margin, high + margin}, style_.colors().advice, value,
-          reportText("Spindle speed [rpm]"));
+    curve(inside, last, {low - margin, high + margin}, style_.colors().advice, value, tr("Spindle speed [rpm]"));
   }
   void curve(const QRectF& inside, bool last, PlotScale y, const QColor& color,
              const std::function<double(const SummaryPoint&)>& value, const QString& title) {

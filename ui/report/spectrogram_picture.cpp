@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ui/models/format.h"
+#include "ui/models/say.h"
 #include "ui/plots/colormap.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/report/plot_frame.h"
@@ -35,8 +36,7 @@ void drawLevels(QPainter& painter, const QRectF& inside, const LevelSpan& levels
     const double y = bar.bottom() - (level - levels.low) / (levels.high - levels.low) * bar.height();
     drawLine(painter, QRectF(bar.right() + 4, y - 7, 36, 14), number(level), style.font(10), style.colors().secondary);
   }
-  drawLine(painter, QRectF(bar.left(), bar.top() - 17, 40, 15), reportText("dB"), style.font(10),
-           style.colors().secondary);
+  drawLine(painter, QRectF(bar.left(), bar.top() - 17, 40, 15), say("dB"), style.font(10), style.colors().secondary);
 }
 
 void drawMarks(QPainter& painter, const QRectF& inside, const SessionSummary& summary, Hertz top,
@@ -130,7 +130,7 @@ void drawSpectrogram(QPainter& painter, const QRectF& inside, const SessionSumma
   const QImage image = spectrogramImage(summary, top, levels, style.colors().gap.rgb());
   painter.fillRect(inside, style.colors().gap);
   if (image.isNull()) {
-    drawLine(painter, inside, reportText("too short for a spectrogram"), style.font(12), style.colors().secondary,
+    drawLine(painter, inside, say("too short for a spectrogram"), style.font(12), style.colors().secondary,
              Qt::AlignCenter);
     return;
   }

@@ -1,0 +1,78 @@
+// Writes translations/core_texts.h: the words core declares once and the screens translate, where lupdate finds them.
+//   core_texts FILE           writes it
+//   core_texts --check FILE   says whether it is what would be written
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "app/compose/catalog.h"
+#include "core/cnc/registry.h"
+#include "core/control/registry.h"
+#include "core/daq/registry.h"
+#include "core/detect/registry.h"
+#include "core/model/reason.h"
+
+namespace {
+
+using namespace stillcut;
+
+std::string quoted(std::string_view text) {
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+class Lines {
+ public:
+  void add(const std::string& context, std::string_view text) {
+    if (text.empty() || !seen_.insert(context + '\n' + std::string(text)).second) return;
+    out_ << "    QT_TRANSLATE_NOOP(\"" << context << "\", " << quoted(text) << "),\n";
+  }
+  std::string text() const { return out_.str(); }
+
+ private:
+  std::set<std::string> seen_;
+  std::ostringstream out_;
+};
+
+std::string fileText() {
+  Lines lines;
+  const config::ParamCatalog catalog = app::fullCatalog();
+  for (const config::ParamDecl* decl : catalog.all()) {
+    lines.add("Core", decl->label);
+    lines.add("Core", decl->meaning);
+    for (const std::string_view choice : decl->choices) lines.add("Core", choice);
+  }
+  for (const auto& entry : detect::detectorTable())
+    lines.add("Core", detect::makeDetector(entry.id).value()->describe().label);
+  for (const auto& entry : control::strategyTable())
+    lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
+  for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);
+  for (const auto& entry : daq::sourceTable()) lines.add("Core", entry.description);
+  for (int code = 0; code <= static_cast<int>(ReasonCode::AdviceChanged); ++code) {
+    lines.add("Reason", pattern(static_cast<ReasonCode>(code)));
+  }
+  return "// Made by core_texts (tests/ui) for lupdate; not compiled.\n// clang-format off\nconst char* const "
+         "kCoreTexts[] = {\n" +
+         lines.text() + "};\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const bool check = argc == 3 && std::string(argv[1]) == "--check";
+  if (argc != 2 && !check) return 2;
+  const std::string path = argv[argc - 1], wanted = fileText();
+  if (!check) return (std::ofstream(path) << wanted).good() ? 0 : 2;
+  std::stringstream found;
+  found << std::ifstream(path).rdbuf();
+  if (found.str() == wanted) return 0;
+  std::cerr << path << ": is not what the tables of core say; run core_texts and translations/update\n";
+  return 1;
+}

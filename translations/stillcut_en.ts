@@ -1,0 +1,2635 @@
+<?xml version='1.0' encoding='utf-8'?>
+<TS version="2.1" language="en_US">
+<context>
+    <name>Core</name>
+    <message>
+        <source>High-pass edge</source>
+        <translation>High-pass edge</translation>
+    </message>
+    <message>
+        <source>Removes offset and drift below this frequency; auto: a quarter of the spindle frequency</source>
+        <translation>Removes offset and drift below this frequency; auto: a quarter of the spindle frequency</translation>
+    </message>
+    <message>
+        <source>Doubt of the told speed</source>
+        <translation>Doubt of the told speed</translation>
+    </message>
+    <message>
+        <source>How far the told spindle speed may be from the true one, as a ratio; searched at entry</source>
+        <translation>How far the told spindle speed may be from the true one, as a ratio; searched at entry</translation>
+    </message>
+    <message>
+        <source>Cut above air</source>
+        <translation>Cut above air</translation>
+    </message>
+    <message>
+        <source>A cut is this much louder than the quietest the sensor has heard</source>
+        <translation>A cut is this much louder than the quietest the sensor has heard</translation>
+    </message>
+    <message>
+        <source>Harmonics</source>
+        <translation>Harmonics</translation>
+    </message>
+    <message>
+        <source>Spindle harmonics of the periodic part (L, eq. 9); auto: 32 as the rate allows</source>
+        <translation>Spindle harmonics of the periodic part (L, eq. 9); auto: 32 as the rate allows</translation>
+    </message>
+    <message>
+        <source>NLMS step</source>
+        <translation>NLMS step</translation>
+    </message>
+    <message>
+        <source>mu of eq. 19; auto: a memory of two turns (paper: 0.5)</source>
+        <translation>mu of eq. 19; auto: a memory of two turns (paper: 0.5)</translation>
+    </message>
+    <message>
+        <source>NLMS leak</source>
+        <translation>NLMS leak</translation>
+    </message>
+    <message>
+        <source>lambda of eq. 19; auto: leaves 1 % of a harmonic (paper: 0.9995)</source>
+        <translation>lambda of eq. 19; auto: leaves 1 % of a harmonic (paper: 0.9995)</translation>
+    </message>
+    <message>
+        <source>AR drift</source>
+        <translation>AR drift</translation>
+    </message>
+    <message>
+        <source>R_v of eq. 21, for a signal of unit variance</source>
+        <translation>R_v of eq. 21, for a signal of unit variance</translation>
+    </message>
+    <message>
+        <source>AR noise</source>
+        <translation>AR noise</translation>
+    </message>
+    <message>
+        <source>R_w of eq. 21, for a signal of unit variance</source>
+        <translation>R_w of eq. 21, for a signal of unit variance</translation>
+    </message>
+    <message>
+        <source>Reflected distance</source>
+        <translation>Reflected distance</translation>
+    </message>
+    <message>
+        <source>Distance from the unit circle at which an unstable root is put back inside</source>
+        <translation>Distance from the unit circle at which an unstable root is put back inside</translation>
+    </message>
+    <message>
+        <source>Working rate</source>
+        <translation>Working rate</translation>
+    </message>
+    <message>
+        <source>Least rate the method works at; auto: 10 kHz, as the paper</source>
+        <translation>Least rate the method works at; auto: 10 kHz, as the paper</translation>
+    </message>
+    <message>
+        <source>Variance limit</source>
+        <translation>Variance limit</translation>
+    </message>
+    <message>
+        <source>Variance of the residual (squared unit of the sensor) that is an alarm; auto: growth above the learned floor</source>
+        <translation>Variance of the residual (squared unit of the sensor) that is an alarm; auto: growth above the learned floor</translation>
+    </message>
+    <message>
+        <source>Root of an alarm</source>
+        <translation>Root of an alarm</translation>
+    </message>
+    <message>
+        <source>Magnitude of the dominant root below which the residual is noise and not chatter</source>
+        <translation>Magnitude of the dominant root below which the residual is noise and not chatter</translation>
+    </message>
+    <message>
+        <source>Evidence for onset</source>
+        <translation>Evidence for onset</translation>
+    </message>
+    <message>
+        <source>Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)</source>
+        <translation>Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)</translation>
+    </message>
+    <message>
+        <source>Chatter ratio</source>
+        <translation>Chatter ratio</translation>
+    </message>
+    <message>
+        <source>Energy ratio from which a cut is in full chatter</source>
+        <translation>Energy ratio from which a cut is in full chatter</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Window</translation>
+    </message>
+    <message>
+        <source>Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)</source>
+        <translation>Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)</translation>
+    </message>
+    <message>
+        <source>Spectra per window</source>
+        <translation>Spectra per window</translation>
+    </message>
+    <message>
+        <source>A new spectrum is taken this often within one window</source>
+        <translation>A new spectrum is taken this often within one window</translation>
+    </message>
+    <message>
+        <source>Line threshold</source>
+        <translation>Line threshold</translation>
+    </message>
+    <message>
+        <source>Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor</source>
+        <translation>Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Mask</translation>
+    </message>
+    <message>
+        <source>Half width of the mask on a harmonic, in bins</source>
+        <translation>Half width of the mask on a harmonic, in bins</translation>
+    </message>
+    <message>
+        <source>Purity</source>
+        <translation>Purity</translation>
+    </message>
+    <message>
+        <source>Part of the power between the harmonics that a chatter line holds at least</source>
+        <translation>Part of the power between the harmonics that a chatter line holds at least</translation>
+    </message>
+    <message>
+        <source>Spindle harmonics the Kalman filter removes (N, eq. 16); auto: 12 tooth passings, at least 32, as the sampling rate allows</source>
+        <translation>Spindle harmonics the Kalman filter removes (N, eq. 16); auto: 12 tooth passings, at least 32, as the sampling rate allows</translation>
+    </message>
+    <message>
+        <source>Process noise ratio</source>
+        <translation>Process noise ratio</translation>
+    </message>
+    <message>
+        <source>Q/R of the Kalman filter (eq. 20); auto: a memory of two turns</source>
+        <translation>Q/R of the Kalman filter (eq. 20); auto: a memory of two turns</translation>
+    </message>
+    <message>
+        <source>Covariance</source>
+        <translation>Covariance</translation>
+    </message>
+    <message>
+        <source>Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from the first turn on and costs some twenty times as much</source>
+        <translation>Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from the first turn on and costs some twenty times as much</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>settled</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>full</translation>
+    </message>
+    <message>
+        <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
+        <translation>Energy ratio (eq. 28) from which a cut is in full chatter</translation>
+    </message>
+    <message>
+        <source>Smallest onset</source>
+        <translation>Smallest onset</translation>
+    </message>
+    <message>
+        <source>Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset</source>
+        <translation>Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset</translation>
+    </message>
+    <message>
+        <source>Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut lasts e to this power turns, on average, without a false alarm</source>
+        <translation>Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut lasts e to this power turns, on average, without a false alarm</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Coherence</translation>
+    </message>
+    <message>
+        <source>welch: averaged magnitude-squared coherence; paper: eq. 3-5 of one transform</source>
+        <translation>welch: averaged magnitude-squared coherence; paper: eq. 3-5 of one transform</translation>
+    </message>
+    <message>
+        <source>welch</source>
+        <translation>welch</translation>
+    </message>
+    <message>
+        <source>paper</source>
+        <translation>paper</translation>
+    </message>
+    <message>
+        <source>Sharpening</source>
+        <translation>Sharpening</translation>
+    </message>
+    <message>
+        <source>Weighting of the smoothed coherence; printed: eq. 3-17b as it stands</source>
+        <translation>Weighting of the smoothed coherence; printed: eq. 3-17b as it stands</translation>
+    </message>
+    <message>
+        <source>monotone</source>
+        <translation>monotone</translation>
+    </message>
+    <message>
+        <source>printed</source>
+        <translation>printed</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Length of one transform; auto: 12 turns, at most 1 s</source>
+        <translation>Length of one transform; auto: 12 turns, at most 1 s</translation>
+    </message>
+    <message>
+        <source>Averages</source>
+        <translation>Averages</translation>
+    </message>
+    <message>
+        <source>Memory of the averages, in segments (each overlaps the last by 7/8)</source>
+        <translation>Memory of the averages, in segments (each overlaps the last by 7/8)</translation>
+    </message>
+    <message>
+        <source>Window from</source>
+        <translation>Window from</translation>
+    </message>
+    <message>
+        <source>Where the window of eq. 3-18 begins to rise (paper: 170 Hz); auto: no window</source>
+        <translation>Where the window of eq. 3-18 begins to rise (paper: 170 Hz); auto: no window</translation>
+    </message>
+    <message>
+        <source>Window to</source>
+        <translation>Window to</translation>
+    </message>
+    <message>
+        <source>Where the window of eq. 3-18 has fallen (paper: 250 Hz); auto: no window</source>
+        <translation>Where the window of eq. 3-18 has fallen (paper: 250 Hz); auto: no window</translation>
+    </message>
+    <message>
+        <source>Coherence reference</source>
+        <translation>Coherence reference</translation>
+    </message>
+    <message>
+        <source>gamma_ref: coherence ratio that is chatter's</source>
+        <translation>gamma_ref: coherence ratio that is chatter's</translation>
+    </message>
+    <message>
+        <source>Energy reference</source>
+        <translation>Energy reference</translation>
+    </message>
+    <message>
+        <source>E_ref (unit of the sensor) of eq. 3-21; auto: growth above the learned floor</source>
+        <translation>E_ref (unit of the sensor) of eq. 3-21; auto: growth above the learned floor</translation>
+    </message>
+    <message>
+        <source>Part of the cross spectrum between the harmonics that a chatter line holds at least</source>
+        <translation>Part of the cross spectrum between the harmonics that a chatter line holds at least</translation>
+    </message>
+    <message>
+        <source>Confirmation</source>
+        <translation>Confirmation</translation>
+    </message>
+    <message>
+        <source>How long an alarm stands at one frequency before the first move</source>
+        <translation>How long an alarm stands at one frequency before the first move</translation>
+    </message>
+    <message>
+        <source>Confirmation after a move</source>
+        <translation>Confirmation after a move</translation>
+    </message>
+    <message>
+        <source>How long chatter stands at the new speed before that speed is given up</source>
+        <translation>How long chatter stands at the new speed before that speed is given up</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Settling</translation>
+    </message>
+    <message>
+        <source>After the spindle has reached a new speed it is judged no sooner</source>
+        <translation>After the spindle has reached a new speed it is judged no sooner</translation>
+    </message>
+    <message>
+        <source>Speeds to try</source>
+        <translation>Speeds to try</translation>
+    </message>
+    <message>
+        <source>After so many speeds without quiet it goes back and advises only</source>
+        <translation>After so many speeds without quiet it goes back and advises only</translation>
+    </message>
+    <message>
+        <source>Memory of tried speeds</source>
+        <translation>Memory of tried speeds</translation>
+    </message>
+    <message>
+        <source>After so long without an alarm the tried speeds are forgotten</source>
+        <translation>After so long without an alarm the tried speeds are forgotten</translation>
+    </message>
+    <message>
+        <source>Pause after giving up</source>
+        <translation>Pause after giving up</translation>
+    </message>
+    <message>
+        <source>So long nothing is tried again after no speed was quiet</source>
+        <translation>So long nothing is tried again after no speed was quiet</translation>
+    </message>
+    <message>
+        <source>Smoothing of the frequency</source>
+        <translation>Smoothing of the frequency</translation>
+    </message>
+    <message>
+        <source>Time constant of the low-pass on the chatter frequency</source>
+        <translation>Time constant of the low-pass on the chatter frequency</translation>
+    </message>
+    <message>
+        <source>Act on</source>
+        <translation>Act on</translation>
+    </message>
+    <message>
+        <source>Move at the onset of chatter, or only when it is full chatter</source>
+        <translation>Move at the onset of chatter, or only when it is full chatter</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>onset</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>chatter</translation>
+    </message>
+    <message>
+        <source>Freeze when quiet</source>
+        <translation>Freeze when quiet</translation>
+    </message>
+    <message>
+        <source>Stay at the actual speed once chatter clears, for narrow lobes, instead of going on to the last target</source>
+        <translation>Stay at the actual speed once chatter clears, for narrow lobes, instead of going on to the last target</translation>
+    </message>
+    <message>
+        <source>Step size</source>
+        <translation>Step size</translation>
+    </message>
+    <message>
+        <source>mu_c of eq. 32</source>
+        <translation>mu_c of eq. 32</translation>
+    </message>
+    <message>
+        <source>Smoothing of the level</source>
+        <translation>Smoothing of the level</translation>
+    </message>
+    <message>
+        <source>lambda_c of eq. 33</source>
+        <translation>lambda_c of eq. 33</translation>
+    </message>
+    <message>
+        <source>Unit of a step</source>
+        <translation>Unit of a step</translation>
+    </message>
+    <message>
+        <source>What a step of 1 in eq. 32 is, in percent of the programmed speed</source>
+        <translation>What a step of 1 in eq. 32 is, in percent of the programmed speed</translation>
+    </message>
+    <message>
+        <source>Control period</source>
+        <translation>Control period</translation>
+    </message>
+    <message>
+        <source>Time from one step of eq. 32 to the next</source>
+        <translation>Time from one step of eq. 32 to the next</translation>
+    </message>
+    <message>
+        <source>Step of the search</source>
+        <translation>Step of the search</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring trials, in percent of the programmed speed</source>
+        <translation>Distance of neighbouring trials, in percent of the programmed speed</translation>
+    </message>
+    <message>
+        <source>Time per trial</source>
+        <translation>Time per trial</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged this long</source>
+        <translation>The vibration at each trial is averaged this long</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Direction</translation>
+    </message>
+    <message>
+        <source>Speeds to choose from: the nearest, only lower, only higher</source>
+        <translation>Speeds to choose from: the nearest, only lower, only higher</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nearest</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation>down</translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation>up</translation>
+    </message>
+    <message>
+        <source>Phase factor</source>
+        <translation>Phase factor</translation>
+    </message>
+    <message>
+        <source>Fraction of a wave left between two cuts (nu of eq. 3)</source>
+        <translation>Fraction of a wave left between two cuts (nu of eq. 3)</translation>
+    </message>
+    <message>
+        <source>Control cycle</source>
+        <translation>Control cycle</translation>
+    </message>
+    <message>
+        <source>Speed and feed are changed once per cycle</source>
+        <translation>Speed and feed are changed once per cycle</translation>
+    </message>
+    <message>
+        <source>Time for the whole range</source>
+        <translation>Time for the whole range</translation>
+    </message>
+    <message>
+        <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
+        <translation>At full output the whole range of an override takes this long (the paper's limit: a second)</translation>
+    </message>
+    <message>
+        <source>Coherence above which speed and feed fall (gamma_ref)</source>
+        <translation>Coherence above which speed and feed fall (gamma_ref)</translation>
+    </message>
+    <message>
+        <source>Vibration over that of the stable cut above which speed and feed fall</source>
+        <translation>Vibration over that of the stable cut above which speed and feed fall</translation>
+    </message>
+    <message>
+        <source>Energy limit</source>
+        <translation>Energy limit</translation>
+    </message>
+    <message>
+        <source>Vibration over that of the stable cut at which the feed goes to its lowest; at twice that the feed is held</source>
+        <translation>Vibration over that of the stable cut at which the feed goes to its lowest; at twice that the feed is held</translation>
+    </message>
+    <message>
+        <source>Highest overrides</source>
+        <translation>Highest overrides</translation>
+    </message>
+    <message>
+        <source>Speed and feed rise no further than this share of the programmed values</source>
+        <translation>Speed and feed rise no further than this share of the programmed values</translation>
+    </message>
+    <message>
+        <source>Rest of the speed</source>
+        <translation>Rest of the speed</translation>
+    </message>
+    <message>
+        <source>The speed does not rise for so long after an alarm</source>
+        <translation>The speed does not rise for so long after an alarm</translation>
+    </message>
+    <message>
+        <source>Learning weight</source>
+        <translation>Learning weight</translation>
+    </message>
+    <message>
+        <source>Share of the coherence error that the rules learn (w of eq. 3-32)</source>
+        <translation>Share of the coherence error that the rules learn (w of eq. 3-32)</translation>
+    </message>
+    <message>
+        <source>Direct tuning</source>
+        <translation>Direct tuning</translation>
+    </message>
+    <message>
+        <source>By coherence alone (eq. 3-37) or by coherence and energy (3-36)</source>
+        <translation>By coherence alone (eq. 3-37) or by coherence and energy (3-36)</translation>
+    </message>
+    <message>
+        <source>single</source>
+        <translation>single</translation>
+    </message>
+    <message>
+        <source>double</source>
+        <translation>double</translation>
+    </message>
+    <message>
+        <source>Coherence weight</source>
+        <translation>Coherence weight</translation>
+    </message>
+    <message>
+        <source>Weight of the coherence error (w_gamma of eq. 3-34)</source>
+        <translation>Weight of the coherence error (w_gamma of eq. 3-34)</translation>
+    </message>
+    <message>
+        <source>Energy weight</source>
+        <translation>Energy weight</translation>
+    </message>
+    <message>
+        <source>Weight of the energy error (w_E of eq. 3-35)</source>
+        <translation>Weight of the energy error (w_E of eq. 3-35)</translation>
+    </message>
+    <message>
+        <source>Lowest speed override</source>
+        <translation>Lowest speed override</translation>
+    </message>
+    <message>
+        <source>Spindle speed is never driven below this share of the programmed speed</source>
+        <translation>Spindle speed is never driven below this share of the programmed speed</translation>
+    </message>
+    <message>
+        <source>Highest speed override</source>
+        <translation>Highest speed override</translation>
+    </message>
+    <message>
+        <source>Spindle speed is never driven above this share of the programmed speed</source>
+        <translation>Spindle speed is never driven above this share of the programmed speed</translation>
+    </message>
+    <message>
+        <source>Lowest feed override</source>
+        <translation>Lowest feed override</translation>
+    </message>
+    <message>
+        <source>Feed is never driven below this share of the programmed feed</source>
+        <translation>Feed is never driven below this share of the programmed feed</translation>
+    </message>
+    <message>
+        <source>Highest feed override</source>
+        <translation>Highest feed override</translation>
+    </message>
+    <message>
+        <source>Feed is never driven above this share of the programmed feed</source>
+        <translation>Feed is never driven above this share of the programmed feed</translation>
+    </message>
+    <message>
+        <source>Lowest speed</source>
+        <translation>Lowest speed</translation>
+    </message>
+    <message>
+        <source>Spindle speed is never driven below this; auto: no such limit</source>
+        <translation>Spindle speed is never driven below this; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Highest speed</source>
+        <translation>Highest speed</translation>
+    </message>
+    <message>
+        <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
+        <translation>Spindle speed is never driven above this: the machine's limit; auto: none</translation>
+    </message>
+    <message>
+        <source>Highest speed of the tool</source>
+        <translation>Highest speed of the tool</translation>
+    </message>
+    <message>
+        <source>What the maker allows the tool; auto: no such limit</source>
+        <translation>What the maker allows the tool; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Highest speed of the holder</source>
+        <translation>Highest speed of the holder</translation>
+    </message>
+    <message>
+        <source>What holder and balancing allow; auto: no such limit</source>
+        <translation>What holder and balancing allow; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Highest cutting speed</source>
+        <translation>Highest cutting speed</translation>
+    </message>
+    <message>
+        <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
+        <translation>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Lowest feed</source>
+        <translation>Lowest feed</translation>
+    </message>
+    <message>
+        <source>Feed is never driven below this; auto: no such limit</source>
+        <translation>Feed is never driven below this; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Highest feed</source>
+        <translation>Highest feed</translation>
+    </message>
+    <message>
+        <source>Feed is never driven above this; auto: no such limit</source>
+        <translation>Feed is never driven above this; auto: no such limit</translation>
+    </message>
+    <message>
+        <source>Lowest feed per tooth</source>
+        <translation>Lowest feed per tooth</translation>
+    </message>
+    <message>
+        <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
+        <translation>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</translation>
+    </message>
+    <message>
+        <source>Highest feed per tooth</source>
+        <translation>Highest feed per tooth</translation>
+    </message>
+    <message>
+        <source>Our overrides never raise the feed per tooth above this share of the programmed one</source>
+        <translation>Our overrides never raise the feed per tooth above this share of the programmed one</translation>
+    </message>
+    <message>
+        <source>Speed change per step</source>
+        <translation>Speed change per step</translation>
+    </message>
+    <message>
+        <source>Largest change of the speed override in one step of the gate, in percent of the programmed speed</source>
+        <translation>Largest change of the speed override in one step of the gate, in percent of the programmed speed</translation>
+    </message>
+    <message>
+        <source>Speed change per second</source>
+        <translation>Speed change per second</translation>
+    </message>
+    <message>
+        <source>Fastest change of the speed override, in percent of the programmed speed per second</source>
+        <translation>Fastest change of the speed override, in percent of the programmed speed per second</translation>
+    </message>
+    <message>
+        <source>Feed change per step</source>
+        <translation>Feed change per step</translation>
+    </message>
+    <message>
+        <source>Largest change of the feed override in one step of the gate, in percent of the programmed feed</source>
+        <translation>Largest change of the feed override in one step of the gate, in percent of the programmed feed</translation>
+    </message>
+    <message>
+        <source>Feed change per second</source>
+        <translation>Feed change per second</translation>
+    </message>
+    <message>
+        <source>Fastest change of the feed override, in percent of the programmed feed per second</source>
+        <translation>Fastest change of the feed override, in percent of the programmed feed per second</translation>
+    </message>
+    <message>
+        <source>Recovery rate</source>
+        <translation>Recovery rate</translation>
+    </message>
+    <message>
+        <source>Rate of the way back toward 100 % when nothing chatters, as a share of the rate away from it</source>
+        <translation>Rate of the way back toward 100 % when nothing chatters, as a share of the rate away from it</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Smoothing</translation>
+    </message>
+    <message>
+        <source>Time constant of the low-pass on the wanted overrides</source>
+        <translation>Time constant of the low-pass on the wanted overrides</translation>
+    </message>
+    <message>
+        <source>Dead band</source>
+        <translation>Dead band</translation>
+    </message>
+    <message>
+        <source>Wanted changes up to this are not worth moving the machine</source>
+        <translation>Wanted changes up to this are not worth moving the machine</translation>
+    </message>
+    <message>
+        <source>Changes per minute</source>
+        <translation>Changes per minute</translation>
+    </message>
+    <message>
+        <source>Moves that start from rest or turn back, at most so many in any minute</source>
+        <translation>Moves that start from rest or turn back, at most so many in any minute</translation>
+    </message>
+    <message>
+        <source>Cool-down</source>
+        <translation>Cool-down</translation>
+    </message>
+    <message>
+        <source>Pause after the changes per minute are used up; the second time Auto falls back to Advise</source>
+        <translation>Pause after the changes per minute are used up; the second time Auto falls back to Advise</translation>
+    </message>
+    <message>
+        <source>Speed tolerance</source>
+        <translation>Speed tolerance</translation>
+    </message>
+    <message>
+        <source>The spindle counts as at speed, and an override as taken, within this</source>
+        <translation>The spindle counts as at speed, and an override as taken, within this</translation>
+    </message>
+    <message>
+        <source>Machine state age</source>
+        <translation>Machine state age</translation>
+    </message>
+    <message>
+        <source>A machine state older than this is stale</source>
+        <translation>A machine state older than this is stale</translation>
+    </message>
+    <message>
+        <source>Verdict age</source>
+        <translation>Verdict age</translation>
+    </message>
+    <message>
+        <source>A verdict or request older than this is stale</source>
+        <translation>A verdict or request older than this is stale</translation>
+    </message>
+    <message>
+        <source>Hold before release</source>
+        <translation>Hold before release</translation>
+    </message>
+    <message>
+        <source>On bad input the overrides are held this long, then the programmed values come back</source>
+        <translation>On bad input the overrides are held this long, then the programmed values come back</translation>
+    </message>
+    <message>
+        <source>Rest after release</source>
+        <translation>Rest after release</translation>
+    </message>
+    <message>
+        <source>After a release the input must be good for this long before the overrides are taken again</source>
+        <translation>After a release the input must be good for this long before the overrides are taken again</translation>
+    </message>
+    <message>
+        <source>Pause after the knob</source>
+        <translation>Pause after the knob</translation>
+    </message>
+    <message>
+        <source>After the operator turned a knob nothing new is asked this long</source>
+        <translation>After the operator turned a knob nothing new is asked this long</translation>
+    </message>
+    <message>
+        <source>Time to take an override</source>
+        <translation>Time to take an override</translation>
+    </message>
+    <message>
+        <source>The override read back must agree with the command within this, or the machine is let go</source>
+        <translation>The override read back must agree with the command within this, or the machine is let go</translation>
+    </message>
+    <message>
+        <source>Time for the spindle to follow</source>
+        <translation>Time for the spindle to follow</translation>
+    </message>
+    <message>
+        <source>The spindle must reach the commanded speed within this, or the machine is let go</source>
+        <translation>The spindle must reach the commanded speed within this, or the machine is let go</translation>
+    </message>
+    <message>
+        <source>Lease</source>
+        <translation>Lease</translation>
+    </message>
+    <message>
+        <source>A command that is not renewed within this ends, and the programmed values come back</source>
+        <translation>A command that is not renewed within this ends, and the programmed values come back</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Recording</translation>
+    </message>
+    <message>
+        <source>What is kept: everything, what surrounds events, or verdicts and indicators alone</source>
+        <translation>What is kept: everything, what surrounds events, or verdicts and indicators alone</translation>
+    </message>
+    <message>
+        <source>continuous</source>
+        <translation>continuous</translation>
+    </message>
+    <message>
+        <source>around-events</source>
+        <translation>around-events</translation>
+    </message>
+    <message>
+        <source>features</source>
+        <translation>features</translation>
+    </message>
+    <message>
+        <source>Kept before an event</source>
+        <translation>Kept before an event</translation>
+    </message>
+    <message>
+        <source>Around events: how much is kept from before each</source>
+        <translation>Around events: how much is kept from before each</translation>
+    </message>
+    <message>
+        <source>Kept after an event</source>
+        <translation>Kept after an event</translation>
+    </message>
+    <message>
+        <source>Around events: how long recording goes on after the last</source>
+        <translation>Around events: how long recording goes on after the last</translation>
+    </message>
+    <message>
+        <source>Step of the history</source>
+        <translation>Step of the history</translation>
+    </message>
+    <message>
+        <source>Features: one step is kept in so long, and every one with an event</source>
+        <translation>Features: one step is kept in so long, and every one with an event</translation>
+    </message>
+    <message>
+        <source>Length of the history</source>
+        <translation>Length of the history</translation>
+    </message>
+    <message>
+        <source>Features: what is older goes</source>
+        <translation>Features: what is older goes</translation>
+    </message>
+    <message>
+        <source>Keep recordings for</source>
+        <translation>Keep recordings for</translation>
+    </message>
+    <message>
+        <source>Older recordings without a marker are deleted when a new one begins</source>
+        <translation>Older recordings without a marker are deleted when a new one begins</translation>
+    </message>
+    <message>
+        <source>Keep recordings up to</source>
+        <translation>Keep recordings up to</translation>
+    </message>
+    <message>
+        <source>The oldest recordings without a marker are deleted beyond it</source>
+        <translation>The oldest recordings without a marker are deleted beyond it</translation>
+    </message>
+    <message>
+        <source>Taps</source>
+        <translation>Taps</translation>
+    </message>
+    <message>
+        <source>Length of the adaptive filter of each axis (Ford 2013 table 3: 35)</source>
+        <translation>Length of the adaptive filter of each axis (Ford 2013 table 3: 35)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Step</translation>
+    </message>
+    <message>
+        <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
+        <translation>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</translation>
+    </message>
+    <message>
+        <source>Normalised</source>
+        <translation>Normalised</translation>
+    </message>
+    <message>
+        <source>Take the step as a share of the bound that follows the power of the filtered reference</source>
+        <translation>Take the step as a share of the bound that follows the power of the filtered reference</translation>
+    </message>
+    <message>
+        <source>Leak</source>
+        <translation>Leak</translation>
+    </message>
+    <message>
+        <source>Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing</source>
+        <translation>Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Reference</translation>
+    </message>
+    <message>
+        <source>What the filter works from: the error itself, or the disturbance as the model sees it</source>
+        <translation>What the filter works from: the error itself, or the disturbance as the model sees it</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>error</translation>
+    </message>
+    <message>
+        <source>internal-model</source>
+        <translation>internal-model</translation>
+    </message>
+    <message>
+        <source>Path taps</source>
+        <translation>Path taps</translation>
+    </message>
+    <message>
+        <source>Length of each part of the recursive model from actuator to sensor (table 3: 35)</source>
+        <translation>Length of each part of the recursive model from actuator to sensor (table 3: 35)</translation>
+    </message>
+    <message>
+        <source>Parametric</source>
+        <translation>Parametric</translation>
+    </message>
+    <message>
+        <source>Spectral line</source>
+        <translation>Spectral line</translation>
+    </message>
+    <message>
+        <source>Energy ratio</source>
+        <translation>Energy ratio</translation>
+    </message>
+    <message>
+        <source>Monitoring only</source>
+        <translation>Monitoring only</translation>
+    </message>
+    <message>
+        <source>Next stable pocket, checked</source>
+        <translation>Next stable pocket, checked</translation>
+    </message>
+    <message>
+        <source>Centre of the lobe</source>
+        <translation>Centre of the lobe</translation>
+    </message>
+    <message>
+        <source>Toward less vibration</source>
+        <translation>Toward less vibration</translation>
+    </message>
+    <message>
+        <source>Least vibration</source>
+        <translation>Least vibration</translation>
+    </message>
+    <message>
+        <source>Quarter wave between teeth</source>
+        <translation>Quarter wave between teeth</translation>
+    </message>
+    <message>
+        <source>Fuzzy speed and feed</source>
+        <translation>Fuzzy speed and feed</translation>
+    </message>
+    <message>
+        <source>Fuzzy, learning its rules</source>
+        <translation>Fuzzy, learning its rules</translation>
+    </message>
+    <message>
+        <source>Fuzzy, outputs tuned directly</source>
+        <translation>Fuzzy, outputs tuned directly</translation>
+    </message>
+    <message>
+        <source>The control of the simulated mill; the only one that takes commands from a replay</source>
+        <translation>The control of the simulated mill; the only one that takes commands from a replay</translation>
+    </message>
+    <message>
+        <source>LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port</source>
+        <translation>LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port</translation>
+    </message>
+    <message>
+        <source>GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port</source>
+        <translation>GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port</translation>
+    </message>
+    <message>
+        <source>A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers</source>
+        <translation>A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers</translation>
+    </message>
+    <message>
+        <source>Override voltages through a Comedi card: map, a file of calibration tables</source>
+        <translation>Override voltages through a Comedi card: map, a file of calibration tables</translation>
+    </message>
+    <message>
+        <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
+        <translation>A simulated cut from a scenario file, in real time or as fast as possible</translation>
+    </message>
+</context>
+<context>
+    <name>Pages</name>
+    <message>
+        <source>Operate</source>
+        <translation>Operate</translation>
+    </message>
+    <message>
+        <source>Analyse</source>
+        <translation>Analyse</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Lobes</translation>
+    </message>
+</context>
+<context>
+    <name>PlotFrame</name>
+    <message>
+        <source>time [s]</source>
+        <translation>time [s]</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>Spectrogram of %1 [kHz]</source>
+        <translation>Spectrogram of %1 [kHz]</translation>
+    </message>
+    <message>
+        <source>Vibration of %1, rms [%2]</source>
+        <translation>Vibration of %1, rms [%2]</translation>
+    </message>
+    <message>
+        <source>Energy ratio, chatter to all</source>
+        <translation>Energy ratio, chatter to all</translation>
+    </message>
+    <message>
+        <source>Spindle speed [rpm]</source>
+        <translation>Spindle speed [rpm]</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>Auto</source>
+        <translation>Auto</translation>
+    </message>
+    <message>
+        <source>Advise</source>
+        <translation>Advise</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Off</translation>
+    </message>
+    <message>
+        <source>still learning the noise, {0.1} s to go</source>
+        <translation>still learning the noise, {0.1} s to go</translation>
+    </message>
+    <message>
+        <source>the spindle speed is not known</source>
+        <translation>the spindle speed is not known</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known</source>
+        <translation>the number of teeth is not known</translation>
+    </message>
+    <message>
+        <source>{0.0} samples are missing</source>
+        <translation>{0.0} samples are missing</translation>
+    </message>
+    <message>
+        <source>the sensor is at its limit</source>
+        <translation>the sensor is at its limit</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers values that are not numbers</source>
+        <translation>channel {0.0} delivers values that are not numbers</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers a constant</source>
+        <translation>channel {0.0} delivers a constant</translation>
+    </message>
+    <message>
+        <source>the spindle is running up, {0.0} rpm</source>
+        <translation>the spindle is running up, {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>the tool is entering or leaving, {0.2} s</source>
+        <translation>the tool is entering or leaving, {0.2} s</translation>
+    </message>
+    <message>
+        <source>energy ratio {0.2} is over {1.2}</source>
+        <translation>energy ratio {0.2} is over {1.2}</translation>
+    </message>
+    <message>
+        <source>energy ratio {0.3} grows above its floor of {1.3}</source>
+        <translation>energy ratio {0.3} grows above its floor of {1.3}</translation>
+    </message>
+    <message>
+        <source>a line at {2.1} Hz between the harmonics holds {0.3} of the vibration, over {1.3}</source>
+        <translation>a line at {2.1} Hz between the harmonics holds {0.3} of the vibration, over {1.3}</translation>
+    </message>
+    <message>
+        <source>vibration that the harmonics leave, {0.3} of all, is over {1.3}, strongest at {2.1} Hz</source>
+        <translation>vibration that the harmonics leave, {0.3} of all, is over {1.3}, strongest at {2.1} Hz</translation>
+    </message>
+    <message>
+        <source>coherence ratio {0.2} is over {1.2} at {2.1} Hz and its energy grows</source>
+        <translation>coherence ratio {0.2} is over {1.2} at {2.1} Hz and its energy grows</translation>
+    </message>
+    <message>
+        <source>coherence needs two channels, there are {0.0}</source>
+        <translation>coherence needs two channels, there are {0.0}</translation>
+    </message>
+    <message>
+        <source>detector {0.0} failed</source>
+        <translation>detector {0.0} failed</translation>
+    </message>
+    <message>
+        <source>nothing to do</source>
+        <translation>nothing to do</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
+        <translation>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</translation>
+    </message>
+    <message>
+        <source>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</source>
+        <translation>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
+        <translation>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</translation>
+    </message>
+    <message>
+        <source>monitoring only</source>
+        <translation>monitoring only</translation>
+    </message>
+    <message>
+        <source>there is no usable verdict to act on</source>
+        <translation>there is no usable verdict to act on</translation>
+    </message>
+    <message>
+        <source>going back towards {0.2}</source>
+        <translation>going back towards {0.2}</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
+        <translation>{0.0} rpm is already the speed for chatter at {1.0} Hz</translation>
+    </message>
+    <message>
+        <source>quiet, keeping {0.0} rpm</source>
+        <translation>quiet, keeping {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
+        <translation>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
+        <translation>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</source>
+        <translation>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</translation>
+    </message>
+    <message>
+        <source>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</source>
+        <translation>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm vibrates least, {1.4}</source>
+        <translation>{0.0} rpm vibrates least, {1.4}</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</source>
+        <translation>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</translation>
+    </message>
+    <message>
+        <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
+        <translation>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</translation>
+    </message>
+    <message>
+        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
+        <translation>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</translation>
+    </message>
+    <message>
+        <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
+        <translation>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</translation>
+    </message>
+    <message>
+        <source>authority is off</source>
+        <translation>authority is off</translation>
+    </message>
+    <message>
+        <source>advice only</source>
+        <translation>advice only</translation>
+    </message>
+    <message>
+        <source>the request was not a number</source>
+        <translation>the request was not a number</translation>
+    </message>
+    <message>
+        <source>asked for {0.2}, limits allow {1.2}</source>
+        <translation>asked for {0.2}, limits allow {1.2}</translation>
+    </message>
+    <message>
+        <source>the machine's state is {0.2} s old</source>
+        <translation>the machine's state is {0.2} s old</translation>
+    </message>
+    <message>
+        <source>the verdict is {0.2} s old</source>
+        <translation>the verdict is {0.2} s old</translation>
+    </message>
+    <message>
+        <source>the machine is not running a program</source>
+        <translation>the machine is not running a program</translation>
+    </message>
+    <message>
+        <source>held by the operator</source>
+        <translation>held by the operator</translation>
+    </message>
+    <message>
+        <source>waiting for the spindle, {0.0} of {1.0} rpm</source>
+        <translation>waiting for the spindle, {0.0} of {1.0} rpm</translation>
+    </message>
+    <message>
+        <source>{0.0} changes in a minute, {1.0} allowed</source>
+        <translation>{0.0} changes in a minute, {1.0} allowed</translation>
+    </message>
+    <message>
+        <source>the programmed values are back in force</source>
+        <translation>the programmed values are back in force</translation>
+    </message>
+    <message>
+        <source>no fresh command for {0.2} s, programmed values restored</source>
+        <translation>no fresh command for {0.2} s, programmed values restored</translation>
+    </message>
+    <message>
+        <source>speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %</source>
+        <translation>speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %</translation>
+    </message>
+    <message>
+        <source>speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %</source>
+        <translation>speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %</translation>
+    </message>
+    <message>
+        <source>what the machine reports makes no sense</source>
+        <translation>what the machine reports makes no sense</translation>
+    </message>
+    <message>
+        <source>the program has locked the overrides</source>
+        <translation>the program has locked the overrides</translation>
+    </message>
+    <message>
+        <source>something else controls the overrides</source>
+        <translation>something else controls the overrides</translation>
+    </message>
+    <message>
+        <source>the detector's verdict is not usable</source>
+        <translation>the detector's verdict is not usable</translation>
+    </message>
+    <message>
+        <source>the request is {0.2} s old</source>
+        <translation>the request is {0.2} s old</translation>
+    </message>
+    <message>
+        <source>time stood still, jumped or went back</source>
+        <translation>time stood still, jumped or went back</translation>
+    </message>
+    <message>
+        <source>the tool is not in the cut</source>
+        <translation>the tool is not in the cut</translation>
+    </message>
+    <message>
+        <source>the feed is on hold</source>
+        <translation>the feed is on hold</translation>
+    </message>
+    <message>
+        <source>the operator turns the knobs: speed {0.0} %, feed {1.0} %</source>
+        <translation>the operator turns the knobs: speed {0.0} %, feed {1.0} %</translation>
+    </message>
+    <message>
+        <source>the spindle does not follow, {0.0} instead of {1.0} rpm</source>
+        <translation>the spindle does not follow, {0.0} instead of {1.0} rpm</translation>
+    </message>
+    <message>
+        <source>the machine does not take the override, {0.1} % instead of {1.1} %</source>
+        <translation>the machine does not take the override, {0.1} % instead of {1.1} %</translation>
+    </message>
+    <message>
+        <source>the program went from {0.0} to {1.0} rpm, starting again from 100 %</source>
+        <translation>the program went from {0.0} to {1.0} rpm, starting again from 100 %</translation>
+    </message>
+    <message>
+        <source>waiting {0.1} s before taking the overrides again</source>
+        <translation>waiting {0.1} s before taking the overrides again</translation>
+    </message>
+    <message>
+        <source>too many changes, waiting {0.0} s</source>
+        <translation>too many changes, waiting {0.0} s</translation>
+    </message>
+    <message>
+        <source>Auto is not allowed in this set-up</source>
+        <translation>Auto is not allowed in this set-up</translation>
+    </message>
+    <message>
+        <source>more than {0.0} changes in a minute again, advice only from now on</source>
+        <translation>more than {0.0} changes in a minute again, advice only from now on</translation>
+    </message>
+    <message>
+        <source>the operator accepted {0.0} rpm and {1.0} mm/min</source>
+        <translation>the operator accepted {0.0} rpm and {1.0} mm/min</translation>
+    </message>
+    <message>
+        <source>the operator refused {0.0} rpm and {1.0} mm/min</source>
+        <translation>the operator refused {0.0} rpm and {1.0} mm/min</translation>
+    </message>
+    <message>
+        <source>chatter at {0.0} Hz, energy ratio {1.2}</source>
+        <translation>chatter at {0.0} Hz, energy ratio {1.2}</translation>
+    </message>
+    <message>
+        <source>quiet again after {0.2} s and {1.1} mm of feed</source>
+        <translation>quiet again after {0.2} s and {1.1} mm of feed</translation>
+    </message>
+    <message>
+        <source>authority changed from {0.0} to {1.0}</source>
+        <translation>authority changed from {0.0} to {1.0}</translation>
+    </message>
+    <message>
+        <source>back to 100 % at the operator's wish</source>
+        <translation>back to 100 % at the operator's wish</translation>
+    </message>
+    <message>
+        <source>the machine has not answered for {0.2} s</source>
+        <translation>the machine has not answered for {0.2} s</translation>
+    </message>
+    <message>
+        <source>the machine answers again</source>
+        <translation>the machine answers again</translation>
+    </message>
+    <message>
+        <source>recording has stopped</source>
+        <translation>recording has stopped</translation>
+    </message>
+    <message>
+        <source>{0.0} blocks were dropped</source>
+        <translation>{0.0} blocks were dropped</translation>
+    </message>
+    <message>
+        <source>Auto is granted because this machine is simulated</source>
+        <translation>Auto is granted because this machine is simulated</translation>
+    </message>
+    <message>
+        <source>the strategy failed, monitoring only from now on</source>
+        <translation>the strategy failed, monitoring only from now on</translation>
+    </message>
+    <message>
+        <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
+        <translation>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</translation>
+    </message>
+</context>
+<context>
+    <name>ReportPages</name>
+    <message>
+        <source>Cut report</source>
+        <translation>Cut report</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>page %1 of %2</translation>
+    </message>
+    <message>
+        <source>Alarms and what was done</source>
+        <translation>Alarms and what was done</translation>
+    </message>
+    <message>
+        <source>Before: highest until the first command. After: newest at the end of the alarm. Numbers are those in the plots.</source>
+        <translation>Before: highest until the first command. After: newest at the end of the alarm. Numbers are those in the plots.</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Events</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>and %1 more</translation>
+    </message>
+    <message>
+        <source>Sensor check</source>
+        <translation>Sensor check</translation>
+    </message>
+    <message>
+        <source>Settings in force</source>
+        <translation>Settings in force</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui</name>
+    <message>
+        <source>%1 rpm, %2</source>
+        <translation>%1 rpm, %2</translation>
+    </message>
+    <message>
+        <source>Costs no time</source>
+        <translation>Costs no time</translation>
+    </message>
+    <message>
+        <source>Costs %1 time</source>
+        <translation>Costs %1 time</translation>
+    </message>
+    <message>
+        <source>Saves %1 time</source>
+        <translation>Saves %1 time</translation>
+    </message>
+    <message>
+        <source>cutting speed %1</source>
+        <translation>cutting speed %1</translation>
+    </message>
+    <message>
+        <source>The feed stays as it is</source>
+        <translation>The feed stays as it is</translation>
+    </message>
+    <message>
+        <source>Feed follows: %1</source>
+        <translation>Feed follows: %1</translation>
+    </message>
+    <message>
+        <source>The speed stays as it is</source>
+        <translation>The speed stays as it is</translation>
+    </message>
+    <message>
+        <source>ADVICE</source>
+        <translation>ADVICE</translation>
+    </message>
+    <message>
+        <source>Back to 100 %</source>
+        <translation>Back to 100 %</translation>
+    </message>
+    <message>
+        <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
+        <translation>ASKED FOR, NOT CONFIRMED BY THE MACHINE</translation>
+    </message>
+    <message>
+        <source>IN FORCE, HELD BY YOU</source>
+        <translation>IN FORCE, HELD BY YOU</translation>
+    </message>
+    <message>
+        <source>IN FORCE</source>
+        <translation>IN FORCE</translation>
+    </message>
+    <message>
+        <source>WHAT TO DO</source>
+        <translation>WHAT TO DO</translation>
+    </message>
+    <message>
+        <source>No advice</source>
+        <translation>No advice</translation>
+    </message>
+    <message>
+        <source>There is no live picture to advise on</source>
+        <translation>There is no live picture to advise on</translation>
+    </message>
+    <message>
+        <source>Nothing to do</source>
+        <translation>Nothing to do</translation>
+    </message>
+    <message>
+        <source>Authority is off: Stillcut only watches</source>
+        <translation>Authority is off: Stillcut only watches</translation>
+    </message>
+    <message>
+        <source>There is no verdict to act on</source>
+        <translation>There is no verdict to act on</translation>
+    </message>
+    <message>
+        <source>The strategy has not decided yet</source>
+        <translation>The strategy has not decided yet</translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>about %1</translation>
+    </message>
+    <message>
+        <source>The machine does not answer; last values %1 old</source>
+        <translation>The machine does not answer; last values %1 old</translation>
+    </message>
+    <message>
+        <source>Values are %1 old</source>
+        <translation>Values are %1 old</translation>
+    </message>
+    <message>
+        <source>Another program has the overrides</source>
+        <translation>Another program has the overrides</translation>
+    </message>
+    <message>
+        <source>The program has switched overrides off</source>
+        <translation>The program has switched overrides off</translation>
+    </message>
+    <message>
+        <source>Feed hold</source>
+        <translation>Feed hold</translation>
+    </message>
+    <message>
+        <source>Energy ratio</source>
+        <translation>Energy ratio</translation>
+    </message>
+    <message>
+        <source>Vibration</source>
+        <translation>Vibration</translation>
+    </message>
+    <message>
+        <source>Coherence</source>
+        <translation>Coherence</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Speed</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Feed</translation>
+    </message>
+    <message>
+        <source>Nothing was read from the machine yet</source>
+        <translation>Nothing was read from the machine yet</translation>
+    </message>
+    <message>
+        <source>Knobs %1, %2</source>
+        <translation>Knobs %1, %2</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>not read yet</source>
+        <translation>not read yet</translation>
+    </message>
+    <message>
+        <source>no answer for %1</source>
+        <translation>no answer for %1</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Sensor</translation>
+    </message>
+    <message>
+        <source>no samples yet</source>
+        <translation>no samples yet</translation>
+    </message>
+    <message>
+        <source>nothing for %1</source>
+        <translation>nothing for %1</translation>
+    </message>
+    <message>
+        <source>at its limit</source>
+        <translation>at its limit</translation>
+    </message>
+    <message>
+        <source>dead</source>
+        <translation>dead</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>not a number</translation>
+    </message>
+    <message>
+        <source>samples missing</source>
+        <translation>samples missing</translation>
+    </message>
+    <message>
+        <source>ok</source>
+        <translation>ok</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Recording</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>off</translation>
+    </message>
+    <message>
+        <source>%1, %2 lost</source>
+        <translation>%1, %2 lost</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stopped</translation>
+    </message>
+    <message>
+        <source>Chatter %1</source>
+        <translation>Chatter %1</translation>
+    </message>
+    <message>
+        <source>%1, acting</source>
+        <translation>%1, acting</translation>
+    </message>
+    <message>
+        <source>%1, not quieted</source>
+        <translation>%1, not quieted</translation>
+    </message>
+    <message>
+        <source>%1, quiet after %2, %3 marked</source>
+        <translation>%1, quiet after %2, %3 marked</translation>
+    </message>
+    <message>
+        <source>%1, %2 more time</source>
+        <translation>%1, %2 more time</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>chatter %1</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Drops</source>
+        <translation>Drops</translation>
+    </message>
+    <message>
+        <source>Overruns</source>
+        <translation>Overruns</translation>
+    </message>
+    <message>
+        <source>Block age</source>
+        <translation>Block age</translation>
+    </message>
+    <message>
+        <source>You are in command</source>
+        <translation>You are in command</translation>
+    </message>
+    <message>
+        <source>speed %1, feed %2</source>
+        <translation>speed %1, feed %2</translation>
+    </message>
+    <message>
+        <source>Stillcut is in command</source>
+        <translation>Stillcut is in command</translation>
+    </message>
+    <message>
+        <source>You are in command, Stillcut advises</source>
+        <translation>You are in command, Stillcut advises</translation>
+    </message>
+    <message>
+        <source>since %1</source>
+        <translation>since %1</translation>
+    </message>
+    <message>
+        <source>%1, on this simulated machine</source>
+        <translation>%1, on this simulated machine</translation>
+    </message>
+    <message>
+        <source>as last heard, %1 ago</source>
+        <translation>as last heard, %1 ago</translation>
+    </message>
+    <message>
+        <source>held by you, %1</source>
+        <translation>held by you, %1</translation>
+    </message>
+    <message>
+        <source>NO CUT</source>
+        <translation>NO CUT</translation>
+    </message>
+    <message>
+        <source>STABLE</source>
+        <translation>STABLE</translation>
+    </message>
+    <message>
+        <source>ONSET</source>
+        <translation>ONSET</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>CHATTER</translation>
+    </message>
+    <message>
+        <source>Hopf</source>
+        <translation>Hopf</translation>
+    </message>
+    <message>
+        <source>period doubling</source>
+        <translation>period doubling</translation>
+    </message>
+    <message>
+        <source>forced vibration</source>
+        <translation>forced vibration</translation>
+    </message>
+    <message>
+        <source>growing</source>
+        <translation>growing</translation>
+    </message>
+    <message>
+        <source>steady</source>
+        <translation>steady</translation>
+    </message>
+    <message>
+        <source>dying down</source>
+        <translation>dying down</translation>
+    </message>
+    <message>
+        <source>The tool is in the air</source>
+        <translation>The tool is in the air</translation>
+    </message>
+    <message>
+        <source>The spindle is running up</source>
+        <translation>The spindle is running up</translation>
+    </message>
+    <message>
+        <source>The tool is entering</source>
+        <translation>The tool is entering</translation>
+    </message>
+    <message>
+        <source>The tool is leaving</source>
+        <translation>The tool is leaving</translation>
+    </message>
+    <message>
+        <source>No chatter in this run</source>
+        <translation>No chatter in this run</translation>
+    </message>
+    <message>
+        <source>In chatter so far: %1, %2</source>
+        <translation>In chatter so far: %1, %2</translation>
+    </message>
+    <message>
+        <source>NO VERDICT</source>
+        <translation>NO VERDICT</translation>
+    </message>
+    <message>
+        <source>The picture is stale: nothing new for %1</source>
+        <translation>The picture is stale: nothing new for %1</translation>
+    </message>
+    <message>
+        <source>Last verdict: %1 %2</source>
+        <translation>Last verdict: %1 %2</translation>
+    </message>
+    <message>
+        <source>For %1</source>
+        <translation>For %1</translation>
+    </message>
+    <message>
+        <source>For %1, %2 of feed</source>
+        <translation>For %1, %2 of feed</translation>
+    </message>
+    <message>
+        <source>Waiting for the first samples</source>
+        <translation>Waiting for the first samples</translation>
+    </message>
+    <message>
+        <source>The run has ended</source>
+        <translation>The run has ended</translation>
+    </message>
+    <message>
+        <source>The detector gives no reason</source>
+        <translation>The detector gives no reason</translation>
+    </message>
+    <message>
+        <source>Early warning: vibration begins to grow</source>
+        <translation>Early warning: vibration begins to grow</translation>
+    </message>
+    <message>
+        <source>The cut is quiet</source>
+        <translation>The cut is quiet</translation>
+    </message>
+    <message>
+        <source>The tool does not cut</source>
+        <translation>The tool does not cut</translation>
+    </message>
+    <message>
+        <source>Auto: Stillcut commanded the overrides</source>
+        <translation>Auto: Stillcut commanded the overrides</translation>
+    </message>
+    <message>
+        <source>Advise: Stillcut proposed</source>
+        <translation>Advise: Stillcut proposed</translation>
+    </message>
+    <message>
+        <source>Off: Stillcut watched</source>
+        <translation>Off: Stillcut watched</translation>
+    </message>
+    <message>
+        <source>no signal: check cable and supply</source>
+        <translation>no signal: check cable and supply</translation>
+    </message>
+    <message>
+        <source>clipped: lower the gain</source>
+        <translation>clipped: lower the gain</translation>
+    </message>
+    <message>
+        <source>large constant part: check coupling</source>
+        <translation>large constant part: check coupling</translation>
+    </message>
+    <message>
+        <source>far weaker than the others: loose?</source>
+        <translation>far weaker than the others: loose?</translation>
+    </message>
+    <message>
+        <source>in order</source>
+        <translation>in order</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>quiet</translation>
+    </message>
+    <message>
+        <source>cut ended</source>
+        <translation>cut ended</translation>
+    </message>
+    <message>
+        <source>not quiet</source>
+        <translation>not quiet</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>not answered</translation>
+    </message>
+    <message>
+        <source> (simulated)</source>
+        <translation> (simulated)</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Tool</translation>
+    </message>
+    <message>
+        <source>, diameter </source>
+        <translation>, diameter </translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Teeth</translation>
+    </message>
+    <message>
+        <source>Programmed</source>
+        <translation>Programmed</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>mm/min</source>
+        <translation>mm/min</translation>
+    </message>
+    <message>
+        <source>Authority</source>
+        <translation>Authority</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Length</translation>
+    </message>
+    <message>
+        <source>Sensors</source>
+        <translation>Sensors</translation>
+    </message>
+    <message>
+        <source>%1 at %2 Hz</source>
+        <translation>%1 at %2 Hz</translation>
+    </message>
+    <message>
+        <source>Missing</source>
+        <translation>Missing</translation>
+    </message>
+    <message>
+        <source>%1 in %2 gaps</source>
+        <translation>%1 in %2 gaps</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>not closed: ends where it was cut off</source>
+        <translation>not closed: ends where it was cut off</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Recorded by</translation>
+    </message>
+    <message>
+        <source>This recording holds measurements only: nobody decided while it was made. Vibration and spectrogram are shown as they are.</source>
+        <translation>This recording holds measurements only: nobody decided while it was made. Vibration and spectrogram are shown as they are.</translation>
+    </message>
+    <message>
+        <source>No chatter was found.</source>
+        <translation>No chatter was found.</translation>
+    </message>
+    <message>
+        <source>Chatter began once</source>
+        <translation>Chatter began once</translation>
+    </message>
+    <message>
+        <source>Chatter began %1 times</source>
+        <translation>Chatter began %1 times</translation>
+    </message>
+    <message>
+        <source>, first at %1</source>
+        <translation>, first at %1</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>; it lasted %1 in all</source>
+        <translation>; it lasted %1 in all</translation>
+    </message>
+    <message>
+        <source> and marked %1 of path</source>
+        <translation> and marked %1 of path</translation>
+    </message>
+    <message>
+        <source>The overrides were not touched.</source>
+        <translation>The overrides were not touched.</translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed once; </source>
+        <translation>Stillcut moved speed and feed once; </translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed and feed %1 times; </source>
+        <translation>Stillcut moved speed and feed %1 times; </translation>
+    </message>
+    <message>
+        <source>the cut was quiet again.</source>
+        <translation>the cut was quiet again.</translation>
+    </message>
+    <message>
+        <source>each time the cut was quiet again.</source>
+        <translation>each time the cut was quiet again.</translation>
+    </message>
+    <message>
+        <source>it did not become quiet before the cut ended.</source>
+        <translation>it did not become quiet before the cut ended.</translation>
+    </message>
+    <message>
+        <source>once the cut was quiet again before it ended.</source>
+        <translation>once the cut was quiet again before it ended.</translation>
+    </message>
+    <message>
+        <source>%1 times the cut was quiet again before it ended.</source>
+        <translation>%1 times the cut was quiet again before it ended.</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>No.</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>At</translation>
+    </message>
+    <message>
+        <source>Chatter</source>
+        <translation>Chatter</translation>
+    </message>
+    <message>
+        <source>Speed [rpm]</source>
+        <translation>Speed [rpm]</translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation>Feed [mm/min]</translation>
+    </message>
+    <message>
+        <source>Vibration rms</source>
+        <translation>Vibration rms</translation>
+    </message>
+    <message>
+        <source>Quiet after</source>
+        <translation>Quiet after</translation>
+    </message>
+    <message>
+        <source>Marked</source>
+        <translation>Marked</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Outcome</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Quantity</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Scale</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Peak</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Mean</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unit</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Check</translation>
+    </message>
+    <message>
+        <source> (assumed)</source>
+        <translation> (assumed)</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Level</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>What</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>fault</translation>
+    </message>
+    <message>
+        <source>warning</source>
+        <translation>warning</translation>
+    </message>
+    <message>
+        <source>info</source>
+        <translation>info</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stable</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>onset</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>chatter</translation>
+    </message>
+    <message>
+        <source>Stillcut moved speed or feed</source>
+        <translation>Stillcut moved speed or feed</translation>
+    </message>
+    <message>
+        <source>uncalibrated</source>
+        <translation>uncalibrated</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>too short for a spectrogram</source>
+        <translation>too short for a spectrogram</translation>
+    </message>
+    <message>
+        <source>Not computed here</source>
+        <translation>Not computed here</translation>
+    </message>
+    <message>
+        <source>The diagram does not reach this speed</source>
+        <translation>The diagram does not reach this speed</translation>
+    </message>
+    <message>
+        <source>Compute the diagram first</source>
+        <translation>Compute the diagram first</translation>
+    </message>
+    <message>
+        <source>STABLE, %1 deeper would be too deep</source>
+        <translation>STABLE, %1 deeper would be too deep</translation>
+    </message>
+    <message>
+        <source>CHATTER, %1 too deep</source>
+        <translation>CHATTER, %1 too deep</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>limit %1</translation>
+    </message>
+    <message>
+        <source>removes %1</source>
+        <translation>removes %1</translation>
+    </message>
+    <message>
+        <source>%1 more time</source>
+        <translation>%1 more time</translation>
+    </message>
+    <message>
+        <source>%1 less time</source>
+        <translation>%1 less time</translation>
+    </message>
+    <message>
+        <source>, order %1</source>
+        <translation>, order %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::AdvicePanel</name>
+    <message>
+        <source>ACCEPT</source>
+        <translation>ACCEPT</translation>
+    </message>
+    <message>
+        <source>NOT NOW</source>
+        <translation>NOT NOW</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>What to do</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::AnalyseTools</name>
+    <message>
+        <source>LIVE</source>
+        <translation>LIVE</translation>
+    </message>
+    <message>
+        <source>WATERFALL</source>
+        <translation>WATERFALL</translation>
+    </message>
+    <message>
+        <source>LINEAR</source>
+        <translation>LINEAR</translation>
+    </message>
+    <message>
+        <source>ORDERS</source>
+        <translation>ORDERS</translation>
+    </message>
+    <message>
+        <source>MAX HOLD</source>
+        <translation>MAX HOLD</translation>
+    </message>
+    <message>
+        <source>REFERENCE</source>
+        <translation>REFERENCE</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Channel</translation>
+    </message>
+    <message>
+        <source>Channel of spectrogram, spectrum and signal</source>
+        <translation>Channel of spectrogram, spectrum and signal</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::CommandBar</name>
+    <message>
+        <source>OFF</source>
+        <translation>OFF</translation>
+    </message>
+    <message>
+        <source>ADVISE</source>
+        <translation>ADVISE</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>AUTO</translation>
+    </message>
+    <message>
+        <source>HOLD</source>
+        <translation>HOLD</translation>
+    </message>
+    <message>
+        <source>BACK TO 100 %</source>
+        <translation>BACK TO 100 %</translation>
+    </message>
+    <message>
+        <source>Authority</source>
+        <translation>Authority</translation>
+    </message>
+    <message>
+        <source>This profile does not grant Auto</source>
+        <translation>This profile does not grant Auto</translation>
+    </message>
+    <message>
+        <source>END HOLD</source>
+        <translation>END HOLD</translation>
+    </message>
+    <message>
+        <source>Esc, now %1</source>
+        <translation>Esc, now %1</translation>
+    </message>
+    <message>
+        <source>AUTO?</source>
+        <translation>AUTO?</translation>
+    </message>
+    <message>
+        <source>touch again to confirm</source>
+        <translation>touch again to confirm</translation>
+    </message>
+    <message>
+        <source>This machine has no watchdog</source>
+        <translation>This machine has no watchdog</translation>
+    </message>
+    <message>
+        <source>if Stillcut dies, its overrides stay</source>
+        <translation>if Stillcut dies, its overrides stay</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::DisplayPanel</name>
+    <message>
+        <source>Display</source>
+        <translation>Display</translation>
+    </message>
+    <message>
+        <source>LIGHT</source>
+        <translation>LIGHT</translation>
+    </message>
+    <message>
+        <source>DARK</source>
+        <translation>DARK</translation>
+    </message>
+    <message>
+        <source>HIGH CONTRAST</source>
+        <translation>HIGH CONTRAST</translation>
+    </message>
+    <message>
+        <source>METRIC</source>
+        <translation>METRIC</translation>
+    </message>
+    <message>
+        <source>INCH</source>
+        <translation>INCH</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::HeaderBar</name>
+    <message>
+        <source>SIMULATED MACHINE</source>
+        <translation>SIMULATED MACHINE</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Display</translation>
+    </message>
+    <message>
+        <source>Theme, units, language (F11); next theme (F12)</source>
+        <translation>Theme, units, language (F11); next theme (F12)</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::HistoryMap</name>
+    <message>
+        <source>SPECTROGRAM</source>
+        <translation>SPECTROGRAM</translation>
+    </message>
+    <message>
+        <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B.</source>
+        <translation>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B.</translation>
+    </message>
+    <message>
+        <source>Waiting for the first samples</source>
+        <translation>Waiting for the first samples</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>order</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::InterventionList</name>
+    <message>
+        <source>WAS CHATTER</source>
+        <translation>WAS CHATTER</translation>
+    </message>
+    <message>
+        <source>FALSE ALARM</source>
+        <translation>FALSE ALARM</translation>
+    </message>
+    <message>
+        <source>Last interventions</source>
+        <translation>Last interventions</translation>
+    </message>
+    <message>
+        <source>LAST INTERVENTIONS</source>
+        <translation>LAST INTERVENTIONS</translation>
+    </message>
+    <message>
+        <source>None in this run</source>
+        <translation>None in this run</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::LobeChart</name>
+    <message>
+        <source>Stability diagram</source>
+        <translation>Stability diagram</translation>
+    </message>
+    <message>
+        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
+        <translation>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</translation>
+    </message>
+    <message>
+        <source>spindle speed [rpm]</source>
+        <translation>spindle speed [rpm]</translation>
+    </message>
+    <message>
+        <source>depth of cut [in]</source>
+        <translation>depth of cut [in]</translation>
+    </message>
+    <message>
+        <source>depth of cut [mm]</source>
+        <translation>depth of cut [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::LobesPage</name>
+    <message>
+        <source>ZEROTH ORDER</source>
+        <translation>ZEROTH ORDER</translation>
+    </message>
+    <message>
+        <source>SEMI-DISCRETE</source>
+        <translation>SEMI-DISCRETE</translation>
+    </message>
+    <message>
+        <source>EXACT</source>
+        <translation>EXACT</translation>
+    </message>
+    <message>
+        <source>COMPUTE</source>
+        <translation>COMPUTE</translation>
+    </message>
+    <message>
+        <source>Progress of the diagram</source>
+        <translation>Progress of the diagram</translation>
+    </message>
+    <message>
+        <source>What if the speed were</source>
+        <translation>What if the speed were</translation>
+    </message>
+    <message>
+        <source>and the depth</source>
+        <translation>and the depth</translation>
+    </message>
+    <message>
+        <source>Speed, what if</source>
+        <translation>Speed, what if</translation>
+    </message>
+    <message>
+        <source>Depth, what if</source>
+        <translation>Depth, what if</translation>
+    </message>
+    <message>
+        <source>Quiet pockets at this depth</source>
+        <translation>Quiet pockets at this depth</translation>
+    </message>
+    <message>
+        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
+        <translation>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</translation>
+    </message>
+    <message>
+        <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
+        <translation>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</translation>
+    </message>
+    <message>
+        <source>CANCEL</source>
+        <translation>CANCEL</translation>
+    </message>
+    <message>
+        <source>Computing; the diagram before stays until it is done</source>
+        <translation>Computing; the diagram before stays until it is done</translation>
+    </message>
+    <message>
+        <source>%1. Left out: %2</source>
+        <translation>%1. Left out: %2</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Cancelled</translation>
+    </message>
+    <message>
+        <source>Cannot be computed: %1</source>
+        <translation>Cannot be computed: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::OperatePage</name>
+    <message>
+        <source>channel %1</source>
+        <translation>channel %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::OverrideTable</name>
+    <message>
+        <source>Speed and feed</source>
+        <translation>Speed and feed</translation>
+    </message>
+    <message>
+        <source>%1: programmed %2, override %3, actual %4 %5</source>
+        <translation>%1: programmed %2, override %3, actual %4 %5</translation>
+    </message>
+    <message>
+        <source>programmed</source>
+        <translation>programmed</translation>
+    </message>
+    <message>
+        <source>override</source>
+        <translation>override</translation>
+    </message>
+    <message>
+        <source>actual</source>
+        <translation>actual</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PocketTable</name>
+    <message>
+        <source>Beyond what the speed override reaches</source>
+        <translation>Beyond what the speed override reaches</translation>
+    </message>
+    <message>
+        <source>(%1)</source>
+        <translation>(%1)</translation>
+    </message>
+    <message>
+        <source>quiet, rpm</source>
+        <translation>quiet, rpm</translation>
+    </message>
+    <message>
+        <source>best, rpm</source>
+        <translation>best, rpm</translation>
+    </message>
+    <message>
+        <source>down to</source>
+        <translation>down to</translation>
+    </message>
+    <message>
+        <source>removes</source>
+        <translation>removes</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PresetBar</name>
+    <message>
+        <source>SAVE</source>
+        <translation>SAVE</translation>
+    </message>
+    <message>
+        <source>DELETE</source>
+        <translation>DELETE</translation>
+    </message>
+    <message>
+        <source>GO TO</source>
+        <translation>GO TO</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Preset</translation>
+    </message>
+    <message>
+        <source>Choose a preset, or type a name and save what is on show</source>
+        <translation>Choose a preset, or type a name and save what is on show</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Moment</translation>
+    </message>
+    <message>
+        <source>14:03:20 or -12 s</source>
+        <translation>14:03:20 or -12 s</translation>
+    </message>
+    <message>
+        <source>No cursor: click into a plot, with Shift for B</source>
+        <translation>No cursor: click into a plot, with Shift for B</translation>
+    </message>
+    <message>
+        <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
+        <translation>Not a moment: write 14:03:20, or -12 for seconds ago</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PresetList</name>
+    <message>
+        <source>Last 10 s</source>
+        <translation>Last 10 s</translation>
+    </message>
+    <message>
+        <source>Orders</source>
+        <translation>Orders</translation>
+    </message>
+    <message>
+        <source>Entry, 1 s</source>
+        <translation>Entry, 1 s</translation>
+    </message>
+    <message>
+        <source>2 min, max hold</source>
+        <translation>2 min, max hold</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SpectrogramWidget</name>
+    <message>
+        <source>Spectrogram of the last ten seconds</source>
+        <translation>Spectrogram of the last ten seconds</translation>
+    </message>
+    <message>
+        <source>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</source>
+        <translation>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</translation>
+    </message>
+    <message>
+        <source>no chatter</source>
+        <translation>no chatter</translation>
+    </message>
+    <message>
+        <source>chatter at %1</source>
+        <translation>chatter at %1</translation>
+    </message>
+    <message>
+        <source>SPECTROGRAM</source>
+        <translation>SPECTROGRAM</translation>
+    </message>
+    <message>
+        <source>dB</source>
+        <translation>dB</translation>
+    </message>
+    <message>
+        <source>dB re 1 %1</source>
+        <translation>dB re 1 %1</translation>
+    </message>
+    <message>
+        <source>%1, last 10 s</source>
+        <translation>%1, last 10 s</translation>
+    </message>
+    <message>
+        <source>STALE: nothing new arrives</source>
+        <translation>STALE: nothing new arrives</translation>
+    </message>
+    <message>
+        <source>Waiting for the first samples</source>
+        <translation>Waiting for the first samples</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>order</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>now</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>1× tooth</source>
+        <translation>1× tooth</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SpectrumPlot</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spectrum</translation>
+    </message>
+    <message>
+        <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom.</source>
+        <translation>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom.</translation>
+    </message>
+    <message>
+        <source>SPECTRUM</source>
+        <translation>SPECTRUM</translation>
+    </message>
+    <message>
+        <source>SPECTRUM AT A, %1</source>
+        <translation>SPECTRUM AT A, %1</translation>
+    </message>
+    <message>
+        <source>SPECTRUM, NEWEST</source>
+        <translation>SPECTRUM, NEWEST</translation>
+    </message>
+    <message>
+        <source>cursor: %1</source>
+        <translation>cursor: %1</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>order</translation>
+    </message>
+    <message>
+        <source>chatter %1</source>
+        <translation>chatter %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::StatusStrip</name>
+    <message>
+        <source>State of the chain</source>
+        <translation>State of the chain</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TimePlot</name>
+    <message>
+        <source>STALE: nothing new arrives</source>
+        <translation>STALE: nothing new arrives</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TracePlot</name>
+    <message>
+        <source>SIGNAL</source>
+        <translation>SIGNAL</translation>
+    </message>
+    <message>
+        <source>No samples kept of this stretch</source>
+        <translation>No samples kept of this stretch</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TrackPlot</name>
+    <message>
+        <source>DETECTORS</source>
+        <translation>DETECTORS</translation>
+    </message>
+    <message>
+        <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
+        <translation>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::VerdictSign</name>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+</context>
+</TS>

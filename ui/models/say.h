@@ -1,0 +1,21 @@
+// The words of the free functions of the screens, translated. lupdate reads calls of say() in namespace stillcut::ui as
+// messages of that context (see translations/update); classes with Q_OBJECT use tr(). GUI thread.
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+#include <string>
+
+namespace stillcut::ui {
+
+inline QString say(const char* text) {
+  return QCoreApplication::translate("stillcut::ui", text);
+}
+
+// Words that core declares once for files, command line and screens: labels, units and meanings of parameters, names of
+// detectors, strategies, links and devices. translations/core_texts.h lists them.
+inline QString sayCore(const std::string& text) {
+  return text.empty() ? QString() : QCoreApplication::translate("Core", text.c_str());
+}
+
+}  // namespace stillcut::ui
