@@ -78,6 +78,9 @@ class Rig {
   const pipeline::Engine* engine() const { return engine_.get(); }
   // One thread only (the screen's).
   const Snapshot* read() { return publisher_.read(); }
+  pipeline::SignalTap& signal() { return publisher_.signal(); }
+  // Which channel the snapshots' spectrogram is of.
+  void showChannel(int channel) { publisher_.showChannel(channel); }
   bool send(const OperatorInput& input);
 
   // Deterministic, in the caller's thread: one block. False: the source has ended.

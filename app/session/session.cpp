@@ -66,7 +66,12 @@ Status Session::stop() {
 }
 
 const Snapshot* Session::pull() {
-  return rig_->read();
+  const Snapshot* snapshot = rig_->read();
+  if (lobes_ && snapshot != nullptr && !lobes_->started()) {
+    const PathHealth& health = snapshot->health;
+    lobes_->setStart(snapshot->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+  }
+  return snapshot;
 }
 
 ui::LinkStatus Session::link() const {
@@ -104,6 +109,7 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   info.sourceLabel = QStringLiteral("%1 (%2)").arg(text("simulated cut"), text(scenario->name));
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
+  session->setLobes(std::make_unique<LobeWorker>(*scenario));
   if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return session;
 }

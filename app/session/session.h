@@ -9,6 +9,7 @@
 
 #include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
+#include "app/session/lobe_worker.h"
 #include "ui/shell/session_facade.h"
 
 namespace stillcut::app {
@@ -23,6 +24,8 @@ class Session final : public ui::SessionFacade {
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
   // Before the window is made: where the screens keep what outlives a restart.
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
+  // The model that the Lobes page looks at.
+  void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
   // Threads on. Flight recordings go to `flights`.
   void start(const std::filesystem::path& flights);
   // Threads off; the machine has its programmed values back, what was recorded is on the disk. An error: not all of it.
@@ -32,9 +35,12 @@ class Session final : public ui::SessionFacade {
 
   const ui::SessionInfo& info() const override { return info_; }
   const Snapshot* pull() override;
+  void readSignal(const std::function<void(const SampleBlock&)>& sink) override { rig_->signal().read(sink); }
+  void showChannel(int channel) override { rig_->showChannel(channel); }
   void send(const OperatorInput& input) override { rig_->send(input); }
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override;
+  ui::LobeService* lobes() override { return lobes_.get(); }
   QString stateFolder() const override { return stateFolder_; }
 
  private:
@@ -42,6 +48,7 @@ class Session final : public ui::SessionFacade {
   ui::SessionInfo info_;
   std::string configuration_;
   QString stateFolder_;
+  std::unique_ptr<LobeWorker> lobes_;
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
 };
 

@@ -20,9 +20,10 @@ inline constexpr int kSpectrumColumns = 16;  // newest columns kept, so that a l
 inline constexpr int kEventsShown = 16;
 inline constexpr int kInterventionsShown = 4;
 
-// One column of the spectrogram of the first channel.
+// One column of the spectrogram of one channel, the first unless the screen has asked for another.
 struct SpectrumColumn {
   std::uint64_t number = 0;                     // counts columns; consecutive numbers have no gap between them
+  int channel = 0;                              // that it is of
   Instant time{};                               // middle of its window
   bool afterGap = false;                        // samples were lost before it
   Hertz spindle{};                              // in force then, for the tooth-passing ticks

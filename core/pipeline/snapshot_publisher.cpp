@@ -4,6 +4,7 @@ namespace stillcut::pipeline {
 
 void SnapshotPublisher::prepare(const CutSetup& setup, bool simulated, bool autoAllowed) {
   spectrum_.prepare(setup);
+  signal_.prepare(setup);
   simulated_ = simulated;
   autoAllowed_ = autoAllowed;
 }
@@ -20,6 +21,7 @@ void SnapshotPublisher::collectEvents(const StepOutput& output) noexcept {
 void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output, const Chain::Step& step,
                                 const InterventionLog& log, const PathHealth& health) noexcept {
   spectrum_.feed(input.block, output.verdicts[static_cast<std::size_t>(output.inCharge)]);
+  signal_.feed(input.block);
   collectEvents(output);
   if (output.hasCommand) {
     lastCommand_ = output.command;

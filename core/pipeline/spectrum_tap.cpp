@@ -15,7 +15,10 @@ constexpr float kFloor_dB = -200.0F;
 
 void SpectrumTap::prepare(const CutSetup& setup) {
   rate_ = setup.rate.value;
-  scale_ = setup.channels.empty() ? 1.0 : setup.channels.front().scale;
+  scales_.clear();
+  for (const ChannelInfo& channel : setup.channels) scales_.push_back(channel.scale);
+  if (scales_.empty()) scales_.push_back(1.0);
+  channel_ = 0;
   hop_ = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(rate_ / kColumnsPerSecond)));
   window_ = std::bit_ceil(static_cast<std::size_t>(std::max(64.0, rate_ * kWindowSeconds)));
   spectrum_.prepare(static_cast<int>(window_), setup.rate, dsp::WindowKind::Hann);
@@ -30,9 +33,17 @@ void SpectrumTap::feed(const SampleBlock& block, const Verdict& verdict) noexcep
     gap_ = true;
     held_ = filled_ = 0;
   }
-  const std::span<const float> samples = block.channel(0);
+  const int wanted = wanted_.load(std::memory_order_relaxed);
+  const int channel = wanted >= 0 && wanted < std::min(block.channels, static_cast<int>(scales_.size())) ? wanted : 0;
+  if (channel != channel_) {
+    channel_ = channel;
+    gap_ = true;
+    held_ = filled_ = 0;
+  }
+  const std::span<const float> samples = block.channel(channel);
+  const double scale = scales_[static_cast<std::size_t>(channel)];
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    history_[position_] = history_[position_ + window_] = static_cast<double>(samples[i]) * scale_;
+    history_[position_] = history_[position_ + window_] = static_cast<double>(samples[i]) * scale;
     position_ = (position_ + 1) % window_;
     held_ = std::min(held_ + 1, window_);
     if (++filled_ < hop_) continue;
@@ -46,6 +57,7 @@ void SpectrumTap::feed(const SampleBlock& block, const Verdict& verdict) noexcep
 void SpectrumTap::makeColumn(Instant time, const Verdict& verdict) noexcept {
   SpectrumColumn& column = columns_[count_ % kSpectrumColumns];
   column.number = count_++;
+  column.channel = channel_;
   column.time = time;
   column.afterGap = gap_;
   gap_ = false;

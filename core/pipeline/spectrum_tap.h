@@ -1,9 +1,10 @@
-// SpectrumTap: the spectrogram of the first channel, made on the worker from the raw samples (calibrated), about fifty
-// columns a second of stream time, so that the picture scrolls with samples and not with frames.
-// Thread: prepare() on set-up; feed() on the worker, real-time.
+// SpectrumTap: the spectrogram of one channel, the first unless another is asked for, made on the worker from the raw
+// samples (calibrated), about fifty columns a second of stream time, so that the picture scrolls with samples and not
+// with frames. Thread: prepare() on set-up; feed() on the worker, real-time; show() on any.
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace stillcut::pipeline {
 class SpectrumTap {
  public:
   void prepare(const CutSetup& setup);
+  // From the next block on, of this channel; one there is not: of the first.
+  void show(int channel) noexcept { wanted_.store(channel, std::memory_order_relaxed); }
   // `verdict` in charge gives the spindle line and the chatter mark of the columns this block completes.
   void feed(const SampleBlock& block, const Verdict& verdict) noexcept;
 
@@ -28,7 +31,9 @@ class SpectrumTap {
   void makeColumn(Instant middle, const Verdict& verdict) noexcept;
 
   double rate_ = 0.0;
-  double scale_ = 1.0;  // SI per device unit of the first channel
+  std::vector<double> scales_;  // SI per device unit
+  std::atomic<int> wanted_{0};
+  int channel_ = 0;
   std::size_t hop_ = 0;
   std::size_t filled_ = 0;  // samples since the last column
   std::size_t held_ = 0;    // valid samples in history_

@@ -103,7 +103,36 @@ void FakeSession::step() {
   fillVerdict();
   fillAdvice();
   fillMachine();
+  if (lost_.value > 0.0) {
+    lost_ -= Seconds(kStep);
+    return;
+  }
   makeColumn();
+  makeSignal();
+}
+
+// The teeth at a quarter of chatter's full size, in m/s2, on x; half of it on y.
+void FakeSession::makeSignal() {
+  SampleBlock block;
+  const double rate = info_.setup.rate.value;
+  block.allocate(2, static_cast<int>(std::lround(rate * kStep)));
+  block.frames = block.capacityFrames;
+  block.rate = info_.setup.rate;
+  block.firstSample = snapshot_.time - toDuration(Seconds(kStep));
+  const double t0 = sinceEpoch(block.firstSample).value;
+  for (int i = 0; i < block.frames; ++i) {
+    const double t = t0 + i / rate;
+    const double value =
+        5.0 * std::sin(kTwoPi * speed_ / 15.0 * t) + 20.0 * amplitude_ * std::sin(kTwoPi * kChatter * t);
+    block.channel(0)[static_cast<std::size_t>(i)] = static_cast<float>(value);
+    block.channel(1)[static_cast<std::size_t>(i)] = static_cast<float>(0.5 * value);
+  }
+  signal_.push_back(std::move(block));
+}
+
+void FakeSession::readSignal(const std::function<void(const SampleBlock&)>& sink) {
+  for (const SampleBlock& block : signal_) sink(block);
+  signal_.clear();
 }
 
 void FakeSession::stepChatter() {
@@ -209,7 +238,9 @@ void FakeSession::makeColumn() {
   SpectrumColumn& c = s.columns[s.columnCount % kSpectrumColumns];
   c.number = s.columnCount++;
   c.time = s.time;
-  c.afterGap = false;
+  c.afterGap = s.columnCount > 1 &&
+               secondsBetween(s.columns[(c.number - 1) % kSpectrumColumns].time, s.time).value > 1.5 * kStep;
+  c.channel = channel_;
   c.spindle = s.verdicts[0].spindle;
   c.chatter = s.verdicts[0].alarming() ? s.verdicts[0].frequency : Hertz();
   std::normal_distribution<double> noise(0.0, 2.2);

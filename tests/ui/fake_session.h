@@ -5,6 +5,7 @@
 #include <random>
 #include <vector>
 
+#include "tests/ui/fake_lobes.h"
 #include "ui/shell/session_facade.h"
 
 namespace stillcut::ui {
@@ -19,9 +20,17 @@ class FakeSession final : public SessionFacade {
   RecorderStatus recorder() const override { return recorder_; }
   LinkStatus link() const override { return link_; }
   std::uint32_t generation() const override { return generation_; }
+  void readSignal(const std::function<void(const SampleBlock&)>& sink) override;
+  void showChannel(int channel) override { channel_ = channel; }
+  LobeService* lobes() override { return lobesKnown_ ? &lobes_ : nullptr; }
   QString stateFolder() const override { return stateFolder_; }
 
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
+  FakeLobes& fakeLobes() { return lobes_; }
+  void forgetLobes() { lobesKnown_ = false; }
+  int shownChannel() const { return channel_; }
+  // Samples and spectra of the next `s` seconds never arrive.
+  void lose(Seconds s) { lost_ = s; }
   // As if something else had been opened, with another machine.
   void openOther(const std::string& machine) {
     info_.setup.machine = machine;
@@ -47,12 +56,18 @@ class FakeSession final : public SessionFacade {
   void fillMachine();
   void finishIntervention();
   void makeColumn();
+  void makeSignal();
 
   SessionInfo info_;
   Snapshot snapshot_;
   RecorderStatus recorder_;
   LinkStatus link_;
   QString stateFolder_;
+  FakeLobes lobes_;
+  bool lobesKnown_ = true;
+  int channel_ = 0;
+  Seconds lost_{};
+  std::vector<SampleBlock> signal_;
   std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
   std::mt19937 random_{7};

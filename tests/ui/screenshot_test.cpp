@@ -1,12 +1,15 @@
-// Pictures of the operator page for people to look at: light and dark, two sizes, in the states that matter.
-// Written to the build folder; what a machine can check of them is that nothing was cut off.
+// Pictures for people to look at, written to the build folder: the operator page in the states that matter, and every
+// page in light and dark, two sizes, three languages. What a machine can check of them is that nothing was cut off.
 #include <QDir>
+#include <QLabel>
 #include <algorithm>
 #include <ostream>
+#include <vector>
 
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/shell/header_bar.h"
+#include "ui/shell/page_table.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/intervention_card.h"
@@ -128,6 +131,75 @@ INSTANTIATE_TEST_SUITE_P(Looks, Screenshots,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
+
+struct Edition {
+  Language language;
+  ThemeKind theme;
+  int width, height;
+};
+
+void PrintTo(const Edition& e, std::ostream* out) {
+  *out << languageCode(e.language).toStdString() << e.width << (e.theme == ThemeKind::Dark ? "dark" : "light");
+}
+
+// A text that its widget is too small for is drawn cut off, or tells it; both count.
+class EveryPage : public WindowTest, public testing::WithParamInterface<Edition> {
+ protected:
+  QString file(const char* page) const {
+    const Edition& e = GetParam();
+    return QStringLiteral("%1/%2-%3-%4-%5.png")
+        .arg(QStringLiteral(STILLCUT_SCREENSHOT_DIR), QLatin1String(page), languageCode(e.language),
+             e.theme == ThemeKind::Dark ? QStringLiteral("dark") : QStringLiteral("light"))
+        .arg(e.width);
+  }
+  void expectWhole(const char* page) const {
+    EXPECT_LE(window_->minimumSizeHint().width(), GetParam().width) << page;
+    EXPECT_LE(window_->minimumSizeHint().height(), GetParam().height) << page;
+    for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+      if (!widget->isVisible()) continue;
+      const auto* meta = widget->metaObject();
+      if (const auto* button = qobject_cast<const TouchButton*>(widget)) {
+        EXPECT_FALSE(button->clipped()) << page << ": button " << button->text().toStdString();
+      } else if (const auto* label = qobject_cast<const QLabel*>(widget)) {
+        const QSize needed = label->wordWrap() ? QSize(0, label->heightForWidth(label->width())) : label->sizeHint();
+        EXPECT_GE(label->width() + 1, needed.width()) << page << ": " << label->text().toStdString();
+        EXPECT_GE(label->height() + 1, needed.height()) << page << ": " << label->text().toStdString();
+      } else if (const auto* painted = dynamic_cast<const Themed*>(widget)) {
+        EXPECT_FALSE(painted->clipped()) << page << ": " << meta->className();
+      }
+    }
+  }
+};
+
+TEST_P(EveryPage, FitsAndIsKeptAsAPicture) {
+  ASSERT_TRUE(QDir().mkpath(QStringLiteral(STILLCUT_SCREENSHOT_DIR)));
+  open(GetParam().width, GetParam().height, GetParam().theme, GetParam().language);
+  play(1.0);
+  press("advise");
+  while (session_.snapshot().verdicts[0].state != CutState::Chatter) play(0.04);
+  play(0.8);
+  for (const PageEntry& entry : pageTable()) {
+    window_->showPage(QLatin1String(entry.id));
+    play(0.2);
+    if (session_.fakeLobes().progress().state == LobeProgress::State::Running) session_.fakeLobes().finish();
+    play(0.2);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(window_->grab().save(file(entry.id)));
+    expectWhole(entry.id);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, EveryPage, testing::ValuesIn([] {
+                           std::vector<Edition> editions;
+                           for (const Language language : kLanguages) {
+                             for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
+                               editions.push_back({language, theme, 1280, 800});
+                               editions.push_back({language, theme, 1920, 1080});
+                             }
+                           }
+                           return editions;
+                         }()),
+                         [](const auto& edition) { return testing::PrintToString(edition.param); });
 
 }  // namespace
 }  // namespace stillcut::ui

@@ -24,8 +24,9 @@ class UiTest : public testing::Test {
 // The main window on the scripted session, on a clock of its own.
 class WindowTest : public UiTest {
  protected:
-  void open(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
-    window_ = std::make_unique<MainWindow>(session_, theme);
+  void open(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light,
+            Language language = Language::English) {
+    window_ = std::make_unique<MainWindow>(session_, theme, language);
     window_->resize(width, height);
     window_->show();
     window_->activateWindow();

@@ -1,4 +1,5 @@
 // The frame every page lives in: the ways to a page, the bar that is always there, what outlives a restart.
+#include <QHeaderView>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -39,15 +40,46 @@ TEST_F(WindowTest, AuthorityHoldAndBackAreOnEveryPage) {
   }
 }
 
-TEST_F(WindowTest, PageTabsAreTouchTargetsWithNames) {
+TEST_F(WindowTest, TouchTargetsOfEveryPageAreTwelveMillimetresAndThreeApart) {
+  for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+    open(size.width(), size.height());
+    const int touch = pixelsFor(kTouchMm, window_.get()), apart = pixelsFor(kTouchGapMm, window_.get());
+    for (const PageEntry& entry : pageTable()) {
+      window_->showPage(QLatin1String(entry.id));
+      play(0.3);
+      QList<QRect> places;
+      QStringList names;
+      for (const TouchButton* button : window_->findChildren<TouchButton*>()) {
+        if (!button->isVisible()) continue;
+        EXPECT_GE(button->width(), touch) << entry.id << ' ' << button->text().toStdString();
+        EXPECT_GE(button->height(), touch) << entry.id << ' ' << button->text().toStdString();
+        places << QRect(button->mapTo(window_.get(), QPoint()), button->size());
+        names << button->text();
+      }
+      EXPECT_GE(places.size(), 7) << entry.id;
+      for (int a = 0; a < places.size(); ++a) {
+        const QRect wide = places[a].adjusted(-apart + 1, -apart + 1, apart - 1, apart - 1);
+        for (int b = a + 1; b < places.size(); ++b) {
+          EXPECT_FALSE(wide.intersects(places[b]))
+              << entry.id << ": " << names[a].toStdString() << " and " << names[b].toStdString();
+        }
+      }
+    }
+  }
+}
+
+TEST_F(WindowTest, EverythingThatTakesTheFocusHasANameForScreenReaders) {
   open();
-  const int least = pixelsFor(kTouchMm, window_.get());
   for (const PageEntry& entry : pageTable()) {
-    const auto* tab = find<TouchButton>(QStringLiteral("page-") + QLatin1String(entry.id));
-    ASSERT_NE(tab, nullptr);
-    EXPECT_GE(tab->height(), least);
-    EXPECT_GE(tab->width(), least);
-    EXPECT_EQ(tab->accessibleName(), pageTitle(entry));
+    window_->showPage(QLatin1String(entry.id));
+    play(0.3);
+    for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+      const bool reached = widget->isVisible() && (widget->focusPolicy() & Qt::TabFocus) != 0;
+      const QWidget* named = widget->focusProxy() ? widget->focusProxy() : widget;
+      if (!reached || qobject_cast<const QHeaderView*>(widget) || widget->objectName().startsWith("qt_")) continue;
+      EXPECT_FALSE(named->accessibleName().isEmpty() && widget->parentWidget()->accessibleName().isEmpty())
+          << entry.id << ": " << widget->metaObject()->className() << ' ' << widget->objectName().toStdString();
+    }
   }
 }
 
@@ -56,17 +88,41 @@ TEST_F(WindowTest, ThemePageAndSizeOutliveARestart) {
   session_.keepStateIn(folder.path());
   open(1300, 810, ThemeKind::Light);
   QTest::keyClick(window_.get(), Qt::Key_F12);
-  const ThemeKind changed = window_->theme();
+  const ThemeKind changed = window_->look().theme;
   EXPECT_EQ(changed, ThemeKind::Dark);
   const QString last = QLatin1String(pageTable().back().id);
   window_->showPage(last);
   window_->close();
 
-  MainWindow next(session_);
+  MainWindow next(session_, {}, Language::English);
   next.restorePlace();
-  EXPECT_EQ(next.theme(), changed);
+  EXPECT_EQ(next.look().theme, changed);
   EXPECT_EQ(next.currentPage(), last);
   EXPECT_EQ(next.size(), QSize(1300, 810));
+}
+
+TEST_F(WindowTest, LanguageAndUnitsAreChosenByTouchAndOutliveARestart) {
+  const QTemporaryDir folder;
+  session_.keepStateIn(folder.path());
+  open();
+  play(0.2);
+  EXPECT_EQ(find<TouchButton>("back")->text(), "BACK TO 100 %");
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  press("units-1");
+  press("language-1");
+  QCoreApplication::processEvents();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  EXPECT_EQ(window_->look().language, Language::German);
+  EXPECT_EQ(window_->look().units, UnitSystem::Inch);
+  play(0.2);
+  EXPECT_NE(find<TouchButton>("back")->text(), "BACK TO 100 %");
+  press("advise");  // the bar made anew still reaches the session
+  EXPECT_EQ(session_.sent().back().action, OperatorAction::SetAuthority);
+  window_.reset();
+
+  const MainWindow next(session_);
+  EXPECT_EQ(next.look().language, Language::German);
+  EXPECT_EQ(next.look().units, UnitSystem::Inch);
 }
 
 TEST_F(WindowTest, AnotherSessionShowsItsOwnMachine) {

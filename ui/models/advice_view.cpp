@@ -1,19 +1,15 @@
 #include "ui/models/advice_view.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 #include <cmath>
 #include <numbers>
 
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
+#include "ui/models/say.h"
 
 namespace stillcut::ui {
 namespace {
-
-QString say(const char* text) {
-  return QCoreApplication::translate("AdviceView", text);
-}
 
 // Where speed and feed shall go, whoever says so. 0: not moved.
 struct Move {
@@ -53,26 +49,26 @@ QString costText(const Move& move, const Picture& picture) {
   }
   const Metres diameter = picture.info->setup.toolDiameter;
   if (move.speed.value > 0 && diameter.value > 0) {
-    const double metresPerMinute = std::numbers::pi * diameter.value * move.speed.value;
-    parts << say("cutting speed %1").arg(join(number(metresPerMinute), QStringLiteral("m/min")));
+    const MetresPerSecond edge(std::numbers::pi * diameter.value * move.speed.value / 60.0);
+    parts << say("cutting speed %1").arg(cuttingSpeedText(edge, picture.units));
   }
   QString text = parts.join(QStringLiteral(", "));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }
 
-QString feedText(const Move& move) {
+QString feedSentence(const Move& move, UnitSystem units) {
   if (!(move.feed.value > 0)) return say("The feed stays as it is");
-  return say("Feed follows: %1").arg(join(number(toMmPerMin(move.feed)), QStringLiteral("mm/min")));
+  return say("Feed follows: %1").arg(feedText(move.feed, units));
 }
 
 void fillMove(AdviceView& view, const Move& move, const Picture& picture) {
   if (move.speed.value > 0) {
     view.target = join(number(move.speed.value), QStringLiteral("rpm"));
     view.delta = deltaText(move, picture.snapshot->machine);
-    view.feed = feedText(move);
+    view.feed = feedSentence(move, picture.units);
   } else {
-    view.target = join(number(toMmPerMin(move.feed)), QStringLiteral("mm/min"));
+    view.target = feedText(move.feed, picture.units);
     view.feed = say("The speed stays as it is");
   }
   view.cost = costText(move, picture);

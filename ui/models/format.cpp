@@ -1,21 +1,19 @@
 #include "ui/models/format.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/say.h"
+
 namespace stillcut::ui {
 namespace {
 
+constexpr double kInch = 0.0254;  // [m]
 constexpr QChar kThinSpace(0x2009);
 constexpr QChar kNoBreakSpace(0x00a0);
 constexpr QChar kMinus(0x2212);
 constexpr QChar kUnknown(0x2013);
-
-QString say(const char* text) {
-  return QCoreApplication::translate("Format", text);
-}
 
 }  // namespace
 
@@ -68,9 +66,41 @@ QString duration(Seconds s) {
          join(seconds, QStringLiteral("s"));
 }
 
-QString millimetres(Metres m) {
+QString lengthText(Metres m, UnitSystem units) {
+  if (units == UnitSystem::Inch) {
+    const double inch = m.value / kInch;
+    return join(number(inch, inch < 9.9995 ? 3 : 1), QStringLiteral("in"));
+  }
   const double mm = m.value * 1e3;
   return join(number(mm, mm < 99.95 ? 1 : 0), QStringLiteral("mm"));
+}
+
+QString depthText(Metres m, UnitSystem units) {
+  if (units == UnitSystem::Inch) return join(number(m.value / kInch, 4), QStringLiteral("in"));
+  return join(number(m.value * 1e3, 2), QStringLiteral("mm"));
+}
+
+double feedIn(MetresPerSecond feed, UnitSystem units) {
+  return units == UnitSystem::Inch ? feed.value * 60.0 / kInch : toMmPerMin(feed);
+}
+
+QString feedUnit(UnitSystem units) {
+  return units == UnitSystem::Inch ? QStringLiteral("in/min") : QStringLiteral("mm/min");
+}
+
+QString feedText(MetresPerSecond feed, UnitSystem units) {
+  return join(number(feedIn(feed, units), units == UnitSystem::Inch ? 1 : 0), feedUnit(units));
+}
+
+QString cuttingSpeedText(MetresPerSecond v, UnitSystem units) {
+  if (units == UnitSystem::Inch) return join(number(v.value * 60.0 / (12.0 * kInch)), QStringLiteral("ft/min"));
+  return join(number(v.value * 60.0), QStringLiteral("m/min"));
+}
+
+QString removalText(double cubicMetresPerSecond, UnitSystem units) {
+  const bool inch = units == UnitSystem::Inch;
+  const double perMinute = cubicMetresPerSecond * 60.0 / (inch ? kInch * kInch * kInch : 1e-6);
+  return join(significant(perMinute, 3), inch ? QStringLiteral("in\u00b3/min") : QStringLiteral("cm\u00b3/min"));
 }
 
 QString clockTime(qint64 wallMs) {

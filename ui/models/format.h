@@ -5,6 +5,7 @@
 #include <QString>
 
 #include "core/model/verdict.h"
+#include "ui/models/units.h"
 
 namespace stillcut::ui {
 
@@ -14,12 +15,18 @@ QString number(double value, int decimals = 0);
 QString significant(double value, int digits = 2);
 // "1 713 \u00b12 Hz"; the value is rounded to what the doubt allows. Without a known doubt: "about 1 713 Hz".
 QString frequency(Hertz value, Hertz doubt);
-QString percent(double ratio);                            // "97 %"
-QString withSign(double value);                           // "+235", "-235"
-QString duration(Seconds s);                              // "38 ms", "1.2 s", "2 min 05 s"
-QString millimetres(Metres m);                            // "1.2 mm"
-QString clockTime(qint64 wallMs);                         // "13:58:04", local time
-QString stopwatch(Seconds s);                             // "00:12:40"
-QString join(const QString& value, const QString& unit);  // with a space that does not break
+QString percent(double ratio);                             // "97 %"
+QString withSign(double value);                            // "+235", "-235"
+QString duration(Seconds s);                               // "38 ms", "1.2 s", "2 min 05 s"
+QString lengthText(Metres m, UnitSystem units);            // "1.2 mm", "0.047 in"
+QString depthText(Metres m, UnitSystem units);             // "1.15 mm", "0.0453 in"
+QString feedText(MetresPerSecond feed, UnitSystem units);  // "1 370 mm/min", "53.9 in/min"
+QString feedUnit(UnitSystem units);
+double feedIn(MetresPerSecond feed, UnitSystem units);
+QString cuttingSpeedText(MetresPerSecond v, UnitSystem units);       // "323 m/min", "1 060 ft/min"
+QString removalText(double cubicMetresPerSecond, UnitSystem units);  // "14.2 cm3/min" with a true superscript
+QString clockTime(qint64 wallMs);                                    // "13:58:04", local time
+QString stopwatch(Seconds s);                                        // "00:12:40"
+QString join(const QString& value, const QString& unit);             // with a space that does not break
 
 }  // namespace stillcut::ui

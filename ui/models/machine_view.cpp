@@ -1,20 +1,16 @@
 #include "ui/models/machine_view.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "core/model/channel.h"
 #include "ui/models/format.h"
+#include "ui/models/say.h"
 
 namespace stillcut::ui {
 namespace {
 
 constexpr Seconds kOldAfter{1.0};  // a machine state older than this is no longer "actual"
-
-QString say(const char* text) {
-  return QCoreApplication::translate("MachineView", text);
-}
 
 OverrideRow row(const QString& label, const QString& unit, double programmed, Ratio inForce, Ratio knob,
                 double actual) {
@@ -114,20 +110,20 @@ BarView coherenceBar(const Picture& p, bool live, int detector) {
 
 MachineView makeMachineView(const Picture& picture) {
   MachineView view;
-  const QString rpm = QStringLiteral("rpm"), mmPerMin = QStringLiteral("mm/min");
+  const QString rpm = QStringLiteral("rpm"), feed = feedUnit(picture.units);
   const bool known = picture.snapshot && picture.snapshot->machine.valid;
   if (!known) {
     const QString none = number(std::nan(""));
     view.speed = {say("Speed"), none, none, none, rpm, Tone::Faint, true};
-    view.feed = {say("Feed"), none, none, none, mmPerMin, Tone::Faint, true};
+    view.feed = {say("Feed"), none, none, none, feed, Tone::Faint, true};
     view.warning = picture.snapshot != nullptr;
     if (view.warning) view.note = say("Nothing was read from the machine yet");
     return view;
   }
   const MachineState& m = picture.snapshot->machine;
   view.speed = row(say("Speed"), rpm, m.programmedSpeed.value, m.speedOverride, m.operatorSpeed, m.actualSpeed.value);
-  view.feed = row(say("Feed"), mmPerMin, toMmPerMin(m.programmedFeed), m.feedOverride, m.operatorFeed,
-                  toMmPerMin(m.actualFeed));
+  view.feed = row(say("Feed"), feed, feedIn(m.programmedFeed, picture.units), m.feedOverride, m.operatorFeed,
+                  feedIn(m.actualFeed, picture.units));
   const Seconds age = secondsBetween(m.time, picture.snapshot->time) + (picture.stale ? picture.age : Seconds());
   view.note = whatHinders(m, age);
   view.warning = !view.note.isEmpty();

@@ -41,6 +41,9 @@ struct SessionInfo {
   qint64 wallMs(Instant t) const { return wallMsAtStreamZero + toNs(t) / 1'000'000; }
 };
 
+class RunHistory;
+class SignalHistory;
+
 struct RecorderStatus {
   enum class State { Off, Recording, Failed };
   State state = State::Off;
@@ -63,6 +66,8 @@ struct Picture {
   RecorderStatus recorder;
   LinkStatus link;
   UnitSystem units = UnitSystem::Metric;
+  const RunHistory* history = nullptr;  // of this run; null only where nobody keeps one
+  const SignalHistory* signal = nullptr;
 
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

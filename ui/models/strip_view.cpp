@@ -1,20 +1,16 @@
 #include "ui/models/strip_view.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
+#include "ui/models/say.h"
 
 namespace stillcut::ui {
 namespace {
 
 constexpr Seconds kEventShownFor{30.0};
-
-QString say(const char* text) {
-  return QCoreApplication::translate("StripView", text);
-}
 
 // A link that is lost keeps the time of its last answer, though its state is not valid either.
 bool neverRead(const MachineState& machine) {
@@ -72,21 +68,22 @@ QString change(const QString& before, const QString& after, const QString& unit)
   return join(QStringLiteral("%1 \u2192 %2").arg(before, after), unit);
 }
 
-QString headlineOf(const Intervention& i) {
+QString headlineOf(const Intervention& i, UnitSystem units) {
   const QString what = say("Chatter %1").arg(join(number(i.frequency.value), QStringLiteral("Hz")));
   if (!i.finished) return say("%1, acting").arg(what);
   if (!i.quiet) return say("%1, not quieted").arg(what);
-  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), millimetres(i.marked));
+  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, units));
 }
 
-CardView cardOf(const Intervention& i, const SessionInfo& info) {
+CardView cardOf(const Intervention& i, const Picture& picture) {
+  const SessionInfo& info = *picture.info;
   const std::string_view si =
       siUnit(info.setup.channels.empty() ? SensorQuantity::Acceleration : info.setup.channels.front().quantity);
   const QString unit = QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
   CardView card;
   card.number = i.number;
   card.time = clockTime(info.wallMs(i.began));
-  card.headline = headlineOf(i);
+  card.headline = headlineOf(i, picture.units);
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5)
@@ -152,7 +149,7 @@ std::vector<CardView> makeCards(const Picture& picture) {
   const quint64 kept = std::min<quint64>(s.interventionCount, kInterventionsShown);
   for (quint64 k = 0; k < kept; ++k) {
     const quint64 number = s.interventionCount - 1 - k;
-    cards.push_back(cardOf(s.interventions[number % kInterventionsShown], *picture.info));
+    cards.push_back(cardOf(s.interventions[number % kInterventionsShown], picture));
   }
   return cards;
 }

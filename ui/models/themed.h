@@ -9,6 +9,8 @@ class Themed {
  public:
   virtual ~Themed() = default;
   virtual void applyTheme(const Theme& theme) = 0;
+  // Whether the last painting had to cut text off.
+  virtual bool clipped() const { return false; }
 };
 
 }  // namespace stillcut::ui

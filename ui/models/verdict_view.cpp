@@ -1,17 +1,13 @@
 #include "ui/models/verdict_view.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
+#include "ui/models/say.h"
 
 namespace stillcut::ui {
 namespace {
-
-QString say(const char* text) {
-  return QCoreApplication::translate("VerdictView", text);
-}
 
 QString stateWord(CutState state) {
   switch (state) {
@@ -71,9 +67,11 @@ QString phaseText(CutPhase phase) {
   return {};
 }
 
-QString totals(const Snapshot& snapshot) {
+QString totals(const Picture& picture) {
+  const Snapshot& snapshot = *picture.snapshot;
   if (!(snapshot.chatterTime.value > 0)) return say("No chatter in this run");
-  return say("In chatter so far: %1, %2").arg(duration(snapshot.chatterTime), millimetres(snapshot.chatterLength));
+  return say("In chatter so far: %1, %2")
+      .arg(duration(snapshot.chatterTime), lengthText(snapshot.chatterLength, picture.units));
 }
 
 VerdictView noVerdict(const QString& why) {
@@ -92,7 +90,8 @@ VerdictView staleVerdict(const Picture& picture) {
   return view;
 }
 
-void fillAlarm(VerdictView& view, const Verdict& verdict, Trend trend) {
+void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
+  const Verdict& verdict = picture.verdict();
   const bool chatter = verdict.state == CutState::Chatter;
   view.shape = chatter ? Shape::Octagon : Shape::Triangle;
   view.tone = chatter ? Tone::Chatter : Tone::Onset;
@@ -102,7 +101,8 @@ void fillAlarm(VerdictView& view, const Verdict& verdict, Trend trend) {
   view.detail = words.join(QStringLiteral(", "));
   view.marked = say("For %1").arg(duration(verdict.sinceOnset));
   if (verdict.feedSinceOnset.value > 0)
-    view.marked = say("For %1, %2 of feed").arg(duration(verdict.sinceOnset), millimetres(verdict.feedSinceOnset));
+    view.marked =
+        say("For %1, %2 of feed").arg(duration(verdict.sinceOnset), lengthText(verdict.feedSinceOnset, picture.units));
 }
 
 }  // namespace
@@ -121,13 +121,13 @@ VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   if (!verdict.valid) {
     const QString why = reasonText(verdict.reason);
     VerdictView view = noVerdict(why.isEmpty() ? say("The detector gives no reason") : why);
-    view.marked = totals(*picture.snapshot);
+    view.marked = totals(picture);
     return view;
   }
   VerdictView view;
   view.word = stateWord(verdict.state);
   if (verdict.alarming()) {
-    fillAlarm(view, verdict, trend);
+    fillAlarm(view, picture, trend);
     return view;
   }
   const bool stable = verdict.state == CutState::Stable;
@@ -136,7 +136,7 @@ VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   view.detail =
       stable && verdict.earlyWarning ? say("Early warning: vibration begins to grow") : phaseText(verdict.phase);
   if (view.detail.isEmpty()) view.detail = stable ? say("The cut is quiet") : say("The tool does not cut");
-  view.marked = totals(*picture.snapshot);
+  view.marked = totals(picture);
   return view;
 }
 

@@ -22,7 +22,7 @@ class InterventionList : public QWidget, public Themed {
   // `alarming`: an alarm is on right now, which can be judged before there is a card.
   void display(const std::vector<CardView>& cards, const EventLine& event, bool alarming);
   int shownCards() const;
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize minimumSizeHint() const override;

@@ -71,6 +71,14 @@ void OperatePage::see(const Picture& picture) {
                 [&](const SpectrumColumn& column) { spectrogram_->append(column, alarmTone(picture)); });
 }
 
+void OperatePage::restart() {
+  columns_ = {};
+  trend_ = {};
+  moveReason_ = {};
+  vibrationScale_ = {};
+  spectrogram_->clear();
+}
+
 void OperatePage::display(const Picture& picture) {
   if (picture.snapshot) adviceShown_ = picture.snapshot->adviceNumber;
   verdict_->display(makeVerdictView(picture, trend_.trend()));
@@ -84,11 +92,13 @@ void OperatePage::display(const Picture& picture) {
 
 void OperatePage::showSpectrogram(const Picture& picture) {
   const CutSetup& setup = picture.info->setup;
-  const bool named = !setup.channels.empty();
-  const std::string_view si = named ? siUnit(setup.channels.front().quantity) : std::string_view();
-  spectrogram_->setSignal(
-      named ? tr("channel %1").arg(QString::fromStdString(setup.channels.front().name)) : tr("channel 1"),
-      QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
+  const std::uint64_t columns = picture.snapshot ? picture.snapshot->columnCount : 0;
+  const int channel = columns > 0 ? picture.snapshot->columns[(columns - 1) % kSpectrumColumns].channel : 0;
+  const bool named = channel < static_cast<int>(setup.channels.size());
+  const ChannelInfo of = named ? setup.channels[static_cast<std::size_t>(channel)] : ChannelInfo{};
+  const std::string_view si = named ? siUnit(of.quantity) : std::string_view();
+  spectrogram_->setSignal(tr("channel %1").arg(named ? QString::fromStdString(of.name) : number(channel + 1)),
+                          QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
   spectrogram_->setStale(picture.stale);
   if (!picture.snapshot) return;
   const Verdict& verdict = picture.verdict();

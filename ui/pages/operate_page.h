@@ -30,6 +30,7 @@ class OperatePage : public Page {
 
   void see(const Picture& picture) override;
   void display(const Picture& picture) override;
+  void restart() override;
   void applyTheme(const Theme& theme) override;
 
  private:

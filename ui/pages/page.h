@@ -22,6 +22,8 @@ class Page : public QWidget, public Themed {
   virtual void see(const Picture& picture) { static_cast<void>(picture); }
   // Every display tick while the page is on screen, after see().
   virtual void display(const Picture& picture) = 0;
+  // Another cut, replay or machine was opened: what was seen of the one before is forgotten.
+  virtual void restart() {}
   // What outlives a restart: its own group of the settings.
   virtual void keep(QSettings& settings) const { static_cast<void>(settings); }
   virtual void restore(const QSettings& settings) { static_cast<void>(settings); }

@@ -5,6 +5,10 @@
 
 namespace stillcut::ui {
 
+int decimalsFor(double step) {
+  return step > 0.0 ? std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 6) : 0;
+}
+
 std::vector<double> niceTicks(double from, double to, int most) {
   if (!std::isfinite(from) || !std::isfinite(to) || !(to > from) || most < 1) return {};
   const double least = (to - from) / most;

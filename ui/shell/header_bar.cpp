@@ -12,12 +12,12 @@ namespace stillcut::ui {
 HeaderBar::HeaderBar(QWidget* parent)
     : QWidget(parent),
       theme_(makeTheme(ThemeKind::Light, 1.0)),
-      themeButton_(new TouchButton(tr("Theme"), TouchButton::Look::Tab, this)) {
+      displayButton_(new TouchButton(tr("Display"), TouchButton::Look::Tab, this)) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  themeButton_->setObjectName(QStringLiteral("theme"));
-  themeButton_->setBaseHeight(44);
-  themeButton_->setToolTip(tr("Light, dark, high contrast (F12)"));
-  connect(themeButton_, &TouchButton::clicked, this, &HeaderBar::themeAsked);
+  displayButton_->setObjectName(QStringLiteral("display"));
+  displayButton_->setBaseHeight(44);
+  displayButton_->setToolTip(tr("Theme, units, language (F11); next theme (F12)"));
+  connect(displayButton_, &TouchButton::clicked, this, &HeaderBar::displayAsked);
 }
 
 void HeaderBar::setSession(const SessionInfo& info) {
@@ -55,7 +55,7 @@ void HeaderBar::applyTheme(const Theme& theme) {
 }
 
 QSize HeaderBar::sizeHint() const {
-  return {theme_.px(800), themeButton_->sizeHint().height() + theme_.px(10)};
+  return {theme_.px(800), displayButton_->sizeHint().height() + theme_.px(10)};
 }
 
 void HeaderBar::resizeEvent(QResizeEvent* event) {
@@ -72,7 +72,7 @@ void HeaderBar::placeButtons() {
     button->setGeometry(right, (height() - size.height()) / 2, size.width(), size.height());
     right -= gap;
   };
-  place(themeButton_);
+  place(displayButton_);
   for (auto it = pages_.rbegin(); it != pages_.rend(); ++it) place(*it);
 }
 
@@ -90,7 +90,7 @@ void HeaderBar::paintEvent(QPaintEvent*) {
   // That the machine is a simulated one is never cut off: names give way.
   const TextStyle badgeStyle{type_size::kLabel, true, theme_.colors.text, Qt::AlignHCenter};
   const double badge = badge_.isEmpty() ? 0.0 : widthOf(badge_, badgeStyle) + theme_.px(24);
-  const double end = (pages_.empty() ? themeButton_ : pages_.front())->x() - gap;
+  const double end = (pages_.empty() ? displayButton_ : pages_.front())->x() - gap;
   const double namesEnd = end - (badge > 0 ? badge + gap : 0.0);
   const TextStyle machineStyle{type_size::kButton, true, theme_.colors.text};
   const TextStyle toolStyle{type_size::kBody, false, theme_.colors.secondary};

@@ -1,4 +1,4 @@
-// The head of the window: machine, tool, whether the machine is a simulated one, the pages, the theme.
+// The head of the window: machine, tool, whether the machine is a simulated one, the pages, the display.
 #pragma once
 
 #include <QWidget>
@@ -20,7 +20,7 @@ class HeaderBar : public QWidget, public Themed {
   // `name`: the button's object name.
   void addPage(const QString& title, const QKeySequence& key, const QString& name);
   void setCurrentPage(int index);
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;
@@ -28,7 +28,7 @@ class HeaderBar : public QWidget, public Themed {
 
  signals:
   void pageAsked(int index);
-  void themeAsked();
+  void displayAsked();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -40,7 +40,7 @@ class HeaderBar : public QWidget, public Themed {
   Theme theme_;
   QString machine_, tool_, badge_;
   std::vector<TouchButton*> pages_;
-  TouchButton* themeButton_;
+  TouchButton* displayButton_;
   bool clipped_ = false;
 };
 

@@ -17,18 +17,25 @@
 
 namespace stillcut::ui {
 
-MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, QWidget* parent)
-    : QMainWindow(parent),
-      session_(session),
+MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, std::optional<Language> language)
+    : session_(session),
       state_(session.stateFolder()),
-      kind_(theme.value_or(state_.theme().value_or(desktopTheme()))),
-      units_(state_.units()),
-      header_(new HeaderBar),
-      stack_(new QStackedWidget),
-      command_(new CommandBar),
-      strip_(new StatusStrip) {
-  setWindowTitle(tr("Stillcut"));
+      look_{theme.value_or(state_.theme().value_or(desktopTheme())), state_.units(),
+            language.value_or(state_.language().value_or(desktopLanguage()))},
+      speaker_(look_.language) {
+  setWindowTitle(QStringLiteral("Stillcut"));
+  connect(&timer_, &QTimer::timeout, this, [this] { tick(clock_.elapsed()); });
+  resize(1280, 800);
+  build();
+}
+
+void MainWindow::build() {
   auto* centre = new QWidget;
+  header_ = new HeaderBar;
+  stack_ = new QStackedWidget;
+  command_ = new CommandBar;
+  strip_ = new StatusStrip;
+  display_ = new DisplayPanel(centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -41,11 +48,11 @@ MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, Q
   addPages();
   meetSession();
   connect(header_, &HeaderBar::pageAsked, this, qOverload<int>(&MainWindow::showPage));
-  connect(header_, &HeaderBar::themeAsked, this, &MainWindow::nextTheme);
-  connect(new QShortcut(Qt::Key_F12, this), &QShortcut::activated, this, &MainWindow::nextTheme);
+  connect(header_, &HeaderBar::displayAsked, this, &MainWindow::toggleDisplayPanel);
+  connect(display_, &DisplayPanel::chosen, this, &MainWindow::setLook, Qt::QueuedConnection);
+  connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
+  connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
   connect(command_, &CommandBar::asked, this, [this](const OperatorInput& input) { session_.send(input); });
-  connect(&timer_, &QTimer::timeout, this, [this] { tick(clock_.elapsed()); });
-  resize(1280, 800);
   retheme();
 }
 
@@ -62,7 +69,7 @@ void MainWindow::addPages() {
     pages_.push_back(page);
     const QKeySequence key(static_cast<int>(Qt::CTRL) | (static_cast<int>(Qt::Key_0) + entry.number));
     header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
-    connect(new QShortcut(key, this), &QShortcut::activated, this, [this, index] { showPage(index); });
+    connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
     connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   }
   state_.restore(pages_);
@@ -72,6 +79,9 @@ void MainWindow::addPages() {
 void MainWindow::meetSession() {
   generation_ = session_.generation();
   header_->setSession(session_.info());
+  history_.clear();
+  signal_.prepare(session_.info().setup);
+  for (Page* page : pages_) page->restart();
 }
 
 void MainWindow::restorePlace() {
@@ -89,9 +99,18 @@ void MainWindow::tick(qint64 nowMs) {
   if (session_.generation() != generation_) meetSession();
   const Snapshot* snapshot = session_.pull();
   freshness_.see(snapshot, nowMs);
-  const Picture picture{
-      &session_.info(), snapshot, freshness_.age(), snapshot && freshness_.stale(), nowMs, session_.recorder(),
-      session_.link(),  units_};
+  if (snapshot != nullptr) history_.see(*snapshot);
+  session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
+  const Picture picture{&session_.info(),
+                        snapshot,
+                        freshness_.age(),
+                        snapshot && freshness_.stale(),
+                        nowMs,
+                        session_.recorder(),
+                        session_.link(),
+                        look_.units,
+                        &history_,
+                        &signal_};
   for (Page* page : pages_) page->see(picture);
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
   command_->display(makeCommandView(picture), nowMs);
@@ -115,6 +134,7 @@ QString MainWindow::currentPage() const {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
+  display_->hide();
   if (std::abs(scaleForSize(width(), height()) - scale_) > 1e-9) retheme();
 }
 
@@ -128,16 +148,44 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::nextTheme() {
-  kind_ = kind_ == ThemeKind::Light  ? ThemeKind::Dark
-          : kind_ == ThemeKind::Dark ? ThemeKind::HighContrast
-                                     : ThemeKind::Light;
-  retheme();
-  state_.setTheme(kind_);
+  DisplayChoice next = look_;
+  next.theme = look_.theme == ThemeKind::Light  ? ThemeKind::Dark
+               : look_.theme == ThemeKind::Dark ? ThemeKind::HighContrast
+                                                : ThemeKind::Light;
+  setLook(next);
+}
+
+void MainWindow::toggleDisplayPanel() {
+  if (display_->isVisible()) {
+    display_->hide();
+    return;
+  }
+  display_->resize(display_->sizeHint());
+  display_->move(width() - display_->width() - 8, header_->height() + 4);
+  display_->show(look_);
+}
+
+void MainWindow::setLook(const DisplayChoice& look) {
+  const bool otherLanguage = look.language != look_.language;
+  look_ = look;
+  state_.setTheme(look.theme);
+  state_.setUnits(look.units);
+  state_.setLanguage(look.language);
+  if (!otherLanguage) {
+    retheme();
+    return;
+  }
+  speaker_.speak(look.language);
+  const QString page = currentPage();
+  state_.keep(pages_);
+  pages_.clear();
+  build();
+  showPage(page);
 }
 
 void MainWindow::retheme() {
   scale_ = scaleForSize(width(), height());
-  applyTheme(*this, makeTheme(kind_, scale_));
+  applyTheme(*this, makeTheme(look_.theme, scale_));
 }
 
 }  // namespace stillcut::ui

@@ -1,5 +1,6 @@
 // The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot. Pages come
-// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F12 changes the theme.
+// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F12 changes the theme, F11 opens
+// the choice of theme, units and language. Another language makes everything inside the window anew.
 #pragma once
 
 #include <QElapsedTimer>
@@ -9,7 +10,10 @@
 #include <vector>
 
 #include "ui/models/freshness.h"
+#include "ui/models/run_history.h"
+#include "ui/models/signal_history.h"
 #include "ui/models/theme.h"
+#include "ui/shell/display_panel.h"
 #include "ui/shell/session_facade.h"
 #include "ui/shell/window_state.h"
 
@@ -27,9 +31,10 @@ inline constexpr int kDisplayTickMs = 33;
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
-  // The session must outlive the window. Ticks by itself once start() was called. Without a theme: the one kept, or the
-  // desktop's.
-  explicit MainWindow(SessionFacade& session, std::optional<ThemeKind> theme = {}, QWidget* parent = nullptr);
+  // The session must outlive the window. Ticks by itself once start() was called. Without a theme or a language: the
+  // one kept, or the desktop's.
+  explicit MainWindow(SessionFacade& session, std::optional<ThemeKind> theme = {},
+                      std::optional<Language> language = {});
   ~MainWindow() override;
 
   // Size, place, and page as they were left.
@@ -37,7 +42,7 @@ class MainWindow : public QMainWindow {
   void start();
   // One display tick at `nowMs` of the screen's own clock.
   void tick(qint64 nowMs);
-  ThemeKind theme() const { return kind_; }
+  const DisplayChoice& look() const { return look_; }
   void showPage(const QString& id);
   QString currentPage() const;
 
@@ -50,26 +55,32 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
 
  private:
+  void build();
   void addPages();
   void showPage(int index);
   void meetSession();
   void nextTheme();
+  void toggleDisplayPanel();
+  void setLook(const DisplayChoice& look);
   void retheme();
 
   SessionFacade& session_;
   WindowState state_;
-  ThemeKind kind_;
-  UnitSystem units_;
+  DisplayChoice look_;
+  Speaker speaker_;
   double scale_ = 0.0;
   std::uint32_t generation_ = 0;
   Freshness freshness_;
+  RunHistory history_;
+  SignalHistory signal_;
   QTimer timer_;
   QElapsedTimer clock_;
-  HeaderBar* header_;
-  QStackedWidget* stack_;
+  HeaderBar* header_ = nullptr;
+  QStackedWidget* stack_ = nullptr;
   std::vector<Page*> pages_;
-  CommandBar* command_;
-  StatusStrip* strip_;
+  CommandBar* command_ = nullptr;
+  StatusStrip* strip_ = nullptr;
+  DisplayPanel* display_ = nullptr;
 };
 
 }  // namespace stillcut::ui

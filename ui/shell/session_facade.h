@@ -4,9 +4,12 @@
 
 #include <QString>
 #include <cstdint>
+#include <functional>
 
 #include "core/model/operator_input.h"
+#include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
+#include "ui/models/lobe_service.h"
 #include "ui/models/session_info.h"
 
 namespace stillcut::ui {
@@ -22,10 +25,17 @@ class SessionFacade {
   virtual std::uint32_t generation() const { return 0; }
   // The newest snapshot, or null before the first. Immutable and valid until the next pull().
   virtual const Snapshot* pull() = 0;
+  // The samples that came since the last call, in device units (info().setup.channels has the scales), in order. A
+  // screen that is late loses some, which their stamps tell.
+  virtual void readSignal(const std::function<void(const SampleBlock&)>& sink) { static_cast<void>(sink); }
+  // Which channel the spectrogram of the snapshots is of, from the next block on.
+  virtual void showChannel(int channel) { static_cast<void>(channel); }
   // Queued to the worker, acts at its next block; what came of it shows in the snapshot.
   virtual void send(const OperatorInput& input) = 0;
   virtual RecorderStatus recorder() const = 0;
   virtual LinkStatus link() const = 0;
+  // Null: the modes of the cut are not known.
+  virtual LobeService* lobes() { return nullptr; }
   // Where window and pages keep what outlives a restart; empty: nothing is kept.
   virtual QString stateFolder() const { return {}; }
 };

@@ -54,6 +54,14 @@ void WindowState::setUnits(UnitSystem units) {
   write(settings_.get(), "window/units", units == UnitSystem::Inch ? QStringLiteral("inch") : QStringLiteral("metric"));
 }
 
+std::optional<Language> WindowState::language() const {
+  return languageFrom(read(settings_.get(), "window/language").toString());
+}
+
+void WindowState::setLanguage(Language language) {
+  write(settings_.get(), "window/language", languageCode(language));
+}
+
 QString WindowState::page() const {
   return read(settings_.get(), "window/page").toString();
 }

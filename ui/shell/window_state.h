@@ -10,6 +10,7 @@
 
 #include "ui/models/theme.h"
 #include "ui/models/units.h"
+#include "ui/shell/language.h"
 
 class QSettings;
 
@@ -28,6 +29,8 @@ class WindowState {
   void setTheme(ThemeKind kind);
   UnitSystem units() const;
   void setUnits(UnitSystem units);
+  std::optional<Language> language() const;
+  void setLanguage(Language language);
   QString page() const;  // id; empty: none kept
   void setPage(const QString& id);
 

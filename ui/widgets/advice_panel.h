@@ -17,7 +17,7 @@ class AdvicePanel : public QWidget, public Themed {
 
   void display(const AdviceView& view);
   const AdviceView& view() const { return view_; }
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize minimumSizeHint() const override;

@@ -19,7 +19,7 @@ class CommandBar : public QWidget, public Themed {
 
   // `nowMs`: the screen's own clock; the question for a second touch is withdrawn after a few seconds.
   void display(const CommandView& view, qint64 nowMs);
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;

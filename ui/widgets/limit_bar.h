@@ -15,7 +15,7 @@ class LimitBar : public QWidget, public Themed {
 
   void display(const BarView& view);
   const BarView& view() const { return view_; }
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;

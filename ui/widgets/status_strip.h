@@ -16,7 +16,7 @@ class StatusStrip : public QWidget, public Themed {
 
   void display(const std::vector<StripItem>& items);
   const std::vector<StripItem>& items() const { return items_; }
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;

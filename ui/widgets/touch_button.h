@@ -25,7 +25,7 @@ class TouchButton : public QAbstractButton, public Themed {
   // The tone a checked button has.
   void setCheckedTone(Tone tone);
   void setBaseHeight(double base);
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize sizeHint() const override;

@@ -16,7 +16,7 @@ class VerdictSign : public QWidget, public Themed {
   void display(const VerdictView& view);
   const VerdictView& view() const { return view_; }
   // Whether the last painting had to cut text off.
-  bool clipped() const { return clipped_; }
+  bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
   QSize minimumSizeHint() const override;

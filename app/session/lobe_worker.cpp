@@ -1,0 +1,143 @@
+#include "app/session/lobe_worker.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/milling/stability/lobe_sweep.h"
+
+namespace stillcut::app {
+namespace {
+
+constexpr int kNice = 10;  // behind the cut and the screen
+
+milling::LobeMethod methodOf(ui::LobeMethod method) {
+  switch (method) {
+    case ui::LobeMethod::ZerothOrder:
+      return milling::LobeMethod::ZerothOrder;
+    case ui::LobeMethod::SemiDiscretization:
+      return milling::LobeMethod::SemiDiscretization;
+    case ui::LobeMethod::Exact:
+      return milling::LobeMethod::Exact;
+  }
+  return milling::LobeMethod::Exact;
+}
+
+ui::LobeLimit limitOf(const milling::SpeedLimits& limits) {
+  ui::LobeLimit out;
+  out.speed = limits.speed;
+  out.limited = limits.hasLimit();
+  out.depth = limits.searchedTo;
+  if (!out.limited) return out;
+  const milling::StabilityLimit& first = limits.crossings.front();
+  out.depth = first.depth;
+  out.kind = first.kind == milling::CrossingKind::Flip ? ChatterKind::Flip : ChatterKind::Hopf;
+  out.frequency = first.frequency;
+  return out;
+}
+
+LobeWorker::Cut cutOf(const milling::Scenario& scenario) {
+  LobeWorker::Cut cut;
+  const milling::Programme& programme = scenario.programme;
+  cut.model = scenario.model;
+  cut.model.engagement.radialImmersion = programme.immersion.highest(cut.model.engagement.radialImmersion);
+  cut.frame = usualFrame(cut.model);
+  cut.frame.name = QString::fromStdString(scenario.name);
+  cut.frame.programmed = programme.speed;
+  cut.frame.reachLow = programme.speed * scenario.overrides.lowestSpeed.value;
+  cut.frame.reachHigh = programme.speed * scenario.overrides.highestSpeed.value;
+  cut.frame.lowest = std::min(cut.frame.lowest, cut.frame.reachLow);
+  cut.frame.highest = std::max(cut.frame.highest, cut.frame.reachHigh);
+  cut.frame.depth = Metres(programme.depth.highest(0.0));
+  cut.frame.maxDepth = std::max(cut.frame.depth * 2.5, Metres(0.5e-3));
+  cut.frame.feedPerTooth = programme.feedPerTooth;
+  if (programme.depth.along == milling::Along::Time) cut.depth = programme.depth;
+  return cut;
+}
+
+}  // namespace
+
+ui::LobeFrame usualFrame(const milling::CutModel& model) {
+  const auto [slow, fast] =
+      std::minmax_element(model.modes.begin(), model.modes.end(),
+                          [](const milling::Mode& a, const milling::Mode& b) { return a.frequency < b.frequency; });
+  ui::LobeFrame frame;
+  const double perTooth = 60.0 / model.tool.teeth;
+  frame.lowest = Rpm(std::round(perTooth * slow->frequency.value / 3.5 / 100.0) * 100.0);
+  frame.highest = Rpm(std::round(perTooth * fast->frequency.value * 1.25 / 100.0) * 100.0);
+  frame.depth = Metres(1e-3);
+  frame.maxDepth = Metres(5e-3);
+  frame.teeth = model.tool.teeth;
+  frame.widthOfCut = model.tool.diameter * model.engagement.radialImmersion;
+  return frame;
+}
+
+LobeWorker::LobeWorker(const milling::Scenario& scenario) : LobeWorker(cutOf(scenario)) {}
+
+Metres LobeWorker::depthAt(Instant t) const {
+  if (cut_.depth.empty() || !start_) return cut_.frame.depth;
+  return Metres(cut_.depth.at(secondsBetween(*start_, t).value, 0.0, cut_.frame.depth.value));
+}
+
+void LobeWorker::ask(const ui::LobeQuestion& question) {
+  cancel();
+  {
+    const std::scoped_lock lock(mutex_);
+    progress_ = {ui::LobeProgress::State::Running, 0.0, {}};
+  }
+  thread_ = std::jthread([this, question](const std::stop_token& stop) { compute(question, stop); });
+}
+
+void LobeWorker::cancel() {
+  if (!thread_.joinable()) return;
+  thread_.request_stop();
+  thread_.join();
+}
+
+void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token& stop) {
+  setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread
+  const Rpm step = (question.to - question.from) * (1.0 / std::max(question.steps - 1, 1));
+  const auto speeds = milling::speedSteps(question.from, question.to, step, "speeds");
+  if (!speeds) return finish(ui::LobeProgress::State::Failed, QString::fromStdString(speeds.error().line()));
+  milling::SweepOptions options;
+  options.method = methodOf(question.method);
+  options.limits.maxDepth = question.maxDepth;
+  options.limits.firstOnly = true;
+  options.threads = 1;
+  options.progress = [this](double share) {
+    const std::scoped_lock lock(mutex_);
+    progress_.share = share;
+  };
+  const auto sweep = milling::sweepLobes(cut_.model, *speeds, options, "model", stop);
+  if (!sweep) return finish(ui::LobeProgress::State::Failed, QString::fromStdString(sweep.error().line()));
+  if (!sweep->finished) return finish(ui::LobeProgress::State::Cancelled);
+  auto diagram = std::make_shared<ui::LobeDiagram>();
+  diagram->question = question;
+  for (const milling::SpeedLimits& limits : sweep->speeds) diagram->limits.push_back(limitOf(limits));
+  for (const std::string& warning : sweep->warnings) diagram->warnings << QString::fromStdString(warning);
+  {
+    const std::scoped_lock lock(mutex_);
+    diagram->number = ++answers_;
+    diagram_ = std::move(diagram);
+  }
+  finish(ui::LobeProgress::State::Done);
+}
+
+void LobeWorker::finish(ui::LobeProgress::State state, const QString& problem) {
+  const std::scoped_lock lock(mutex_);
+  progress_ = {state, state == ui::LobeProgress::State::Done ? 1.0 : progress_.share, problem};
+}
+
+ui::LobeProgress LobeWorker::progress() const {
+  const std::scoped_lock lock(mutex_);
+  return progress_;
+}
+
+std::shared_ptr<const ui::LobeDiagram> LobeWorker::diagram() const {
+  const std::scoped_lock lock(mutex_);
+  return diagram_;
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,55 @@
+// LobeWorker: stability lobes in the background, for the Lobes page. One question at a time; another one ends it.
+// Thread: GUI; the work runs on a thread of its own that yields to everything else.
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/milling/cut_model.h"
+#include "core/milling/profile.h"
+#include "core/milling/scenario.h"
+#include "ui/models/lobe_service.h"
+
+namespace stillcut::app {
+
+class LobeWorker final : public ui::LobeService {
+ public:
+  struct Cut {
+    milling::CutModel model;
+    ui::LobeFrame frame;
+    milling::Profile depth;  // over time since the cut began; empty: the frame's
+  };
+  explicit LobeWorker(Cut cut) : cut_(std::move(cut)) {}
+  // Of a scenario, at its widest.
+  explicit LobeWorker(const milling::Scenario& scenario);
+
+  // Stream time at which the programme began.
+  void setStart(Instant start) { start_ = start; }
+  bool started() const { return start_.has_value(); }
+
+  const ui::LobeFrame& frame() const override { return cut_.frame; }
+  Metres depthAt(Instant t) const override;
+  void ask(const ui::LobeQuestion& question) override;
+  void cancel() override;
+  ui::LobeProgress progress() const override;
+  std::shared_ptr<const ui::LobeDiagram> diagram() const override;
+
+ private:
+  void compute(const ui::LobeQuestion& question, const std::stop_token& stop);
+  void finish(ui::LobeProgress::State state, const QString& problem = {});
+
+  Cut cut_;
+  std::optional<Instant> start_;
+  mutable std::mutex mutex_;  // of what follows
+  ui::LobeProgress progress_;
+  std::shared_ptr<const ui::LobeDiagram> diagram_;
+  std::uint32_t answers_ = 0;
+  std::jthread thread_;  // last: ends before what it writes to
+};
+
+// What is worth looking at for these modes and this tool: from the third lobe of the slowest mode to beyond the first
+// lobe of the fastest.
+ui::LobeFrame usualFrame(const milling::CutModel& model);
+
+}  // namespace stillcut::app

@@ -1,0 +1,37 @@
+#include "core/pipeline/signal_tap.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::pipeline {
+namespace {
+
+constexpr double kHeld_s = 0.5;
+
+}  // namespace
+
+void SignalTap::prepare(const CutSetup& setup) {
+  ring_.reset();
+  if (setup.blockFrames <= 0 || !(setup.rate.value > 0.0)) return;
+  const double blocks = std::ceil(kHeld_s * setup.rate.value / setup.blockFrames);
+  const auto channels = static_cast<int>(setup.channels.size());
+  ring_ = std::make_unique<rt::SpscRing<SampleBlock>>(
+      static_cast<std::size_t>(std::max(blocks, 8.0)),
+      [&](SampleBlock& block) { block.allocate(channels, setup.blockFrames); });
+}
+
+void SignalTap::feed(const SampleBlock& block) noexcept {
+  SampleBlock* slot = ring_ ? ring_->reserve() : nullptr;
+  if (slot == nullptr || block.channels > slot->channels || block.frames > slot->capacityFrames) return;
+  slot->source = block.source;
+  slot->sequence = block.sequence;
+  slot->firstSample = block.firstSample;
+  slot->rate = block.rate;
+  slot->frames = block.frames;
+  slot->flags = block.flags;
+  slot->lostFrames = block.lostFrames;
+  for (int c = 0; c < block.channels; ++c) std::ranges::copy(block.channel(c), slot->channel(c).begin());
+  ring_->commit();
+}
+
+}  // namespace stillcut::pipeline

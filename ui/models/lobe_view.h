@@ -1,0 +1,68 @@
+// What the Lobes page reads out of a diagram: the limit at a speed, the quiet pockets at a depth with what they remove,
+// "what if", and the points met so far. GUI thread; pure functions and a table model.
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "ui/models/lobe_service.h"
+#include "ui/models/run_history.h"
+#include "ui/models/theme.h"
+#include "ui/models/units.h"
+
+namespace stillcut::ui {
+
+// Between two speeds looked at the limit runs straight; none outside the diagram.
+std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed);
+
+struct Pocket {
+  Rpm from{}, to{}, best{};
+  Metres limit{};          // at `best`
+  double removal = 0.0;    // there, at the depth asked for [m^3/s]; 0: the feed is not known
+  bool open = false;       // the diagram ends before it does
+  bool reachable = false;  // some of it lies within what the override reaches
+};
+
+// Stretches of speed whose limit lies deeper than `depth`, by speed.
+std::vector<Pocket> pocketsAt(const LobeDiagram& diagram, const LobeFrame& frame, Metres depth);
+
+struct WhatIf {
+  bool known = false;
+  bool stable = false;
+  QString verdict;  // "STABLE" or "CHATTER", with the margin
+  QString detail;   // limit, removal rate, cutting time against the programme
+  Tone tone = Tone::Faint;
+  bool operator==(const WhatIf&) const = default;
+};
+
+WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Metres depth, UnitSystem units);
+
+// Where the cut has been, and whether it was quiet there.
+struct MetPoint {
+  Rpm speed{};
+  Metres depth{};
+  bool unstable = false;
+};
+std::vector<MetPoint> pointsMet(const RunHistory& history, const LobeService& service);
+
+class PocketTable : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { Speeds, Best, Limit, Removal, kColumns };
+  using QAbstractTableModel::QAbstractTableModel;
+
+  void setPockets(std::vector<Pocket> pockets, UnitSystem units);
+  const Pocket& pocket(int row) const { return pockets_[static_cast<std::size_t>(row)]; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+ private:
+  std::vector<Pocket> pockets_;
+  UnitSystem units_ = UnitSystem::Metric;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,131 @@
+#include "ui/pages/analyse_page.h"
+
+#include <QGridLayout>
+#include <QSettings>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <initializer_list>
+
+#include "core/model/channel.h"
+#include "ui/models/run_history.h"
+#include "ui/models/say.h"
+#include "ui/models/signal_history.h"
+#include "ui/models/spectrum_view.h"
+#include "ui/pages/analyse_tools.h"
+#include "ui/pages/preset_bar.h"
+#include "ui/plots/history_map.h"
+#include "ui/plots/spectrum_plot.h"
+#include "ui/plots/trace_plot.h"
+#include "ui/plots/track_plot.h"
+#include "ui/widgets/panel.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString nowKey() {
+  return QStringLiteral("now");  // the name under which what is on show is kept; no preset can have it: names are shown
+}
+
+QStringList channelNames(const CutSetup& setup) {
+  QStringList names;
+  for (const ChannelInfo& channel : setup.channels) names << QString::fromStdString(channel.name);
+  return names;
+}
+
+QString unitOf(const CutSetup& setup, int channel) {
+  if (channel < 0 || channel >= static_cast<int>(setup.channels.size())) return {};
+  const std::string_view si = siUnit(setup.channels[static_cast<std::size_t>(channel)].quantity);
+  return QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
+}
+
+}  // namespace
+
+AnalysePage::AnalysePage(QWidget* parent)
+    : Page(parent),
+      tools_(new AnalyseTools(view_)),
+      map_(new HistoryMap(view_)),
+      trace_(new TracePlot(view_)),
+      tracks_(new TrackPlot(view_)),
+      spectrum_(new SpectrumPlot(view_)),
+      bar_(new PresetBar(view_, presets_)),
+      grid_(new QGridLayout(this)) {
+  map_->setTimesShown(false);
+  trace_->setTimesShown(false);
+  grid_->addWidget(tools_, 0, 0, 1, 2);
+  grid_->addWidget(panel(map_), 1, 0);
+  grid_->addWidget(panel(trace_), 2, 0);
+  grid_->addWidget(panel(tracks_), 3, 0, 2, 1);
+  grid_->addWidget(panel(spectrum_), 1, 1, 3, 1);
+  grid_->addWidget(panel(bar_), 4, 1);
+  grid_->setColumnStretch(0, 62);
+  grid_->setColumnStretch(1, 38);
+  grid_->setRowStretch(1, 50);
+  grid_->setRowStretch(2, 22);
+  grid_->setRowStretch(3, 14);
+  grid_->setRowStretch(4, 14);
+  connect(tools_, &AnalyseTools::referenceAsked, this, [this] {
+    spectrum_->toggleReference();
+    tools_->setReference(spectrum_->hasReference());
+  });
+}
+
+Panel* AnalysePage::panel(QWidget* inside) {
+  auto* around = new Panel;
+  auto* layout = new QVBoxLayout(around);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(inside);
+  return around;
+}
+
+void AnalysePage::see(const Picture& picture) {
+  const int channels = static_cast<int>(picture.info->setup.channels.size());
+  const int wanted = std::min(view_.options().channel, std::max(channels - 1, 0));
+  if (wanted == channel_) return;
+  channel_ = wanted;
+  emit channelAsked(wanted);
+}
+
+void AnalysePage::display(const Picture& picture) {
+  const RunHistory& history = *picture.history;
+  const SessionInfo& info = *picture.info;
+  view_.setReach(history.begin(), history.end(), history.spectrumTop());
+  tools_->setChannels(channelNames(info.setup));
+  bar_->display(info);
+  QStringList names;
+  for (const DetectorInfo& detector : info.detectors) names << sayCore(detector.label.toStdString());
+  map_->display(&history, info.setup.teeth);
+  trace_->display(picture.signal, unitOf(info.setup, channel_));
+  tracks_->display(&history, names, picture.snapshot ? picture.snapshot->inCharge : 0);
+  spectrum_->display(makeSpectrumView(history, view_, info));
+  for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_}) {
+    plot->setStale(picture.stale && view_.following());
+    plot->setClock([&info](Instant t) { return info.wallMs(t); });
+  }
+}
+
+void AnalysePage::restart() {
+  view_.restart();
+  map_->restart();
+  trace_->display(nullptr, {});
+  tracks_->display(nullptr, {}, 0);
+  spectrum_->display({});
+  channel_ = -1;
+}
+
+void AnalysePage::keep(QSettings& settings) const {
+  presets_.keep(settings);
+  settings.setValue(nowKey(), toVariant(view_.options()));
+}
+
+void AnalysePage::restore(const QSettings& settings) {
+  presets_.restore(settings);
+  if (const auto options = analyseOptionsFrom(settings.value(nowKey()).toMap())) view_.setOptions(*options);
+}
+
+void AnalysePage::applyTheme(const Theme& theme) {
+  const int margin = theme.px(16), gap = theme.px(10);
+  grid_->setContentsMargins(margin, gap, margin, gap);
+  grid_->setSpacing(gap);
+}
+
+}  // namespace stillcut::ui

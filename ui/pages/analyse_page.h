@@ -1,0 +1,55 @@
+// The page for the engineer at the desk: spectrogram, signal and detectors over one axis of time, and the spectrum of
+// any moment of it. GUI thread.
+#pragma once
+
+#include "ui/models/analyse_view.h"
+#include "ui/models/preset_list.h"
+#include "ui/pages/page.h"
+
+class QGridLayout;
+
+namespace stillcut::ui {
+
+class AnalyseTools;
+class HistoryMap;
+class Panel;
+class PresetBar;
+class SpectrumPlot;
+class TracePlot;
+class TrackPlot;
+
+class AnalysePage : public Page {
+  Q_OBJECT
+ public:
+  explicit AnalysePage(QWidget* parent = nullptr);
+
+  void see(const Picture& picture) override;
+  void display(const Picture& picture) override;
+  void restart() override;
+  void keep(QSettings& settings) const override;
+  void restore(const QSettings& settings) override;
+  void applyTheme(const Theme& theme) override;
+
+  AnalyseView& view() { return view_; }
+  PresetList& presets() { return presets_; }
+
+ signals:
+  // The channel that spectrogram and spectrum shall be made of from now on.
+  void channelAsked(int channel);
+
+ private:
+  Panel* panel(QWidget* inside);
+
+  AnalyseView view_;
+  PresetList presets_;
+  AnalyseTools* tools_;
+  HistoryMap* map_;
+  TracePlot* trace_;
+  TrackPlot* tracks_;
+  SpectrumPlot* spectrum_;
+  PresetBar* bar_;
+  QGridLayout* grid_;
+  int channel_ = -1;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,309 @@
+#include "ui/pages/lobes_page.h"
+
+#include <QDoubleSpinBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QProgressBar>
+#include <QSettings>
+#include <QSignalBlocker>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/models/say.h"
+#include "ui/plots/lobe_chart.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/panel.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+constexpr double kInch = 0.0254;
+
+double unitLength(UnitSystem units) {
+  return units == UnitSystem::Inch ? kInch : 1e-3;
+}
+
+}  // namespace
+
+LobesPage::LobesPage(FindService find, QWidget* parent)
+    : Page(parent),
+      find_(std::move(find)),
+      chart_(new LobeChart),
+      methods_{new TouchButton(tr("ZEROTH ORDER")), new TouchButton(tr("SEMI-DISCRETE")), new TouchButton(tr("EXACT"))},
+      compute_(new TouchButton(tr("COMPUTE"), TouchButton::Look::Advice)),
+      progress_(new QProgressBar),
+      state_(new QLabel),
+      speed_(new QDoubleSpinBox),
+      depth_(new QDoubleSpinBox),
+      verdict_(new QLabel),
+      detail_(new QLabel),
+      pockets_(new QTableView),
+      table_(new PocketTable(this)),
+      side_(new Panel),
+      grid_(new QGridLayout(this)),
+      theme_(makeTheme(ThemeKind::Light, 1.0)) {
+  layOut();
+  connectAll();
+  chooseMethod(method_);
+}
+
+void LobesPage::layOut() {
+  auto* around = new Panel;
+  auto* chartLayout = new QVBoxLayout(around);
+  chartLayout->setContentsMargins(4, 4, 4, 4);
+  chartLayout->addWidget(chart_);
+  auto* column = new QVBoxLayout(side_);
+  auto* methods = new QHBoxLayout;
+  const std::array<QString, 3> names{QStringLiteral("method-zoa"), QStringLiteral("method-sdm"),
+                                     QStringLiteral("method-exact")};
+  for (std::size_t k = 0; k < methods_.size(); ++k) {
+    methods_[k]->setObjectName(names[k]);
+    methods_[k]->setCheckable(true);
+    methods_[k]->setBaseHeight(50);
+    methods->addWidget(methods_[k]);
+  }
+  column->addLayout(methods);
+  auto* work = new QHBoxLayout;
+  compute_->setObjectName(QStringLiteral("compute"));
+  compute_->setBaseHeight(50);
+  compute_->setKey(Qt::Key_F8);
+  progress_->setRange(0, 100);
+  progress_->setTextVisible(true);
+  progress_->setAccessibleName(tr("Progress of the diagram"));
+  work->addWidget(compute_);
+  work->addWidget(progress_, 1);
+  column->addLayout(work);
+  state_->setWordWrap(true);
+  column->addWidget(state_);
+
+  auto* form = new QGridLayout;
+  auto* speedLabel = new QLabel(tr("What if the speed were"));
+  auto* depthLabel = new QLabel(tr("and the depth"));
+  speed_->setObjectName(QStringLiteral("what-if-speed"));
+  depth_->setObjectName(QStringLiteral("what-if-depth"));
+  speed_->setAccessibleName(tr("Speed, what if"));
+  depth_->setAccessibleName(tr("Depth, what if"));
+  speedLabel->setBuddy(speed_);
+  depthLabel->setBuddy(depth_);
+  speed_->setSuffix(QStringLiteral("\u00a0rpm"));
+  speed_->setSingleStep(50);
+  form->addWidget(speedLabel, 0, 0);
+  form->addWidget(speed_, 0, 1);
+  form->addWidget(depthLabel, 1, 0);
+  form->addWidget(depth_, 1, 1);
+  form->setColumnStretch(1, 1);
+  column->addLayout(form);
+  verdict_->setWordWrap(true);
+  detail_->setWordWrap(true);
+  verdict_->setObjectName(QStringLiteral("what-if"));
+  column->addWidget(verdict_);
+  column->addWidget(detail_);
+
+  pockets_->setModel(table_);
+  pockets_->setAccessibleName(tr("Quiet pockets at this depth"));
+  pockets_->setToolTip(tr("Choose a pocket to try its best speed. In brackets: beyond the override's reach."));
+  pockets_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  pockets_->setSelectionMode(QAbstractItemView::SingleSelection);
+  pockets_->verticalHeader()->hide();
+  pockets_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  pockets_->setTabKeyNavigation(false);
+  column->addWidget(pockets_, 1);
+  grid_->addWidget(around, 0, 0);
+  grid_->addWidget(side_, 0, 1);
+  grid_->setColumnStretch(0, 62);
+  grid_->setColumnStretch(1, 38);
+}
+
+void LobesPage::connectAll() {
+  for (std::size_t k = 0; k < methods_.size(); ++k) {
+    connect(methods_[k], &TouchButton::clicked, this, [this, k] {
+      chooseMethod(static_cast<LobeMethod>(k));
+      compute();
+    });
+  }
+  connect(compute_, &TouchButton::clicked, this, [this] {
+    if (service_ != nullptr && service_->progress().state == LobeProgress::State::Running) {
+      service_->cancel();
+    } else {
+      compute();
+    }
+    showProgress();
+  });
+  connect(speed_, &QDoubleSpinBox::valueChanged, this, &LobesPage::fieldsChanged);
+  connect(depth_, &QDoubleSpinBox::valueChanged, this, &LobesPage::fieldsChanged);
+  connect(chart_, &LobeChart::handleMoved, this, [this] {
+    const QSignalBlocker quietSpeed(speed_), quietDepth(depth_);
+    speed_->setValue(chart_->handle().speed.value);
+    depth_->setValue(chart_->handle().depth.value / unitLength(units_));
+    showWhatIf();
+  });
+  connect(pockets_, &QTableView::clicked, this, [this](const QModelIndex& index) {
+    const Pocket pocket = table_->pocket(index.row());
+    speed_->setValue(pocket.best.value);
+  });
+}
+
+// The first look computes by itself: a page that shows nothing until a button is found is no page.
+void LobesPage::meet(LobeService* service) {
+  met_ = true;
+  service_ = service;
+  diagram_.reset();
+  const bool known = service_ != nullptr;
+  side_->setEnabled(known);
+  if (!known) {
+    chart_->setDiagram(nullptr, {});
+    state_->setText(
+        tr("The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in "
+           "the profile; the diagram needs nothing else."));
+    return;
+  }
+  const LobeFrame& frame = service_->frame();
+  chart_->setDiagram(nullptr, frame);
+  const QSignalBlocker quietSpeed(speed_), quietDepth(depth_);
+  speed_->setDecimals(0);
+  speed_->setRange(frame.lowest.value, frame.highest.value);
+  speed_->setValue(frame.programmed.value > 0.0 ? frame.programmed.value : frame.lowest.value);
+  const bool inch = units_ == UnitSystem::Inch;
+  depth_->setDecimals(inch ? 4 : 2);
+  depth_->setSingleStep(inch ? 0.002 : 0.05);
+  depth_->setSuffix(inch ? QStringLiteral("\u00a0in") : QStringLiteral("\u00a0mm"));
+  depth_->setRange(0.0, frame.maxDepth.value / unitLength(units_));
+  depth_->setValue(frame.depth.value / unitLength(units_));
+  chart_->setHandle({Rpm(speed_->value()), Metres(depth_->value() * unitLength(units_))});
+  if (!service_->diagram() && service_->progress().state == LobeProgress::State::Idle) compute();
+}
+
+void LobesPage::compute() {
+  if (service_ == nullptr) return;
+  LobeQuestion question;
+  question.method = method_;
+  question.from = service_->frame().lowest;
+  question.to = service_->frame().highest;
+  question.maxDepth = service_->frame().maxDepth;
+  service_->ask(question);
+}
+
+void LobesPage::chooseMethod(LobeMethod method) {
+  method_ = method;
+  for (std::size_t k = 0; k < methods_.size(); ++k) methods_[k]->setChecked(static_cast<LobeMethod>(k) == method);
+}
+
+void LobesPage::display(const Picture& picture) {
+  const bool otherUnits = picture.units != units_;
+  units_ = picture.units;
+  chart_->setUnits(units_);
+  if (!met_ || otherUnits) meet(find_());
+  if (service_ == nullptr) return;
+  showProgress();
+  if (service_->diagram() != diagram_) {
+    diagram_ = service_->diagram();
+    showDiagram();
+  }
+  std::optional<SpeedDepth> now;
+  std::optional<Rpm> advice;
+  const Snapshot* s = picture.snapshot;
+  if (s != nullptr && s->machine.valid && !picture.stale) {
+    now = SpeedDepth{s->machine.actualSpeed, service_->depthAt(s->time)};
+    if (s->adviceOpen && s->request.claimsSpeed) advice = s->request.speed;
+    if (s->commanding && !s->adviceOpen) advice = s->machine.programmedSpeed * s->command.speed.value;
+  }
+  chart_->setWork(now, pointsMet(*picture.history, *service_));
+  chart_->setAdvice(advice);
+}
+
+void LobesPage::showProgress() {
+  const LobeProgress progress = service_ ? service_->progress() : LobeProgress{};
+  const bool running = progress.state == LobeProgress::State::Running;
+  compute_->setText(running ? tr("CANCEL") : tr("COMPUTE"));
+  progress_->setValue(static_cast<int>(progress.share * 100.0));
+  progress_->setVisible(running);
+  QString text;
+  switch (progress.state) {
+    case LobeProgress::State::Idle:
+      break;
+    case LobeProgress::State::Running:
+      text = tr("Computing; the diagram before stays until it is done");
+      break;
+    case LobeProgress::State::Done:
+      text = service_->frame().name;
+      if (diagram_ && !diagram_->warnings.isEmpty()) {
+        text = tr("%1. Left out: %2").arg(text, sayCore(diagram_->warnings.front().toStdString()));
+      }
+      break;
+    case LobeProgress::State::Cancelled:
+      text = tr("Cancelled");
+      break;
+    case LobeProgress::State::Failed:
+      text = tr("Cannot be computed: %1").arg(progress.problem);
+      break;
+  }
+  if (text != state_->text()) state_->setText(text);
+}
+
+void LobesPage::showDiagram() {
+  chart_->setDiagram(diagram_.get(), service_->frame());
+  showWhatIf();
+}
+
+void LobesPage::fieldsChanged() {
+  chart_->setHandle({Rpm(speed_->value()), Metres(depth_->value() * unitLength(units_))});
+  showWhatIf();
+}
+
+void LobesPage::showWhatIf() {
+  if (service_ == nullptr) return;
+  const SpeedDepth at = chart_->handle();
+  const WhatIf answer = whatIf(diagram_.get(), service_->frame(), at.speed, at.depth, units_);
+  verdict_->setText(answer.verdict);
+  detail_->setText(answer.detail);
+  QPalette palette = verdict_->palette();
+  palette.setColor(QPalette::WindowText, theme_.onPanel(answer.tone));
+  verdict_->setPalette(palette);
+  verdict_->setAccessibleDescription(answer.detail);
+  table_->setPockets(diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{}, units_);
+}
+
+void LobesPage::restart() {
+  met_ = false;
+  service_ = nullptr;
+  diagram_.reset();
+}
+
+void LobesPage::keep(QSettings& settings) const {
+  settings.setValue(QStringLiteral("method"), static_cast<int>(method_));
+}
+
+void LobesPage::restore(const QSettings& settings) {
+  const int kept = settings.value(QStringLiteral("method"), static_cast<int>(LobeMethod::Exact)).toInt();
+  if (kept >= 0 && kept < static_cast<int>(methods_.size())) chooseMethod(static_cast<LobeMethod>(kept));
+}
+
+void LobesPage::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  const int margin = theme.px(16), gap = theme.px(10);
+  const int touchGap = std::max(theme.px(12), pixelsFor(kTouchGapMm, this)),
+            high = std::max(theme.px(50), pixelsFor(kTouchMm, this));
+  grid_->setContentsMargins(margin, gap, margin, gap);
+  grid_->setSpacing(gap);
+  side_->layout()->setContentsMargins(margin, margin, margin, margin);
+  side_->layout()->setSpacing(touchGap);
+  for (QWidget* label : side_->findChildren<QLabel*>()) label->setFont(theme.font(type_size::kBody));
+  verdict_->setFont(theme.font(type_size::kValue, true));
+  for (QDoubleSpinBox* box : {speed_, depth_}) {
+    box->setFont(theme.font(type_size::kValue));
+    box->setMinimumHeight(high);
+  }
+  progress_->setFont(theme.font(type_size::kBody));
+  progress_->setMinimumHeight(high);
+  pockets_->setFont(theme.font(type_size::kBody));
+  pockets_->horizontalHeader()->setFont(theme.font(type_size::kLabel));
+  pockets_->verticalHeader()->setDefaultSectionSize(high);
+  showWhatIf();
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,78 @@
+// The stability diagram as a chart: limit, quiet region, where the cut is and has been, what is advised, and a handle
+// to drag: "what if". Arrow keys move the handle, with Shift in large steps. GUI thread.
+#pragma once
+
+#include <QChartView>
+#include <vector>
+
+#include "ui/models/lobe_view.h"
+#include "ui/models/themed.h"
+
+class QAreaSeries;
+class QLineSeries;
+class QScatterSeries;
+class QValueAxis;
+
+namespace stillcut::ui {
+
+struct SpeedDepth {
+  Rpm speed{};
+  Metres depth{};
+};
+
+class LobeChart : public QChartView, public Themed {
+  Q_OBJECT
+ public:
+  explicit LobeChart(QWidget* parent = nullptr);
+
+  void setUnits(UnitSystem units);
+  // Null: none yet, the axes are those of the frame.
+  void setDiagram(const LobeDiagram* diagram, const LobeFrame& frame);
+  void setWork(std::optional<SpeedDepth> now, const std::vector<MetPoint>& met);
+  // Where the advice would go, from where the cut is.
+  void setAdvice(std::optional<Rpm> target);
+  void setHandle(SpeedDepth handle);
+  SpeedDepth handle() const { return handle_; }
+
+  // Where a point of the diagram is on the widget.
+  QPoint place(SpeedDepth point) const;
+
+  void applyTheme(const Theme& theme) override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  void handleMoved();
+
+ protected:
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  double shown(Metres depth) const;  // in the unit of the axis
+  Metres depthOf(double shown) const;
+  void moveHandle(SpeedDepth to);
+  void moveHandleTo(const QPoint& at);
+  QPointF onChart(SpeedDepth point) const;
+  void showFrame();
+
+  Theme theme_;
+  UnitSystem units_ = UnitSystem::Metric;
+  QValueAxis* speed_;
+  QValueAxis* depth_;
+  QLineSeries* limit_;
+  QLineSeries* floor_;
+  QAreaSeries* quiet_;
+  QLineSeries* trail_;
+  QScatterSeries* metStable_;
+  QScatterSeries* metUnstable_;
+  LobeFrame frame_;
+  std::optional<SpeedDepth> now_;
+  std::optional<Rpm> advice_;
+  SpeedDepth handle_;
+  bool dragging_ = false;
+};
+
+}  // namespace stillcut::ui

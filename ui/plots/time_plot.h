@@ -1,0 +1,69 @@
+// What plots over time have in common: one axis, shared with the others through the view; the cursors; wheel, drag and
+// keys that move and zoom. A click puts cursor A, with Shift cursor B; a drag moves, with Control it zooms to what was
+// drawn over; the wheel zooms. Keys: arrows, plus, minus, Home (first), End (newest), A and B (cursor to the middle),
+// Delete (no cursors). GUI thread.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "ui/models/analyse_view.h"
+#include "ui/models/themed.h"
+
+namespace stillcut::ui {
+
+class TimePlot : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  // The view outlives the plot. `title` stands above it.
+  TimePlot(AnalyseView& view, const QString& title, QWidget* parent = nullptr);
+
+  // Stream time as the clock on the wall.
+  void setClock(std::function<qint64(Instant)> wallMs) { wallMs_ = std::move(wallMs); }
+  // Only the lowest of several plots carries the time.
+  void setTimesShown(bool shown);
+  void setStale(bool stale);
+
+  QRect plotRect() const;
+  Instant timeAt(double x) const;
+  double xOf(Instant t) const;
+
+  void applyTheme(const Theme& theme) override;
+
+ protected:
+  // What is special to the plot; times and cursors are drawn by this class.
+  virtual void drawPlot(QPainter& p, const QRect& plot) = 0;
+  // A wheel or a drag across it, where the plot has a second axis; `share` of its height, upwards.
+  virtual void panUp(double share) { static_cast<void>(share); }
+  virtual void zoomUp(double factor, double y) { static_cast<void>(factor), static_cast<void>(y); }
+  virtual void clicked(const QPointF& at, Qt::KeyboardModifiers modifiers);
+
+  const Theme& theme() const { return theme_; }
+  AnalyseView& view() const { return view_; }
+
+  void paintEvent(QPaintEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void drawTimes(QPainter& p, const QRect& plot) const;
+  void drawCursors(QPainter& p, const QRect& plot) const;
+
+  AnalyseView& view_;
+  QString title_;
+  Theme theme_;
+  std::function<qint64(Instant)> wallMs_;
+  bool timesShown_ = true;
+  bool stale_ = false;
+  std::optional<QPointF> pressed_;  // where a touch began
+  QPointF last_;
+  bool dragged_ = false;
+  bool boxing_ = false;
+};
+
+}  // namespace stillcut::ui

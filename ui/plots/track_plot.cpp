@@ -1,0 +1,97 @@
+#include "ui/plots/track_plot.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::ui {
+namespace {
+
+// The state is told by height as well as by colour: nothing, low, half, full.
+double heightOf(const TrackPoint& point) {
+  if (!point.valid) return 0.0;
+  switch (point.state) {
+    case CutState::Air:
+      return 0.0;
+    case CutState::Stable:
+      return 0.2;
+    case CutState::Onset:
+      return 0.6;
+    case CutState::Chatter:
+      return 1.0;
+  }
+  return 0.0;
+}
+
+QColor colorOf(const TrackPoint& point, const Theme& theme) {
+  if (point.state == CutState::Chatter) return theme.back(Tone::Chatter);
+  if (point.state == CutState::Onset) return theme.back(Tone::Onset);
+  return theme.colors.fill;
+}
+
+}  // namespace
+
+TrackPlot::TrackPlot(AnalyseView& view, QWidget* parent) : TimePlot(view, tr("DETECTORS"), parent) {
+  setToolTip(tr("Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator."));
+}
+
+void TrackPlot::display(const RunHistory* history, const QStringList& names, int inCharge) {
+  history_ = history;
+  names_ = names;
+  inCharge_ = inCharge;
+  update();
+}
+
+QSize TrackPlot::minimumSizeHint() const {
+  return {theme().px(420), theme().px(static_cast<double>(60 + 26 * std::max<qsizetype>(names_.size(), 1)))};
+}
+
+void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
+  if (history_ == nullptr || history_->tracks().empty()) return;
+  const auto& tracks = history_->tracks();
+  const double height = plot.height() / static_cast<double>(tracks.size()), gap = theme().px(4);
+  for (std::size_t k = 0; k < tracks.size(); ++k) {
+    const QRectF row(plot.left(), plot.top() + height * static_cast<double>(k) + gap / 2, plot.width(), height - gap);
+    p.save();
+    p.setClipRect(row);
+    drawTrack(p, row, tracks[k]);
+    p.restore();
+    p.setFont(theme().font(type_size::kTick, static_cast<int>(k) == inCharge_));
+    p.setPen(theme().colors.text);
+    const QString name = names_.value(static_cast<qsizetype>(k));
+    const double room = theme().px(66);
+    p.drawText(QRectF(plot.left() - room - theme().px(4), row.top(), room, row.height()),
+               Qt::AlignRight | Qt::AlignVCenter | Qt::TextWordWrap, name);
+  }
+}
+
+void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const {
+  if (track.empty()) return;
+  double largest = 1.0;
+  for (const TrackPoint& point : track) {
+    if (point.valid && std::isfinite(point.indicator))
+      largest = std::max(largest, std::abs(static_cast<double>(point.indicator)));
+  }
+  const auto first = std::lower_bound(track.begin(), track.end(), view().from(),
+                                      [](const TrackPoint& point, Instant t) { return point.time < t; });
+  QPolygonF curve;
+  for (auto it = first == track.begin() ? first : first - 1; it != track.end() && it->time <= view().to(); ++it) {
+    const auto next = it + 1;
+    const double left = xOf(it->time);
+    const double right = next != track.end() ? xOf(next->time) : left + 1.0;
+    const QRectF step(left, row.bottom() - row.height() * heightOf(*it), right - left + 0.5,
+                      row.height() * heightOf(*it));
+    if (it->valid) {
+      p.fillRect(step, colorOf(*it, theme()));
+      if (std::isfinite(it->indicator))
+        curve << QPointF(left, row.bottom() - row.height() * std::abs(it->indicator) / largest);
+    } else {
+      p.fillRect(QRectF(left, row.top(), right - left, row.height()), QBrush(theme().colors.hatch, Qt::BDiagPattern));
+    }
+  }
+  p.setPen(QPen(theme().colors.text, theme().px(1.5)));
+  p.setBrush(Qt::NoBrush);
+  p.drawPolyline(curve);
+}
+
+}  // namespace stillcut::ui
