@@ -70,8 +70,7 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   pairs_.assign(count > 1 ? count - 1 : 0, {});
   for (CoherenceRatio& pair : pairs_) pair.prepare(spectrum_.bins(), spectrum_.binWidth(), settings);
   channels_.assign(count, {});
-  frame_.assign(count, 0.0);
-  difference_.assign(count, 0.0);
+  difference_.assign(count * kRow, 0.0);
   before_.assign(static_cast<std::size_t>(spectrum_.bins()), {});
   reset();
 }
@@ -205,6 +204,22 @@ Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const noexcept
   return v;
 }
 
+// At most kRow frames.
+void CoherenceDetector::compare(const ConditionedBlock& block, int first, int frames) noexcept {
+  const auto count = static_cast<std::size_t>(frames);
+  turns_.process(block.samples + first, block.stride, count, difference_.data(), nullptr, kRow);
+  ring_.push(difference_.data(), kRow, count);
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const double* x = block.samples + static_cast<std::ptrdiff_t>(c) * block.stride + first;
+    const double* d = difference_.data() + c * kRow;
+    Channel& channel = channels_[c];
+    for (std::size_t f = 0; f < count; ++f) {
+      channel.sum += std::abs(x[f]);
+      channel.changed += std::abs(d[f]);
+    }
+  }
+}
+
 Verdict CoherenceDetector::process(const ConditionedBlock& block) noexcept {
   if (!block.valid) return judge_.verdict(block);
   if (pairs_.empty()) {
@@ -215,17 +230,12 @@ Verdict CoherenceDetector::process(const ConditionedBlock& block) noexcept {
   }
   if (block.afterGap) restart();
   turns_.setTurn(block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown);
-  for (int f = 0; f < block.frames; ++f) {
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      frame_[c] = block.samples[static_cast<std::ptrdiff_t>(c) * block.stride + f];
-    }
-    turns_.process(frame_.data(), difference_.data());
-    ring_.push(difference_.data(), 1, 1);
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      channels_[c].sum += std::abs(frame_[c]);
-      channels_[c].changed += std::abs(difference_[c]);
-    }
-    if (++sinceLook_ < hop_) continue;
+  for (int f = 0; f < block.frames;) {
+    const int frames = std::min({hop_ - sinceLook_, block.frames - f, kRow});
+    compare(block, f, frames);
+    f += frames;
+    sinceLook_ += frames;
+    if (sinceLook_ < hop_) continue;
     sinceLook_ = 0;
     analyse(block);
   }

@@ -79,6 +79,7 @@ class CoherenceDetector final : public Detector {
 
  private:
   static constexpr int kOverlap = 8;
+  static constexpr int kRow = 256;  // frames compared at once
 
   struct Channel {
     double sum = 0.0;      // of |x| since the last look (eq. 3-7)
@@ -92,6 +93,7 @@ class CoherenceDetector final : public Detector {
   };
   void restart() noexcept;
   void leaveCut() noexcept;
+  void compare(const ConditionedBlock& block, int first, int frames) noexcept;
   void analyse(const ConditionedBlock& block) noexcept;
   void takeEnergies() noexcept;
   void transform() noexcept;
@@ -108,7 +110,7 @@ class CoherenceDetector final : public Detector {
   dsp::Spectrum spectrum_;
   std::vector<CoherenceRatio> pairs_;
   std::vector<Channel> channels_;
-  std::vector<double> frame_, difference_;
+  std::vector<double> difference_;            // [channel * kRow + frame]
   std::vector<std::complex<double>> before_;  // transform of the pair's first channel
   double rate_ = 0.0;
   int hop_ = 1;
@@ -117,7 +119,7 @@ class CoherenceDetector final : public Detector {
   double purity_ = 0.3;
   double chatterRatio_ = 0.2;
 
-  long sinceLook_ = 0;
+  int sinceLook_ = 0;
   double settledSeconds_ = 0.0;
   double energy_ = 0.0;         // E_r, eq. 3-8
   double changedEnergy_ = 0.0;  // the same of the turn difference

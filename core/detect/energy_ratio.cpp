@@ -70,7 +70,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
     s.doubling.prepare(teeth_, integrationFactor(s.quantity), limits.evidence);
   }
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
-  for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_), 0.0);
+  for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_ * kRow), 0.0);
   reset();
 }
 
@@ -194,21 +194,34 @@ void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first
   const double step = block.angleStep[first];
   chain_.align(block.angle[first], step);
   chain_.process(block.samples + first, block.stride, static_cast<std::size_t>(frames));
-  for (int f = first; f < first + frames; ++f) {
-    for (int c = 0; c < channels_; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      compared_[i] = lowPass_[i].process(block.samples[c * block.stride + f]);
-    }
-    turns_.process(compared_.data(), difference_.data(), news_.data());
-    lines_.push(difference_.data());
-    for (int c = 0; c < channels_; ++c) {
-      const auto i = static_cast<std::size_t>(c);
-      channelStates_[i].growth.add(compared_[i], difference_[i]);
-      channelStates_[i].news.add(compared_[i], news_[i]);
-    }
-    marks_.advance(step);
+  for (int done = 0; done < frames;) {
+    const int now = std::min(frames - done, kRow);
+    compare(block, first + done, now);
+    done += now;
   }
+  marks_.advance(step, frames);
   inHop_ += frames;
+}
+
+// At most kRow frames, one turn with the next.
+void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int frames) noexcept {
+  const auto count = static_cast<std::size_t>(frames);
+  for (int c = 0; c < channels_; ++c) {
+    const double* x = block.samples + c * block.stride + first;
+    double* out = compared_.data() + c * kRow;
+    dsp::Butterworth& filter = lowPass_[static_cast<std::size_t>(c)];
+    for (std::size_t f = 0; f < count; ++f) out[f] = filter.process(x[f]);
+  }
+  turns_.process(compared_.data(), kRow, count, difference_.data(), news_.data(), kRow);
+  lines_.push(difference_.data(), kRow, count);
+  for (int c = 0; c < channels_; ++c) {
+    RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
+    const std::ptrdiff_t row = c * kRow;
+    for (std::ptrdiff_t f = row; f < row + frames; ++f) {
+      s.growth.add(compared_[static_cast<std::size_t>(f)], difference_[static_cast<std::size_t>(f)]);
+      s.news.add(compared_[static_cast<std::size_t>(f)], news_[static_cast<std::size_t>(f)]);
+    }
+  }
 }
 
 Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {

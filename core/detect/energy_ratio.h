@@ -62,6 +62,7 @@ class EnergyRatioDetector final : public Detector {
   void reset() noexcept override;
 
  private:
+  static constexpr int kRow = 256;  // frames compared at once
   void sizeFor(const CutSetup& setup, const config::ParamSet& params);
   void tune(const ConditionedBlock& block) noexcept;
   void followBand() noexcept;
@@ -70,6 +71,7 @@ class EnergyRatioDetector final : public Detector {
   void leaveCut() noexcept;
   int stretch(const ConditionedBlock& block, int first) const noexcept;
   void processFrames(const ConditionedBlock& block, int first, int frames) noexcept;
+  void compare(const ConditionedBlock& block, int first, int frames) noexcept;
   void endHop(const ConditionedBlock& block) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
@@ -84,8 +86,8 @@ class EnergyRatioDetector final : public Detector {
   LineFinder lines_;
   std::vector<RatioChannel> channelStates_;
   RatioJudge judge_;
-  std::vector<dsp::Butterworth> lowPass_;  // of what is compared from turn to turn, one per channel
-  std::vector<double> compared_, difference_, news_;
+  std::vector<dsp::Butterworth> lowPass_;             // of what is compared from turn to turn, one per channel
+  std::vector<double> compared_, difference_, news_;  // [channel * kRow + frame]
 
   Hertz spindle_{};
   Hertz highest_{};  // chatter is looked for up to here

@@ -6,6 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -35,17 +37,6 @@ Taps makeTaps() {
 
 const Taps kInterpolation = makeTaps();
 
-// Four sums side by side: one alone waits for every addition.
-double sum(std::span<const double> x) noexcept {
-  std::array<double, 4> parts{};
-  std::size_t i = 0;
-  for (; i + 4 <= x.size(); i += 4) {
-    for (std::size_t k = 0; k < 4; ++k) parts[k] += x[i + k];
-  }
-  for (; i < x.size(); ++i) parts[0] += x[i];
-  return (parts[0] + parts[1]) + (parts[2] + parts[3]);
-}
-
 // |X|^2 at a place of one channel's transform.
 double powerAt(std::span<const std::complex<double>> bins, std::size_t place) noexcept {
   const std::size_t b = place / kPlaces;
@@ -71,16 +62,16 @@ double powerAt(std::span<const std::complex<double>> bins, std::size_t place) no
 }  // namespace
 
 void LineFinder::prepare(int channels, int window, Hertz rate) {
+  kernels_ = dsp::kernels::bestKernels();
   window_ = static_cast<std::size_t>(window);
   channels_.clear();
   channels_.resize(static_cast<std::size_t>(channels));
   for (Channel& c : channels_) {
     c.ring.assign(window_, 0.0);
-    c.spectrum.prepare(window, rate, dsp::WindowKind::Recent, window + (window + 7) / 8);
+    c.spectrum.prepare(window, rate, dsp::WindowKind::Recent, dsp::fastFftSize(window + (window + 7) / 8));
   }
   const auto bins = static_cast<std::size_t>(channels_.front().spectrum.bins());
   lobe_ = static_cast<std::size_t>(std::lround(kLobe * kPlaces * rate.value / (window * binWidth())));
-  unrolled_.assign(window_, 0.0);
   for (auto* v : {&power_, &now_}) v->assign(bins, 0.0);
   reset();
 }
@@ -88,25 +79,31 @@ void LineFinder::prepare(int channels, int window, Hertz rate) {
 void LineFinder::reset() noexcept {
   for (Channel& c : channels_) std::fill(c.ring.begin(), c.ring.end(), 0.0);
   head_ = seen_ = 0;
+  asked_ = false;
 }
 
-void LineFinder::push(const double* rest) noexcept {
-  for (std::size_t c = 0; c < channels_.size(); ++c) channels_[c].ring[head_] = rest[c];
-  head_ = head_ + 1 == window_ ? 0 : head_ + 1;
-  if (seen_ < window_) ++seen_;
+void LineFinder::push(const double* rest, std::ptrdiff_t stride, std::size_t frames) noexcept {
+  for (std::size_t done = 0; done < frames;) {
+    const std::size_t now = std::min(frames - done, window_ - head_);
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      std::copy_n(rest + static_cast<std::ptrdiff_t>(c) * stride + done, now, channels_[c].ring.data() + head_);
+    }
+    head_ = head_ + now == window_ ? 0 : head_ + now;
+    done += now;
+  }
+  seen_ = std::min(seen_ + frames, window_);
+  asked_ = false;
 }
 
 void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
   std::fill(power_.begin(), power_.end(), 0.0);
   for (Channel& c : channels_) {
-    const auto middle = c.ring.begin() + static_cast<std::ptrdiff_t>(head_);
-    std::copy(c.ring.begin(), middle, std::copy(middle, c.ring.end(), unrolled_.begin()));
-    c.spectrum.transform(unrolled_);
+    const std::span<const double> ring(c.ring);
+    c.spectrum.transform(ring.subspan(head_), ring.first(head_));
     c.spectrum.powers(now_);
-    const double total = sum(std::span(now_).subspan(first, last + 1 - first));
+    const double total = kernels_.sum(now_.data() + first, last + 1 - first);
     c.share = total > 0.0 ? 1.0 / total : 0.0;
-    if (!(total > 0.0)) continue;
-    for (std::size_t b = first - 1; b <= last + 1; ++b) power_[b] += c.share * now_[b];
+    if (total > 0.0) kernels_.addScaled(c.share, now_.data() + first - 1, power_.data() + first - 1, last - first + 3);
   }
 }
 
@@ -131,6 +128,15 @@ std::size_t LineFinder::highest(std::size_t from, std::size_t to) const noexcept
 }
 
 FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
+  if (asked_ && low == low_ && high == high_) return found_;
+  asked_ = true;
+  low_ = low;
+  high_ = high;
+  found_ = look(low, high);
+  return found_;
+}
+
+FoundLine LineFinder::look(Hertz low, Hertz high) noexcept {
   FoundLine found;
   if (2 * seen_ < window_) return found;
   const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil(low.value / binWidth())));
@@ -138,7 +144,7 @@ FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
   if (first >= last) return found;
   transform(first, last);
   const std::span<const double> inReach = std::span<const double>(power_).subspan(first, last + 1 - first);
-  const double whole = sum(inReach);
+  const double whole = kernels_.sum(inReach.data(), inReach.size());
   if (!(whole > 0.0)) return found;
   // Between the bins a line may be higher than any bin says.
   const double top = *std::max_element(inReach.begin(), inReach.end());

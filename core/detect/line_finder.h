@@ -25,7 +25,8 @@ class LineFinder {
   // window: samples; lines are looked for in low..high.
   void prepare(int channels, int window, Hertz rate);
   void reset() noexcept;
-  void push(const double* rest) noexcept;
+  // rest[channel * stride + frame].
+  void push(const double* rest, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Strongest line over all channels, each normalised to its own power; nothing until the window is half full.
   FoundLine find(Hertz low, Hertz high) noexcept;
   // In the spectrum of the last find(): the strongest within `reach` of `middle`. Empty where there is no peak.
@@ -42,17 +43,21 @@ class LineFinder {
     double share = 0.0;  // 1 / power of the newest window; 0: silent
   };
   double binWidth() const noexcept { return channels_.front().spectrum.binWidth(); }
+  FoundLine look(Hertz low, Hertz high) noexcept;
   void transform(std::size_t first, std::size_t last) noexcept;
   double power(std::size_t place) const noexcept;
   std::size_t highest(std::size_t from, std::size_t to) const noexcept;
   Hertz refined(std::size_t place) const noexcept;
 
+  dsp::kernels::Kernels kernels_;
   std::size_t window_ = 0;
   std::size_t head_ = 0;
   std::size_t seen_ = 0;
+  bool asked_ = false;    // since the last push(), with
+  Hertz low_{}, high_{};  // ... these, and answered
+  FoundLine found_;       // ... with this
   std::size_t lobe_ = 0;  // half width of what counts as the line, in places
   std::vector<Channel> channels_;
-  std::vector<double> unrolled_;
   std::vector<double> power_;  // of every bin, all channels
   std::vector<double> now_;    // of one channel, scratch
 };

@@ -165,8 +165,10 @@ void ParametricDetector::processFrames(std::size_t from, std::size_t count) noex
 
 void ParametricDetector::readModel(std::size_t channel) noexcept {
   Channel& c = channels_[channel];
-  ArRoots newest = rootsOf(recursions_.theta(static_cast<int>(channel)));
-  if (reflect(newest, delta_)) recursions_.setTheta(static_cast<int>(channel), thetaOf(newest));
+  if (const ArCoefficients theta = recursions_.theta(static_cast<int>(channel)); unstable(theta)) {
+    ArRoots newest = rootsOf(theta);
+    if (reflect(newest, delta_)) recursions_.setTheta(static_cast<int>(channel), thetaOf(newest));
+  }
   const double rate = 1.0 - std::exp(-1.0 / (kModelTurns * kStepsPerTurn));
   for (std::size_t n = 0; n < c.theta.size(); ++n) {
     c.theta[n] += rate * (c.thetaSum[n] / static_cast<double>(inStep_) - c.theta[n]);

@@ -10,9 +10,14 @@ constexpr int kMostSteps = 100;
 constexpr double kStands = 1e-13;
 constexpr double kOscillates = 1e-6;  // least imaginary part
 
+// Finite numbers only: spares the checks for infinite ones that a product otherwise makes.
+std::complex<double> times(std::complex<double> a, std::complex<double> b) noexcept {
+  return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 std::complex<double> polynomial(const ArCoefficients& theta, std::complex<double> q) noexcept {
   std::complex<double> value = 1.0;
-  for (const double t : theta) value = value * q - t;
+  for (const double t : theta) value = times(value, q) - t;
   return value;
 }
 
@@ -30,16 +35,29 @@ ArRoots rootsOf(const ArCoefficients& theta) noexcept {
     for (std::size_t i = 0; i < roots.size(); ++i) {
       std::complex<double> others = 1.0;
       for (std::size_t j = 0; j < roots.size(); ++j) {
-        if (j != i) others *= roots[i] - roots[j];
+        if (j != i) others = times(others, roots[i] - roots[j]);
       }
       if (std::norm(others) < 1e-280) others = 1e-140;
-      const std::complex<double> shift = polynomial(theta, roots[i]) / others;
+      const std::complex<double> shift = times(polynomial(theta, roots[i]), std::conj(others)) / std::norm(others);
       roots[i] -= shift;
-      moved = std::max(moved, std::abs(shift));
+      moved = std::max(moved, std::norm(shift));
     }
-    if (moved < kStands) break;
+    if (moved < kStands * kStands) break;
   }
   return roots;
+}
+
+bool unstable(const ArCoefficients& theta) noexcept {
+  ArCoefficients a{};
+  for (std::size_t i = 0; i < a.size(); ++i) a[i] = -theta[i];
+  for (std::size_t n = a.size(); n-- > 0;) {
+    const double k = a[n];
+    if (!(std::abs(k) < 1.0)) return true;
+    ArCoefficients lower{};
+    for (std::size_t i = 0; i < n; ++i) lower[i] = (a[i] - k * a[n - 1 - i]) / (1.0 - k * k);
+    a = lower;
+  }
+  return false;
 }
 
 ArCoefficients thetaOf(const ArRoots& roots) noexcept {

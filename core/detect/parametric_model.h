@@ -13,6 +13,8 @@ using ArRoots = std::array<std::complex<double>, kArOrder>;
 
 // Roots of q^4 - theta_1 q^3 - .. - theta_4: all at once (Weierstrass), polished until they stand.
 ArRoots rootsOf(const ArCoefficients& theta) noexcept;
+// Is a root on or outside the unit circle? By the reflection coefficients (Schur, Cohn): no root is looked for.
+bool unstable(const ArCoefficients& theta) noexcept;
 // The theta whose roots these are (conjugate pairs and real roots).
 ArCoefficients thetaOf(const ArRoots& roots) noexcept;
 // Every root outside the unit circle is put at the radius 1 - delta, its angle kept.

@@ -24,6 +24,7 @@ constexpr double kLeastDoubling = 0.5;  // line over severity from which it is n
 constexpr double kDoubledSd = 2e-4;     // relative: as well as the spindle's speed is known
 constexpr double kLeastOffset = 0.03;   // orders; nearer to a harmonic a line is forced
 
+// A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
 constexpr int kLookHops = kHopsPerTurn / 2;
 
 }  // namespace
@@ -116,12 +117,15 @@ bool RatioJudge::fromEntry(LineFinder& lines, const RatioHop& hop, bool high) no
   const bool settled = hop.levelTrend < kSettled && hop.levelTrend * kSettled > 1.0;
   if (!high || !settled || hop.steadyTurns < kSettleTurns) {
     highTurns_ = 0.0;
+    sinceEntryLook_ = kLookHops;
     return false;
   }
+  if (++sinceEntryLook_ < kLookHops) return false;
+  sinceEntryLook_ = 0;
   const Hertz before = line_.frequency;
   const bool stands = lineStands(lines, hop);
   const bool same = std::abs(line_.frequency.value - before.value) < hop.spindle.value * 4.0 / kLineTurns;
-  highTurns_ = stands && same ? highTurns_ + 1.0 / kHopsPerTurn : 0.0;
+  highTurns_ = stands && same ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
   return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value);
 }
 
@@ -146,7 +150,6 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     doubled_ = false;
     return;
   }
-  // A line that is followed is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
   if (frequency_.value > 0.0 && ++sinceLook_ < kLookHops) return;
   const int hops = frequency_.value > 0.0 ? kLookHops : 1;
   sinceLook_ = 0;

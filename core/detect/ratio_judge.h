@@ -69,6 +69,7 @@ class RatioJudge {
   double highTurns_ = 0.0;
   double lostTurns_ = 0.0;
   int sinceLook_ = 0;         // hops, at the line that is followed
+  int sinceEntryLook_ = 0;    // hops, at the line of chatter from the entry
   double severity_ = 0.0;     // of the worst channel
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence

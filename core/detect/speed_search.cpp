@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
 #include "core/dsp/order.h"
 
 namespace stillcut::detect {
@@ -12,16 +13,18 @@ constexpr int kMostHarmonics = 40;
 constexpr double kUsableBand = 0.45;  // of the rate; above it the filters before the converter bend the lines
 constexpr double kOnComb = 0.15;      // orders
 constexpr int kPadding = 2;
-constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
+constexpr int kLobe = 2 * kPadding;           // half width of a Hann line in padded bins
+constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
 }  // namespace
 
 void SpeedSearch::prepare(int window, Hertz rate, int teeth) {
+  kernels_ = dsp::kernels::bestKernels();
   spectrum_.prepare(window, rate, dsp::WindowKind::Hann, kPadding * window);
   finder_.prepare(spectrum_.bins(), Hertz(spectrum_.binWidth()), kLobe, teeth);
   rate_ = rate.value;
   teeth_ = teeth;
-  for (auto* v : {&power_, &square_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
+  for (auto* v : {&power_, &square_, &powers_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
   scratch_.assign(static_cast<std::size_t>(window), 0.0);
   trials_.assign(kMostTrials, 0.0);
 }
@@ -34,19 +37,17 @@ void SpeedSearch::begin() noexcept {
 
 void SpeedSearch::addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept {
   spectrum_.transform(samples);
+  spectrum_.powers(powers_);
   const auto usable = static_cast<std::size_t>(kUsableBand * rate_ / spectrum_.binWidth());
-  double total = 0.0;
-  for (std::size_t b = kLobe; b < usable; ++b) total += std::norm(spectrum_.values()[b]);
-  if (!(total > 0.0)) return;
-  for (std::size_t b = kLobe; b < usable; ++b) power[b] += std::norm(spectrum_.values()[b]) / total;
+  const double total = kernels_.sum(powers_.data() + kLobe, usable - kLobe);
+  if (total > 0.0) kernels_.addScaled(1.0 / total, powers_.data() + kLobe, power.data() + kLobe, usable - kLobe);
 }
 
 void SpeedSearch::add(std::span<const double> samples) noexcept {
   addSpectrum(samples, power_);
-  double mean = 0.0;
-  for (const double x : samples) mean += x * x;
-  mean /= static_cast<double>(samples.size());
-  for (std::size_t n = 0; n < scratch_.size(); ++n) scratch_[n] = samples[n] * samples[n] - mean;
+  kernels_.multiply(samples.data(), samples.data(), scratch_.data(), scratch_.size());
+  const double mean = kernels_.sum(scratch_.data(), scratch_.size()) / static_cast<double>(scratch_.size());
+  for (double& s : scratch_) s -= mean;
   addSpectrum(scratch_, square_);
   ++added_;
 }
@@ -58,7 +59,7 @@ double SpeedSearch::at(const std::vector<double>& power, double position) noexce
   return (1.0 - part) * power[b] + part * power[b + 1];
 }
 
-// Sums over the comb; a full Hann line holds 1.5 bins' worth of its peak, times the padding.
+// Sums over the comb.
 SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics) const noexcept {
   Parts sum;
   for (int h = 1; h <= harmonics; ++h) {
@@ -66,7 +67,7 @@ SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics) const noexc
     sum.vibration += at(power_, position);
     sum.square += at(square_, position);
   }
-  const double scale = 1.5 * kPadding / std::max(added_, 1);
+  const double scale = kLinePart / std::max(added_, 1);
   return {scale * sum.vibration, scale * sum.square};
 }
 
@@ -85,19 +86,39 @@ SpeedSearch::Parts SpeedSearch::partsAt(Hertz spindle) const noexcept {
   return parts(spindle.value, std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)));
 }
 
+// Mean of both spectra's parts for combs of low, low + step ... Hz. Harmonic by harmonic: the places of its line in one
+// comb after the other lie side by side.
+void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t count) noexcept {
+  std::copy(power_.begin(), power_.end(), powers_.begin());
+  kernels_.addScaled(1.0, square_.data(), powers_.data(), powers_.size());
+  std::fill_n(trials_.begin(), count, 0.0);
+  for (int h = 1; h <= harmonics; ++h) {
+    const double first = h * low / spectrum_.binWidth();
+    const double further = h * step / spectrum_.binWidth();
+    if (first + further * static_cast<double>(count) + 1.0 >= static_cast<double>(powers_.size())) break;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double position = first + further * static_cast<double>(i);
+      const auto b = static_cast<std::size_t>(position);
+      trials_[i] += powers_[b] + (position - static_cast<double>(b)) * (powers_[b + 1] - powers_[b]);
+    }
+  }
+  const double scale = 0.5 * kLinePart / std::max(added_, 1);
+  for (std::size_t i = 0; i < count; ++i) trials_[i] *= scale;
+}
+
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
   SpeedCandidate found;
   const int harmonics = std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / std::max(high.value, 1e-3)));
   if (harmonics < 1 || !(high > low) || !(low.value > 0.0) || added_ == 0) return found;
   const double finest = 0.2 * rate_ / window() / harmonics;
   const double step = std::max(finest, (high.value - low.value) / (kMostTrials - 2));
-  std::size_t count = 0;
+  const auto count = std::min(static_cast<std::size_t>((high.value - low.value) / step) + 1, trials_.size());
+  tryCombs(low.value, step, harmonics, count);
   std::size_t best = 0;
-  for (double f = low.value; f <= high.value && count < trials_.size(); f += step, ++count) {
-    const Parts p = parts(f, harmonics);
-    const bool out = notForced.value > 0.0 && std::abs(dsp::orderOffset(notForced, Hertz(f))) < kOnComb;
-    trials_[count] = out ? 0.0 : 0.5 * (p.vibration + p.square);
-    if (trials_[count] > trials_[best]) best = count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Hertz f(low.value + static_cast<double>(i) * step);
+    if (notForced.value > 0.0 && std::abs(dsp::orderOffset(notForced, f)) < kOnComb) trials_[i] = 0.0;
+    if (trials_[i] > trials_[best]) best = i;
   }
   const double peak = trials_[best];
   const double left = best > 0 ? trials_[best - 1] : peak;

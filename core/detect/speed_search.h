@@ -60,9 +60,11 @@ class SpeedSearch {
 
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   static double at(const std::vector<double>& power, double position) noexcept;
+  void tryCombs(double low, double step, int harmonics, std::size_t count) noexcept;
   Parts parts(double spindle, int harmonics) const noexcept;
   double toothPart(double spindle) const noexcept;
 
+  dsp::kernels::Kernels kernels_;
   dsp::Spectrum spectrum_;
   SpeedFinder finder_;
   double rate_ = 0.0;
@@ -70,6 +72,7 @@ class SpeedSearch {
   int added_ = 0;
   std::vector<double> power_;   // of the vibration, each channel normalised to sum 1
   std::vector<double> square_;  // of its square, the same
+  std::vector<double> powers_;  // of one transform; both spectra together in a search
   std::vector<double> scratch_;
   std::vector<double> trials_;
 };

@@ -255,6 +255,8 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   const long window = look.search.window();
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
+  // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
+  if (locked_ && proven_ && !astray() && !(suspect_.value > 0.0)) return;
   look.search.begin();
   const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
   const auto head = static_cast<std::ptrdiff_t>(head_);

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 
 void TurnDifference::prepare(int channels, Hertz rate, Hertz slowest) {
   channels_ = channels;
   rate_ = rate.value;
-  const double longest = 2.0 * rate_ / slowest.value + 2.0 * kTaps;
+  kernels_ = dsp::kernels::bestKernels();
+  const double longest = 2.0 * rate_ / slowest.value + 2.0 * kTaps + static_cast<double>(kMostFrames);
   mask_ = std::bit_ceil(static_cast<std::size_t>(longest) + 1) - 1;
   ring_.assign(static_cast<std::size_t>(channels) * 2 * (mask_ + 1), 0.0);
   reset();
@@ -45,7 +48,7 @@ void TurnDifference::setTurn(Hertz spindle) noexcept {
 }
 
 void TurnDifference::setTurns(double one, double two) noexcept {
-  const double longest = static_cast<double>(mask_) - 2.0 * kTaps;
+  const double longest = static_cast<double>(mask_ - kMostFrames) - 2.0 * kTaps;
   const double turn = std::clamp(one, 2.0, 0.5 * longest);
   const double twoTurns = std::clamp(two, turn, longest);
   if (turn == turn_ && twoTurns == twoTurns_) return;
@@ -56,34 +59,38 @@ void TurnDifference::setTurns(double one, double two) noexcept {
   needed_ = static_cast<std::size_t>(twoTurns) + kTaps + 1;
 }
 
-double TurnDifference::read(const double* ring, const Delay& delay) const noexcept {
-  // Every frame is there twice, so that the taps lie side by side; four sums, so that none waits for another.
-  const double* newest = ring + mask_ + 1 + head_ - delay.whole;
-  std::array<double, 4> sums{};
-  for (std::size_t k = 0; k < kTaps; k += 4) {
-    for (std::size_t i = 0; i < 4; ++i) sums[i] += delay.taps[k + i] * newest[-static_cast<std::ptrdiff_t>(k + i)];
+// Every frame is there twice, so that the taps lie side by side.
+void TurnDifference::remember(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+  const std::size_t size = mask_ + 1;
+  for (int c = 0; c < channels_; ++c) {
+    const double* from = x + c * stride;
+    double* ring = ring_.data() + static_cast<std::size_t>(c) * 2 * size;
+    for (double* to : {ring + head_, ring + head_ + size}) std::copy_n(from, frames, to);
   }
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-void TurnDifference::process(const double* x, double* difference, double* news) noexcept {
-  constexpr double kDifferenceScale = 0.408248290463863;  // 1 / sqrt(6)
-  constexpr double kNewsScale = 0.816496580927726;        // 1 / sqrt(1.5)
-  ++seen_;
-  const bool known = ready() && turn_ > 0.0;
-  for (int c = 0; c < channels_; ++c) {
-    double* ring = ring_.data() + static_cast<std::size_t>(c) * 2 * (mask_ + 1);
-    ring[head_] = ring[head_ + mask_ + 1] = x[c];
-    difference[c] = 0.0;
-    if (news != nullptr) news[c] = 0.0;
-    if (!known) continue;
-    const double now = ring[(head_ - kHalfTaps) & mask_];
-    const double one = read(ring, one_);
-    const double two = read(ring, two_);
-    difference[c] = kDifferenceScale * (now - 2.0 * one + two);
-    if (news != nullptr) news[c] = kNewsScale * (now - 0.5 * (one + two));
+void TurnDifference::process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference,
+                             double* news, std::ptrdiff_t outStride) noexcept {
+  const std::size_t size = mask_ + 1;
+  for (std::size_t done = 0; done < frames;) {
+    const std::size_t now = std::min({frames - done, kMostFrames, size - head_});
+    remember(x + done, stride, now);
+    // The first frame after `needed` is the first that is known.
+    const std::size_t unknown = turn_ > 0.0 ? std::min(now, needed_ - std::min(seen_, needed_)) : now;
+    for (int c = 0; c < channels_; ++c) {
+      const double* newest = ring_.data() + static_cast<std::size_t>(c) * 2 * size + size + head_ + unknown;
+      double* out = difference + c * outStride + done;
+      double* second = news != nullptr ? news + c * outStride + done : nullptr;
+      std::fill_n(out, unknown, 0.0);
+      if (second != nullptr) std::fill_n(second, unknown, 0.0);
+      if (unknown == now) continue;
+      kernels_.turns({newest - kHalfTaps, newest - one_.whole, newest - two_.whole, one_.taps.data(), two_.taps.data(),
+                      now - unknown, out + unknown, second != nullptr ? second + unknown : nullptr});
+    }
+    seen_ += now;
+    head_ = (head_ + now) & mask_;
+    done += now;
   }
-  head_ = (head_ + 1) & mask_;
 }
 
 double TurnDifference::differenceGain(double offset) noexcept {

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -30,8 +31,9 @@ class TurnDifference {
   // While the speed changes: how many samples ago the spindle stood one and two turns back.
   void setTurns(double one, double two) noexcept;
 
-  // One frame; one value per channel in and out. What comes out is 0 until two turns are known. news may be null.
-  void process(const double* x, double* difference, double* news = nullptr) noexcept;
+  // x[channel * stride + frame] in; out the same with outStride, 0 until two turns are known. news may be null.
+  void process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference, double* news,
+               std::ptrdiff_t outStride) noexcept;
   // Part of the power of a line `offset` orders from a harmonic that the difference passes.
   static double differenceGain(double offset) noexcept;
   // ... that is passed in the line's first turn.
@@ -40,15 +42,17 @@ class TurnDifference {
   bool ready() const noexcept { return seen_ > needed_; }
 
  private:
-  static constexpr int kTaps = 16;
+  static constexpr int kTaps = dsp::kernels::kDelayTaps;
   static constexpr int kHalfTaps = kTaps / 2;
   struct Delay {
     std::size_t whole = 0;
     std::array<double, kTaps> taps{};
   };
+  static constexpr std::size_t kMostFrames = 256;  // that the ring takes at once
   static void make(double delay, Delay& out) noexcept;
-  double read(const double* ring, const Delay& delay) const noexcept;
+  void remember(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
 
+  dsp::kernels::Kernels kernels_;
   int channels_ = 0;
   double rate_ = 0.0;
   double turn_ = 0.0;

@@ -11,10 +11,10 @@ namespace stillcut::detect {
 class TurnMarks {
  public:
   void reset() noexcept { *this = {}; }
-  // One frame, `step` [rad] of the spindle.
-  void advance(double step) noexcept {
-    now_.frame += 1.0;
-    now_.angle += step;
+  // So many frames of `step` [rad] of the spindle each.
+  void advance(double step, int frames) noexcept {
+    now_.frame += frames;
+    now_.angle += frames * step;
   }
   void endHop() noexcept;
   // Frames since the spindle stood so many turns back; beyond the marks, `unmarked`.

@@ -18,9 +18,13 @@ void Spectrum::prepare(int segment, Hertz rate, WindowKind window, int padded) {
 }
 
 void Spectrum::transform(std::span<const double> samples) noexcept {
-  const std::span<double> in = fft_.input();
-  kernels_.multiply(samples.data(), window_.data(), in.data(), window_.size());
-  std::fill(in.begin() + static_cast<std::ptrdiff_t>(window_.size()), in.end(), 0.0);
+  transform(samples.first(window_.size()), {});
+}
+
+void Spectrum::transform(std::span<const double> older, std::span<const double> newer) noexcept {
+  double* in = fft_.input().data();
+  kernels_.multiply(older.data(), window_.data(), in, older.size());
+  kernels_.multiply(newer.data(), window_.data() + older.size(), in + older.size(), newer.size());
   values_ = fft_.forward();
 }
 

@@ -24,6 +24,8 @@ class Spectrum {
 
   // Transforms exactly segment() samples, oldest first.
   void transform(std::span<const double> samples) noexcept;
+  // The same from the two parts of a ring.
+  void transform(std::span<const double> older, std::span<const double> newer) noexcept;
 
   std::span<const std::complex<double>> values() const { return values_; }
   // |X|^2 of every bin.

@@ -74,6 +74,10 @@ STILLCUT_INLINE void harmonicLoop(const HarmonicRun& run, const Then& then) {
         return inRegisters<3>(run, then);
       case 4:
         return inRegisters<4>(run, then);
+      case 5:
+        return inRegisters<5>(run, then);
+      case 6:
+        return inRegisters<6>(run, then);
       default:
         break;
     }

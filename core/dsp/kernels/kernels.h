@@ -115,6 +115,21 @@ struct ParametricRun {
   double* thetaSum = nullptr;  // 4, += theta of every frame
 };
 
+// What does not repeat from turn to turn of one signal, by fractional delays of kDelayTaps taps: with now = x(t),
+// one = x(t - T), two = x(t - 2T), each read at or before the frame that its pointer names,
+//   difference = (now - 2 one + two) / sqrt(6), news = (now - (one + two) / 2) / sqrt(1.5).
+inline constexpr std::size_t kDelayTaps = 16;
+struct TurnRun {
+  const double* now = nullptr;  // of the first frame
+  const double* one = nullptr;  // newest frame under the taps for the first frame, kDelayTaps - 1 before it are read
+  const double* two = nullptr;
+  const double* oneTaps = nullptr;
+  const double* twoTaps = nullptr;
+  std::size_t frames = 0;
+  double* difference = nullptr;
+  double* news = nullptr;  // may be null
+};
+
 // Auto and cross spectra of two transforms (interleaved re, im), and their coherence.
 struct CoherenceRun {
   const double* x = nullptr;
@@ -180,8 +195,12 @@ struct Kernels {
   // ph = P h from the kept blocks
   void (*covarianceTimes)(const CovarianceRun&) noexcept = nullptr;
   void (*parametric)(const ParametricRun&) noexcept = nullptr;
+  void (*turns)(const TurnRun&) noexcept = nullptr;
   // out = a b
   void (*multiply)(const double* a, const double* b, double* out, std::size_t n) noexcept = nullptr;
+  double (*sum)(const double* x, std::size_t n) noexcept = nullptr;
+  // out += scale a
+  void (*addScaled)(double scale, const double* a, double* out, std::size_t n) noexcept = nullptr;
   // |z|^2 of n complex numbers, interleaved
   void (*squares)(const double* z, double* out, std::size_t n) noexcept = nullptr;
   void (*maskHarmonics)(const MaskRun&) noexcept = nullptr;

@@ -43,6 +43,22 @@ void multiply(const double* __restrict a, const double* __restrict b, double* __
   for (std::size_t i = 0; i < n; ++i) out[i] = a[i] * b[i];
 }
 
+double sum(const double* x, std::size_t n) noexcept {
+  Lanes sums[2] = {};
+  std::size_t i = 0;
+  for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
+    sums[0] = sums[0] + load(x + i);
+    sums[1] = sums[1] + load(x + i + kLanes);
+  }
+  double all = total(sums[0] + sums[1]);
+  for (; i < n; ++i) all += x[i];
+  return all;
+}
+
+void addScaled(double scale, const double* __restrict a, double* __restrict out, std::size_t n) noexcept {
+  for (std::size_t i = 0; i < n; ++i) out[i] += scale * a[i];
+}
+
 void squares(const double* __restrict z, double* __restrict out, std::size_t n) noexcept {
   for (std::size_t i = 0; i < n; ++i) out[i] = z[2 * i] * z[2 * i] + z[2 * i + 1] * z[2 * i + 1];
 }

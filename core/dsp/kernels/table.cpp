@@ -11,7 +11,10 @@ void fill(Kernels& k) noexcept {
   k.covariance = covariance;
   k.covarianceTimes = covarianceTimes;
   k.parametric = parametric;
+  k.turns = turns;
   k.multiply = multiply;
+  k.sum = sum;
+  k.addScaled = addScaled;
   k.squares = squares;
   k.maskHarmonics = maskHarmonics;
   k.scanLines = scanLines;

@@ -67,7 +67,7 @@ double meanSquareOfDifference(double f, double spindle, double growthPerTurn) {
   for (int k = 0; k < 12800; ++k) {
     const double x = (1.0 + growthPerTurn * k * spindle / kRate) * tone(f, k);
     double d = 0.0;
-    turns.process(&x, &d);
+    turns.process(&x, 1, 1, &d, nullptr, 1);
     if (k > 6400) sum += d * d;
     if (k > 6400) ++count;
   }
@@ -120,7 +120,7 @@ TEST(LineFinder, FindsALineAndItsPurity) {
   lines.prepare(1, 2048, Hertz(kRate));
   for (int k = 0; k < 4096; ++k) {
     const double x = tone(935.5, k) + 0.05 * tone(2200.0, k);
-    lines.push(&x);
+    lines.push(&x, 1, 1);
   }
   const FoundLine line = lines.find(Hertz(50.0), Hertz(5000.0));
   EXPECT_NEAR(line.frequency.value, 935.5, 0.5);
@@ -146,7 +146,7 @@ TEST(LineFinder, ReadsBetweenTheBinsWhatAPlainTransformSaysThere) {
                                     20.0 * tone(hertz, k + 5) + 10.0 * normal(engine)};
       for (std::size_t c = 0; c < 2; ++c)
         heard[c][static_cast<std::size_t>(k)] = x[c] * window[static_cast<std::size_t>(k)];
-      lines.push(x.data());
+      lines.push(x.data(), 1, 1);
     }
     const auto count = static_cast<std::size_t>((kHigh - kLow) / kStep);
     std::vector<double> plain(count, 0.0);
