@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kCalmTurns = 4.0;    // what is left of an alarm has not grown for this many turns ...
 constexpr double kCalmSeconds = 0.1;  // ... and so long, where the speed has changed since,
-constexpr double kLongCalm = 0.25;    // ... and so long, where it has not
+constexpr double kLongCalm = 0.15;    // ... and so long, where it has not
 constexpr double kLittle = 2.5e-3;    // 5 % of the amplitude
 constexpr double kCalmGrowth = 3.0;   // in energy: more is growth, not scatter of noise
 

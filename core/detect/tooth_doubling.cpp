@@ -1,19 +1,30 @@
 #include "core/detect/tooth_doubling.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillcut::detect {
 namespace {
 
-constexpr double kSmallest = 5e-3;  // of the vibration's energy: 7 % of its amplitude
+constexpr double kSmallest = 5e-3;  // of the other orders' energy: 7 % of their amplitude
+
+constexpr double kOtherSpeed = 5e-3;
 
 }  // namespace
+
+void ToothDoubling::setSpindle(Hertz spindle) noexcept {
+  onset_.setSpindle(spindle);
+  if (grown() || std::abs(spindle.value - learnedAt_.value) < kOtherSpeed * spindle.value) return;
+  learnedAt_ = spindle;
+  relearn();
+}
 
 void ToothDoubling::prepare(int teeth, int eta, double evidence) noexcept {
   teeth_ = teeth % 2 == 0 ? teeth : 0;
   eta_ = eta;
   share_ = weightedShare_ = purity_ = 0.0;
   order_ = 0;
+  learnedAt_ = {};
   onset_.prepare({kSmallest, evidence});
   relearn();
 }
@@ -38,7 +49,7 @@ void ToothDoubling::endHop(const EnergyChain& chain, int channel) noexcept {
     order_ = n;
   }
   energy_ = odd;
-  share_ = all > 0.0 ? odd / all : 0.0;
+  share_ = all > odd ? odd / (all - odd) : 0.0;
   weightedShare_ = weightedAll > 0.0 ? weightedOdd / weightedAll : 0.0;
   purity_ = odd > 0.0 ? strongest / odd : 0.0;
 }

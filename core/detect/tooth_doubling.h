@@ -18,7 +18,8 @@ class ToothDoubling {
   // eta: of the energy ratio's weights (Caliskan 2018 eq. 28).
   void prepare(int teeth, int eta, double evidence) noexcept;
   void relearn() noexcept { onset_.reset(); }
-  void setSpindle(Hertz spindle) noexcept { onset_.setSpindle(spindle); }
+  // What modes make of runout changes with the speed: beyond their damping's width the floor is learned anew.
+  void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
   void test(double turns, bool learn) noexcept;
@@ -40,6 +41,7 @@ class ToothDoubling {
   double weightedShare_ = 0.0;
   double purity_ = 0.0;
   int order_ = 0;
+  Hertz learnedAt_{};
   OnsetTest onset_;
 };
 

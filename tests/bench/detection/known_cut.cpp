@@ -159,6 +159,12 @@ KnownCut simulate(const SimulationOrder& order) {
   if (order.scenario.programme.exit) cut.silentFrom = order.scenario.programme.exit->at + 0.1;
   if (order.doubling) {
     takeDoubling(cut, order);
+    // Near the limit runout of alternate teeth is magnified without any chatter; that begins with the instability.
+    for (const auto& entry : plant.truth().log()) {
+      if (!entry.unstable) continue;
+      cut.at20 = std::max(cut.at20, static_cast<double>(entry.time));
+      break;
+    }
   } else {
     takeTruth(cut, order, plant.truth());
   }
