@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "core/model/operator_input.h"
+
 namespace stillcut {
 namespace {
 
@@ -119,6 +121,16 @@ const Row& rowOf(ReasonCode code) {
   return kRows[0];
 }
 
+std::string numberText(const Reason& reason, std::size_t index, int decimals) {
+  if (reason.code == ReasonCode::AuthorityChanged) {
+    const double level = reason.n[index];  // from a damaged file it may be anything
+    return std::string(name(level > 1.5 ? Authority::Auto : level > 0.5 ? Authority::Advise : Authority::Off));
+  }
+  char number[48];
+  std::snprintf(number, sizeof number, "%.*f", decimals, reason.n[index]);
+  return number;
+}
+
 }  // namespace
 
 std::string_view identifier(ReasonCode code) {
@@ -134,10 +146,7 @@ std::string sentence(const Reason& reason) {
   std::string out;
   for (std::size_t i = 0; i < form.size(); ++i) {
     if (form[i] == '{' && i + 4 < form.size() && form[i + 2] == '.' && form[i + 4] == '}') {
-      char number[48];
-      const auto index = static_cast<std::size_t>(form[i + 1] - '0');
-      std::snprintf(number, sizeof number, "%.*f", form[i + 3] - '0', reason.n[index]);
-      out += number;
+      out += numberText(reason, static_cast<std::size_t>(form[i + 1] - '0'), form[i + 3] - '0');
       i += 4;
     } else {
       out += form[i];

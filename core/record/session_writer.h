@@ -15,7 +15,7 @@
 
 namespace stillcut::record {
 
-inline constexpr int kSessionVersion = 3;
+inline constexpr int kSessionVersion = 4;        // an input names the advice that it answers
 inline constexpr int kOldestSessionVersion = 2;  // without markers, segments and pyramid
 
 struct SessionHeader {

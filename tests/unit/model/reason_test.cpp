@@ -52,6 +52,7 @@ TEST(Reason, ACodeFromANewerVersionIsNoneAndNoCrash) {
 
 TEST(Reason, NumbersStandWhereTheirSentencePutsThemWithTheirDigits) {
   EXPECT_EQ(sentence(reason(ReasonCode::EnergyRatioHigh, {0.6249, 0.2})), "energy ratio 0.62 is over 0.20");
+  EXPECT_EQ(sentence(reason(ReasonCode::AuthorityChanged, {2.0, 1.0})), "authority changed from auto to advise");
   EXPECT_EQ(sentence(reason(ReasonCode::CentreOfNextPocket, {8565.4, 3.0, 1713.0, 8800.0})),
             "8565 rpm puts 3 chatter waves of 1713 Hz between two teeth, from 8800 rpm");
   EXPECT_EQ(sentence(reason(ReasonCode::Monitoring)), "monitoring only");
