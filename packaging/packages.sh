@@ -7,7 +7,7 @@ desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev 
   qt6-serialbus-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
 test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy git python3-h5py"
 # Real machines for the link tests; a test whose peer is absent skips with one line.
-peer_packages="linuxcnc-uspace python3-pymodbus python3-serial-asyncio socat"
+peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat"
 
 # What makes and checks the Debian package.
 package_packages="dpkg-dev help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"

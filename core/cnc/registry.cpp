@@ -36,6 +36,9 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   s.rsh.port = settings.whole("port", s.rsh.port, 1, 65535);
   s.hal.host = s.rsh.host;
   s.hal.port = settings.whole("hal_port", s.hal.port, 1, 65535);
+  s.component.host = s.rsh.host;
+  if (settings.has("hal_component_port")) s.component.port = settings.whole("hal_component_port", 5008, 1, 65535);
+  s.adaptiveFeed = settings.flag("adaptive_feed", s.adaptiveFeed);
   s.password = settings.text("password", s.password);
   s.controlPassword = settings.text("control_password", s.controlPassword);
   s.lowestSpeed = settings.whole("lowest_speed_percent", s.lowestSpeed, 1, 100);
@@ -44,8 +47,12 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   s.highestFeed = settings.whole("highest_feed_percent", s.highestFeed, 100, 400);
   if (Status known = settings.finish(); !known) return known.error();
   if (Status real = realMachine(r, where); !real) return real.error();
+  if (s.adaptiveFeed && s.component.port == 0) {
+    return Error{where, "'adaptive_feed' needs 'hal_component_port'", "it goes through stillcut-hal"};
+  }
   LinuxCncLink::Wires wires;
-  for (auto [wire, address] : {std::pair{&wires.control, &s.rsh}, {&wires.watch, &s.rsh}, {&wires.hal, &s.hal}}) {
+  const WireAddress& control = s.component.port > 0 ? s.component : s.rsh;
+  for (auto [wire, address] : {std::pair{&wires.control, &control}, {&wires.watch, &s.rsh}, {&wires.hal, &s.hal}}) {
     auto made = r.wires(*address);
     if (!made) return made.error();
     *wire = std::move(made).value();

@@ -39,6 +39,10 @@ class SharedKnob {
   bool home() const { return sentCount_ == 0 || (shown_ && underway_.value_or(*shown_) == base_); }
   bool known() const { return shown_.has_value(); }
   int shown() const { return shown_.value_or(100); }
+  // Where it should stand: the base times our factor, within the register's range.
+  int target() const noexcept;
+  // The operator's hand has ended the engagement that is running.
+  bool grabbed() const { return grabbed_; }
   // The operator's part, 1.0 is 100 %.
   Ratio base() const { return Ratio(base_ * 0.01); }
 
@@ -47,7 +51,6 @@ class SharedKnob {
     int percent = 0;
     Instant when{};
   };
-  int target() const noexcept;
   bool mayBeOurs(int percent, Instant now) const noexcept;
 
   int lowest_, highest_;

@@ -42,6 +42,7 @@ inline const std::vector<Room>& roomTable() {
       {"ui/shell",
        {"core/base", "core/model", "core/config", "ui/models", "ui/plots", "ui/widgets", "ui/pages", "ui/report"}},
       {"app/io", {"core/*"}},
+      {"app/hal", {"core/base", "core/cnc"}},
       {"app/compose", {"core/*", "app/io"}},
       {"app/cli", {"core/*", "app/compose", "app/io"}},
       {"app/session", {"core/*", "ui/models", "ui/shell", "app/compose", "app/io"}},

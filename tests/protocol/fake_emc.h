@@ -38,14 +38,14 @@ class FakeEmcClient final : public Peer {
     if (mill_.owner == this) mill_.owner = nullptr;
   }
   void take(std::string_view bytes, Instant, const Answer& answer) override {
-    splitter_.feed(bytes, [&](std::string_view line) { line_(std::string(line), answer); });
+    splitter_.feed(bytes, [&](std::string_view line) { obey(std::string(line), answer); });
   }
 
  private:
   void ack(const std::string& what, bool yes, double delay, const Answer& answer) const {
     if (verbose_) answer("SET " + what + (yes ? " ACK\n\r" : " NAK\n\r"), delay);
   }
-  void line_(const std::string& line, const Answer& answer) {
+  void obey(const std::string& line, const Answer& answer) {
     if (mill_.crashed) return;
     if (line.starts_with("hello EMC ")) {
       greeted_ = true;

@@ -8,6 +8,8 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
 #include "app/io/tcp_wire.h"
@@ -42,7 +44,7 @@ bool answers(int port, int tries) {
 
 }  // namespace
 
-LinuxCncPeer::LinuxCncPeer() {
+LinuxCncPeer::LinuxCncPeer(Overrides overrides) {
   const fs::path shared = fs::path(STILLCUT_SHARED_DIR) / "peers/linuxcnc";
   if (!fs::exists(shared)) {
     why_ = "the shared LinuxCNC mill is not here";
@@ -55,6 +57,7 @@ LinuxCncPeer::LinuxCncPeer() {
   std::string name = (fs::temp_directory_path() / "stillcut-linuxcnc-XXXXXX").string();
   folder_ = ::mkdtemp(name.data());
   for (const auto& entry : fs::directory_iterator(shared)) fs::copy(entry.path(), folder_ / entry.path().filename());
+  if (overrides == Overrides::Component) addComponent();
   if (::getuid() == 0) {
     if (::chown(folder_.c_str(), kNobody, kNobody) != 0) why_ = "the mill's folder cannot be handed over";
     for (const auto& entry : fs::directory_iterator(folder_)) {
@@ -62,6 +65,38 @@ LinuxCncPeer::LinuxCncPeer() {
     }
   }
   if (ok()) start();
+}
+
+void LinuxCncPeer::addComponent() {
+#ifdef STILLCUT_HAL_PROGRAM
+  fs::copy(STILLCUT_HAL_PROGRAM, folder_ / "stillcut-hal");
+  fs::copy(STILLCUT_SOURCE_DIR "/packaging/linuxcnc/stillcut.hal", folder_ / "stillcut.hal");
+  std::ifstream in(folder_ / "sim.ini");
+  std::string ini((std::istreambuf_iterator<char>(in)), {});
+  const std::string last = "HALFILE = chatter-extra.hal\n";
+  const std::size_t place = ini.find(last);
+  if (place == std::string::npos) {
+    why_ = "the shared mill's sim.ini is another";
+    return;
+  }
+  ini.insert(place + last.size(), "HALFILE = stillcut.hal\n");
+  fs::remove(folder_ / "sim.ini");
+  std::ofstream(folder_ / "sim.ini") << ini;
+#else
+  why_ = "stillcut-hal is not built (package linuxcnc-uspace-dev)";
+#endif
+}
+
+pid_t LinuxCncPeer::component() const {
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator("/proc", gone)) {
+    std::ifstream comm(entry.path() / "comm");
+    std::string name;
+    if (!std::getline(comm, name) || name != "stillcut-hal") continue;
+    const auto pid = static_cast<pid_t>(std::stol(entry.path().filename().string()));
+    if (::getsid(pid) == machine_) return pid;  // ours, and nobody else's
+  }
+  return -1;
 }
 
 LinuxCncPeer::~LinuxCncPeer() {
@@ -82,6 +117,7 @@ pid_t LinuxCncPeer::spawn(const std::vector<std::string>& words, const char* log
   ::dup2(out, 2);
   ::setenv("HOME", folder_.c_str(), 1);
   ::setenv("USER", "nobody", 1);
+  ::setenv("PATH", (folder_.string() + ":" + std::getenv("PATH")).c_str(), 1);
   std::vector<char*> arguments;
   arguments.reserve(words.size() + 1);
   for (const std::string& w : words) arguments.push_back(const_cast<char*>(w.c_str()));

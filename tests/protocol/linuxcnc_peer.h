@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -11,13 +12,15 @@ namespace stillcut::cnc::testing {
 
 class LinuxCncPeer {
  public:
+  enum class Overrides : std::uint8_t { Rsh, Component };
   // Starts the machine and waits until it answers. ok() false: why() says what is absent.
-  LinuxCncPeer();
+  // Component: with stillcut-hal and packaging/linuxcnc/stillcut.hal.
+  explicit LinuxCncPeer(Overrides overrides = Overrides::Rsh);
   ~LinuxCncPeer();
   LinuxCncPeer(const LinuxCncPeer&) = delete;
   LinuxCncPeer& operator=(const LinuxCncPeer&) = delete;
 
-  static constexpr int kPort = 5007, kHalPort = 5006;
+  static constexpr int kPort = 5007, kHalPort = 5006, kComponentPort = 5008;
 
   bool ok() const { return why_.empty(); }
   const std::string& why() const { return why_; }
@@ -26,10 +29,13 @@ class LinuxCncPeer {
 
   // Machine on and homed, `program` of its folder running from the beginning, overrides at 100 %.
   void run(const std::string& program);
+  // The process of the machine's stillcut-hal; -1: none.
+  pid_t component() const;
   // Requests to linuxcncrsh as another client sends them; the replies.
   static std::string talk(const std::vector<std::string>& requests);
 
  private:
+  void addComponent();
   pid_t spawn(const std::vector<std::string>& words, const char* log) const;
 
   std::filesystem::path folder_;

@@ -1,30 +1,22 @@
 // The link against a real LinuxCNC with a spindle that takes time. One machine for all of these, started once; they
 // wait for it in real time, and each wait is bounded.
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
 #include <cmath>
 #include <csignal>
-#include <functional>
 #include <memory>
-#include <utility>
 
-#include "app/io/wires.h"
-#include "core/cnc/linuxcnc_link.h"
-#include "core/cnc/registry.h"
-#include "tests/protocol/commands.h"
-#include "tests/protocol/linuxcnc_peer.h"
+#include "tests/protocol/commander.h"
+#include "tests/protocol/linuxcnc_bench.h"
 
 namespace stillcut::cnc {
 namespace {
 
-using testing::CommandMaker;
+using testing::Commander;
+using testing::linkToLinuxCnc;
 using testing::LinuxCncPeer;
 
-class LinuxCncReal : public ::testing::Test {
+class LinuxCncReal : public testing::LinuxCncBench {
  protected:
   static void SetUpTestSuite() { peer_ = new LinuxCncPeer; }
   static void TearDownTestSuite() {
@@ -34,46 +26,17 @@ class LinuxCncReal : public ::testing::Test {
   void SetUp() override {
     if (!peer_->ok()) GTEST_SKIP() << peer_->why();
     peer_->run("long.ngc");
-    link_ = makeOne();
+    link_ = linkToLinuxCnc();
     ASSERT_TRUE(until(cutting)) << "program " << seen_.programRunning << ", speed " << seen_.actualSpeed.value;
   }
   void TearDown() override { link_.reset(); }
 
-  static std::unique_ptr<CncLink> makeOne() {
-    static const SteadyClock clock;
-    LinkRequest request;
-    request.settings = {{"host", "127.0.0.1"}};
-    request.wires = app::makeWire;
-    request.clock = &clock;
-    return std::move(makeLink("linuxcnc", request)).value();
-  }
-  // long.ngc at its speed.
-  static bool cutting(const MachineState& m) {
-    return m.valid && m.programRunning && m.programmedSpeed.value == 8000.0 &&
-           std::abs(m.actualSpeed.value - 8000.0) < 40.0;
-  }
-  // Ticks of the link thread until `wanted`, or false after `seconds`.
-  bool until(const std::function<bool(const MachineState&)>& wanted, double seconds = 8.0) {
-    const Instant end = clock_.now() + toDuration(Seconds(seconds));
-    while (clock_.now() < end) {
-      seen_ = link_->read(clock_.now());
-      if (wanted(seen_)) return true;
-      ::usleep(2000);
-    }
-    return false;
-  }
-  void apply(double percent) { link_->apply(gate_.set(percent), clock_.now()); }
-
   static LinuxCncPeer* peer_;
-  SteadyClock clock_;
-  std::unique_ptr<CncLink> link_;
-  CommandMaker gate_;
-  MachineState seen_;
 };
 LinuxCncPeer* LinuxCncReal::peer_ = nullptr;
 
 TEST_F(LinuxCncReal, OpensReadsAndLeavesControlAlone) {
-  ASSERT_TRUE(makeOne()->open().ok());
+  ASSERT_TRUE(linkToLinuxCnc()->open().ok());
   EXPECT_NEAR(seen_.programmedSpeed.value, 8000.0, 1e-6);
   EXPECT_NEAR(seen_.actualSpeed.value, 8000.0, 80.0);
   EXPECT_TRUE(seen_.overridesEnabled && seen_.controlOurs && seen_.linkUp);
@@ -118,30 +81,11 @@ TEST_F(LinuxCncReal, AbortedProgramIsNotRunning) {
 // What peers.md says of this machine, and why it needs a watchdog of its own: the override stays.
 TEST_F(LinuxCncReal, KilledProgramLeavesTheOverrideAndTheNextStartSeesIt) {
   link_.reset();  // one client at a time: see linuxcnc_link.h
-  std::array<int, 2> pipe{};
-  ASSERT_EQ(::pipe(pipe.data()), 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const auto link = makeOne();
-    const SteadyClock clock;
-    CommandMaker gate;
-    const OverrideCommand command = gate.set(90.0);
-    bool told = false;
-    while (true) {
-      const MachineState m = link->read(clock.now());
-      link->apply(command, clock.now());
-      if (!told && m.valid && std::abs(m.speedOverride.value - 0.9) < 1e-6) told = ::write(pipe[1], "k", 1) == 1;
-      ::usleep(2000);
-    }
-  }
-  pollfd inForce{pipe[0], POLLIN, 0};
-  const bool took = ::poll(&inForce, 1, 15000) == 1;
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
-  ::close(pipe[0]);
-  ::close(pipe[1]);
-  ASSERT_TRUE(took);
-  link_ = makeOne();
+  {
+    const Commander program([] { return linkToLinuxCnc(); });
+    ASSERT_TRUE(program.took());
+  }  // killed
+  link_ = linkToLinuxCnc();
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid && std::abs(m.speedOverride.value - 0.9) < 1e-6; }));
   EXPECT_FALSE(link_->describe().machineWatchdog);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tests/protocol/commands.h"
@@ -178,6 +179,19 @@ TEST(LinuxCnc, PulledCableComesBackAndTheOverridesWithIt) {
   EXPECT_EQ(b.mill.spindle, 100);  // as soon as the wire is back
   EXPECT_EQ(b.mill.feed, 100);
   EXPECT_EQ(b.mill.owner, nullptr);
+}
+
+TEST(LinuxCnc, CommandsWithEveryTickDoNotKeepTheWatchFromLooking) {
+  Bench b;
+  const OverrideCommand command = b.gate.set(90.0);
+  double oldest = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    b.link->apply(command, b.clock.now());
+    const MachineState m = b.run(0.005);
+    if (i > 20) oldest = std::max(oldest, m.valid ? secondsBetween(m.time, b.clock.now()).value : 1.0);
+  }
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_LT(oldest, 0.25);  // two ACKs of 100 ms, one after the other
 }
 
 TEST(LinuxCnc, LatestWinsAndNothingQueuesUp) {

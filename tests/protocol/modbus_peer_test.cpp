@@ -17,6 +17,7 @@
 #include "app/io/tcp_wire.h"
 #include "app/io/wires.h"
 #include "core/cnc/modbus_link.h"
+#include "tests/protocol/bounded_wait.h"
 #include "tests/protocol/commands.h"
 
 namespace stillcut::cnc {
@@ -72,13 +73,10 @@ class ModbusReal : public ::testing::Test {
     link_ = std::make_unique<ModbusLink>(std::move(map).value(), std::move(bus).value(), clock_);
   }
   bool until(const std::function<bool(const MachineState&)>& wanted, double seconds = 8.0) {
-    const Instant end = clock_.now() + toDuration(Seconds(seconds));
-    while (clock_.now() < end) {
+    return testing::within(Seconds(seconds), [&] {
       seen_ = link_->read(clock_.now());
-      if (wanted(seen_)) return true;
-      ::usleep(2000);
-    }
-    return false;
+      return wanted(seen_);
+    });
   }
   // Everything a link has to do, on whatever wire.
   void readsMovesAndBringsBack() {
@@ -137,7 +135,7 @@ TEST_F(ModbusReal, RtuOverASerialPairReadsMovesAndBringsBack) {
   const std::string ours = folder + "/a";
   const std::string theirs = folder + "/b";
   const Child pair({"socat", "PTY,raw,echo=0,link=" + ours, "PTY,raw,echo=0,link=" + theirs});
-  for (int i = 0; i < 500 && !(fs::exists(ours) && fs::exists(theirs)); ++i) ::usleep(10000);
+  ASSERT_TRUE(testing::within(Seconds(5.0), [&] { return fs::exists(ours) && fs::exists(theirs); }));
   const Child server({"/usr/bin/python3", kScript, "rtu", theirs});
   connect([&](BusAddress& bus) { bus.wire = {.host = {}, .port = 0, .device = ours, .baud = 115200}; });
   readsMovesAndBringsBack();

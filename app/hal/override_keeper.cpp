@@ -1,0 +1,125 @@
+#include "app/hal/override_keeper.h"
+
+#include <algorithm>
+
+namespace stillcut::hal {
+
+using cnc::HalStanding;
+
+void OverrideKeeper::enter(Stage stage, Instant now) noexcept {
+  if (stage_ == Stage::Held) letGo_ = now;
+  stage_ = stage;
+  since_ = now;
+  armed_ = false;
+}
+
+void OverrideKeeper::take(const cnc::HalRequest& request, Instant now) noexcept {
+  request_ = request;
+  renewed_ = now;
+  if (!request.hold) {
+    if (stage_ == Stage::Held || stage_ == Stage::Fallen) enter(Stage::Home, now);
+  } else if (stage_ == Stage::Home && now - since_ >= kRest) {
+    enter(Stage::Held, now);
+  }
+}
+
+void OverrideKeeper::clientGone(Instant now) noexcept {
+  if (stage_ == Stage::Held || stage_ == Stage::Fallen) enter(Stage::Home, now);
+}
+
+void OverrideKeeper::prove(const KeeperInputs& in, Instant now) noexcept {
+  const Duration past = now - since_;
+  switch (stage_) {
+    case Stage::Resting:
+      if (past >= kRetry) enter(Stage::Arming, now);
+      break;
+    case Stage::Arming:
+      if (in.watchdogOk) {
+        enter(Stage::Listening, now);
+      } else if (past > kPatience) {
+        enter(Stage::Resting, now);
+      }
+      break;
+    case Stage::Listening:
+      if (!in.watchdogOk) {
+        watchdogMs_ = std::max(1, static_cast<int>(past / std::chrono::milliseconds(1)));
+        enter(Stage::Home, now);
+      } else if (past > kLongestProof) {
+        enter(Stage::Resting, now);
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void OverrideKeeper::hold(const KeeperInputs& in, Instant now) noexcept {
+  if (stage_ != Stage::Held) return;
+  armed_ = armed_ || in.watchdogOk;
+  const bool fell = armed_ ? !in.watchdogOk : now - since_ > kPatience;
+  if (fell || !in.permit) {
+    enter(Stage::Fallen, now);
+  } else if (now - renewed_ > kLease) {
+    enter(Stage::Home, now);
+  }
+}
+
+void OverrideKeeper::show(Instant now) noexcept {
+  const bool held = stage_ == Stage::Held;
+  pins_.active = held || stage_ == Stage::Arming || stage_ == Stage::Listening;
+  if (pins_.active && stage_ != Stage::Listening && now - beat_ >= kShortestBeat) {
+    pins_.heartbeat = !pins_.heartbeat;
+    beat_ = now;
+  }
+  if (held) {
+    pins_.speedEnable = request_.speed.has_value();
+    pins_.feedEnable = request_.feed.has_value();
+    pins_.speed = request_.speed.value_or(request_.homeSpeed);
+    pins_.feed = request_.feed.value_or(request_.homeFeed);
+    pins_.adaptiveFeed = request_.adaptiveFeed;
+    pins_.homeSpeed = request_.homeSpeed;
+    pins_.homeFeed = request_.homeFeed;
+    return;
+  }
+  // On the way home the goal stays as it was; afterwards it follows the operator's knobs, and nobody looks.
+  const bool onTheWay = (pins_.speedEnable || pins_.feedEnable) && now - letGo_ <= kWayHome;
+  if (!onTheWay) {
+    pins_.speedEnable = pins_.feedEnable = false;
+    pins_.homeSpeed = request_.homeSpeed;
+    pins_.homeFeed = request_.homeFeed;
+  }
+  pins_.speed = pins_.homeSpeed;
+  pins_.feed = pins_.homeFeed;
+  pins_.adaptiveFeed = 1.0;
+}
+
+const KeeperPins& OverrideKeeper::tick(const KeeperInputs& in, Instant now) noexcept {
+  prove(in, now);
+  hold(in, now);
+  show(now);
+  return pins_;
+}
+
+cnc::HalReport OverrideKeeper::report() const noexcept {
+  cnc::HalReport r;
+  r.watchdogMs = watchdogMs_;
+  r.speed = stage_ == Stage::Held ? pins_.speed : pins_.homeSpeed;
+  r.feed = stage_ == Stage::Held ? pins_.feed : pins_.homeFeed;
+  r.adaptiveFeed = stage_ == Stage::Held ? pins_.adaptiveFeed : 1.0;
+  switch (stage_) {
+    case Stage::Home:
+      r.standing = HalStanding::Home;
+      break;
+    case Stage::Held:
+      r.standing = HalStanding::Held;
+      break;
+    case Stage::Fallen:
+      r.standing = HalStanding::Fallen;
+      break;
+    default:
+      break;
+  }
+  return r;
+}
+
+}  // namespace stillcut::hal

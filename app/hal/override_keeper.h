@@ -1,0 +1,65 @@
+// OverrideKeeper: what stillcut-hal's pins show, from what the client asks and what the machine's watchdog answers.
+// A lease: requests must keep coming, or the pins go home. Behind it stands the machine's own watchdog, which does the
+// same when the heartbeat pin stops, whatever became of this program (packaging/linuxcnc/stillcut.hal). Nothing is
+// taken before that watchdog was seen to act: armed with the knobs at home, left without a heartbeat, timed until it
+// lets go. Thread: one. Real-time safe; knows no HAL.
+#pragma once
+
+#include <chrono>
+
+#include "core/base/time.h"
+#include "core/cnc/hal_words.h"
+
+namespace stillcut::hal {
+
+struct KeeperInputs {
+  bool watchdogOk = false;  // of the machine's watchdog: armed, and the heartbeat is in time
+  bool permit = true;       // the operator's switch
+};
+
+struct KeeperPins {
+  bool active = false;     // arms the watchdog
+  bool heartbeat = false;  // changes with every tick while active
+  // The machine follows the two percentages only while these are set; they stay for a while after the end, so that the
+  // way home is followed as well.
+  bool speedEnable = false, feedEnable = false;
+  int speed = 100, feed = 100;
+  double adaptiveFeed = 1.0;
+  int homeSpeed = 100, homeFeed = 100;  // what the machine takes when the watchdog is not ok
+};
+
+class OverrideKeeper {
+ public:
+  static constexpr Duration kLease = std::chrono::milliseconds(60);
+  static constexpr Duration kPatience = std::chrono::milliseconds(100);  // for the watchdog to answer an arming
+  static constexpr Duration kLongestProof = std::chrono::milliseconds(500);
+  static constexpr Duration kRetry = std::chrono::seconds(1);
+  static constexpr Duration kWayHome = std::chrono::milliseconds(200);  // halui takes up to 130 ms for both
+  // The watchdog is armed by a rising edge: a few periods of the machine's thread must have seen the pin low.
+  static constexpr Duration kRest = std::chrono::milliseconds(10);
+  static constexpr Duration kShortestBeat = std::chrono::milliseconds(2);
+
+  void take(const cnc::HalRequest& request, Instant now) noexcept;
+  void clientGone(Instant now) noexcept;
+  // Every few milliseconds; a heartbeat each, but none that is too short for the machine's thread to see.
+  const KeeperPins& tick(const KeeperInputs& in, Instant now) noexcept;
+  cnc::HalReport report() const noexcept;
+  bool held() const { return stage_ == Stage::Held; }
+
+ private:
+  enum class Stage : std::uint8_t { Resting, Arming, Listening, Home, Held, Fallen };
+
+  void enter(Stage stage, Instant now) noexcept;
+  void prove(const KeeperInputs& in, Instant now) noexcept;
+  void hold(const KeeperInputs& in, Instant now) noexcept;
+  void show(Instant now) noexcept;
+
+  Stage stage_ = Stage::Resting;
+  Instant since_{}, renewed_{}, letGo_{}, beat_{};
+  cnc::HalRequest request_;
+  KeeperPins pins_;
+  bool armed_ = false;  // the watchdog has said ok in this engagement
+  int watchdogMs_ = 0;
+};
+
+}  // namespace stillcut::hal

@@ -1,0 +1,133 @@
+#include "core/cnc/hal_hand.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kPatience = std::chrono::milliseconds(300);
+constexpr Duration kEvery = std::chrono::milliseconds(10);  // its lease is 60 ms
+
+// halui sends a percentage when it changes, once; another program's order at the same moment can push it out.
+constexpr Duration kShowsWithin = std::chrono::milliseconds(500);
+constexpr Duration kNudge = std::chrono::milliseconds(60);  // it looks every 20 ms
+
+int percentOf(Ratio r) {
+  return static_cast<int>(std::lround(r.value * 100.0));
+}
+
+}  // namespace
+
+HalHand::HalHand(std::unique_ptr<ByteChannel> channel, bool adaptiveFeed, const Clock& clock)
+    : channel_(std::move(channel)), adaptiveFeed_(adaptiveFeed), clock_(clock) {}
+
+bool HalHand::up() const noexcept {
+  return heard_ && report_.standing != HalStanding::Unproven;
+}
+
+bool HalHand::ours(Instant) const noexcept {
+  return up() && report_.standing != HalStanding::Fallen;
+}
+
+bool HalHand::done(const EmcKnobs& knobs) const noexcept {
+  // Without a connection the machine has gone home by itself.
+  return !up() || (knobs.speed.home() && knobs.feed.home() && !last_.hold && report_.standing == HalStanding::Home);
+}
+
+void HalHand::close() noexcept {
+  channel_->close();
+  splitter_.clear();
+  heard_ = waiting_ = false;
+  last_ = {};
+}
+
+bool HalHand::keepUp(Instant now) noexcept {
+  switch (channel_->state()) {
+    case WireState::Closed:
+      if (heard_ || waiting_) close();
+      if (now < nextTry_) return false;
+      nextTry_ = now + kRetry;
+      asked_ = now;
+      channel_->connect();
+      return false;
+    case WireState::Opening:
+      if (now - asked_ > kPatience) close();
+      return false;
+    case WireState::Open:
+      if (!waiting_ || now - asked_ <= kPatience) return true;
+      close();
+      return false;
+  }
+  return false;
+}
+
+void HalHand::listen(Instant now) noexcept {
+  std::array<char, 256> bytes;
+  while (const std::size_t n = channel_->read(bytes)) {
+    splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
+      const auto report = readHalReport(line);
+      if (!report) return;
+      report_ = *report;
+      heard_ = true;
+      if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(sentAt_, std::max(now, clock_.now())));
+    });
+    if (n < bytes.size()) break;
+  }
+}
+
+bool HalHand::arrived(const SharedKnob& knob) {
+  return knob.grabbed() || !knob.known() || knob.shown() == knob.target();
+}
+
+// What to write: the target; and where that does not show, for a moment one per cent beside it, so that it changes.
+std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, Instant now) noexcept {
+  if (knob.grabbed() || !knob.known()) return std::nullopt;
+  const int target = knob.target();
+  if (target != turned.goal || arrived(knob)) turned = {target, turned.written, false, now};
+  if (now - turned.since > (turned.nudging ? kNudge : kShowsWithin)) {
+    turned.nudging = !turned.nudging;
+    turned.since = now;
+  }
+  const int percent = turned.nudging ? (target > 1 ? target - 1 : target + 1) : target;
+  if (percent != turned.written || knob.due() == percent) knob.sent(percent, now);
+  turned.written = percent;
+  return percent;
+}
+
+void HalHand::send(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
+  HalRequest r;
+  // Let go of once both are seen to be home.
+  const bool onTheWay = report_.standing == HalStanding::Held && !(arrived(knobs.speed) && arrived(knobs.feed));
+  r.hold = up() && (wanted || onTheWay);
+  r.homeSpeed = percentOf(knobs.speed.base());
+  r.homeFeed = percentOf(knobs.feed.base());
+  if (r.hold && report_.standing != HalStanding::Fallen) {  // fallen: not taken before we have let go
+    r.speed = turn(knobs.speed, speed_, now);
+    r.feed = adaptiveFeed_ ? std::nullopt : turn(knobs.feed, feed_, now);
+    r.adaptiveFeed = adaptiveFeed_ ? std::clamp(knobs.adaptiveFeed.value, 0.0, 1.0) : 1.0;
+  }
+  std::array<char, kHalLine> text{};
+  waiting_ = true;
+  asked_ = now;
+  sentAt_ = std::max(now, clock_.now());
+  if (!channel_->write(writeHalRequest(r, text))) return close();
+  last_ = r;
+}
+
+void HalHand::turn(EmcKnobs& knobs, bool wanted, bool, EmcStatus&, Instant now) noexcept {
+  if (!keepUp(now)) {
+    knobs.speed.refused();
+    knobs.feed.refused();
+    return;
+  }
+  listen(now);
+  const bool news = wanted != last_.hold || (wanted && (knobs.speed.due() || knobs.feed.due()));
+  if (!waiting_ && (news || now - asked_ >= kEvery)) send(knobs, wanted, now);
+}
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,85 @@
+// stillcut-hal beside the machine: the real keeper behind a scripted wire, a watchdog as LinuxCNC's component has it
+// (armed by a rising edge, fallen until the next one), and halui, which follows a percentage within 120 ms of its
+// change and only while it is enabled.
+#pragma once
+
+#include <optional>
+
+#include "app/hal/override_keeper.h"
+#include "core/cnc/line_splitter.h"
+#include "tests/protocol/fake_emc.h"
+
+namespace stillcut::cnc::testing {
+
+class FakeWatchdog {
+ public:
+  bool ok = false, wired = true;
+  void look(const hal::KeeperPins& pins, Instant now) {
+    if (pins.active && !armed_) ok = wired;
+    armed_ = pins.active;
+    if (pins.heartbeat != beat_ || (pins.active && !heard_)) heardAt_ = now;
+    heard_ = pins.active;
+    beat_ = pins.heartbeat;
+    if (now - heardAt_ > std::chrono::milliseconds(30)) ok = false;
+  }
+
+ private:
+  bool armed_ = false, beat_ = false, heard_ = false;
+  Instant heardAt_{};
+};
+
+class FakeHal final : public Peer {
+ public:
+  FakeHal(FakeMill& mill, test::VirtualClock& clock) : mill_(mill), clock_(clock) {}
+
+  bool killed = false;  // its pins stay as they were
+  bool permit = true;
+  int lost = 0;  // orders of halui that do not arrive
+  FakeWatchdog watchdog;
+  hal::OverrideKeeper keeper;
+  hal::KeeperPins pins;
+
+  void gone() override {
+    if (!killed) keeper.clientGone(clock_.now());
+  }
+  void take(std::string_view bytes, Instant now, const Answer& answer) override {
+    if (killed) return;
+    splitter_.feed(bytes, [&](std::string_view line) {
+      if (const auto request = readHalRequest(line)) keeper.take(*request, now);
+      std::array<char, kHalLine> text{};
+      answer(std::string(writeHalReport(keeper.report(), text)), 0.0);
+    });
+  }
+  // Every few milliseconds, as the machine's threads run.
+  void tick() {
+    const Instant now = clock_.now();
+    if (!killed) pins = keeper.tick({watchdog.ok, permit}, now);
+    watchdog.look(pins, now);
+    speed_.follow(watchdog.ok ? pins.speed : pins.homeSpeed, pins.speedEnable, now, mill_.spindle, mill_.shownSpindle,
+                  lost);
+    feed_.follow(watchdog.ok ? pins.feed : pins.homeFeed, pins.feedEnable, now, mill_.feed, mill_.shownFeed, lost);
+  }
+
+ private:
+  struct Halui {
+    int counts = 100;
+    std::optional<Instant> due;
+    void follow(int wanted, bool enabled, Instant now, int& inForce, int& shown, int& lost) {
+      if (wanted != counts) due = enabled ? std::optional(now + std::chrono::milliseconds(120)) : std::nullopt;
+      counts = wanted;
+      if (!due || now < *due) return;
+      due.reset();
+      if (lost > 0) {
+        --lost;
+      } else {
+        inForce = shown = counts;
+      }
+    }
+  };
+  FakeMill& mill_;
+  test::VirtualClock& clock_;
+  LineSplitter splitter_;
+  Halui speed_, feed_;
+};
+
+}  // namespace stillcut::cnc::testing

@@ -1,0 +1,148 @@
+// The link with stillcut-hal in a real LinuxCNC: whoever dies, the machine goes home by itself.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <utility>
+
+#include "core/cnc/emc_session.h"
+#include "core/cnc/emc_status.h"
+#include "tests/protocol/commander.h"
+#include "tests/protocol/linuxcnc_bench.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using testing::Commander;
+using testing::linkToLinuxCnc;
+using testing::LinuxCncPeer;
+
+// The lease is 0.2 s; the rest is for what this host adds when it is busy: single stalls of tens of milliseconds in
+// processes that are not real-time (halui, the watcher of this test).
+constexpr double kLease = 0.2, kBusyHost = 0.2;
+
+std::unique_ptr<CncLink> linkWithComponent() {
+  return linkToLinuxCnc({{"hal_component_port", std::to_string(LinuxCncPeer::kComponentPort)}});
+}
+
+// What the machine does, from its own pins: the spindle's commanded speed and the path's feed. It asks halrmt alone,
+// and only once the program under test has fallen silent: linuxcncrsh was seen to go down with several clients at once.
+class PinWatch {
+ public:
+  PinWatch() : session_(std::move(app::makeWire({"127.0.0.1", LinuxCncPeer::kHalPort, {}})).value(), "EMC") {}
+  bool readable() {
+    session_.pump(clock_.now(), [](std::string_view) {});
+    return session_.idle();
+  }
+  // Both as programmed: 8000 rev/min, 600 mm/min.
+  bool home() {
+    const Instant now = clock_.now();
+    const auto take = [&](std::string_view line) { status_.take(line, now); };
+    for (const char* request : {"get pinval spindle.0.speed-out", "get pinval motion.current-vel"}) {
+      session_.pump(now, take);
+      if (!session_.ask(request, now)) return false;
+      session_.wait(std::chrono::milliseconds(2));
+      session_.pump(now, take);
+    }
+    return status_.commandedSpeed.value.value > 7999.0 && toMmPerMin(status_.currentFeed.value) > 599.0;
+  }
+
+ private:
+  SteadyClock clock_;
+  EmcSession session_;
+  EmcStatus status_;
+};
+
+class LinuxCncHalReal : public testing::LinuxCncBench {
+ protected:
+  static void SetUpTestSuite() { peer_ = new LinuxCncPeer(LinuxCncPeer::Overrides::Component); }
+  static void TearDownTestSuite() {
+    delete peer_;
+    peer_ = nullptr;
+  }
+  void SetUp() override {
+    if (!peer_->ok()) GTEST_SKIP() << peer_->why();
+    peer_->run("long.ngc");
+    watch();
+  }
+  void TearDown() override { link_.reset(); }
+  void watch() {
+    link_ = linkWithComponent();
+    ASSERT_TRUE(until(cutting)) << "program " << seen_.programRunning << ", speed " << seen_.actualSpeed.value;
+  }
+  // From `death` until both overrides are at 100 % in the machine itself.
+  void expectHomeWithinTheLease(const char* after, const std::function<void()>& death) {
+    PinWatch watch;
+    ASSERT_TRUE(testing::within(Seconds(3.0), [&] { return watch.readable(); }));
+    ASSERT_FALSE(watch.home());
+    const Instant began = clock_.now();
+    death();
+    EXPECT_TRUE(testing::within(Seconds(kLease + kBusyHost), [&] { return watch.home(); })) << after;
+    std::printf("back at 100 %% %.0f ms after %s\n", 1e3 * secondsBetween(began, clock_.now()).value, after);
+  }
+
+  static LinuxCncPeer* peer_;
+};
+LinuxCncPeer* LinuxCncHalReal::peer_ = nullptr;
+
+TEST_F(LinuxCncHalReal, OpensAndSaysThatTheMachineWatches) {
+  const auto link = linkWithComponent();
+  const Status opened = link->open();
+  ASSERT_TRUE(opened.ok()) << opened.error().line();
+  EXPECT_TRUE(link->describe().machineWatchdog);
+}
+
+TEST_F(LinuxCncHalReal, BothOverridesActWithoutControlAndGoBack) {
+  const OverrideCommand command = gate_.set(90.0);
+  EXPECT_TRUE(until([&](const MachineState& m) {
+    link_->apply(command, clock_.now());
+    return at(m, 0.9) && std::abs(m.actualSpeed.value - 7200.0) < 20.0;
+  })) << seen_.actualSpeed.value;
+  EXPECT_NE(LinuxCncPeer::talk({"get enable"}).find("ENABLE OFF"), std::string::npos);
+  link_->release(clock_.now());
+  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
+}
+
+TEST_F(LinuxCncHalReal, LockedByTheProgramIsSaid) {
+  peer_->run("m49.ngc");
+  ASSERT_TRUE(until([](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; }));
+  const OverrideCommand command = gate_.set(90.0);
+  EXPECT_TRUE(until([&](const MachineState& m) {
+    link_->apply(command, clock_.now());
+    return m.valid && !m.overridesEnabled;
+  }));
+  EXPECT_NEAR(seen_.speedOverride.value, 1.0, 1e-6);  // the machine's own lock holds
+}
+
+TEST_F(LinuxCncHalReal, KilledProgramIsHomeWithinTheLease) {
+  link_.reset();  // stillcut-hal has one client
+  const Commander program(linkWithComponent);
+  ASSERT_TRUE(program.took());
+  expectHomeWithinTheLease("the program was killed", [&] { program.signal(SIGKILL); });
+}
+
+TEST_F(LinuxCncHalReal, HungProgramIsHomeWithinTheLease) {
+  link_.reset();
+  const Commander program(linkWithComponent);
+  ASSERT_TRUE(program.took());
+  expectHomeWithinTheLease("the program hung", [&] { program.signal(SIGSTOP); });
+}
+
+// The last one: HAL does not take a killed component back before the machine is started anew.
+TEST_F(LinuxCncHalReal, ZKilledComponentIsHomeWithinTheLease) {
+  const OverrideCommand command = gate_.set(90.0);
+  ASSERT_TRUE(until([&](const MachineState& m) {
+    link_->apply(command, clock_.now());
+    return at(m, 0.9);
+  }));
+  const pid_t component = peer_->component();
+  ASSERT_GT(component, 0);
+  expectHomeWithinTheLease("stillcut-hal was killed", [&] { ::kill(component, SIGKILL); });
+  EXPECT_TRUE(until([](const MachineState& m) { return m.valid && !m.controlOurs; }, 2.0));
+}
+
+}  // namespace
+}  // namespace stillcut::cnc

@@ -1,0 +1,222 @@
+// The LinuxCNC link with stillcut-hal beside the machine, on virtual time: what the machine is left with, whoever dies.
+// The real ones: tests/protocol/linuxcnc_hal_peer_test.cpp.
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "core/cnc/linuxcnc_link.h"
+#include "tests/protocol/commands.h"
+#include "tests/protocol/fake_hal.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using namespace testing;
+using hal::OverrideKeeper;
+
+constexpr double kStep = 0.002;
+
+struct Bench {
+  explicit Bench(bool adaptiveFeed = false) {
+    LinuxCncLink::Wires wires;
+    const auto wire = [&](Peer& peer) { return std::make_unique<ScriptedWire>(clock, faults, peer); };
+    auto control = wire(hal);
+    component = control.get();
+    wires.control = std::move(control);
+    wires.watch = wire(watch);
+    wires.hal = wire(halrmt);
+    LinuxCncSettings settings;
+    settings.component.port = 5008;
+    settings.adaptiveFeed = adaptiveFeed;
+    link = std::make_unique<LinuxCncLink>(settings, std::move(wires), clock);
+    for (int i = 0; i < 700; ++i) machine();  // long enough for the watchdog to be seen acting
+  }
+  void machine() {
+    clock.advance(Seconds(kStep));
+    hal.tick();
+  }
+  MachineState run(double seconds) {
+    MachineState m;
+    for (const Instant end = clock.now() + toDuration(Seconds(seconds)); clock.now() < end; machine()) {
+      m = link->read(clock.now());
+    }
+    return m;
+  }
+  // The machine alone: Stillcut hangs.
+  void leave(double seconds) {
+    for (const Instant end = clock.now() + toDuration(Seconds(seconds)); clock.now() < end;) machine();
+  }
+  void engage(double percent) {
+    run(0.2);
+    link->apply(gate.set(percent), clock.now());
+    run(0.3);
+  }
+
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  WireFaults faults;
+  FakeMill mill;
+  FakeEmcClient watch{mill}, halrmt{mill};
+  FakeHal hal{mill, clock};
+  ScriptedWire* component = nullptr;
+  CommandMaker gate;
+  std::unique_ptr<LinuxCncLink> link;
+};
+
+TEST(LinuxCncHal, WatchdogIsProvenBeforeAnythingIsTakenAndNothingMoves) {
+  Bench b;
+  EXPECT_FALSE(b.link->describe().machineWatchdog);  // not heard yet
+  b.run(0.2);
+  EXPECT_TRUE(b.link->describe().machineWatchdog);
+  const int ms = b.hal.keeper.report().watchdogMs;
+  EXPECT_GE(ms, 25);
+  EXPECT_LE(ms, 40);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.owner, nullptr);
+}
+
+TEST(LinuxCncHal, WithoutAWiredWatchdogNothingIsTakenAndItIsSaid) {
+  Bench b;
+  b.hal.watchdog.wired = false;
+  b.hal.keeper = {};
+  b.leave(2.0);
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_FALSE(b.link->describe().machineWatchdog);
+  EXPECT_FALSE(b.run(0.1).controlOurs);
+  const Status opened = b.link->open();
+  ASSERT_FALSE(opened.ok());
+  EXPECT_NE(opened.error().line().find("watchdog was not seen to act"), std::string::npos) << opened.error().line();
+}
+
+TEST(LinuxCncHal, MovesBothOverridesWithoutTakingControlAndBringsThemBack) {
+  Bench b;
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_EQ(b.mill.feed, 90);
+  EXPECT_EQ(b.mill.owner, nullptr);  // the operator's screen keeps control
+  b.link->release(b.clock.now());
+  b.leave(0.15);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+TEST(LinuxCncHal, AdaptiveFeedIsAFactorOfItsOwn) {
+  Bench b(true);
+  EXPECT_EQ(b.link->describe().highestFeed.value, 1.0);
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_NEAR(b.hal.pins.adaptiveFeed, 0.9, 1e-3);
+  b.link->release(b.clock.now());
+  b.leave(0.01);
+  EXPECT_EQ(b.hal.pins.adaptiveFeed, 1.0);
+}
+
+// Back within the lease of 0.2 s, whoever falls silent.
+TEST(LinuxCncHal, KilledComponentIsTheMachinesOwnWayHome) {
+  Bench b;
+  b.engage(90.0);
+  b.hal.killed = true;
+  b.leave(0.19);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_FALSE(b.run(1.0).controlOurs);
+}
+
+TEST(LinuxCncHal, HungProgramIsHomeWithinTheLease) {
+  Bench b;
+  b.engage(90.0);
+  b.leave(0.19);
+  EXPECT_EQ(b.mill.spindle, 100);
+}
+
+TEST(LinuxCncHal, KilledProgramOrPulledCableIsHomeWithinTheLease) {
+  Bench b;
+  b.engage(90.0);
+  b.component->hangUp();
+  b.leave(0.15);
+  EXPECT_EQ(b.mill.spindle, 100);
+}
+
+TEST(LinuxCncHal, OperatorsHandIsLeftAloneAndSurvivesTheRelease) {
+  Bench b;
+  b.engage(90.0);
+  b.run(7.0);
+  b.mill.spindle = b.mill.shownSpindle = 70;
+  const OverrideCommand command = b.gate.set(90.0);
+  b.link->apply(command, b.clock.now());
+  const MachineState m = b.run(0.5);
+  EXPECT_NEAR(m.operatorSpeed.value, 0.7, 1e-9);
+  EXPECT_EQ(b.mill.spindle, 70);
+  b.link->release(b.clock.now());
+  b.leave(0.4);
+  EXPECT_EQ(b.mill.spindle, 70);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+TEST(LinuxCncHal, OrderThatGetsLostIsGivenAgainOnTheWayOutAndHome) {
+  Bench b;
+  b.run(0.2);
+  b.hal.lost = 2;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.4);
+  EXPECT_EQ(b.mill.spindle, 100);
+  b.run(1.0);
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_EQ(b.mill.feed, 90);
+  b.hal.lost = 2;
+  b.link->apply(b.gate.letGo(), b.clock.now());
+  b.run(1.2);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+TEST(LinuxCncHal, OperatorsSwitchTakesUsOutUntilWeLetGo) {
+  Bench b;
+  b.engage(90.0);
+  b.hal.permit = false;
+  EXPECT_FALSE(b.run(0.2).controlOurs);
+  EXPECT_EQ(b.mill.spindle, 100);
+  b.hal.permit = true;
+  b.run(0.3);
+  EXPECT_EQ(b.mill.spindle, 100);  // not by itself
+  b.link->apply(b.gate.letGo(), b.clock.now());
+  EXPECT_TRUE(b.run(0.3).controlOurs);
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.spindle, 90);
+}
+
+TEST(LinuxCncHal, SplitAndGarbledLinesAreNoOrders) {
+  Bench b;
+  b.faults.split(3).garbage("HELD 9999 1 1 1\n\x01zz\n");
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.spindle, 90);
+  for (const char* line : {"set", "set 90", "set 90 90 1", "set 90 90 2 100 100", "set 1e9 90 1 100 100", "home 100",
+                           "set 90.5 90 1 100 100", "set nan 90 1 100 100", "home 100 100 100", "set -1 9 1 1 1"}) {
+    EXPECT_FALSE(readHalRequest(line)) << line;
+  }
+}
+
+TEST(LinuxCncHal, WordsAreReadAsTheyWereWritten) {
+  std::array<char, kHalLine> text{};
+  HalRequest r;
+  r.hold = true;
+  r.feed = 1000;
+  r.adaptiveFeed = 0.25;
+  r.homeSpeed = 70;
+  std::string line(writeHalRequest(r, text));
+  EXPECT_EQ(line, "set - 1000 0.250 70 100\n");
+  line.pop_back();
+  const auto back = readHalRequest(line);
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->hold && !back->speed && back->feed == 1000 && back->homeSpeed == 70);
+  const HalReport report{HalStanding::Fallen, 90, 95, 0.5, 71};
+  line = writeHalReport(report, text);
+  line.pop_back();
+  const auto heard = readHalReport(line);
+  ASSERT_TRUE(heard);
+  EXPECT_TRUE(heard->standing == HalStanding::Fallen && heard->speed == 90 && heard->feed == 95 &&
+              heard->adaptiveFeed == 0.5 && heard->watchdogMs == 71);
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
