@@ -4,2154 +4,2154 @@
     <name>Core</name>
     <message>
         <source>High-pass edge</source>
-        <translation type="unfinished" />
+        <translation>Hochpass-Grenze</translation>
     </message>
     <message>
         <source>Removes offset and drift below this frequency; auto: a quarter of the spindle frequency</source>
-        <translation type="unfinished" />
+        <translation>Entfernt Gleichanteil und Drift unter dieser Frequenz; automatisch: ein Viertel der Spindelfrequenz</translation>
     </message>
     <message>
         <source>Doubt of the told speed</source>
-        <translation type="unfinished" />
+        <translation>Unsicherheit der genannten Drehzahl</translation>
     </message>
     <message>
         <source>How far the told spindle speed may be from the true one, as a ratio; searched at entry</source>
-        <translation type="unfinished" />
+        <translation>Wie weit die genannte Drehzahl von der wahren abweichen darf, als Verhältnis; beim Eintritt gesucht</translation>
     </message>
     <message>
         <source>Cut above air</source>
-        <translation type="unfinished" />
+        <translation>Schnitt über Luft</translation>
     </message>
     <message>
         <source>A cut is this much louder than the quietest the sensor has heard</source>
-        <translation type="unfinished" />
+        <translation>Ein Schnitt ist um so viel lauter als das Leiseste, was der Sensor gehört hat</translation>
     </message>
     <message>
         <source>Harmonics</source>
-        <translation type="unfinished" />
+        <translation>Harmonische</translation>
     </message>
     <message>
         <source>Spindle harmonics of the periodic part (L, eq. 9); auto: 32 as the rate allows</source>
-        <translation type="unfinished" />
+        <translation>Spindelharmonische des periodischen Teils (L, Gl. 9); automatisch: 32, soweit die Rate erlaubt</translation>
     </message>
     <message>
         <source>NLMS step</source>
-        <translation type="unfinished" />
+        <translation>NLMS-Schrittweite</translation>
     </message>
     <message>
         <source>mu of eq. 19; auto: a memory of two turns (paper: 0.5)</source>
-        <translation type="unfinished" />
+        <translation>mu aus Gl. 19; automatisch: Gedächtnis von zwei Umdrehungen (Arbeit: 0.5)</translation>
     </message>
     <message>
         <source>NLMS leak</source>
-        <translation type="unfinished" />
+        <translation>NLMS-Verlust</translation>
     </message>
     <message>
         <source>lambda of eq. 19; auto: leaves 1 % of a harmonic (paper: 0.9995)</source>
-        <translation type="unfinished" />
+        <translation>lambda aus Gl. 19; automatisch: lässt 1 % einer Harmonischen übrig (Arbeit: 0.9995)</translation>
     </message>
     <message>
         <source>AR drift</source>
-        <translation type="unfinished" />
+        <translation>AR-Drift</translation>
     </message>
     <message>
         <source>R_v of eq. 21, for a signal of unit variance</source>
-        <translation type="unfinished" />
+        <translation>R_v aus Gl. 21, für ein Signal der Varianz eins</translation>
     </message>
     <message>
         <source>AR noise</source>
-        <translation type="unfinished" />
+        <translation>AR-Rauschen</translation>
     </message>
     <message>
         <source>R_w of eq. 21, for a signal of unit variance</source>
-        <translation type="unfinished" />
+        <translation>R_w aus Gl. 21, für ein Signal der Varianz eins</translation>
     </message>
     <message>
         <source>Reflected distance</source>
-        <translation type="unfinished" />
+        <translation>Gespiegelter Abstand</translation>
     </message>
     <message>
         <source>Distance from the unit circle at which an unstable root is put back inside</source>
-        <translation type="unfinished" />
+        <translation>Abstand vom Einheitskreis, in dem eine instabile Wurzel wieder nach innen gesetzt wird</translation>
     </message>
     <message>
         <source>Working rate</source>
-        <translation type="unfinished" />
+        <translation>Arbeitsrate</translation>
     </message>
     <message>
         <source>Least rate the method works at; auto: 10 kHz, as the paper</source>
-        <translation type="unfinished" />
+        <translation>Kleinste Rate, mit der das Verfahren arbeitet; automatisch: 10 kHz wie in der Arbeit</translation>
     </message>
     <message>
         <source>Variance limit</source>
-        <translation type="unfinished" />
+        <translation>Varianzgrenze</translation>
     </message>
     <message>
         <source>Variance of the residual (squared unit of the sensor) that is an alarm; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>Varianz des Rests (Sensoreinheit im Quadrat), die ein Alarm ist; automatisch: Wachstum über den gelernten Grundwert</translation>
     </message>
     <message>
         <source>Root of an alarm</source>
-        <translation type="unfinished" />
+        <translation>Wurzel eines Alarms</translation>
     </message>
     <message>
         <source>Magnitude of the dominant root below which the residual is noise and not chatter</source>
-        <translation type="unfinished" />
+        <translation>Betrag der dominanten Wurzel, unter dem der Rest Rauschen und kein Rattern ist</translation>
     </message>
     <message>
         <source>Evidence for onset</source>
-        <translation type="unfinished" />
+        <translation>Nachweis des Beginns</translation>
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)</source>
-        <translation type="unfinished" />
+        <translation>Log-Likelihood-Verhältnis des Wachstums gegen den gelernten Grundwert, das einen Beginn ausmacht (onset_test.h)</translation>
     </message>
     <message>
         <source>Chatter ratio</source>
-        <translation type="unfinished" />
+        <translation>Ratteranteil</translation>
     </message>
     <message>
         <source>Energy ratio from which a cut is in full chatter</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil, ab dem ein Schnitt voll rattert</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished" />
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)</source>
-        <translation type="unfinished" />
+        <translation>Länge des Spektrums; automatisch: 28 Umdrehungen, höchstens 1.5 s (Arbeit: 0.512 s)</translation>
     </message>
     <message>
         <source>Spectra per window</source>
-        <translation type="unfinished" />
+        <translation>Spektren je Fenster</translation>
     </message>
     <message>
         <source>A new spectrum is taken this often within one window</source>
-        <translation type="unfinished" />
+        <translation>So oft wird in einem Fenster ein neues Spektrum gebildet</translation>
     </message>
     <message>
         <source>Line threshold</source>
-        <translation type="unfinished" />
+        <translation>Linienschwelle</translation>
     </message>
     <message>
         <source>Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>Amplitude (Sensoreinheit) einer Linie, die Rattern ist; automatisch: Wachstum über den gelernten Grundwert</translation>
     </message>
     <message>
         <source>Mask</source>
-        <translation type="unfinished" />
+        <translation>Maske</translation>
     </message>
     <message>
         <source>Half width of the mask on a harmonic, in bins</source>
-        <translation type="unfinished" />
+        <translation>Halbe Breite der Maske auf einer Harmonischen, in Linien</translation>
     </message>
     <message>
         <source>Purity</source>
-        <translation type="unfinished" />
+        <translation>Reinheit</translation>
     </message>
     <message>
         <source>Part of the power between the harmonics that a chatter line holds at least</source>
-        <translation type="unfinished" />
+        <translation>Mindestanteil einer Ratterlinie an der Leistung zwischen den Harmonischen</translation>
     </message>
     <message>
         <source>Spindle harmonics the Kalman filter removes (N, eq. 16); auto: 12 tooth passings, at least 32, as the sampling rate allows</source>
-        <translation type="unfinished" />
+        <translation>Spindelharmonische, die das Kalman-Filter entfernt (N, Gl. 16); automatisch: 12 Zahneingriffe, mindestens 32, soweit die Abtastrate erlaubt</translation>
     </message>
     <message>
         <source>Process noise ratio</source>
-        <translation type="unfinished" />
+        <translation>Prozessrausch-Verhältnis</translation>
     </message>
     <message>
         <source>Q/R of the Kalman filter (eq. 20); auto: a memory of two turns</source>
-        <translation type="unfinished" />
+        <translation>Q/R des Kalman-Filters (Gl. 20); automatisch: Gedächtnis von zwei Umdrehungen</translation>
     </message>
     <message>
         <source>Covariance</source>
-        <translation type="unfinished" />
+        <translation>Kovarianz</translation>
     </message>
     <message>
         <source>Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from the first turn on and costs some twenty times as much</source>
-        <translation type="unfinished" />
+        <translation>Kovarianz des Kalman-Filters: von Anfang an die eingeschwungene Verstärkung, oder Gl. 20 bei jedem Abtastwert, was ab der ersten Umdrehung stimmt und etwa das Zwanzigfache kostet</translation>
     </message>
     <message>
         <source>settled</source>
-        <translation type="unfinished" />
+        <translation>eingeschwungen</translation>
     </message>
     <message>
         <source>full</source>
-        <translation type="unfinished" />
+        <translation>voll</translation>
     </message>
     <message>
         <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil (Gl. 28), ab dem ein Schnitt voll rattert</translation>
     </message>
     <message>
         <source>Smallest onset</source>
-        <translation type="unfinished" />
+        <translation>Kleinster Beginn</translation>
     </message>
     <message>
         <source>Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset</source>
-        <translation type="unfinished" />
+        <translation>Nicht wiederkehrende zu aller Schwingung (Amplituden), unter der Wachstum noch kein Beginn heißt</translation>
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut lasts e to this power turns, on average, without a false alarm</source>
-        <translation type="unfinished" />
+        <translation>Log-Likelihood-Verhältnis des Wachstums gegen das gelernte Rauschen, das einen Beginn ausmacht; ein stabiler Schnitt läuft im Mittel e hoch so viele Umdrehungen ohne Fehlalarm</translation>
     </message>
     <message>
         <source>Coherence</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz</translation>
     </message>
     <message>
         <source>welch: averaged magnitude-squared coherence; paper: eq. 3-5 of one transform</source>
-        <translation type="unfinished" />
+        <translation>welch: gemittelte quadrierte Kohärenz; paper: Gl. 3-5 einer Transformation</translation>
     </message>
     <message>
         <source>welch</source>
-        <translation type="unfinished" />
+        <translation>Welch</translation>
     </message>
     <message>
         <source>paper</source>
-        <translation type="unfinished" />
+        <translation>wie veröffentlicht</translation>
     </message>
     <message>
         <source>Sharpening</source>
-        <translation type="unfinished" />
+        <translation>Schärfung</translation>
     </message>
     <message>
         <source>Weighting of the smoothed coherence; printed: eq. 3-17b as it stands</source>
-        <translation type="unfinished" />
+        <translation>Gewichtung der geglätteten Kohärenz; gedruckt: Gl. 3-17b, wie sie steht</translation>
     </message>
     <message>
         <source>monotone</source>
-        <translation type="unfinished" />
+        <translation>monoton</translation>
     </message>
     <message>
         <source>printed</source>
-        <translation type="unfinished" />
+        <translation>gedruckt</translation>
     </message>
     <message>
         <source>Segment</source>
-        <translation type="unfinished" />
+        <translation>Abschnitt</translation>
     </message>
     <message>
         <source>Length of one transform; auto: 12 turns, at most 1 s</source>
-        <translation type="unfinished" />
+        <translation>Länge einer Transformation; automatisch: 12 Umdrehungen, höchstens 1 s</translation>
     </message>
     <message>
         <source>Averages</source>
-        <translation type="unfinished" />
+        <translation>Mittelungen</translation>
     </message>
     <message>
         <source>Memory of the averages, in segments (each overlaps the last by 7/8)</source>
-        <translation type="unfinished" />
+        <translation>Gedächtnis der Mittelung in Abschnitten (jeder überlappt den vorigen um 7/8)</translation>
     </message>
     <message>
         <source>Window from</source>
-        <translation type="unfinished" />
+        <translation>Fenster ab</translation>
     </message>
     <message>
         <source>Where the window of eq. 3-18 begins to rise (paper: 170 Hz); auto: no window</source>
-        <translation type="unfinished" />
+        <translation>Wo das Fenster aus Gl. 3-18 zu steigen beginnt (Arbeit: 170 Hz); automatisch: kein Fenster</translation>
     </message>
     <message>
         <source>Window to</source>
-        <translation type="unfinished" />
+        <translation>Fenster bis</translation>
     </message>
     <message>
         <source>Where the window of eq. 3-18 has fallen (paper: 250 Hz); auto: no window</source>
-        <translation type="unfinished" />
+        <translation>Wo das Fenster aus Gl. 3-18 abgefallen ist (Arbeit: 250 Hz); automatisch: kein Fenster</translation>
     </message>
     <message>
         <source>Coherence reference</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz-Sollwert</translation>
     </message>
     <message>
         <source>gamma_ref: coherence ratio that is chatter's</source>
-        <translation type="unfinished" />
+        <translation>gamma_ref: Kohärenz, die Rattern bedeutet</translation>
     </message>
     <message>
         <source>Energy reference</source>
-        <translation type="unfinished" />
+        <translation>Energie-Sollwert</translation>
     </message>
     <message>
         <source>E_ref (unit of the sensor) of eq. 3-21; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>E_ref (Sensoreinheit) aus Gl. 3-21; automatisch: Wachstum über den gelernten Grundwert</translation>
     </message>
     <message>
         <source>Part of the cross spectrum between the harmonics that a chatter line holds at least</source>
-        <translation type="unfinished" />
+        <translation>Mindestanteil einer Ratterlinie am Kreuzspektrum zwischen den Harmonischen</translation>
     </message>
     <message>
         <source>Confirmation</source>
-        <translation type="unfinished" />
+        <translation>Bestätigung</translation>
     </message>
     <message>
         <source>How long an alarm stands at one frequency before the first move</source>
-        <translation type="unfinished" />
+        <translation>Wie lange ein Alarm bei einer Frequenz steht, bevor zuerst eingegriffen wird</translation>
     </message>
     <message>
         <source>Confirmation after a move</source>
-        <translation type="unfinished" />
+        <translation>Bestätigung nach einem Eingriff</translation>
     </message>
     <message>
         <source>How long chatter stands at the new speed before that speed is given up</source>
-        <translation type="unfinished" />
+        <translation>Wie lange Rattern bei der neuen Drehzahl steht, bevor sie aufgegeben wird</translation>
     </message>
     <message>
         <source>Settling</source>
-        <translation type="unfinished" />
+        <translation>Einschwingen</translation>
     </message>
     <message>
         <source>After the spindle has reached a new speed it is judged no sooner</source>
-        <translation type="unfinished" />
+        <translation>Früher wird nach Erreichen einer neuen Drehzahl nicht geurteilt</translation>
     </message>
     <message>
         <source>Speeds to try</source>
-        <translation type="unfinished" />
+        <translation>Zu versuchende Drehzahlen</translation>
     </message>
     <message>
         <source>After so many speeds without quiet it goes back and advises only</source>
-        <translation type="unfinished" />
+        <translation>Nach so vielen Drehzahlen ohne Ruhe geht es zurück und rät nur noch</translation>
     </message>
     <message>
         <source>Memory of tried speeds</source>
-        <translation type="unfinished" />
+        <translation>Gedächtnis der Versuche</translation>
     </message>
     <message>
         <source>After so long without an alarm the tried speeds are forgotten</source>
-        <translation type="unfinished" />
+        <translation>Nach so langer Zeit ohne Alarm sind die versuchten Drehzahlen vergessen</translation>
     </message>
     <message>
         <source>Pause after giving up</source>
-        <translation type="unfinished" />
+        <translation>Pause nach dem Aufgeben</translation>
     </message>
     <message>
         <source>So long nothing is tried again after no speed was quiet</source>
-        <translation type="unfinished" />
+        <translation>So lange wird nichts mehr versucht, wenn keine Drehzahl ruhig war</translation>
     </message>
     <message>
         <source>Smoothing of the frequency</source>
-        <translation type="unfinished" />
+        <translation>Glättung der Frequenz</translation>
     </message>
     <message>
         <source>Time constant of the low-pass on the chatter frequency</source>
-        <translation type="unfinished" />
+        <translation>Zeitkonstante des Tiefpasses auf der Ratterfrequenz</translation>
     </message>
     <message>
         <source>Act on</source>
-        <translation type="unfinished" />
+        <translation>Eingreifen bei</translation>
     </message>
     <message>
         <source>Move at the onset of chatter, or only when it is full chatter</source>
-        <translation type="unfinished" />
+        <translation>Beim Beginn des Ratterns eingreifen oder erst bei vollem Rattern</translation>
     </message>
     <message>
         <source>onset</source>
-        <translation type="unfinished" />
+        <translation>Beginn</translation>
     </message>
     <message>
         <source>chatter</source>
-        <translation type="unfinished" />
+        <translation>Rattern</translation>
     </message>
     <message>
         <source>Freeze when quiet</source>
-        <translation type="unfinished" />
+        <translation>Bei Ruhe einfrieren</translation>
     </message>
     <message>
         <source>Stay at the actual speed once chatter clears, for narrow lobes, instead of going on to the last target</source>
-        <translation type="unfinished" />
+        <translation>Bei der tatsächlichen Drehzahl bleiben, sobald das Rattern aufhört (für schmale Bereiche), statt zum letzten Ziel weiterzugehen</translation>
     </message>
     <message>
         <source>Step size</source>
-        <translation type="unfinished" />
+        <translation>Schrittweite</translation>
     </message>
     <message>
         <source>mu_c of eq. 32</source>
-        <translation type="unfinished" />
+        <translation>mu_c aus Gl. 32</translation>
     </message>
     <message>
         <source>Smoothing of the level</source>
-        <translation type="unfinished" />
+        <translation>Glättung des Pegels</translation>
     </message>
     <message>
         <source>lambda_c of eq. 33</source>
-        <translation type="unfinished" />
+        <translation>lambda_c aus Gl. 33</translation>
     </message>
     <message>
         <source>Unit of a step</source>
-        <translation type="unfinished" />
+        <translation>Einheit eines Schritts</translation>
     </message>
     <message>
         <source>What a step of 1 in eq. 32 is, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>Was ein Schritt von 1 in Gl. 32 ist, in Prozent der programmierten Drehzahl</translation>
     </message>
     <message>
         <source>Control period</source>
-        <translation type="unfinished" />
+        <translation>Regelperiode</translation>
     </message>
     <message>
         <source>Time from one step of eq. 32 to the next</source>
-        <translation type="unfinished" />
+        <translation>Zeit von einem Schritt der Gl. 32 zum nächsten</translation>
     </message>
     <message>
         <source>Step of the search</source>
-        <translation type="unfinished" />
+        <translation>Suchschritt</translation>
     </message>
     <message>
         <source>Distance of neighbouring trials, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>Abstand benachbarter Versuche, in Prozent der programmierten Drehzahl</translation>
     </message>
     <message>
         <source>Time per trial</source>
-        <translation type="unfinished" />
+        <translation>Zeit je Versuch</translation>
     </message>
     <message>
         <source>The vibration at each trial is averaged this long</source>
-        <translation type="unfinished" />
+        <translation>So lange wird die Schwingung je Versuch gemittelt</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished" />
+        <translation>Richtung</translation>
     </message>
     <message>
         <source>Speeds to choose from: the nearest, only lower, only higher</source>
-        <translation type="unfinished" />
+        <translation>Zur Wahl stehende Drehzahlen: die nächste, nur niedrigere, nur höhere</translation>
     </message>
     <message>
         <source>nearest</source>
-        <translation type="unfinished" />
+        <translation>nächste</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished" />
+        <translation>niedriger</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished" />
+        <translation>höher</translation>
     </message>
     <message>
         <source>Phase factor</source>
-        <translation type="unfinished" />
+        <translation>Phasenfaktor</translation>
     </message>
     <message>
         <source>Fraction of a wave left between two cuts (nu of eq. 3)</source>
-        <translation type="unfinished" />
+        <translation>Bruchteil einer Welle zwischen zwei Schnitten (nu aus Gl. 3)</translation>
     </message>
     <message>
         <source>Control cycle</source>
-        <translation type="unfinished" />
+        <translation>Regelzyklus</translation>
     </message>
     <message>
         <source>Speed and feed are changed once per cycle</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl und Vorschub werden einmal je Zyklus geändert</translation>
     </message>
     <message>
         <source>Time for the whole range</source>
-        <translation type="unfinished" />
+        <translation>Zeit für den ganzen Bereich</translation>
     </message>
     <message>
         <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
-        <translation type="unfinished" />
+        <translation>Bei voller Ausgabe dauert der ganze Bereich eines Overrides so lange (Grenze der Arbeit: eine Sekunde)</translation>
     </message>
     <message>
         <source>Coherence above which speed and feed fall (gamma_ref)</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz, über der Drehzahl und Vorschub fallen (gamma_ref)</translation>
     </message>
     <message>
         <source>Vibration over that of the stable cut above which speed and feed fall</source>
-        <translation type="unfinished" />
+        <translation>Schwingung zu der des stabilen Schnitts, über der Drehzahl und Vorschub fallen</translation>
     </message>
     <message>
         <source>Energy limit</source>
-        <translation type="unfinished" />
+        <translation>Energiegrenze</translation>
     </message>
     <message>
         <source>Vibration over that of the stable cut at which the feed goes to its lowest; at twice that the feed is held</source>
-        <translation type="unfinished" />
+        <translation>Schwingung zu der des stabilen Schnitts, bei der der Vorschub auf sein Kleinstes geht; beim Doppelten wird er angehalten</translation>
     </message>
     <message>
         <source>Highest overrides</source>
-        <translation type="unfinished" />
+        <translation>Höchste Overrides</translation>
     </message>
     <message>
         <source>Speed and feed rise no further than this share of the programmed values</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl und Vorschub steigen höchstens auf diesen Anteil der programmierten Werte</translation>
     </message>
     <message>
         <source>Rest of the speed</source>
-        <translation type="unfinished" />
+        <translation>Ruhe der Drehzahl</translation>
     </message>
     <message>
         <source>The speed does not rise for so long after an alarm</source>
-        <translation type="unfinished" />
+        <translation>So lange steigt die Drehzahl nach einem Alarm nicht</translation>
     </message>
     <message>
         <source>Learning weight</source>
-        <translation type="unfinished" />
+        <translation>Lerngewicht</translation>
     </message>
     <message>
         <source>Share of the coherence error that the rules learn (w of eq. 3-32)</source>
-        <translation type="unfinished" />
+        <translation>Anteil des Kohärenzfehlers, den die Regeln lernen (w aus Gl. 3-32)</translation>
     </message>
     <message>
         <source>Direct tuning</source>
-        <translation type="unfinished" />
+        <translation>Direkte Abstimmung</translation>
     </message>
     <message>
         <source>By coherence alone (eq. 3-37) or by coherence and energy (3-36)</source>
-        <translation type="unfinished" />
+        <translation>Nur nach Kohärenz (Gl. 3-37) oder nach Kohärenz und Energie (3-36)</translation>
     </message>
     <message>
         <source>single</source>
-        <translation type="unfinished" />
+        <translation>einfach</translation>
     </message>
     <message>
         <source>double</source>
-        <translation type="unfinished" />
+        <translation>doppelt</translation>
     </message>
     <message>
         <source>Coherence weight</source>
-        <translation type="unfinished" />
+        <translation>Kohärenzgewicht</translation>
     </message>
     <message>
         <source>Weight of the coherence error (w_gamma of eq. 3-34)</source>
-        <translation type="unfinished" />
+        <translation>Gewicht des Kohärenzfehlers (w_gamma aus Gl. 3-34)</translation>
     </message>
     <message>
         <source>Energy weight</source>
-        <translation type="unfinished" />
+        <translation>Energiegewicht</translation>
     </message>
     <message>
         <source>Weight of the energy error (w_E of eq. 3-35)</source>
-        <translation type="unfinished" />
+        <translation>Gewicht des Energiefehlers (w_E aus Gl. 3-35)</translation>
     </message>
     <message>
         <source>Lowest speed override</source>
-        <translation type="unfinished" />
+        <translation>Kleinster Drehzahl-Override</translation>
     </message>
     <message>
         <source>Spindle speed is never driven below this share of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>Die Drehzahl wird nie unter diesen Anteil der programmierten gesenkt</translation>
     </message>
     <message>
         <source>Highest speed override</source>
-        <translation type="unfinished" />
+        <translation>Größter Drehzahl-Override</translation>
     </message>
     <message>
         <source>Spindle speed is never driven above this share of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>Die Drehzahl wird nie über diesen Anteil der programmierten gehoben</translation>
     </message>
     <message>
         <source>Lowest feed override</source>
-        <translation type="unfinished" />
+        <translation>Kleinster Vorschub-Override</translation>
     </message>
     <message>
         <source>Feed is never driven below this share of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>Der Vorschub wird nie unter diesen Anteil des programmierten gesenkt</translation>
     </message>
     <message>
         <source>Highest feed override</source>
-        <translation type="unfinished" />
+        <translation>Größter Vorschub-Override</translation>
     </message>
     <message>
         <source>Feed is never driven above this share of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>Der Vorschub wird nie über diesen Anteil des programmierten gehoben</translation>
     </message>
     <message>
         <source>Lowest speed</source>
-        <translation type="unfinished" />
+        <translation>Kleinste Drehzahl</translation>
     </message>
     <message>
         <source>Spindle speed is never driven below this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Die Drehzahl wird nie darunter gesenkt; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Highest speed</source>
-        <translation type="unfinished" />
+        <translation>Größte Drehzahl</translation>
     </message>
     <message>
         <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
-        <translation type="unfinished" />
+        <translation>Die Drehzahl wird nie darüber gehoben: die Grenze der Maschine; automatisch: keine</translation>
     </message>
     <message>
         <source>Highest speed of the tool</source>
-        <translation type="unfinished" />
+        <translation>Größte Drehzahl des Werkzeugs</translation>
     </message>
     <message>
         <source>What the maker allows the tool; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Was der Hersteller dem Werkzeug erlaubt; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Highest speed of the holder</source>
-        <translation type="unfinished" />
+        <translation>Größte Drehzahl des Halters</translation>
     </message>
     <message>
         <source>What holder and balancing allow; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Was Halter und Wuchtung erlauben; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Highest cutting speed</source>
-        <translation type="unfinished" />
+        <translation>Größte Schnittgeschwindigkeit</translation>
     </message>
     <message>
         <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Die Schneide läuft nie schneller; braucht den Werkzeugdurchmesser; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Lowest feed</source>
-        <translation type="unfinished" />
+        <translation>Kleinster Vorschub</translation>
     </message>
     <message>
         <source>Feed is never driven below this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Der Vorschub wird nie darunter gesenkt; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Highest feed</source>
-        <translation type="unfinished" />
+        <translation>Größter Vorschub</translation>
     </message>
     <message>
         <source>Feed is never driven above this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>Der Vorschub wird nie darüber gehoben; automatisch: keine solche Grenze</translation>
     </message>
     <message>
         <source>Lowest feed per tooth</source>
-        <translation type="unfinished" />
+        <translation>Kleinster Zahnvorschub</translation>
     </message>
     <message>
         <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
-        <translation type="unfinished" />
+        <translation>Unsere Overrides senken den Zahnvorschub nie unter diesen Anteil des programmierten: die Schneide würde reiben</translation>
     </message>
     <message>
         <source>Highest feed per tooth</source>
-        <translation type="unfinished" />
+        <translation>Größter Zahnvorschub</translation>
     </message>
     <message>
         <source>Our overrides never raise the feed per tooth above this share of the programmed one</source>
-        <translation type="unfinished" />
+        <translation>Unsere Overrides heben den Zahnvorschub nie über diesen Anteil des programmierten</translation>
     </message>
     <message>
         <source>Speed change per step</source>
-        <translation type="unfinished" />
+        <translation>Drehzahländerung je Schritt</translation>
     </message>
     <message>
         <source>Largest change of the speed override in one step of the gate, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>Größte Änderung des Drehzahl-Overrides in einem Schritt des Tors, in Prozent der programmierten Drehzahl</translation>
     </message>
     <message>
         <source>Speed change per second</source>
-        <translation type="unfinished" />
+        <translation>Drehzahländerung je Sekunde</translation>
     </message>
     <message>
         <source>Fastest change of the speed override, in percent of the programmed speed per second</source>
-        <translation type="unfinished" />
+        <translation>Schnellste Änderung des Drehzahl-Overrides, in Prozent der programmierten Drehzahl je Sekunde</translation>
     </message>
     <message>
         <source>Feed change per step</source>
-        <translation type="unfinished" />
+        <translation>Vorschubänderung je Schritt</translation>
     </message>
     <message>
         <source>Largest change of the feed override in one step of the gate, in percent of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>Größte Änderung des Vorschub-Overrides in einem Schritt des Tors, in Prozent des programmierten Vorschubs</translation>
     </message>
     <message>
         <source>Feed change per second</source>
-        <translation type="unfinished" />
+        <translation>Vorschubänderung je Sekunde</translation>
     </message>
     <message>
         <source>Fastest change of the feed override, in percent of the programmed feed per second</source>
-        <translation type="unfinished" />
+        <translation>Schnellste Änderung des Vorschub-Overrides, in Prozent des programmierten Vorschubs je Sekunde</translation>
     </message>
     <message>
         <source>Recovery rate</source>
-        <translation type="unfinished" />
+        <translation>Rückkehrrate</translation>
     </message>
     <message>
         <source>Rate of the way back toward 100 % when nothing chatters, as a share of the rate away from it</source>
-        <translation type="unfinished" />
+        <translation>Rate des Rückwegs zu 100 %, wenn nichts rattert, als Anteil der Rate des Hinwegs</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished" />
+        <translation>Glättung</translation>
     </message>
     <message>
         <source>Time constant of the low-pass on the wanted overrides</source>
-        <translation type="unfinished" />
+        <translation>Zeitkonstante des Tiefpasses auf den gewünschten Overrides</translation>
     </message>
     <message>
         <source>Dead band</source>
-        <translation type="unfinished" />
+        <translation>Totband</translation>
     </message>
     <message>
         <source>Wanted changes up to this are not worth moving the machine</source>
-        <translation type="unfinished" />
+        <translation>Gewünschte Änderungen bis hierher lohnen keine Bewegung der Maschine</translation>
     </message>
     <message>
         <source>Changes per minute</source>
-        <translation type="unfinished" />
+        <translation>Änderungen je Minute</translation>
     </message>
     <message>
         <source>Moves that start from rest or turn back, at most so many in any minute</source>
-        <translation type="unfinished" />
+        <translation>Bewegungen aus der Ruhe oder mit Umkehr, höchstens so viele in jeder Minute</translation>
     </message>
     <message>
         <source>Cool-down</source>
-        <translation type="unfinished" />
+        <translation>Abkühlzeit</translation>
     </message>
     <message>
         <source>Pause after the changes per minute are used up; the second time Auto falls back to Advise</source>
-        <translation type="unfinished" />
+        <translation>Pause, wenn die Änderungen je Minute verbraucht sind; beim zweiten Mal fällt Automatik auf Rat zurück</translation>
     </message>
     <message>
         <source>Speed tolerance</source>
-        <translation type="unfinished" />
+        <translation>Drehzahltoleranz</translation>
     </message>
     <message>
         <source>The spindle counts as at speed, and an override as taken, within this</source>
-        <translation type="unfinished" />
+        <translation>Innerhalb davon gilt die Drehzahl als erreicht und ein Override als angenommen</translation>
     </message>
     <message>
         <source>Machine state age</source>
-        <translation type="unfinished" />
+        <translation>Alter des Maschinenzustands</translation>
     </message>
     <message>
         <source>A machine state older than this is stale</source>
-        <translation type="unfinished" />
+        <translation>Ein älterer Maschinenzustand ist veraltet</translation>
     </message>
     <message>
         <source>Verdict age</source>
-        <translation type="unfinished" />
+        <translation>Alter des Urteils</translation>
     </message>
     <message>
         <source>A verdict or request older than this is stale</source>
-        <translation type="unfinished" />
+        <translation>Ein älteres Urteil oder eine ältere Anforderung ist veraltet</translation>
     </message>
     <message>
         <source>Hold before release</source>
-        <translation type="unfinished" />
+        <translation>Halten vor dem Loslassen</translation>
     </message>
     <message>
         <source>On bad input the overrides are held this long, then the programmed values come back</source>
-        <translation type="unfinished" />
+        <translation>Bei schlechten Eingaben werden die Overrides so lange gehalten, dann kommen die programmierten Werte zurück</translation>
     </message>
     <message>
         <source>Rest after release</source>
-        <translation type="unfinished" />
+        <translation>Ruhe nach dem Loslassen</translation>
     </message>
     <message>
         <source>After a release the input must be good for this long before the overrides are taken again</source>
-        <translation type="unfinished" />
+        <translation>Nach dem Loslassen müssen die Eingaben so lange gut sein, bevor die Overrides wieder genommen werden</translation>
     </message>
     <message>
         <source>Pause after the knob</source>
-        <translation type="unfinished" />
+        <translation>Pause nach dem Drehknopf</translation>
     </message>
     <message>
         <source>After the operator turned a knob nothing new is asked this long</source>
-        <translation type="unfinished" />
+        <translation>Nach einem Dreh des Bedieners wird so lange nichts Neues verlangt</translation>
     </message>
     <message>
         <source>Time to take an override</source>
-        <translation type="unfinished" />
+        <translation>Zeit zum Annehmen eines Overrides</translation>
     </message>
     <message>
         <source>The override read back must agree with the command within this, or the machine is let go</source>
-        <translation type="unfinished" />
+        <translation>Der zurückgelesene Override muss binnen dieser Zeit dem Befehl entsprechen, sonst wird die Maschine losgelassen</translation>
     </message>
     <message>
         <source>Time for the spindle to follow</source>
-        <translation type="unfinished" />
+        <translation>Zeit für das Folgen der Spindel</translation>
     </message>
     <message>
         <source>The spindle must reach the commanded speed within this, or the machine is let go</source>
-        <translation type="unfinished" />
+        <translation>Die Spindel muss die befohlene Drehzahl binnen dieser Zeit erreichen, sonst wird die Maschine losgelassen</translation>
     </message>
     <message>
         <source>Lease</source>
-        <translation type="unfinished" />
+        <translation>Leihfrist</translation>
     </message>
     <message>
         <source>A command that is not renewed within this ends, and the programmed values come back</source>
-        <translation type="unfinished" />
+        <translation>Ein Befehl, der nicht binnen dieser Zeit erneuert wird, endet, und die programmierten Werte kommen zurück</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished" />
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>What is kept: everything, what surrounds events, or verdicts and indicators alone</source>
-        <translation type="unfinished" />
+        <translation>Was aufgehoben wird: alles, das Umfeld von Ereignissen, oder nur Urteile und Kenngrößen</translation>
     </message>
     <message>
         <source>continuous</source>
-        <translation type="unfinished" />
+        <translation>durchgehend</translation>
     </message>
     <message>
         <source>around-events</source>
-        <translation type="unfinished" />
+        <translation>um Ereignisse</translation>
     </message>
     <message>
         <source>features</source>
-        <translation type="unfinished" />
+        <translation>Kenngrößen</translation>
     </message>
     <message>
         <source>Kept before an event</source>
-        <translation type="unfinished" />
+        <translation>Vor einem Ereignis</translation>
     </message>
     <message>
         <source>Around events: how much is kept from before each</source>
-        <translation type="unfinished" />
+        <translation>Um Ereignisse: wie viel davor aufgehoben wird</translation>
     </message>
     <message>
         <source>Kept after an event</source>
-        <translation type="unfinished" />
+        <translation>Nach einem Ereignis</translation>
     </message>
     <message>
         <source>Around events: how long recording goes on after the last</source>
-        <translation type="unfinished" />
+        <translation>Um Ereignisse: wie lange nach dem letzten weiter aufgezeichnet wird</translation>
     </message>
     <message>
         <source>Step of the history</source>
-        <translation type="unfinished" />
+        <translation>Schritt der Historie</translation>
     </message>
     <message>
         <source>Features: one step is kept in so long, and every one with an event</source>
-        <translation type="unfinished" />
+        <translation>Kenngrößen: in so langer Zeit wird ein Schritt aufgehoben, und jeder mit einem Ereignis</translation>
     </message>
     <message>
         <source>Length of the history</source>
-        <translation type="unfinished" />
+        <translation>Länge der Historie</translation>
     </message>
     <message>
         <source>Features: what is older goes</source>
-        <translation type="unfinished" />
+        <translation>Kenngrößen: Älteres entfällt</translation>
     </message>
     <message>
         <source>Keep recordings for</source>
-        <translation type="unfinished" />
+        <translation>Aufzeichnungen behalten für</translation>
     </message>
     <message>
         <source>Older recordings without a marker are deleted when a new one begins</source>
-        <translation type="unfinished" />
+        <translation>Ältere Aufzeichnungen ohne Marke werden gelöscht, wenn eine neue beginnt</translation>
     </message>
     <message>
         <source>Keep recordings up to</source>
-        <translation type="unfinished" />
+        <translation>Aufzeichnungen behalten bis</translation>
     </message>
     <message>
         <source>The oldest recordings without a marker are deleted beyond it</source>
-        <translation type="unfinished" />
+        <translation>Darüber werden die ältesten Aufzeichnungen ohne Marke gelöscht</translation>
     </message>
     <message>
         <source>Taps</source>
-        <translation type="unfinished" />
+        <translation>Koeffizienten</translation>
     </message>
     <message>
         <source>Length of the adaptive filter of each axis (Ford 2013 table 3: 35)</source>
-        <translation type="unfinished" />
+        <translation>Länge des adaptiven Filters je Achse (Ford 2013, Tabelle 3: 35)</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished" />
+        <translation>Schritt</translation>
     </message>
     <message>
         <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
-        <translation type="unfinished" />
+        <translation>Adaptionsschritt mu; bei „normiert“ als Anteil des größten stabilen Schritts</translation>
     </message>
     <message>
         <source>Normalised</source>
-        <translation type="unfinished" />
+        <translation>Normiert</translation>
     </message>
     <message>
         <source>Take the step as a share of the bound that follows the power of the filtered reference</source>
-        <translation type="unfinished" />
+        <translation>Den Schritt als Anteil der Grenze nehmen, die der Leistung der gefilterten Referenz folgt</translation>
     </message>
     <message>
         <source>Leak</source>
-        <translation type="unfinished" />
+        <translation>Verlust</translation>
     </message>
     <message>
         <source>Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing</source>
-        <translation type="unfinished" />
+        <translation>Faktor auf die Gewichte bei jedem Abtastwert (gamma aus Gl. 2); 1 vergisst nichts</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished" />
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>What the filter works from: the error itself, or the disturbance as the model sees it</source>
-        <translation type="unfinished" />
+        <translation>Womit das Filter arbeitet: dem Fehler selbst oder der Störung, wie das Modell sie sieht</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished" />
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>internal-model</source>
-        <translation type="unfinished" />
+        <translation>internes Modell</translation>
     </message>
     <message>
         <source>Path taps</source>
-        <translation type="unfinished" />
+        <translation>Pfad-Koeffizienten</translation>
     </message>
     <message>
         <source>Length of each part of the recursive model from actuator to sensor (table 3: 35)</source>
-        <translation type="unfinished" />
+        <translation>Länge jedes Teils des rekursiven Modells vom Aktor zum Sensor (Tabelle 3: 35)</translation>
     </message>
     <message>
         <source>Parametric</source>
-        <translation type="unfinished" />
+        <translation>Parametrisch</translation>
     </message>
     <message>
         <source>Spectral line</source>
-        <translation type="unfinished" />
+        <translation>Spektrallinie</translation>
     </message>
     <message>
         <source>Energy ratio</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil</translation>
     </message>
     <message>
         <source>Monitoring only</source>
-        <translation type="unfinished" />
+        <translation>Nur Überwachung</translation>
     </message>
     <message>
         <source>Next stable pocket, checked</source>
-        <translation type="unfinished" />
+        <translation>Nächster stabiler Bereich, geprüft</translation>
     </message>
     <message>
         <source>Centre of the lobe</source>
-        <translation type="unfinished" />
+        <translation>Mitte des Bereichs</translation>
     </message>
     <message>
         <source>Toward less vibration</source>
-        <translation type="unfinished" />
+        <translation>Zu weniger Schwingung</translation>
     </message>
     <message>
         <source>Least vibration</source>
-        <translation type="unfinished" />
+        <translation>Kleinste Schwingung</translation>
     </message>
     <message>
         <source>Quarter wave between teeth</source>
-        <translation type="unfinished" />
+        <translation>Viertelwelle zwischen Zähnen</translation>
     </message>
     <message>
         <source>Fuzzy speed and feed</source>
-        <translation type="unfinished" />
+        <translation>Unscharf: Drehzahl und Vorschub</translation>
     </message>
     <message>
         <source>Fuzzy, learning its rules</source>
-        <translation type="unfinished" />
+        <translation>Unscharf, lernt seine Regeln</translation>
     </message>
     <message>
         <source>Fuzzy, outputs tuned directly</source>
-        <translation type="unfinished" />
+        <translation>Unscharf, Ausgänge direkt abgestimmt</translation>
     </message>
     <message>
         <source>The control of the simulated mill; the only one that takes commands from a replay</source>
-        <translation type="unfinished" />
+        <translation>Die Steuerung der simulierten Fräse; die einzige, die Befehle einer Wiedergabe annimmt</translation>
     </message>
     <message>
         <source>LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port</source>
-        <translation type="unfinished" />
+        <translation>LinuxCNC über linuxcncrsh und halrmt: host, port, hal_port</translation>
     </message>
     <message>
         <source>GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port</source>
-        <translation type="unfinished" />
+        <translation>GRBL 1.1 oder grblHAL an serieller Schnittstelle oder Host: device, baud; host, port</translation>
     </message>
     <message>
         <source>A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers</source>
-        <translation type="unfinished" />
+        <translation>Ein Spindelantrieb oder eine SPS über Modbus TCP oder RTU: map, eine Registerdatei</translation>
     </message>
     <message>
         <source>Override voltages through a Comedi card: map, a file of calibration tables</source>
-        <translation type="unfinished" />
+        <translation>Override-Spannungen über eine Comedi-Karte: map, eine Datei mit Kalibriertabellen</translation>
     </message>
     <message>
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
-        <translation type="unfinished" />
+        <translation>Ein simulierter Schnitt aus einer Szenariodatei, in Echtzeit oder so schnell wie möglich</translation>
     </message>
 </context>
 <context>
     <name>Pages</name>
     <message>
         <source>Operate</source>
-        <translation type="unfinished" />
+        <translation>Bedienen</translation>
     </message>
     <message>
         <source>Analyse</source>
-        <translation type="unfinished" />
+        <translation>Analyse</translation>
     </message>
     <message>
         <source>Lobes</source>
-        <translation type="unfinished" />
+        <translation>Stabilität</translation>
     </message>
 </context>
 <context>
     <name>PlotFrame</name>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished" />
+        <translation>Zeit [s]</translation>
     </message>
 </context>
 <context>
     <name>Plots</name>
     <message>
         <source>Spectrogram of %1 [kHz]</source>
-        <translation type="unfinished" />
+        <translation>Spektrogramm von %1 [kHz]</translation>
     </message>
     <message>
         <source>Vibration of %1, rms [%2]</source>
-        <translation type="unfinished" />
+        <translation>Schwingung von %1, Effektivwert [%2]</translation>
     </message>
     <message>
         <source>Energy ratio, chatter to all</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil, Rattern zu allem</translation>
     </message>
     <message>
         <source>Spindle speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl [rpm]</translation>
     </message>
 </context>
 <context>
     <name>Reason</name>
     <message>
         <source>Auto</source>
-        <translation type="unfinished" />
+        <translation>Automatik</translation>
     </message>
     <message>
         <source>Advise</source>
-        <translation type="unfinished" />
+        <translation>Rat</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished" />
+        <translation>Aus</translation>
     </message>
     <message>
         <source>still learning the noise, {0.1} s to go</source>
-        <translation type="unfinished" />
+        <translation>lernt noch das Grundrauschen, noch {0.1} s</translation>
     </message>
     <message>
         <source>the spindle speed is not known</source>
-        <translation type="unfinished" />
+        <translation>die Drehzahl ist nicht bekannt</translation>
     </message>
     <message>
         <source>the number of teeth is not known</source>
-        <translation type="unfinished" />
+        <translation>die Zähnezahl ist nicht bekannt</translation>
     </message>
     <message>
         <source>{0.0} samples are missing</source>
-        <translation type="unfinished" />
+        <translation>{0.0} Abtastwerte fehlen</translation>
     </message>
     <message>
         <source>the sensor is at its limit</source>
-        <translation type="unfinished" />
+        <translation>der Sensor ist an seiner Grenze</translation>
     </message>
     <message>
         <source>channel {0.0} delivers values that are not numbers</source>
-        <translation type="unfinished" />
+        <translation>Kanal {0.0} liefert Werte, die keine Zahlen sind</translation>
     </message>
     <message>
         <source>channel {0.0} delivers a constant</source>
-        <translation type="unfinished" />
+        <translation>Kanal {0.0} liefert einen festen Wert</translation>
     </message>
     <message>
         <source>the spindle is running up, {0.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>die Spindel läuft hoch, {0.0} rpm</translation>
     </message>
     <message>
         <source>the tool is entering or leaving, {0.2} s</source>
-        <translation type="unfinished" />
+        <translation>das Werkzeug tritt ein oder aus, {0.2} s</translation>
     </message>
     <message>
         <source>energy ratio {0.2} is over {1.2}</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil {0.2} liegt über {1.2}</translation>
     </message>
     <message>
         <source>energy ratio {0.3} grows above its floor of {1.3}</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil {0.3} wächst über seinen Grundwert {1.3}</translation>
     </message>
     <message>
         <source>a line at {2.1} Hz between the harmonics holds {0.3} of the vibration, over {1.3}</source>
-        <translation type="unfinished" />
+        <translation>eine Linie bei {2.1} Hz zwischen den Harmonischen hält {0.3} der Schwingung, mehr als {1.3}</translation>
     </message>
     <message>
         <source>vibration that the harmonics leave, {0.3} of all, is over {1.3}, strongest at {2.1} Hz</source>
-        <translation type="unfinished" />
+        <translation>was die Harmonischen übrig lassen, {0.3} von allem, liegt über {1.3}, am stärksten bei {2.1} Hz</translation>
     </message>
     <message>
         <source>coherence ratio {0.2} is over {1.2} at {2.1} Hz and its energy grows</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz {0.2} liegt über {1.2} bei {2.1} Hz, und ihre Energie wächst</translation>
     </message>
     <message>
         <source>coherence needs two channels, there are {0.0}</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz braucht zwei Kanäle, es gibt {0.0}</translation>
     </message>
     <message>
         <source>detector {0.0} failed</source>
-        <translation type="unfinished" />
+        <translation>Detektor {0.0} ist ausgefallen</translation>
     </message>
     <message>
         <source>nothing to do</source>
-        <translation type="unfinished" />
+        <translation>nichts zu tun</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm legt {1.0} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} rpm</translation>
     </message>
     <message>
         <source>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</source>
-        <translation type="unfinished" />
+        <translation>Vorschub folgt auf {0.0} mm/min, damit jeder Zahn weiter {1.3} mm nimmt</translation>
     </message>
     <message>
         <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm würden helfen, doch der Override reicht von {1.0} bis {2.0} rpm</translation>
     </message>
     <message>
         <source>monitoring only</source>
-        <translation type="unfinished" />
+        <translation>nur Überwachung</translation>
     </message>
     <message>
         <source>there is no usable verdict to act on</source>
-        <translation type="unfinished" />
+        <translation>es gibt kein brauchbares Urteil, nach dem zu handeln wäre</translation>
     </message>
     <message>
         <source>going back towards {0.2}</source>
-        <translation type="unfinished" />
+        <translation>geht zurück auf {0.2}</translation>
     </message>
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm ist schon die Drehzahl gegen Rattern bei {1.0} Hz</translation>
     </message>
     <message>
         <source>quiet, keeping {0.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>ruhig, bleibt bei {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm mit {1.0} Wellen zwischen zwei Zähnen ist erreichbar, {2.0} rpm nicht (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm legt {1.2} Ratterwellen von {2.0} Hz zwischen zwei Zähne, bisher {3.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm bringt eine Zahnharmonische näher ans Rattern, Abstand {1.1} Hz, Pegel {2.2} des Mittels</translation>
     </message>
     <message>
         <source>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>versucht {0.0} rpm für weniger Schwingung, jetzt {1.4}, bisher am besten {2.4} bei {3.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm vibrates least, {1.4}</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm schwingt am wenigsten, {1.4}</translation>
     </message>
     <message>
         <source>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm liegt zwischen den Stabilitätsgrenzen bei {1.0} und {2.0} rpm (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>keine erreichbare Drehzahl ist in dieser Tiefe stabil, {1.2} mm bei {2.0} rpm wären es (Rattern {3.0} Hz)</translation>
     </message>
     <message>
         <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation type="unfinished" />
+        <translation>{0.0} Drehzahlen versucht, keine ist ruhig (Rattern {1.0} Hz), die Tiefe muss kleiner werden</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz {0.2} und das {1.1}fache der Energie des stabilen Schnitts verlangen {2.0} rpm und {3.0} mm/min</translation>
     </message>
     <message>
         <source>authority is off</source>
-        <translation type="unfinished" />
+        <translation>die Befugnis ist aus</translation>
     </message>
     <message>
         <source>advice only</source>
-        <translation type="unfinished" />
+        <translation>nur Rat</translation>
     </message>
     <message>
         <source>the request was not a number</source>
-        <translation type="unfinished" />
+        <translation>die Anforderung war keine Zahl</translation>
     </message>
     <message>
         <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation type="unfinished" />
+        <translation>verlangt {0.2}, die Grenzen erlauben {1.2}</translation>
     </message>
     <message>
         <source>the machine's state is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>der Maschinenzustand ist {0.2} s alt</translation>
     </message>
     <message>
         <source>the verdict is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>das Urteil ist {0.2} s alt</translation>
     </message>
     <message>
         <source>the machine is not running a program</source>
-        <translation type="unfinished" />
+        <translation>die Maschine führt kein Programm aus</translation>
     </message>
     <message>
         <source>held by the operator</source>
-        <translation type="unfinished" />
+        <translation>vom Bediener gehalten</translation>
     </message>
     <message>
         <source>waiting for the spindle, {0.0} of {1.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>wartet auf die Spindel, {0.0} von {1.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} changes in a minute, {1.0} allowed</source>
-        <translation type="unfinished" />
+        <translation>{0.0} Änderungen in einer Minute, {1.0} erlaubt</translation>
     </message>
     <message>
         <source>the programmed values are back in force</source>
-        <translation type="unfinished" />
+        <translation>die programmierten Werte gelten wieder</translation>
     </message>
     <message>
         <source>no fresh command for {0.2} s, programmed values restored</source>
-        <translation type="unfinished" />
+        <translation>seit {0.2} s kein neuer Befehl, programmierte Werte wiederhergestellt</translation>
     </message>
     <message>
         <source>speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl {0.1} % und Vorschub {1.1} %, mit den Drehknöpfen {2.1} % und {3.1} %</translation>
     </message>
     <message>
         <source>speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl {0.1} % auf dem Weg zu {1.1} %, Vorschub {2.1} % zu {3.1} %</translation>
     </message>
     <message>
         <source>what the machine reports makes no sense</source>
-        <translation type="unfinished" />
+        <translation>was die Maschine meldet, ergibt keinen Sinn</translation>
     </message>
     <message>
         <source>the program has locked the overrides</source>
-        <translation type="unfinished" />
+        <translation>das Programm hat die Overrides gesperrt</translation>
     </message>
     <message>
         <source>something else controls the overrides</source>
-        <translation type="unfinished" />
+        <translation>etwas anderes steuert die Overrides</translation>
     </message>
     <message>
         <source>the detector's verdict is not usable</source>
-        <translation type="unfinished" />
+        <translation>das Urteil des Detektors ist nicht brauchbar</translation>
     </message>
     <message>
         <source>the request is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>die Anforderung ist {0.2} s alt</translation>
     </message>
     <message>
         <source>time stood still, jumped or went back</source>
-        <translation type="unfinished" />
+        <translation>die Zeit stand still, sprang oder lief zurück</translation>
     </message>
     <message>
         <source>the tool is not in the cut</source>
-        <translation type="unfinished" />
+        <translation>das Werkzeug ist nicht im Schnitt</translation>
     </message>
     <message>
         <source>the feed is on hold</source>
-        <translation type="unfinished" />
+        <translation>der Vorschub ist angehalten</translation>
     </message>
     <message>
         <source>the operator turns the knobs: speed {0.0} %, feed {1.0} %</source>
-        <translation type="unfinished" />
+        <translation>der Bediener dreht die Knöpfe: Drehzahl {0.0} %, Vorschub {1.0} %</translation>
     </message>
     <message>
         <source>the spindle does not follow, {0.0} instead of {1.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>die Spindel folgt nicht, {0.0} statt {1.0} rpm</translation>
     </message>
     <message>
         <source>the machine does not take the override, {0.1} % instead of {1.1} %</source>
-        <translation type="unfinished" />
+        <translation>die Maschine nimmt den Override nicht an, {0.1} % statt {1.1} %</translation>
     </message>
     <message>
         <source>the program went from {0.0} to {1.0} rpm, starting again from 100 %</source>
-        <translation type="unfinished" />
+        <translation>das Programm ging von {0.0} auf {1.0} rpm, beginnt wieder bei 100 %</translation>
     </message>
     <message>
         <source>waiting {0.1} s before taking the overrides again</source>
-        <translation type="unfinished" />
+        <translation>wartet {0.1} s, bevor es die Overrides wieder übernimmt</translation>
     </message>
     <message>
         <source>too many changes, waiting {0.0} s</source>
-        <translation type="unfinished" />
+        <translation>zu viele Änderungen, wartet {0.0} s</translation>
     </message>
     <message>
         <source>Auto is not allowed in this set-up</source>
-        <translation type="unfinished" />
+        <translation>Automatik ist in dieser Einrichtung nicht erlaubt</translation>
     </message>
     <message>
         <source>more than {0.0} changes in a minute again, advice only from now on</source>
-        <translation type="unfinished" />
+        <translation>wieder mehr als {0.0} Änderungen in einer Minute, ab jetzt nur noch Rat</translation>
     </message>
     <message>
         <source>the operator accepted {0.0} rpm and {1.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>der Bediener hat {0.0} rpm und {1.0} mm/min angenommen</translation>
     </message>
     <message>
         <source>the operator refused {0.0} rpm and {1.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>der Bediener hat {0.0} rpm und {1.0} mm/min abgelehnt</translation>
     </message>
     <message>
         <source>chatter at {0.0} Hz, energy ratio {1.2}</source>
-        <translation type="unfinished" />
+        <translation>Rattern bei {0.0} Hz, Energieanteil {1.2}</translation>
     </message>
     <message>
         <source>quiet again after {0.2} s and {1.1} mm of feed</source>
-        <translation type="unfinished" />
+        <translation>nach {0.2} s und {1.1} mm Vorschub wieder ruhig</translation>
     </message>
     <message>
         <source>authority changed from {0.0} to {1.0}</source>
-        <translation type="unfinished" />
+        <translation>Befugnis von {0.0} auf {1.0} geändert</translation>
     </message>
     <message>
         <source>back to 100 % at the operator's wish</source>
-        <translation type="unfinished" />
+        <translation>auf Wunsch des Bedieners zurück auf 100 %</translation>
     </message>
     <message>
         <source>the machine has not answered for {0.2} s</source>
-        <translation type="unfinished" />
+        <translation>die Maschine antwortet seit {0.2} s nicht</translation>
     </message>
     <message>
         <source>the machine answers again</source>
-        <translation type="unfinished" />
+        <translation>die Maschine antwortet wieder</translation>
     </message>
     <message>
         <source>recording has stopped</source>
-        <translation type="unfinished" />
+        <translation>die Aufzeichnung hat angehalten</translation>
     </message>
     <message>
         <source>{0.0} blocks were dropped</source>
-        <translation type="unfinished" />
+        <translation>{0.0} Blöcke gingen verloren</translation>
     </message>
     <message>
         <source>Auto is granted because this machine is simulated</source>
-        <translation type="unfinished" />
+        <translation>Automatik ist erlaubt, weil diese Maschine simuliert ist</translation>
     </message>
     <message>
         <source>the strategy failed, monitoring only from now on</source>
-        <translation type="unfinished" />
+        <translation>die Strategie ist ausgefallen, ab jetzt nur Überwachung</translation>
     </message>
     <message>
         <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
-        <translation type="unfinished" />
+        <translation>der Rat ist jetzt {0.0} rpm und {1.0} mm/min, er muss noch einmal berührt werden</translation>
     </message>
 </context>
 <context>
     <name>ReportPages</name>
     <message>
         <source>Cut report</source>
-        <translation type="unfinished" />
+        <translation>Schnittbericht</translation>
     </message>
     <message>
         <source>page %1 of %2</source>
-        <translation type="unfinished" />
+        <translation>Seite %1 von %2</translation>
     </message>
     <message>
         <source>Alarms and what was done</source>
-        <translation type="unfinished" />
+        <translation>Alarme und was getan wurde</translation>
     </message>
     <message>
         <source>Before: highest until the first command. After: newest at the end of the alarm. Numbers are those in the plots.</source>
-        <translation type="unfinished" />
+        <translation>Vorher: höchster Wert bis zum ersten Befehl. Nachher: neuester am Ende des Alarms. Die Nummern sind die in den Bildern.</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished" />
+        <translation>Ereignisse</translation>
     </message>
     <message>
         <source>and %1 more</source>
-        <translation type="unfinished" />
+        <translation>und %1 weitere</translation>
     </message>
     <message>
         <source>Sensor check</source>
-        <translation type="unfinished" />
+        <translation>Sensorprüfung</translation>
     </message>
     <message>
         <source>Settings in force</source>
-        <translation type="unfinished" />
+        <translation>Geltende Einstellungen</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui</name>
     <message>
         <source>%1 rpm, %2</source>
-        <translation type="unfinished" />
+        <translation>%1 rpm, %2</translation>
     </message>
     <message>
         <source>Costs no time</source>
-        <translation type="unfinished" />
+        <translation>Kostet keine Zeit</translation>
     </message>
     <message>
         <source>Costs %1 time</source>
-        <translation type="unfinished" />
+        <translation>Kostet %1 Zeit</translation>
     </message>
     <message>
         <source>Saves %1 time</source>
-        <translation type="unfinished" />
+        <translation>Spart %1 Zeit</translation>
     </message>
     <message>
         <source>cutting speed %1</source>
-        <translation type="unfinished" />
+        <translation>Schnittgeschwindigkeit %1</translation>
     </message>
     <message>
         <source>The feed stays as it is</source>
-        <translation type="unfinished" />
+        <translation>Der Vorschub bleibt, wie er ist</translation>
     </message>
     <message>
         <source>Feed follows: %1</source>
-        <translation type="unfinished" />
+        <translation>Vorschub folgt: %1</translation>
     </message>
     <message>
         <source>The speed stays as it is</source>
-        <translation type="unfinished" />
+        <translation>Die Drehzahl bleibt, wie sie ist</translation>
     </message>
     <message>
         <source>ADVICE</source>
-        <translation type="unfinished" />
+        <translation>RAT</translation>
     </message>
     <message>
         <source>Back to 100 %</source>
-        <translation type="unfinished" />
+        <translation>Zurück auf 100 %</translation>
     </message>
     <message>
         <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
-        <translation type="unfinished" />
+        <translation>VERLANGT, VON DER MASCHINE NICHT BESTÄTIGT</translation>
     </message>
     <message>
         <source>IN FORCE, HELD BY YOU</source>
-        <translation type="unfinished" />
+        <translation>IN KRAFT, VON IHNEN GEHALTEN</translation>
     </message>
     <message>
         <source>IN FORCE</source>
-        <translation type="unfinished" />
+        <translation>IN KRAFT</translation>
     </message>
     <message>
         <source>WHAT TO DO</source>
-        <translation type="unfinished" />
+        <translation>WAS ZU TUN IST</translation>
     </message>
     <message>
         <source>No advice</source>
-        <translation type="unfinished" />
+        <translation>Kein Rat</translation>
     </message>
     <message>
         <source>There is no live picture to advise on</source>
-        <translation type="unfinished" />
+        <translation>Ohne aktuelles Bild kein Rat</translation>
     </message>
     <message>
         <source>Nothing to do</source>
-        <translation type="unfinished" />
+        <translation>Nichts zu tun</translation>
     </message>
     <message>
         <source>Authority is off: Stillcut only watches</source>
-        <translation type="unfinished" />
+        <translation>Befugnis aus: Stillcut schaut nur zu</translation>
     </message>
     <message>
         <source>There is no verdict to act on</source>
-        <translation type="unfinished" />
+        <translation>Es gibt kein Urteil zum Handeln</translation>
     </message>
     <message>
         <source>The strategy has not decided yet</source>
-        <translation type="unfinished" />
+        <translation>Die Strategie hat noch nicht entschieden</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished" />
+        <translation>etwa %1</translation>
     </message>
     <message>
         <source>The machine does not answer; last values %1 old</source>
-        <translation type="unfinished" />
+        <translation>Die Maschine antwortet nicht; letzte Werte %1 alt</translation>
     </message>
     <message>
         <source>Values are %1 old</source>
-        <translation type="unfinished" />
+        <translation>Werte sind %1 alt</translation>
     </message>
     <message>
         <source>Another program has the overrides</source>
-        <translation type="unfinished" />
+        <translation>Ein anderes Programm hat die Overrides</translation>
     </message>
     <message>
         <source>The program has switched overrides off</source>
-        <translation type="unfinished" />
+        <translation>Das Programm hat Overrides abgeschaltet</translation>
     </message>
     <message>
         <source>Feed hold</source>
-        <translation type="unfinished" />
+        <translation>Vorschub angehalten</translation>
     </message>
     <message>
         <source>Energy ratio</source>
-        <translation type="unfinished" />
+        <translation>Energieanteil</translation>
     </message>
     <message>
         <source>Vibration</source>
-        <translation type="unfinished" />
+        <translation>Schwingung</translation>
     </message>
     <message>
         <source>Coherence</source>
-        <translation type="unfinished" />
+        <translation>Kohärenz</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished" />
+        <translation>Vorschub</translation>
     </message>
     <message>
         <source>Nothing was read from the machine yet</source>
-        <translation type="unfinished" />
+        <translation>Noch nichts von der Maschine gelesen</translation>
     </message>
     <message>
         <source>Knobs %1, %2</source>
-        <translation type="unfinished" />
+        <translation>Knöpfe %1, %2</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished" />
+        <translation>Maschine</translation>
     </message>
     <message>
         <source>not read yet</source>
-        <translation type="unfinished" />
+        <translation>noch nicht gelesen</translation>
     </message>
     <message>
         <source>no answer for %1</source>
-        <translation type="unfinished" />
+        <translation>seit %1 keine Antwort</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished" />
+        <translation>Sensor</translation>
     </message>
     <message>
         <source>no samples yet</source>
-        <translation type="unfinished" />
+        <translation>noch keine Werte</translation>
     </message>
     <message>
         <source>nothing for %1</source>
-        <translation type="unfinished" />
+        <translation>seit %1 nichts</translation>
     </message>
     <message>
         <source>at its limit</source>
-        <translation type="unfinished" />
+        <translation>an der Grenze</translation>
     </message>
     <message>
         <source>dead</source>
-        <translation type="unfinished" />
+        <translation>tot</translation>
     </message>
     <message>
         <source>not a number</source>
-        <translation type="unfinished" />
+        <translation>keine Zahl</translation>
     </message>
     <message>
         <source>samples missing</source>
-        <translation type="unfinished" />
+        <translation>Werte fehlen</translation>
     </message>
     <message>
         <source>ok</source>
-        <translation type="unfinished" />
+        <translation>ok</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished" />
+        <translation>Aufzeichnung</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished" />
+        <translation>aus</translation>
     </message>
     <message>
         <source>%1, %2 lost</source>
-        <translation type="unfinished" />
+        <translation>%1, %2 verloren</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished" />
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>Chatter %1</source>
-        <translation type="unfinished" />
+        <translation>Rattern %1</translation>
     </message>
     <message>
         <source>%1, acting</source>
-        <translation type="unfinished" />
+        <translation>%1, greift ein</translation>
     </message>
     <message>
         <source>%1, not quieted</source>
-        <translation type="unfinished" />
+        <translation>%1, nicht beruhigt</translation>
     </message>
     <message>
         <source>%1, quiet after %2, %3 marked</source>
-        <translation type="unfinished" />
+        <translation>%1, ruhig nach %2, %3 Marken</translation>
     </message>
     <message>
         <source>%1, %2 more time</source>
-        <translation type="unfinished" />
+        <translation>%1, %2 mehr Zeit</translation>
     </message>
     <message>
         <source>chatter %1</source>
-        <translation type="unfinished" />
+        <translation>Rattern %1</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished" />
+        <translation>Rate</translation>
     </message>
     <message>
         <source>Drops</source>
-        <translation type="unfinished" />
+        <translation>Verluste</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation type="unfinished" />
+        <translation>Überläufe</translation>
     </message>
     <message>
         <source>Block age</source>
-        <translation type="unfinished" />
+        <translation>Blockalter</translation>
     </message>
     <message>
         <source>You are in command</source>
-        <translation type="unfinished" />
+        <translation>Sie haben das Kommando</translation>
     </message>
     <message>
         <source>speed %1, feed %2</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl %1, Vorschub %2</translation>
     </message>
     <message>
         <source>Stillcut is in command</source>
-        <translation type="unfinished" />
+        <translation>Stillcut hat das Kommando</translation>
     </message>
     <message>
         <source>You are in command, Stillcut advises</source>
-        <translation type="unfinished" />
+        <translation>Sie haben das Kommando, Stillcut rät</translation>
     </message>
     <message>
         <source>since %1</source>
-        <translation type="unfinished" />
+        <translation>seit %1</translation>
     </message>
     <message>
         <source>%1, on this simulated machine</source>
-        <translation type="unfinished" />
+        <translation>%1, auf dieser simulierten Maschine</translation>
     </message>
     <message>
         <source>as last heard, %1 ago</source>
-        <translation type="unfinished" />
+        <translation>nach letztem Stand, vor %1</translation>
     </message>
     <message>
         <source>held by you, %1</source>
-        <translation type="unfinished" />
+        <translation>von Ihnen gehalten, %1</translation>
     </message>
     <message>
         <source>NO CUT</source>
-        <translation type="unfinished" />
+        <translation>LUFT</translation>
     </message>
     <message>
         <source>STABLE</source>
-        <translation type="unfinished" />
+        <translation>STABIL</translation>
     </message>
     <message>
         <source>ONSET</source>
-        <translation type="unfinished" />
+        <translation>BEGINN</translation>
     </message>
     <message>
         <source>CHATTER</source>
-        <translation type="unfinished" />
+        <translation>RATTERN</translation>
     </message>
     <message>
         <source>Hopf</source>
-        <translation type="unfinished" />
+        <translation>Hopf</translation>
     </message>
     <message>
         <source>period doubling</source>
-        <translation type="unfinished" />
+        <translation>Periodenverdopplung</translation>
     </message>
     <message>
         <source>forced vibration</source>
-        <translation type="unfinished" />
+        <translation>erzwungene Schwingung</translation>
     </message>
     <message>
         <source>growing</source>
-        <translation type="unfinished" />
+        <translation>wachsend</translation>
     </message>
     <message>
         <source>steady</source>
-        <translation type="unfinished" />
+        <translation>gleichbleibend</translation>
     </message>
     <message>
         <source>dying down</source>
-        <translation type="unfinished" />
+        <translation>abklingend</translation>
     </message>
     <message>
         <source>The tool is in the air</source>
-        <translation type="unfinished" />
+        <translation>Das Werkzeug ist in der Luft</translation>
     </message>
     <message>
         <source>The spindle is running up</source>
-        <translation type="unfinished" />
+        <translation>Die Spindel läuft hoch</translation>
     </message>
     <message>
         <source>The tool is entering</source>
-        <translation type="unfinished" />
+        <translation>Das Werkzeug tritt ein</translation>
     </message>
     <message>
         <source>The tool is leaving</source>
-        <translation type="unfinished" />
+        <translation>Das Werkzeug tritt aus</translation>
     </message>
     <message>
         <source>No chatter in this run</source>
-        <translation type="unfinished" />
+        <translation>Kein Rattern in diesem Lauf</translation>
     </message>
     <message>
         <source>In chatter so far: %1, %2</source>
-        <translation type="unfinished" />
+        <translation>Bisher im Rattern: %1, %2</translation>
     </message>
     <message>
         <source>NO VERDICT</source>
-        <translation type="unfinished" />
+        <translation>KEIN URTEIL</translation>
     </message>
     <message>
         <source>The picture is stale: nothing new for %1</source>
-        <translation type="unfinished" />
+        <translation>Das Bild ist veraltet: seit %1 nichts Neues</translation>
     </message>
     <message>
         <source>Last verdict: %1 %2</source>
-        <translation type="unfinished" />
+        <translation>Letztes Urteil: %1 %2</translation>
     </message>
     <message>
         <source>For %1</source>
-        <translation type="unfinished" />
+        <translation>Seit %1</translation>
     </message>
     <message>
         <source>For %1, %2 of feed</source>
-        <translation type="unfinished" />
+        <translation>Seit %1, %2 Vorschubweg</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>Wartet auf die ersten Messwerte</translation>
     </message>
     <message>
         <source>The run has ended</source>
-        <translation type="unfinished" />
+        <translation>Der Lauf ist zu Ende</translation>
     </message>
     <message>
         <source>The detector gives no reason</source>
-        <translation type="unfinished" />
+        <translation>Der Detektor nennt keinen Grund</translation>
     </message>
     <message>
         <source>Early warning: vibration begins to grow</source>
-        <translation type="unfinished" />
+        <translation>Frühwarnung: die Schwingung beginnt zu wachsen</translation>
     </message>
     <message>
         <source>The cut is quiet</source>
-        <translation type="unfinished" />
+        <translation>Der Schnitt ist ruhig</translation>
     </message>
     <message>
         <source>The tool does not cut</source>
-        <translation type="unfinished" />
+        <translation>Das Werkzeug schneidet nicht</translation>
     </message>
     <message>
         <source>Auto: Stillcut commanded the overrides</source>
-        <translation type="unfinished" />
+        <translation>Automatik: Stillcut steuerte die Overrides</translation>
     </message>
     <message>
         <source>Advise: Stillcut proposed</source>
-        <translation type="unfinished" />
+        <translation>Rat: Stillcut schlug vor</translation>
     </message>
     <message>
         <source>Off: Stillcut watched</source>
-        <translation type="unfinished" />
+        <translation>Aus: Stillcut sah zu</translation>
     </message>
     <message>
         <source>no signal: check cable and supply</source>
-        <translation type="unfinished" />
+        <translation>kein Signal: Kabel und Versorgung prüfen</translation>
     </message>
     <message>
         <source>clipped: lower the gain</source>
-        <translation type="unfinished" />
+        <translation>übersteuert: Verstärkung senken</translation>
     </message>
     <message>
         <source>large constant part: check coupling</source>
-        <translation type="unfinished" />
+        <translation>großer Gleichanteil: Kopplung prüfen</translation>
     </message>
     <message>
         <source>far weaker than the others: loose?</source>
-        <translation type="unfinished" />
+        <translation>viel schwächer als die anderen: locker?</translation>
     </message>
     <message>
         <source>in order</source>
-        <translation type="unfinished" />
+        <translation>in Ordnung</translation>
     </message>
     <message>
         <source>quiet</source>
-        <translation type="unfinished" />
+        <translation>ruhig</translation>
     </message>
     <message>
         <source>cut ended</source>
-        <translation type="unfinished" />
+        <translation>Schnitt zu Ende</translation>
     </message>
     <message>
         <source>not quiet</source>
-        <translation type="unfinished" />
+        <translation>nicht ruhig</translation>
     </message>
     <message>
         <source>not answered</source>
-        <translation type="unfinished" />
+        <translation>nicht beantwortet</translation>
     </message>
     <message>
         <source> (simulated)</source>
-        <translation type="unfinished" />
+        <translation> (simuliert)</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished" />
+        <translation>Werkzeug</translation>
     </message>
     <message>
         <source>, diameter </source>
-        <translation type="unfinished" />
+        <translation>, Durchmesser </translation>
     </message>
     <message>
         <source>Teeth</source>
-        <translation type="unfinished" />
+        <translation>Zähne</translation>
     </message>
     <message>
         <source>Programmed</source>
-        <translation type="unfinished" />
+        <translation>Programmiert</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished" />
+        <translation>rpm</translation>
     </message>
     <message>
         <source>mm/min</source>
-        <translation type="unfinished" />
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Authority</source>
-        <translation type="unfinished" />
+        <translation>Befugnis</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished" />
+        <translation>Länge</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished" />
+        <translation>Sensoren</translation>
     </message>
     <message>
         <source>%1 at %2 Hz</source>
-        <translation type="unfinished" />
+        <translation>%1 mit %2 Hz</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished" />
+        <translation>Fehlend</translation>
     </message>
     <message>
         <source>%1 in %2 gaps</source>
-        <translation type="unfinished" />
+        <translation>%1 in %2 Lücken</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished" />
+        <translation>Format</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished" />
+        <translation>Datei</translation>
     </message>
     <message>
         <source>not closed: ends where it was cut off</source>
-        <translation type="unfinished" />
+        <translation>nicht geschlossen: endet, wo sie abbrach</translation>
     </message>
     <message>
         <source>Recorded by</source>
-        <translation type="unfinished" />
+        <translation>Aufgezeichnet von</translation>
     </message>
     <message>
         <source>This recording holds measurements only: nobody decided while it was made. Vibration and spectrogram are shown as they are.</source>
-        <translation type="unfinished" />
+        <translation>Diese Aufzeichnung enthält nur Messwerte: währenddessen wurde nichts entschieden. Schwingung und Spektrogramm sind gezeigt, wie sie sind.</translation>
     </message>
     <message>
         <source>No chatter was found.</source>
-        <translation type="unfinished" />
+        <translation>Es wurde kein Rattern gefunden.</translation>
     </message>
     <message>
         <source>Chatter began once</source>
-        <translation type="unfinished" />
+        <translation>Rattern begann einmal</translation>
     </message>
     <message>
         <source>Chatter began %1 times</source>
-        <translation type="unfinished" />
+        <translation>Rattern begann %1-mal</translation>
     </message>
     <message>
         <source>, first at %1</source>
-        <translation type="unfinished" />
+        <translation>, zuerst bei %1</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished" />
+        <translation>Hz</translation>
     </message>
     <message>
         <source>; it lasted %1 in all</source>
-        <translation type="unfinished" />
+        <translation>; es dauerte insgesamt %1</translation>
     </message>
     <message>
         <source> and marked %1 of path</source>
-        <translation type="unfinished" />
+        <translation> und zeichnete %1 Weg</translation>
     </message>
     <message>
         <source>The overrides were not touched.</source>
-        <translation type="unfinished" />
+        <translation>Die Overrides wurden nicht berührt.</translation>
     </message>
     <message>
         <source>Stillcut moved speed and feed once; </source>
-        <translation type="unfinished" />
+        <translation>Stillcut hat Drehzahl und Vorschub einmal geändert; </translation>
     </message>
     <message>
         <source>Stillcut moved speed and feed %1 times; </source>
-        <translation type="unfinished" />
+        <translation>Stillcut hat Drehzahl und Vorschub %1-mal geändert; </translation>
     </message>
     <message>
         <source>the cut was quiet again.</source>
-        <translation type="unfinished" />
+        <translation>der Schnitt war wieder ruhig.</translation>
     </message>
     <message>
         <source>each time the cut was quiet again.</source>
-        <translation type="unfinished" />
+        <translation>jedes Mal war der Schnitt wieder ruhig.</translation>
     </message>
     <message>
         <source>it did not become quiet before the cut ended.</source>
-        <translation type="unfinished" />
+        <translation>er wurde bis zum Ende des Schnitts nicht ruhig.</translation>
     </message>
     <message>
         <source>once the cut was quiet again before it ended.</source>
-        <translation type="unfinished" />
+        <translation>einmal war der Schnitt vor seinem Ende wieder ruhig.</translation>
     </message>
     <message>
         <source>%1 times the cut was quiet again before it ended.</source>
-        <translation type="unfinished" />
+        <translation>%1-mal war der Schnitt vor seinem Ende wieder ruhig.</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished" />
+        <translation>Nr.</translation>
     </message>
     <message>
         <source>At</source>
-        <translation type="unfinished" />
+        <translation>Um</translation>
     </message>
     <message>
         <source>Chatter</source>
-        <translation type="unfinished" />
+        <translation>Rattern</translation>
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished" />
+        <translation>Vorschub [mm/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
-        <translation type="unfinished" />
+        <translation>Schwingung eff.</translation>
     </message>
     <message>
         <source>Quiet after</source>
-        <translation type="unfinished" />
+        <translation>Ruhig nach</translation>
     </message>
     <message>
         <source>Marked</source>
-        <translation type="unfinished" />
+        <translation>Marken</translation>
     </message>
     <message>
         <source>Outcome</source>
-        <translation type="unfinished" />
+        <translation>Ergebnis</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished" />
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished" />
+        <translation>Skalierung</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished" />
+        <translation>eff.</translation>
     </message>
     <message>
         <source>Peak</source>
-        <translation type="unfinished" />
+        <translation>Spitze</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished" />
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished" />
+        <translation>Einheit</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished" />
+        <translation>Prüfung</translation>
     </message>
     <message>
         <source> (assumed)</source>
-        <translation type="unfinished" />
+        <translation> (angenommen)</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished" />
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished" />
+        <translation>Was</translation>
     </message>
     <message>
         <source>fault</source>
-        <translation type="unfinished" />
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished" />
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>info</source>
-        <translation type="unfinished" />
+        <translation>Info</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished" />
+        <translation>Urteil</translation>
     </message>
     <message>
         <source>stable</source>
-        <translation type="unfinished" />
+        <translation>stabil</translation>
     </message>
     <message>
         <source>onset</source>
-        <translation type="unfinished" />
+        <translation>Beginn</translation>
     </message>
     <message>
         <source>chatter</source>
-        <translation type="unfinished" />
+        <translation>Rattern</translation>
     </message>
     <message>
         <source>Stillcut moved speed or feed</source>
-        <translation type="unfinished" />
+        <translation>Stillcut änderte Drehzahl oder Vorschub</translation>
     </message>
     <message>
         <source>uncalibrated</source>
-        <translation type="unfinished" />
+        <translation>nicht kalibriert</translation>
     </message>
     <message>
         <source>dB</source>
-        <translation type="unfinished" />
+        <translation>dB</translation>
     </message>
     <message>
         <source>too short for a spectrogram</source>
-        <translation type="unfinished" />
+        <translation>zu kurz für ein Spektrogramm</translation>
     </message>
     <message>
         <source>Not computed here</source>
-        <translation type="unfinished" />
+        <translation>Hier nicht berechnet</translation>
     </message>
     <message>
         <source>The diagram does not reach this speed</source>
-        <translation type="unfinished" />
+        <translation>Das Diagramm reicht nicht bis zu dieser Drehzahl</translation>
     </message>
     <message>
         <source>Compute the diagram first</source>
-        <translation type="unfinished" />
+        <translation>Erst das Diagramm berechnen</translation>
     </message>
     <message>
         <source>STABLE, %1 deeper would be too deep</source>
-        <translation type="unfinished" />
+        <translation>STABIL, %1 tiefer wäre zu tief</translation>
     </message>
     <message>
         <source>CHATTER, %1 too deep</source>
-        <translation type="unfinished" />
+        <translation>RATTERN, %1 zu tief</translation>
     </message>
     <message>
         <source>limit %1</source>
-        <translation type="unfinished" />
+        <translation>Grenze %1</translation>
     </message>
     <message>
         <source>removes %1</source>
-        <translation type="unfinished" />
+        <translation>Abtrag %1</translation>
     </message>
     <message>
         <source>%1 more time</source>
-        <translation type="unfinished" />
+        <translation>%1 mehr Zeit</translation>
     </message>
     <message>
         <source>%1 less time</source>
-        <translation type="unfinished" />
+        <translation>%1 weniger Zeit</translation>
     </message>
     <message>
         <source>, order %1</source>
-        <translation type="unfinished" />
+        <translation>, Ordnung %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
     <message>
         <source>ACCEPT</source>
-        <translation type="unfinished" />
+        <translation>ANNEHMEN</translation>
     </message>
     <message>
         <source>NOT NOW</source>
-        <translation type="unfinished" />
+        <translation>JETZT NICHT</translation>
     </message>
     <message>
         <source>What to do</source>
-        <translation type="unfinished" />
+        <translation>Was zu tun ist</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::AnalyseTools</name>
     <message>
         <source>LIVE</source>
-        <translation type="unfinished" />
+        <translation>LIVE</translation>
     </message>
     <message>
         <source>WATERFALL</source>
-        <translation type="unfinished" />
+        <translation>WASSERFALL</translation>
     </message>
     <message>
         <source>LINEAR</source>
-        <translation type="unfinished" />
+        <translation>LINEAR</translation>
     </message>
     <message>
         <source>ORDERS</source>
-        <translation type="unfinished" />
+        <translation>ORDNUNG</translation>
     </message>
     <message>
         <source>MAX HOLD</source>
-        <translation type="unfinished" />
+        <translation>MAX HALTEN</translation>
     </message>
     <message>
         <source>REFERENCE</source>
-        <translation type="unfinished" />
+        <translation>REFERENZ</translation>
     </message>
     <message>
         <source>Channel</source>
-        <translation type="unfinished" />
+        <translation>Kanal</translation>
     </message>
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
-        <translation type="unfinished" />
+        <translation>Kanal von Spektrogramm, Spektrum und Signal</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::CommandBar</name>
     <message>
         <source>OFF</source>
-        <translation type="unfinished" />
+        <translation>AUS</translation>
     </message>
     <message>
         <source>ADVISE</source>
-        <translation type="unfinished" />
+        <translation>RAT</translation>
     </message>
     <message>
         <source>AUTO</source>
-        <translation type="unfinished" />
+        <translation>AUTOMATIK</translation>
     </message>
     <message>
         <source>HOLD</source>
-        <translation type="unfinished" />
+        <translation>HALTEN</translation>
     </message>
     <message>
         <source>BACK TO 100 %</source>
@@ -2159,477 +2159,485 @@
     </message>
     <message>
         <source>Authority</source>
-        <translation type="unfinished" />
+        <translation>Befugnis</translation>
     </message>
     <message>
         <source>This profile does not grant Auto</source>
-        <translation type="unfinished" />
+        <translation>Dieses Profil erlaubt Automatik nicht</translation>
     </message>
     <message>
         <source>END HOLD</source>
-        <translation type="unfinished" />
+        <translation>HALT ENDE</translation>
     </message>
     <message>
         <source>Esc, now %1</source>
-        <translation type="unfinished" />
+        <translation>Esc, jetzt %1</translation>
     </message>
     <message>
         <source>AUTO?</source>
-        <translation type="unfinished" />
+        <translation>AUTOMATIK?</translation>
     </message>
     <message>
         <source>touch again to confirm</source>
-        <translation type="unfinished" />
+        <translation>nochmals berühren</translation>
     </message>
     <message>
         <source>This machine has no watchdog</source>
-        <translation type="unfinished" />
+        <translation>Diese Maschine hat keinen Wächter</translation>
     </message>
     <message>
         <source>if Stillcut dies, its overrides stay</source>
-        <translation type="unfinished" />
+        <translation>fällt Stillcut aus, bleiben die Overrides</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::DisplayPanel</name>
     <message>
         <source>Display</source>
-        <translation type="unfinished" />
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>LIGHT</source>
-        <translation type="unfinished" />
+        <translation>HELL</translation>
     </message>
     <message>
         <source>DARK</source>
-        <translation type="unfinished" />
+        <translation>DUNKEL</translation>
     </message>
     <message>
         <source>HIGH CONTRAST</source>
-        <translation type="unfinished" />
+        <translation>HOHER KONTRAST</translation>
     </message>
     <message>
         <source>METRIC</source>
-        <translation type="unfinished" />
+        <translation>METRISCH</translation>
     </message>
     <message>
         <source>INCH</source>
-        <translation type="unfinished" />
+        <translation>ZOLL</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::HeaderBar</name>
     <message>
         <source>SIMULATED MACHINE</source>
-        <translation type="unfinished" />
+        <translation>SIMULIERTE MASCHINE</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation type="unfinished" />
+        <translation>Anzeige</translation>
     </message>
     <message>
         <source>Theme, units, language (F11); next theme (F12)</source>
-        <translation type="unfinished" />
+        <translation>Farben, Einheiten, Sprache (F11); nächste Farben (F12)</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::HistoryMap</name>
     <message>
         <source>SPECTROGRAM</source>
-        <translation type="unfinished" />
+        <translation>SPEKTROGRAMM</translation>
     </message>
     <message>
         <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B.</source>
-        <translation type="unfinished" />
+        <translation>Ziehen: verschieben. Rad: zoomen. Strg und Ziehen: auf einen Abschnitt zoomen. Klick: Cursor A, mit Umschalt B.</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>Wartet auf die ersten Messwerte</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>Ordnung</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::InterventionList</name>
     <message>
         <source>WAS CHATTER</source>
-        <translation type="unfinished" />
+        <translation>RICHTIGER ALARM</translation>
     </message>
     <message>
         <source>FALSE ALARM</source>
-        <translation type="unfinished" />
+        <translation>FEHLALARM</translation>
     </message>
     <message>
         <source>Last interventions</source>
-        <translation type="unfinished" />
+        <translation>Letzte Eingriffe</translation>
     </message>
     <message>
         <source>LAST INTERVENTIONS</source>
-        <translation type="unfinished" />
+        <translation>LETZTE EINGRIFFE</translation>
     </message>
     <message>
         <source>None in this run</source>
-        <translation type="unfinished" />
+        <translation>Keine in diesem Lauf</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>JETZT HÖRE ICH ES</translation>
+    </message>
+    <message>
+        <source>Marks chatter that was not told</source>
+        <translation>Markiert Rattern, das nicht gemeldet wurde</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::LobeChart</name>
     <message>
         <source>Stability diagram</source>
-        <translation type="unfinished" />
+        <translation>Stabilitätsdiagramm</translation>
     </message>
     <message>
         <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation type="unfinished" />
+        <translation>Den Ring ziehen oder die Pfeiltasten benutzen: was wäre bei dieser Drehzahl und Tiefe?</translation>
     </message>
     <message>
         <source>spindle speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl [rpm]</translation>
     </message>
     <message>
         <source>depth of cut [in]</source>
-        <translation type="unfinished" />
+        <translation>Schnitttiefe [in]</translation>
     </message>
     <message>
         <source>depth of cut [mm]</source>
-        <translation type="unfinished" />
+        <translation>Schnitttiefe [mm]</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::LobesPage</name>
     <message>
         <source>ZEROTH ORDER</source>
-        <translation type="unfinished" />
+        <translation>NULLTE ORD.</translation>
     </message>
     <message>
         <source>SEMI-DISCRETE</source>
-        <translation type="unfinished" />
+        <translation>SEMIDISKRET</translation>
     </message>
     <message>
         <source>EXACT</source>
-        <translation type="unfinished" />
+        <translation>EXAKT</translation>
     </message>
     <message>
         <source>COMPUTE</source>
-        <translation type="unfinished" />
+        <translation>BERECHNEN</translation>
     </message>
     <message>
         <source>Progress of the diagram</source>
-        <translation type="unfinished" />
+        <translation>Fortschritt des Diagramms</translation>
     </message>
     <message>
         <source>What if the speed were</source>
-        <translation type="unfinished" />
+        <translation>Was wäre bei Drehzahl</translation>
     </message>
     <message>
         <source>and the depth</source>
-        <translation type="unfinished" />
+        <translation>und Tiefe</translation>
     </message>
     <message>
         <source>Speed, what if</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl, was wäre wenn</translation>
     </message>
     <message>
         <source>Depth, what if</source>
-        <translation type="unfinished" />
+        <translation>Tiefe, was wäre wenn</translation>
     </message>
     <message>
         <source>Quiet pockets at this depth</source>
-        <translation type="unfinished" />
+        <translation>Ruhige Bereiche in dieser Tiefe</translation>
     </message>
     <message>
         <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
-        <translation type="unfinished" />
+        <translation>Einen Bereich wählen, um seine beste Drehzahl zu versuchen. In Klammern: außerhalb der Reichweite des Overrides.</translation>
     </message>
     <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation type="unfinished" />
+        <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Mit dem Hammer messen (Einrichten) oder im Profil eine Modelldatei nennen; mehr braucht das Diagramm nicht.</translation>
     </message>
     <message>
         <source>CANCEL</source>
-        <translation type="unfinished" />
+        <translation>ABBRECHEN</translation>
     </message>
     <message>
         <source>Computing; the diagram before stays until it is done</source>
-        <translation type="unfinished" />
+        <translation>Rechnet; das vorige Diagramm bleibt bis dahin stehen</translation>
     </message>
     <message>
         <source>%1. Left out: %2</source>
-        <translation type="unfinished" />
+        <translation>%1. Nicht berücksichtigt: %2</translation>
     </message>
     <message>
         <source>Cancelled</source>
-        <translation type="unfinished" />
+        <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>Cannot be computed: %1</source>
-        <translation type="unfinished" />
+        <translation>Kann nicht berechnet werden: %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::OperatePage</name>
     <message>
         <source>channel %1</source>
-        <translation type="unfinished" />
+        <translation>Kanal %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::OverrideTable</name>
     <message>
         <source>Speed and feed</source>
-        <translation type="unfinished" />
+        <translation>Drehzahl und Vorschub</translation>
     </message>
     <message>
         <source>%1: programmed %2, override %3, actual %4 %5</source>
-        <translation type="unfinished" />
+        <translation>%1: programmiert %2, Override %3, tatsächlich %4 %5</translation>
     </message>
     <message>
         <source>programmed</source>
-        <translation type="unfinished" />
+        <translation>programmiert</translation>
     </message>
     <message>
         <source>override</source>
-        <translation type="unfinished" />
+        <translation>Override</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished" />
+        <translation>tatsächlich</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
-        <translation type="unfinished" />
+        <translation>Außerhalb der Reichweite des Drehzahl-Overrides</translation>
     </message>
     <message>
         <source>(%1)</source>
-        <translation type="unfinished" />
+        <translation>(%1)</translation>
     </message>
     <message>
         <source>quiet, rpm</source>
-        <translation type="unfinished" />
+        <translation>ruhig, rpm</translation>
     </message>
     <message>
         <source>best, rpm</source>
-        <translation type="unfinished" />
+        <translation>beste, rpm</translation>
     </message>
     <message>
         <source>down to</source>
-        <translation type="unfinished" />
+        <translation>bis</translation>
     </message>
     <message>
         <source>removes</source>
-        <translation type="unfinished" />
+        <translation>Abtrag</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>
     <message>
         <source>SAVE</source>
-        <translation type="unfinished" />
+        <translation>SICHERN</translation>
     </message>
     <message>
         <source>DELETE</source>
-        <translation type="unfinished" />
+        <translation>LÖSCHEN</translation>
     </message>
     <message>
         <source>GO TO</source>
-        <translation type="unfinished" />
+        <translation>GEHE ZU</translation>
     </message>
     <message>
         <source>Preset</source>
-        <translation type="unfinished" />
+        <translation>Voreinstellung</translation>
     </message>
     <message>
         <source>Choose a preset, or type a name and save what is on show</source>
-        <translation type="unfinished" />
+        <translation>Eine Voreinstellung wählen, oder einen Namen eingeben und das Gezeigte sichern</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished" />
+        <translation>Zeitpunkt</translation>
     </message>
     <message>
         <source>14:03:20 or -12 s</source>
-        <translation type="unfinished" />
+        <translation>14:03:20 oder -12 s</translation>
     </message>
     <message>
         <source>No cursor: click into a plot, with Shift for B</source>
-        <translation type="unfinished" />
+        <translation>Kein Cursor: ins Bild klicken, mit Umschalt für B</translation>
     </message>
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
-        <translation type="unfinished" />
+        <translation>Kein Zeitpunkt: 14:03:20 schreiben, oder -12 für Sekunden zuvor</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PresetList</name>
     <message>
         <source>Last 10 s</source>
-        <translation type="unfinished" />
+        <translation>Letzte 10 s</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished" />
+        <translation>Ordnungen</translation>
     </message>
     <message>
         <source>Entry, 1 s</source>
-        <translation type="unfinished" />
+        <translation>Eintritt, 1 s</translation>
     </message>
     <message>
         <source>2 min, max hold</source>
-        <translation type="unfinished" />
+        <translation>2 min, Maximum</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrogramWidget</name>
     <message>
         <source>Spectrogram of the last ten seconds</source>
-        <translation type="unfinished" />
+        <translation>Spektrogramm der letzten zehn Sekunden</translation>
     </message>
     <message>
         <source>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</source>
-        <translation type="unfinished" />
+        <translation>X: Achse in Hz, Ordnungen oder rpm. Bild auf, Bild ab: Reichweite der Achse.</translation>
     </message>
     <message>
         <source>no chatter</source>
-        <translation type="unfinished" />
+        <translation>kein Rattern</translation>
     </message>
     <message>
         <source>chatter at %1</source>
-        <translation type="unfinished" />
+        <translation>Rattern bei %1</translation>
     </message>
     <message>
         <source>SPECTROGRAM</source>
-        <translation type="unfinished" />
+        <translation>SPEKTROGRAMM</translation>
     </message>
     <message>
         <source>dB</source>
-        <translation type="unfinished" />
+        <translation>dB</translation>
     </message>
     <message>
         <source>dB re 1 %1</source>
-        <translation type="unfinished" />
+        <translation>dB re 1 %1</translation>
     </message>
     <message>
         <source>%1, last 10 s</source>
-        <translation type="unfinished" />
+        <translation>%1, letzte 10 s</translation>
     </message>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation type="unfinished" />
+        <translation>VERALTET: nichts Neues kommt an</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>Wartet auf die ersten Messwerte</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished" />
+        <translation>Hz</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>Ordnung</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished" />
+        <translation>rpm</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished" />
+        <translation>jetzt</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished" />
+        <translation>s</translation>
     </message>
     <message>
         <source>1× tooth</source>
-        <translation type="unfinished" />
+        <translation>1× Zahn</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished" />
+        <translation>%1×</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
     <message>
         <source>Spectrum</source>
-        <translation type="unfinished" />
+        <translation>Spektrum</translation>
     </message>
     <message>
         <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom.</source>
-        <translation type="unfinished" />
+        <translation>Klick: Harmonischen-Cursor. H: auf die stärkste Linie. Ziehen: verschieben. Rad: zoomen.</translation>
     </message>
     <message>
         <source>SPECTRUM</source>
-        <translation type="unfinished" />
+        <translation>SPEKTRUM</translation>
     </message>
     <message>
         <source>SPECTRUM AT A, %1</source>
-        <translation type="unfinished" />
+        <translation>SPEKTRUM BEI A, %1</translation>
     </message>
     <message>
         <source>SPECTRUM, NEWEST</source>
-        <translation type="unfinished" />
+        <translation>SPEKTRUM, NEUESTES</translation>
     </message>
     <message>
         <source>cursor: %1</source>
-        <translation type="unfinished" />
+        <translation>Cursor: %1</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>Ordnung</translation>
     </message>
     <message>
         <source>chatter %1</source>
-        <translation type="unfinished" />
+        <translation>Rattern %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
     <message>
         <source>State of the chain</source>
-        <translation type="unfinished" />
+        <translation>Zustand der Kette</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TimePlot</name>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation type="unfinished" />
+        <translation>VERALTET: nichts Neues kommt an</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TracePlot</name>
     <message>
         <source>SIGNAL</source>
-        <translation type="unfinished" />
+        <translation>SIGNAL</translation>
     </message>
     <message>
         <source>No samples kept of this stretch</source>
-        <translation type="unfinished" />
+        <translation>Von diesem Abschnitt sind keine Werte aufgehoben</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TrackPlot</name>
     <message>
         <source>DETECTORS</source>
-        <translation type="unfinished" />
+        <translation>DETEKTOREN</translation>
     </message>
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
-        <translation type="unfinished" />
+        <translation>Niedrig: stabil. Halb: Beginn. Voll: Rattern. Schraffiert: kein Urteil. Die Linie ist die erste Kenngröße.</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::VerdictSign</name>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished" />
+        <translation>Urteil</translation>
     </message>
 </context>
 </TS>

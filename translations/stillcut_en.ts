@@ -2273,6 +2273,14 @@
         <source>None in this run</source>
         <translation>None in this run</translation>
     </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>I HEAR IT</translation>
+    </message>
+    <message>
+        <source>Marks chatter that was not told</source>
+        <translation>Marks chatter that was not told</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::LobeChart</name>

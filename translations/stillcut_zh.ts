@@ -4,2154 +4,2154 @@
     <name>Core</name>
     <message>
         <source>High-pass edge</source>
-        <translation type="unfinished" />
+        <translation>高通截止</translation>
     </message>
     <message>
         <source>Removes offset and drift below this frequency; auto: a quarter of the spindle frequency</source>
-        <translation type="unfinished" />
+        <translation>去除此频率以下的偏置和漂移;自动:主轴频率的四分之一</translation>
     </message>
     <message>
         <source>Doubt of the told speed</source>
-        <translation type="unfinished" />
+        <translation>给定转速的误差</translation>
     </message>
     <message>
         <source>How far the told spindle speed may be from the true one, as a ratio; searched at entry</source>
-        <translation type="unfinished" />
+        <translation>给定转速与真实转速的允许偏差(比值);切入时搜索</translation>
     </message>
     <message>
         <source>Cut above air</source>
-        <translation type="unfinished" />
+        <translation>切削高于空切</translation>
     </message>
     <message>
         <source>A cut is this much louder than the quietest the sensor has heard</source>
-        <translation type="unfinished" />
+        <translation>切削比传感器听到的最安静时响这么多</translation>
     </message>
     <message>
         <source>Harmonics</source>
-        <translation type="unfinished" />
+        <translation>谐波数</translation>
     </message>
     <message>
         <source>Spindle harmonics of the periodic part (L, eq. 9); auto: 32 as the rate allows</source>
-        <translation type="unfinished" />
+        <translation>周期部分的主轴谐波数(L,式 9);自动:采样率允许时为 32</translation>
     </message>
     <message>
         <source>NLMS step</source>
-        <translation type="unfinished" />
+        <translation>NLMS 步长</translation>
     </message>
     <message>
         <source>mu of eq. 19; auto: a memory of two turns (paper: 0.5)</source>
-        <translation type="unfinished" />
+        <translation>式 19 的 mu;自动:两转的记忆(论文:0.5)</translation>
     </message>
     <message>
         <source>NLMS leak</source>
-        <translation type="unfinished" />
+        <translation>NLMS 泄漏</translation>
     </message>
     <message>
         <source>lambda of eq. 19; auto: leaves 1 % of a harmonic (paper: 0.9995)</source>
-        <translation type="unfinished" />
+        <translation>式 19 的 lambda;自动:保留谐波的 1 %(论文:0.9995)</translation>
     </message>
     <message>
         <source>AR drift</source>
-        <translation type="unfinished" />
+        <translation>AR 漂移</translation>
     </message>
     <message>
         <source>R_v of eq. 21, for a signal of unit variance</source>
-        <translation type="unfinished" />
+        <translation>式 21 的 R_v,针对单位方差信号</translation>
     </message>
     <message>
         <source>AR noise</source>
-        <translation type="unfinished" />
+        <translation>AR 噪声</translation>
     </message>
     <message>
         <source>R_w of eq. 21, for a signal of unit variance</source>
-        <translation type="unfinished" />
+        <translation>式 21 的 R_w,针对单位方差信号</translation>
     </message>
     <message>
         <source>Reflected distance</source>
-        <translation type="unfinished" />
+        <translation>反射距离</translation>
     </message>
     <message>
         <source>Distance from the unit circle at which an unstable root is put back inside</source>
-        <translation type="unfinished" />
+        <translation>不稳定根放回单位圆内时与圆的距离</translation>
     </message>
     <message>
         <source>Working rate</source>
-        <translation type="unfinished" />
+        <translation>工作采样率</translation>
     </message>
     <message>
         <source>Least rate the method works at; auto: 10 kHz, as the paper</source>
-        <translation type="unfinished" />
+        <translation>方法的最低采样率;自动:10 kHz,同论文</translation>
     </message>
     <message>
         <source>Variance limit</source>
-        <translation type="unfinished" />
+        <translation>方差限值</translation>
     </message>
     <message>
         <source>Variance of the residual (squared unit of the sensor) that is an alarm; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>触发报警的残差方差(传感器单位平方);自动:高于学习的本底</translation>
     </message>
     <message>
         <source>Root of an alarm</source>
-        <translation type="unfinished" />
+        <translation>报警根模</translation>
     </message>
     <message>
         <source>Magnitude of the dominant root below which the residual is noise and not chatter</source>
-        <translation type="unfinished" />
+        <translation>主导根的模低于此值时残差为噪声而非颤振</translation>
     </message>
     <message>
         <source>Evidence for onset</source>
-        <translation type="unfinished" />
+        <translation>开始证据</translation>
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)</source>
-        <translation type="unfinished" />
+        <translation>判为开始的增长对本底的对数似然比(onset_test.h)</translation>
     </message>
     <message>
         <source>Chatter ratio</source>
-        <translation type="unfinished" />
+        <translation>颤振比</translation>
     </message>
     <message>
         <source>Energy ratio from which a cut is in full chatter</source>
-        <translation type="unfinished" />
+        <translation>达到此能量比即为完全颤振</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished" />
+        <translation>窗口</translation>
     </message>
     <message>
         <source>Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)</source>
-        <translation type="unfinished" />
+        <translation>频谱长度;自动:28 转,最多 1.5 s(论文:0.512 s)</translation>
     </message>
     <message>
         <source>Spectra per window</source>
-        <translation type="unfinished" />
+        <translation>每窗频谱数</translation>
     </message>
     <message>
         <source>A new spectrum is taken this often within one window</source>
-        <translation type="unfinished" />
+        <translation>一个窗口内取频谱的次数</translation>
     </message>
     <message>
         <source>Line threshold</source>
-        <translation type="unfinished" />
+        <translation>谱线阈值</translation>
     </message>
     <message>
         <source>Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>判为颤振的谱线幅值(传感器单位);自动:高于学习的本底</translation>
     </message>
     <message>
         <source>Mask</source>
-        <translation type="unfinished" />
+        <translation>掩蔽</translation>
     </message>
     <message>
         <source>Half width of the mask on a harmonic, in bins</source>
-        <translation type="unfinished" />
+        <translation>谐波掩蔽的半宽(谱线数)</translation>
     </message>
     <message>
         <source>Purity</source>
-        <translation type="unfinished" />
+        <translation>纯度</translation>
     </message>
     <message>
         <source>Part of the power between the harmonics that a chatter line holds at least</source>
-        <translation type="unfinished" />
+        <translation>颤振谱线至少占谐波间功率的份额</translation>
     </message>
     <message>
         <source>Spindle harmonics the Kalman filter removes (N, eq. 16); auto: 12 tooth passings, at least 32, as the sampling rate allows</source>
-        <translation type="unfinished" />
+        <translation>卡尔曼滤波去除的主轴谐波数(N,式 16);自动:12 次齿通,至少 32,视采样率而定</translation>
     </message>
     <message>
         <source>Process noise ratio</source>
-        <translation type="unfinished" />
+        <translation>过程噪声比</translation>
     </message>
     <message>
         <source>Q/R of the Kalman filter (eq. 20); auto: a memory of two turns</source>
-        <translation type="unfinished" />
+        <translation>卡尔曼滤波的 Q/R(式 20);自动:两转的记忆</translation>
     </message>
     <message>
         <source>Covariance</source>
-        <translation type="unfinished" />
+        <translation>协方差</translation>
     </message>
     <message>
         <source>Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from the first turn on and costs some twenty times as much</source>
-        <translation type="unfinished" />
+        <translation>卡尔曼滤波协方差:一开始即用稳态增益,或每个采样用式 20(从第一转起即正确,但代价约二十倍)</translation>
     </message>
     <message>
         <source>settled</source>
-        <translation type="unfinished" />
+        <translation>稳态</translation>
     </message>
     <message>
         <source>full</source>
-        <translation type="unfinished" />
+        <translation>完整</translation>
     </message>
     <message>
         <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation type="unfinished" />
+        <translation>达到此能量比(式 28)即为完全颤振</translation>
     </message>
     <message>
         <source>Smallest onset</source>
-        <translation type="unfinished" />
+        <translation>最小开始</translation>
     </message>
     <message>
         <source>Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset</source>
-        <translation type="unfinished" />
+        <translation>非周期振动占全部振动(幅值)低于此值时增长不算开始</translation>
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut lasts e to this power turns, on average, without a false alarm</source>
-        <translation type="unfinished" />
+        <translation>判为开始的增长对噪声的对数似然比;稳定切削平均可转 e 的该次方转而无误报</translation>
     </message>
     <message>
         <source>Coherence</source>
-        <translation type="unfinished" />
+        <translation>相干性</translation>
     </message>
     <message>
         <source>welch: averaged magnitude-squared coherence; paper: eq. 3-5 of one transform</source>
-        <translation type="unfinished" />
+        <translation>welch:平均的幅值平方相干;paper:单次变换的式 3-5</translation>
     </message>
     <message>
         <source>welch</source>
-        <translation type="unfinished" />
+        <translation>Welch</translation>
     </message>
     <message>
         <source>paper</source>
-        <translation type="unfinished" />
+        <translation>论文原式</translation>
     </message>
     <message>
         <source>Sharpening</source>
-        <translation type="unfinished" />
+        <translation>锐化</translation>
     </message>
     <message>
         <source>Weighting of the smoothed coherence; printed: eq. 3-17b as it stands</source>
-        <translation type="unfinished" />
+        <translation>平滑相干的加权;printed:按原样用式 3-17b</translation>
     </message>
     <message>
         <source>monotone</source>
-        <translation type="unfinished" />
+        <translation>单调</translation>
     </message>
     <message>
         <source>printed</source>
-        <translation type="unfinished" />
+        <translation>原式</translation>
     </message>
     <message>
         <source>Segment</source>
-        <translation type="unfinished" />
+        <translation>分段</translation>
     </message>
     <message>
         <source>Length of one transform; auto: 12 turns, at most 1 s</source>
-        <translation type="unfinished" />
+        <translation>单次变换的长度;自动:12 转,最多 1 s</translation>
     </message>
     <message>
         <source>Averages</source>
-        <translation type="unfinished" />
+        <translation>平均次数</translation>
     </message>
     <message>
         <source>Memory of the averages, in segments (each overlaps the last by 7/8)</source>
-        <translation type="unfinished" />
+        <translation>平均的记忆,以分段计(相邻重叠 7/8)</translation>
     </message>
     <message>
         <source>Window from</source>
-        <translation type="unfinished" />
+        <translation>窗口起点</translation>
     </message>
     <message>
         <source>Where the window of eq. 3-18 begins to rise (paper: 170 Hz); auto: no window</source>
-        <translation type="unfinished" />
+        <translation>式 3-18 窗口开始上升处(论文:170 Hz);自动:无窗口</translation>
     </message>
     <message>
         <source>Window to</source>
-        <translation type="unfinished" />
+        <translation>窗口终点</translation>
     </message>
     <message>
         <source>Where the window of eq. 3-18 has fallen (paper: 250 Hz); auto: no window</source>
-        <translation type="unfinished" />
+        <translation>式 3-18 窗口下降完毕处(论文:250 Hz);自动:无窗口</translation>
     </message>
     <message>
         <source>Coherence reference</source>
-        <translation type="unfinished" />
+        <translation>相干基准</translation>
     </message>
     <message>
         <source>gamma_ref: coherence ratio that is chatter's</source>
-        <translation type="unfinished" />
+        <translation>gamma_ref:表示颤振的相干比</translation>
     </message>
     <message>
         <source>Energy reference</source>
-        <translation type="unfinished" />
+        <translation>能量基准</translation>
     </message>
     <message>
         <source>E_ref (unit of the sensor) of eq. 3-21; auto: growth above the learned floor</source>
-        <translation type="unfinished" />
+        <translation>式 3-21 的 E_ref(传感器单位);自动:高于学习的本底</translation>
     </message>
     <message>
         <source>Part of the cross spectrum between the harmonics that a chatter line holds at least</source>
-        <translation type="unfinished" />
+        <translation>颤振谱线至少占谐波间互谱的份额</translation>
     </message>
     <message>
         <source>Confirmation</source>
-        <translation type="unfinished" />
+        <translation>确认时间</translation>
     </message>
     <message>
         <source>How long an alarm stands at one frequency before the first move</source>
-        <translation type="unfinished" />
+        <translation>首次动作前报警在同一频率持续的时间</translation>
     </message>
     <message>
         <source>Confirmation after a move</source>
-        <translation type="unfinished" />
+        <translation>动作后的确认</translation>
     </message>
     <message>
         <source>How long chatter stands at the new speed before that speed is given up</source>
-        <translation type="unfinished" />
+        <translation>新转速下颤振持续多久后放弃该转速</translation>
     </message>
     <message>
         <source>Settling</source>
-        <translation type="unfinished" />
+        <translation>稳定时间</translation>
     </message>
     <message>
         <source>After the spindle has reached a new speed it is judged no sooner</source>
-        <translation type="unfinished" />
+        <translation>主轴到达新转速后至少等待此时间再结论</translation>
     </message>
     <message>
         <source>Speeds to try</source>
-        <translation type="unfinished" />
+        <translation>尝试转速数</translation>
     </message>
     <message>
         <source>After so many speeds without quiet it goes back and advises only</source>
-        <translation type="unfinished" />
+        <translation>试过这么多转速仍不平稳则返回并仅建议</translation>
     </message>
     <message>
         <source>Memory of tried speeds</source>
-        <translation type="unfinished" />
+        <translation>已试转速的记忆</translation>
     </message>
     <message>
         <source>After so long without an alarm the tried speeds are forgotten</source>
-        <translation type="unfinished" />
+        <translation>这么久无报警后忘记已试转速</translation>
     </message>
     <message>
         <source>Pause after giving up</source>
-        <translation type="unfinished" />
+        <translation>放弃后的暂停</translation>
     </message>
     <message>
         <source>So long nothing is tried again after no speed was quiet</source>
-        <translation type="unfinished" />
+        <translation>无平稳转速后这么久不再尝试</translation>
     </message>
     <message>
         <source>Smoothing of the frequency</source>
-        <translation type="unfinished" />
+        <translation>频率平滑</translation>
     </message>
     <message>
         <source>Time constant of the low-pass on the chatter frequency</source>
-        <translation type="unfinished" />
+        <translation>颤振频率低通的时间常数</translation>
     </message>
     <message>
         <source>Act on</source>
-        <translation type="unfinished" />
+        <translation>动作时机</translation>
     </message>
     <message>
         <source>Move at the onset of chatter, or only when it is full chatter</source>
-        <translation type="unfinished" />
+        <translation>在颤振开始时动作,或仅在完全颤振时动作</translation>
     </message>
     <message>
         <source>onset</source>
-        <translation type="unfinished" />
+        <translation>开始</translation>
     </message>
     <message>
         <source>chatter</source>
-        <translation type="unfinished" />
+        <translation>颤振</translation>
     </message>
     <message>
         <source>Freeze when quiet</source>
-        <translation type="unfinished" />
+        <translation>平稳时冻结</translation>
     </message>
     <message>
         <source>Stay at the actual speed once chatter clears, for narrow lobes, instead of going on to the last target</source>
-        <translation type="unfinished" />
+        <translation>颤振消失后停在实际转速(适于窄稳定区),而不继续到最后目标</translation>
     </message>
     <message>
         <source>Step size</source>
-        <translation type="unfinished" />
+        <translation>步长</translation>
     </message>
     <message>
         <source>mu_c of eq. 32</source>
-        <translation type="unfinished" />
+        <translation>式 32 的 mu_c</translation>
     </message>
     <message>
         <source>Smoothing of the level</source>
-        <translation type="unfinished" />
+        <translation>水平平滑</translation>
     </message>
     <message>
         <source>lambda_c of eq. 33</source>
-        <translation type="unfinished" />
+        <translation>式 33 的 lambda_c</translation>
     </message>
     <message>
         <source>Unit of a step</source>
-        <translation type="unfinished" />
+        <translation>步的单位</translation>
     </message>
     <message>
         <source>What a step of 1 in eq. 32 is, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>式 32 中步长 1 对应编程转速的百分比</translation>
     </message>
     <message>
         <source>Control period</source>
-        <translation type="unfinished" />
+        <translation>控制周期</translation>
     </message>
     <message>
         <source>Time from one step of eq. 32 to the next</source>
-        <translation type="unfinished" />
+        <translation>式 32 相邻两步的时间</translation>
     </message>
     <message>
         <source>Step of the search</source>
-        <translation type="unfinished" />
+        <translation>搜索步长</translation>
     </message>
     <message>
         <source>Distance of neighbouring trials, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>相邻尝试的间距,占编程转速的百分比</translation>
     </message>
     <message>
         <source>Time per trial</source>
-        <translation type="unfinished" />
+        <translation>每次尝试时间</translation>
     </message>
     <message>
         <source>The vibration at each trial is averaged this long</source>
-        <translation type="unfinished" />
+        <translation>每次尝试的振动平均时间</translation>
     </message>
     <message>
         <source>Direction</source>
-        <translation type="unfinished" />
+        <translation>方向</translation>
     </message>
     <message>
         <source>Speeds to choose from: the nearest, only lower, only higher</source>
-        <translation type="unfinished" />
+        <translation>可选转速:最近、仅更低、仅更高</translation>
     </message>
     <message>
         <source>nearest</source>
-        <translation type="unfinished" />
+        <translation>最近</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished" />
+        <translation>更低</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished" />
+        <translation>更高</translation>
     </message>
     <message>
         <source>Phase factor</source>
-        <translation type="unfinished" />
+        <translation>相位因子</translation>
     </message>
     <message>
         <source>Fraction of a wave left between two cuts (nu of eq. 3)</source>
-        <translation type="unfinished" />
+        <translation>两次切削之间剩余的波数(式 3 的 nu)</translation>
     </message>
     <message>
         <source>Control cycle</source>
-        <translation type="unfinished" />
+        <translation>控制循环</translation>
     </message>
     <message>
         <source>Speed and feed are changed once per cycle</source>
-        <translation type="unfinished" />
+        <translation>转速和进给每循环改变一次</translation>
     </message>
     <message>
         <source>Time for the whole range</source>
-        <translation type="unfinished" />
+        <translation>全程时间</translation>
     </message>
     <message>
         <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
-        <translation type="unfinished" />
+        <translation>满输出时走完倍率全程所需时间(论文限值:一秒)</translation>
     </message>
     <message>
         <source>Coherence above which speed and feed fall (gamma_ref)</source>
-        <translation type="unfinished" />
+        <translation>超过此相干时转速和进给下降(gamma_ref)</translation>
     </message>
     <message>
         <source>Vibration over that of the stable cut above which speed and feed fall</source>
-        <translation type="unfinished" />
+        <translation>振动与稳定切削之比超过此值时转速和进给下降</translation>
     </message>
     <message>
         <source>Energy limit</source>
-        <translation type="unfinished" />
+        <translation>能量限值</translation>
     </message>
     <message>
         <source>Vibration over that of the stable cut at which the feed goes to its lowest; at twice that the feed is held</source>
-        <translation type="unfinished" />
+        <translation>振动与稳定切削之比达此值时进给降至最低;两倍时进给保持</translation>
     </message>
     <message>
         <source>Highest overrides</source>
-        <translation type="unfinished" />
+        <translation>最高倍率</translation>
     </message>
     <message>
         <source>Speed and feed rise no further than this share of the programmed values</source>
-        <translation type="unfinished" />
+        <translation>转速和进给最多升至编程值的此比例</translation>
     </message>
     <message>
         <source>Rest of the speed</source>
-        <translation type="unfinished" />
+        <translation>转速静止</translation>
     </message>
     <message>
         <source>The speed does not rise for so long after an alarm</source>
-        <translation type="unfinished" />
+        <translation>报警后这么久转速不上升</translation>
     </message>
     <message>
         <source>Learning weight</source>
-        <translation type="unfinished" />
+        <translation>学习权重</translation>
     </message>
     <message>
         <source>Share of the coherence error that the rules learn (w of eq. 3-32)</source>
-        <translation type="unfinished" />
+        <translation>规则学习的相干误差份额(式 3-32 的 w)</translation>
     </message>
     <message>
         <source>Direct tuning</source>
-        <translation type="unfinished" />
+        <translation>直接整定</translation>
     </message>
     <message>
         <source>By coherence alone (eq. 3-37) or by coherence and energy (3-36)</source>
-        <translation type="unfinished" />
+        <translation>仅按相干(式 3-37)或按相干与能量(3-36)</translation>
     </message>
     <message>
         <source>single</source>
-        <translation type="unfinished" />
+        <translation>单项</translation>
     </message>
     <message>
         <source>double</source>
-        <translation type="unfinished" />
+        <translation>双项</translation>
     </message>
     <message>
         <source>Coherence weight</source>
-        <translation type="unfinished" />
+        <translation>相干权重</translation>
     </message>
     <message>
         <source>Weight of the coherence error (w_gamma of eq. 3-34)</source>
-        <translation type="unfinished" />
+        <translation>相干误差权重(式 3-34 的 w_gamma)</translation>
     </message>
     <message>
         <source>Energy weight</source>
-        <translation type="unfinished" />
+        <translation>能量权重</translation>
     </message>
     <message>
         <source>Weight of the energy error (w_E of eq. 3-35)</source>
-        <translation type="unfinished" />
+        <translation>能量误差权重(式 3-35 的 w_E)</translation>
     </message>
     <message>
         <source>Lowest speed override</source>
-        <translation type="unfinished" />
+        <translation>最低转速倍率</translation>
     </message>
     <message>
         <source>Spindle speed is never driven below this share of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>转速不会低于编程转速的此比例</translation>
     </message>
     <message>
         <source>Highest speed override</source>
-        <translation type="unfinished" />
+        <translation>最高转速倍率</translation>
     </message>
     <message>
         <source>Spindle speed is never driven above this share of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>转速不会高于编程转速的此比例</translation>
     </message>
     <message>
         <source>Lowest feed override</source>
-        <translation type="unfinished" />
+        <translation>最低进给倍率</translation>
     </message>
     <message>
         <source>Feed is never driven below this share of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>进给不会低于编程进给的此比例</translation>
     </message>
     <message>
         <source>Highest feed override</source>
-        <translation type="unfinished" />
+        <translation>最高进给倍率</translation>
     </message>
     <message>
         <source>Feed is never driven above this share of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>进给不会高于编程进给的此比例</translation>
     </message>
     <message>
         <source>Lowest speed</source>
-        <translation type="unfinished" />
+        <translation>最低转速</translation>
     </message>
     <message>
         <source>Spindle speed is never driven below this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>转速不会低于此值;自动:无此限值</translation>
     </message>
     <message>
         <source>Highest speed</source>
-        <translation type="unfinished" />
+        <translation>最高转速</translation>
     </message>
     <message>
         <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
-        <translation type="unfinished" />
+        <translation>转速不会高于此值:机床极限;自动:无</translation>
     </message>
     <message>
         <source>Highest speed of the tool</source>
-        <translation type="unfinished" />
+        <translation>刀具最高转速</translation>
     </message>
     <message>
         <source>What the maker allows the tool; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>制造商允许的刀具转速;自动:无此限值</translation>
     </message>
     <message>
         <source>Highest speed of the holder</source>
-        <translation type="unfinished" />
+        <translation>刀柄最高转速</translation>
     </message>
     <message>
         <source>What holder and balancing allow; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>刀柄与动平衡允许的转速;自动:无此限值</translation>
     </message>
     <message>
         <source>Highest cutting speed</source>
-        <translation type="unfinished" />
+        <translation>最高切削速度</translation>
     </message>
     <message>
         <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>切削刃不会快于此值;需要刀具直径;自动:无此限值</translation>
     </message>
     <message>
         <source>Lowest feed</source>
-        <translation type="unfinished" />
+        <translation>最低进给</translation>
     </message>
     <message>
         <source>Feed is never driven below this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>进给不会低于此值;自动:无此限值</translation>
     </message>
     <message>
         <source>Highest feed</source>
-        <translation type="unfinished" />
+        <translation>最高进给</translation>
     </message>
     <message>
         <source>Feed is never driven above this; auto: no such limit</source>
-        <translation type="unfinished" />
+        <translation>进给不会高于此值;自动:无此限值</translation>
     </message>
     <message>
         <source>Lowest feed per tooth</source>
-        <translation type="unfinished" />
+        <translation>最低每齿进给</translation>
     </message>
     <message>
         <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
-        <translation type="unfinished" />
+        <translation>倍率不会使每齿进给低于编程值的此比例:否则刃口会摩擦</translation>
     </message>
     <message>
         <source>Highest feed per tooth</source>
-        <translation type="unfinished" />
+        <translation>最高每齿进给</translation>
     </message>
     <message>
         <source>Our overrides never raise the feed per tooth above this share of the programmed one</source>
-        <translation type="unfinished" />
+        <translation>倍率不会使每齿进给高于编程值的此比例</translation>
     </message>
     <message>
         <source>Speed change per step</source>
-        <translation type="unfinished" />
+        <translation>每步转速变化</translation>
     </message>
     <message>
         <source>Largest change of the speed override in one step of the gate, in percent of the programmed speed</source>
-        <translation type="unfinished" />
+        <translation>闸门每步转速倍率的最大变化,占编程转速的百分比</translation>
     </message>
     <message>
         <source>Speed change per second</source>
-        <translation type="unfinished" />
+        <translation>每秒转速变化</translation>
     </message>
     <message>
         <source>Fastest change of the speed override, in percent of the programmed speed per second</source>
-        <translation type="unfinished" />
+        <translation>转速倍率的最快变化,每秒占编程转速的百分比</translation>
     </message>
     <message>
         <source>Feed change per step</source>
-        <translation type="unfinished" />
+        <translation>每步进给变化</translation>
     </message>
     <message>
         <source>Largest change of the feed override in one step of the gate, in percent of the programmed feed</source>
-        <translation type="unfinished" />
+        <translation>闸门每步进给倍率的最大变化,占编程进给的百分比</translation>
     </message>
     <message>
         <source>Feed change per second</source>
-        <translation type="unfinished" />
+        <translation>每秒进给变化</translation>
     </message>
     <message>
         <source>Fastest change of the feed override, in percent of the programmed feed per second</source>
-        <translation type="unfinished" />
+        <translation>进给倍率的最快变化,每秒占编程进给的百分比</translation>
     </message>
     <message>
         <source>Recovery rate</source>
-        <translation type="unfinished" />
+        <translation>恢复速率</translation>
     </message>
     <message>
         <source>Rate of the way back toward 100 % when nothing chatters, as a share of the rate away from it</source>
-        <translation type="unfinished" />
+        <translation>无颤振时返回 100 % 的速率,占离开速率的比例</translation>
     </message>
     <message>
         <source>Smoothing</source>
-        <translation type="unfinished" />
+        <translation>平滑</translation>
     </message>
     <message>
         <source>Time constant of the low-pass on the wanted overrides</source>
-        <translation type="unfinished" />
+        <translation>期望倍率低通的时间常数</translation>
     </message>
     <message>
         <source>Dead band</source>
-        <translation type="unfinished" />
+        <translation>死区</translation>
     </message>
     <message>
         <source>Wanted changes up to this are not worth moving the machine</source>
-        <translation type="unfinished" />
+        <translation>不超过此值的期望变化不值得动机床</translation>
     </message>
     <message>
         <source>Changes per minute</source>
-        <translation type="unfinished" />
+        <translation>每分钟变化次数</translation>
     </message>
     <message>
         <source>Moves that start from rest or turn back, at most so many in any minute</source>
-        <translation type="unfinished" />
+        <translation>每分钟从静止开始或反向的动作最多次数</translation>
     </message>
     <message>
         <source>Cool-down</source>
-        <translation type="unfinished" />
+        <translation>冷却时间</translation>
     </message>
     <message>
         <source>Pause after the changes per minute are used up; the second time Auto falls back to Advise</source>
-        <translation type="unfinished" />
+        <translation>每分钟次数用尽后的暂停;第二次则由自动退回建议</translation>
     </message>
     <message>
         <source>Speed tolerance</source>
-        <translation type="unfinished" />
+        <translation>转速容差</translation>
     </message>
     <message>
         <source>The spindle counts as at speed, and an override as taken, within this</source>
-        <translation type="unfinished" />
+        <translation>在此范围内视为主轴到速、倍率已接受</translation>
     </message>
     <message>
         <source>Machine state age</source>
-        <translation type="unfinished" />
+        <translation>机床状态时效</translation>
     </message>
     <message>
         <source>A machine state older than this is stale</source>
-        <translation type="unfinished" />
+        <translation>早于此的机床状态视为过时</translation>
     </message>
     <message>
         <source>Verdict age</source>
-        <translation type="unfinished" />
+        <translation>结论时效</translation>
     </message>
     <message>
         <source>A verdict or request older than this is stale</source>
-        <translation type="unfinished" />
+        <translation>早于此的结论或请求视为过时</translation>
     </message>
     <message>
         <source>Hold before release</source>
-        <translation type="unfinished" />
+        <translation>释放前保持</translation>
     </message>
     <message>
         <source>On bad input the overrides are held this long, then the programmed values come back</source>
-        <translation type="unfinished" />
+        <translation>输入不良时倍率保持此时间,然后恢复编程值</translation>
     </message>
     <message>
         <source>Rest after release</source>
-        <translation type="unfinished" />
+        <translation>释放后静止</translation>
     </message>
     <message>
         <source>After a release the input must be good for this long before the overrides are taken again</source>
-        <translation type="unfinished" />
+        <translation>释放后输入须良好这么久才再次接管倍率</translation>
     </message>
     <message>
         <source>Pause after the knob</source>
-        <translation type="unfinished" />
+        <translation>旋钮后的暂停</translation>
     </message>
     <message>
         <source>After the operator turned a knob nothing new is asked this long</source>
-        <translation type="unfinished" />
+        <translation>操作者调旋钮后这么久不提新请求</translation>
     </message>
     <message>
         <source>Time to take an override</source>
-        <translation type="unfinished" />
+        <translation>接受倍率的时间</translation>
     </message>
     <message>
         <source>The override read back must agree with the command within this, or the machine is let go</source>
-        <translation type="unfinished" />
+        <translation>回读倍率须在此时间内与指令一致,否则放开机床</translation>
     </message>
     <message>
         <source>Time for the spindle to follow</source>
-        <translation type="unfinished" />
+        <translation>主轴跟随时间</translation>
     </message>
     <message>
         <source>The spindle must reach the commanded speed within this, or the machine is let go</source>
-        <translation type="unfinished" />
+        <translation>主轴须在此时间内到达指令转速,否则放开机床</translation>
     </message>
     <message>
         <source>Lease</source>
-        <translation type="unfinished" />
+        <translation>租约</translation>
     </message>
     <message>
         <source>A command that is not renewed within this ends, and the programmed values come back</source>
-        <translation type="unfinished" />
+        <translation>指令在此时间内未续期即终止,恢复编程值</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished" />
+        <translation>记录</translation>
     </message>
     <message>
         <source>What is kept: everything, what surrounds events, or verdicts and indicators alone</source>
-        <translation type="unfinished" />
+        <translation>保存内容:全部、事件前后、或仅结论与指标</translation>
     </message>
     <message>
         <source>continuous</source>
-        <translation type="unfinished" />
+        <translation>连续</translation>
     </message>
     <message>
         <source>around-events</source>
-        <translation type="unfinished" />
+        <translation>事件前后</translation>
     </message>
     <message>
         <source>features</source>
-        <translation type="unfinished" />
+        <translation>特征</translation>
     </message>
     <message>
         <source>Kept before an event</source>
-        <translation type="unfinished" />
+        <translation>事件前保留</translation>
     </message>
     <message>
         <source>Around events: how much is kept from before each</source>
-        <translation type="unfinished" />
+        <translation>事件前后:每个事件之前保留多少</translation>
     </message>
     <message>
         <source>Kept after an event</source>
-        <translation type="unfinished" />
+        <translation>事件后保留</translation>
     </message>
     <message>
         <source>Around events: how long recording goes on after the last</source>
-        <translation type="unfinished" />
+        <translation>事件前后:最后事件之后继续记录多久</translation>
     </message>
     <message>
         <source>Step of the history</source>
-        <translation type="unfinished" />
+        <translation>历史步长</translation>
     </message>
     <message>
         <source>Features: one step is kept in so long, and every one with an event</source>
-        <translation type="unfinished" />
+        <translation>特征:每隔此时间保留一步,有事件的步全部保留</translation>
     </message>
     <message>
         <source>Length of the history</source>
-        <translation type="unfinished" />
+        <translation>历史长度</translation>
     </message>
     <message>
         <source>Features: what is older goes</source>
-        <translation type="unfinished" />
+        <translation>特征:更早的删除</translation>
     </message>
     <message>
         <source>Keep recordings for</source>
-        <translation type="unfinished" />
+        <translation>记录保留时间</translation>
     </message>
     <message>
         <source>Older recordings without a marker are deleted when a new one begins</source>
-        <translation type="unfinished" />
+        <translation>新记录开始时删除更早的无标记记录</translation>
     </message>
     <message>
         <source>Keep recordings up to</source>
-        <translation type="unfinished" />
+        <translation>记录保留容量</translation>
     </message>
     <message>
         <source>The oldest recordings without a marker are deleted beyond it</source>
-        <translation type="unfinished" />
+        <translation>超过时删除最早的无标记记录</translation>
     </message>
     <message>
         <source>Taps</source>
-        <translation type="unfinished" />
+        <translation>抽头数</translation>
     </message>
     <message>
         <source>Length of the adaptive filter of each axis (Ford 2013 table 3: 35)</source>
-        <translation type="unfinished" />
+        <translation>每轴自适应滤波器长度(Ford 2013 表 3:35)</translation>
     </message>
     <message>
         <source>Step</source>
-        <translation type="unfinished" />
+        <translation>步长</translation>
     </message>
     <message>
         <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
-        <translation type="unfinished" />
+        <translation>自适应步长 mu;归一化开启时为最大稳定步长的比例</translation>
     </message>
     <message>
         <source>Normalised</source>
-        <translation type="unfinished" />
+        <translation>归一化</translation>
     </message>
     <message>
         <source>Take the step as a share of the bound that follows the power of the filtered reference</source>
-        <translation type="unfinished" />
+        <translation>步长取为随滤波参考功率变化的界限的比例</translation>
     </message>
     <message>
         <source>Leak</source>
-        <translation type="unfinished" />
+        <translation>泄漏</translation>
     </message>
     <message>
         <source>Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing</source>
-        <translation type="unfinished" />
+        <translation>每个采样对权值的因子(式 2 的 gamma);1 为不遗忘</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished" />
+        <translation>参考</translation>
     </message>
     <message>
         <source>What the filter works from: the error itself, or the disturbance as the model sees it</source>
-        <translation type="unfinished" />
+        <translation>滤波器的输入:误差本身,或模型所见的扰动</translation>
     </message>
     <message>
         <source>error</source>
-        <translation type="unfinished" />
+        <translation>误差</translation>
     </message>
     <message>
         <source>internal-model</source>
-        <translation type="unfinished" />
+        <translation>内模</translation>
     </message>
     <message>
         <source>Path taps</source>
-        <translation type="unfinished" />
+        <translation>通路抽头数</translation>
     </message>
     <message>
         <source>Length of each part of the recursive model from actuator to sensor (table 3: 35)</source>
-        <translation type="unfinished" />
+        <translation>执行器到传感器递归模型各部分的长度(表 3:35)</translation>
     </message>
     <message>
         <source>Parametric</source>
-        <translation type="unfinished" />
+        <translation>参数法</translation>
     </message>
     <message>
         <source>Spectral line</source>
-        <translation type="unfinished" />
+        <translation>谱线</translation>
     </message>
     <message>
         <source>Energy ratio</source>
-        <translation type="unfinished" />
+        <translation>能量比</translation>
     </message>
     <message>
         <source>Monitoring only</source>
-        <translation type="unfinished" />
+        <translation>仅监测</translation>
     </message>
     <message>
         <source>Next stable pocket, checked</source>
-        <translation type="unfinished" />
+        <translation>下一稳定区(已核对)</translation>
     </message>
     <message>
         <source>Centre of the lobe</source>
-        <translation type="unfinished" />
+        <translation>叶瓣中心</translation>
     </message>
     <message>
         <source>Toward less vibration</source>
-        <translation type="unfinished" />
+        <translation>趋向更小振动</translation>
     </message>
     <message>
         <source>Least vibration</source>
-        <translation type="unfinished" />
+        <translation>最小振动</translation>
     </message>
     <message>
         <source>Quarter wave between teeth</source>
-        <translation type="unfinished" />
+        <translation>齿间四分之一波</translation>
     </message>
     <message>
         <source>Fuzzy speed and feed</source>
-        <translation type="unfinished" />
+        <translation>模糊转速与进给</translation>
     </message>
     <message>
         <source>Fuzzy, learning its rules</source>
-        <translation type="unfinished" />
+        <translation>模糊,自学习规则</translation>
     </message>
     <message>
         <source>Fuzzy, outputs tuned directly</source>
-        <translation type="unfinished" />
+        <translation>模糊,直接整定输出</translation>
     </message>
     <message>
         <source>The control of the simulated mill; the only one that takes commands from a replay</source>
-        <translation type="unfinished" />
+        <translation>模拟铣床的控制;唯一接受回放指令者</translation>
     </message>
     <message>
         <source>LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port</source>
-        <translation type="unfinished" />
+        <translation>LinuxCNC,经 linuxcncrsh 和 halrmt:host、port、hal_port</translation>
     </message>
     <message>
         <source>GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port</source>
-        <translation type="unfinished" />
+        <translation>GRBL 1.1 或 grblHAL,经串口或主机:device、baud;host、port</translation>
     </message>
     <message>
         <source>A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers</source>
-        <translation type="unfinished" />
+        <translation>经 Modbus TCP 或 RTU 的主轴驱动或 PLC:map,寄存器文件</translation>
     </message>
     <message>
         <source>Override voltages through a Comedi card: map, a file of calibration tables</source>
-        <translation type="unfinished" />
+        <translation>经 Comedi 卡的倍率电压:map,标定表文件</translation>
     </message>
     <message>
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
-        <translation type="unfinished" />
+        <translation>来自场景文件的模拟切削,实时或尽快</translation>
     </message>
 </context>
 <context>
     <name>Pages</name>
     <message>
         <source>Operate</source>
-        <translation type="unfinished" />
+        <translation>操作</translation>
     </message>
     <message>
         <source>Analyse</source>
-        <translation type="unfinished" />
+        <translation>分析</translation>
     </message>
     <message>
         <source>Lobes</source>
-        <translation type="unfinished" />
+        <translation>叶瓣图</translation>
     </message>
 </context>
 <context>
     <name>PlotFrame</name>
     <message>
         <source>time [s]</source>
-        <translation type="unfinished" />
+        <translation>时间 [s]</translation>
     </message>
 </context>
 <context>
     <name>Plots</name>
     <message>
         <source>Spectrogram of %1 [kHz]</source>
-        <translation type="unfinished" />
+        <translation>%1 的频谱图 [kHz]</translation>
     </message>
     <message>
         <source>Vibration of %1, rms [%2]</source>
-        <translation type="unfinished" />
+        <translation>%1 的振动有效值 [%2]</translation>
     </message>
     <message>
         <source>Energy ratio, chatter to all</source>
-        <translation type="unfinished" />
+        <translation>能量比,颤振占总量</translation>
     </message>
     <message>
         <source>Spindle speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>主轴转速 [rpm]</translation>
     </message>
 </context>
 <context>
     <name>Reason</name>
     <message>
         <source>Auto</source>
-        <translation type="unfinished" />
+        <translation>自动</translation>
     </message>
     <message>
         <source>Advise</source>
-        <translation type="unfinished" />
+        <translation>建议</translation>
     </message>
     <message>
         <source>Off</source>
-        <translation type="unfinished" />
+        <translation>关闭</translation>
     </message>
     <message>
         <source>still learning the noise, {0.1} s to go</source>
-        <translation type="unfinished" />
+        <translation>仍在学习噪声,还需 {0.1} s</translation>
     </message>
     <message>
         <source>the spindle speed is not known</source>
-        <translation type="unfinished" />
+        <translation>主轴转速未知</translation>
     </message>
     <message>
         <source>the number of teeth is not known</source>
-        <translation type="unfinished" />
+        <translation>齿数未知</translation>
     </message>
     <message>
         <source>{0.0} samples are missing</source>
-        <translation type="unfinished" />
+        <translation>缺少 {0.0} 个采样</translation>
     </message>
     <message>
         <source>the sensor is at its limit</source>
-        <translation type="unfinished" />
+        <translation>传感器已达量程极限</translation>
     </message>
     <message>
         <source>channel {0.0} delivers values that are not numbers</source>
-        <translation type="unfinished" />
+        <translation>通道 {0.0} 给出的不是数值</translation>
     </message>
     <message>
         <source>channel {0.0} delivers a constant</source>
-        <translation type="unfinished" />
+        <translation>通道 {0.0} 输出恒定值</translation>
     </message>
     <message>
         <source>the spindle is running up, {0.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>主轴正在加速,{0.0} rpm</translation>
     </message>
     <message>
         <source>the tool is entering or leaving, {0.2} s</source>
-        <translation type="unfinished" />
+        <translation>刀具正在切入或切出,{0.2} s</translation>
     </message>
     <message>
         <source>energy ratio {0.2} is over {1.2}</source>
-        <translation type="unfinished" />
+        <translation>能量比 {0.2} 超过 {1.2}</translation>
     </message>
     <message>
         <source>energy ratio {0.3} grows above its floor of {1.3}</source>
-        <translation type="unfinished" />
+        <translation>能量比 {0.3} 高于本底 {1.3} 并在增长</translation>
     </message>
     <message>
         <source>a line at {2.1} Hz between the harmonics holds {0.3} of the vibration, over {1.3}</source>
-        <translation type="unfinished" />
+        <translation>谐波之间 {2.1} Hz 的谱线占振动的 {0.3},超过 {1.3}</translation>
     </message>
     <message>
         <source>vibration that the harmonics leave, {0.3} of all, is over {1.3}, strongest at {2.1} Hz</source>
-        <translation type="unfinished" />
+        <translation>除去谐波后的振动占 {0.3},超过 {1.3},在 {2.1} Hz 最强</translation>
     </message>
     <message>
         <source>coherence ratio {0.2} is over {1.2} at {2.1} Hz and its energy grows</source>
-        <translation type="unfinished" />
+        <translation>{2.1} Hz 处相干比 {0.2} 超过 {1.2},且能量增长</translation>
     </message>
     <message>
         <source>coherence needs two channels, there are {0.0}</source>
-        <translation type="unfinished" />
+        <translation>相干检测需要两个通道,现有 {0.0} 个</translation>
     </message>
     <message>
         <source>detector {0.0} failed</source>
-        <translation type="unfinished" />
+        <translation>检测器 {0.0} 失效</translation>
     </message>
     <message>
         <source>nothing to do</source>
-        <translation type="unfinished" />
+        <translation>无需操作</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 使两齿之间恰有 {1.0} 个 {2.0} Hz 颤振波,原为 {3.0} rpm</translation>
     </message>
     <message>
         <source>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</source>
-        <translation type="unfinished" />
+        <translation>进给随之变为 {0.0} mm/min,使每齿仍切 {1.3} mm</translation>
     </message>
     <message>
         <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 会有帮助,但倍率只能到 {1.0} 至 {2.0} rpm</translation>
     </message>
     <message>
         <source>monitoring only</source>
-        <translation type="unfinished" />
+        <translation>仅监测</translation>
     </message>
     <message>
         <source>there is no usable verdict to act on</source>
-        <translation type="unfinished" />
+        <translation>没有可用的结论作为依据</translation>
     </message>
     <message>
         <source>going back towards {0.2}</source>
-        <translation type="unfinished" />
+        <translation>正在恢复到 {0.2}</translation>
     </message>
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 已是针对 {1.0} Hz 颤振的转速</translation>
     </message>
     <message>
         <source>quiet, keeping {0.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>已平稳,保持 {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>两齿间 {1.0} 个波的 {0.0} rpm 可达,{2.0} rpm 不可达(颤振 {3.0} Hz)</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 使两齿之间有 {1.2} 个 {2.0} Hz 颤振波,原为 {3.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 使齿通谐波更接近颤振,相差 {1.1} Hz,水平为均值的 {2.2}</translation>
     </message>
     <message>
         <source>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>正在尝试 {0.0} rpm 以减小振动,现为 {1.4},迄今最好 {2.4}({3.0} rpm)</translation>
     </message>
     <message>
         <source>{0.0} rpm vibrates least, {1.4}</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 振动最小,{1.4}</translation>
     </message>
     <message>
         <source>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>{0.0} rpm 位于 {1.0} 与 {2.0} rpm 的稳定极限之间(颤振 {3.0} Hz)</translation>
     </message>
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
-        <translation type="unfinished" />
+        <translation>此切深下没有可达的稳定转速,{2.0} rpm 时 {1.2} mm 可稳定(颤振 {3.0} Hz)</translation>
     </message>
     <message>
         <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation type="unfinished" />
+        <translation>已试 {0.0} 个转速均不平稳(颤振 {1.0} Hz),需要减小切深</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>相干 {0.2} 与稳定切削 {1.1} 倍的能量要求 {2.0} rpm 和 {3.0} mm/min</translation>
     </message>
     <message>
         <source>authority is off</source>
-        <translation type="unfinished" />
+        <translation>权限已关闭</translation>
     </message>
     <message>
         <source>advice only</source>
-        <translation type="unfinished" />
+        <translation>仅建议</translation>
     </message>
     <message>
         <source>the request was not a number</source>
-        <translation type="unfinished" />
+        <translation>请求不是数值</translation>
     </message>
     <message>
         <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation type="unfinished" />
+        <translation>请求 {0.2},限值允许 {1.2}</translation>
     </message>
     <message>
         <source>the machine's state is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>机床状态已过去 {0.2} s</translation>
     </message>
     <message>
         <source>the verdict is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>结论已过去 {0.2} s</translation>
     </message>
     <message>
         <source>the machine is not running a program</source>
-        <translation type="unfinished" />
+        <translation>机床没有运行程序</translation>
     </message>
     <message>
         <source>held by the operator</source>
-        <translation type="unfinished" />
+        <translation>由操作者保持</translation>
     </message>
     <message>
         <source>waiting for the spindle, {0.0} of {1.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>等待主轴,{0.0} / {1.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} changes in a minute, {1.0} allowed</source>
-        <translation type="unfinished" />
+        <translation>一分钟内 {0.0} 次变化,允许 {1.0} 次</translation>
     </message>
     <message>
         <source>the programmed values are back in force</source>
-        <translation type="unfinished" />
+        <translation>编程值已重新生效</translation>
     </message>
     <message>
         <source>no fresh command for {0.2} s, programmed values restored</source>
-        <translation type="unfinished" />
+        <translation>{0.2} s 没有新指令,已恢复编程值</translation>
     </message>
     <message>
         <source>speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %</source>
-        <translation type="unfinished" />
+        <translation>转速 {0.1} %、进给 {1.1} %,连同旋钮 {2.1} % 与 {3.1} %</translation>
     </message>
     <message>
         <source>speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %</source>
-        <translation type="unfinished" />
+        <translation>转速由 {0.1} % 变向 {1.1} %,进给由 {2.1} % 变向 {3.1} %</translation>
     </message>
     <message>
         <source>what the machine reports makes no sense</source>
-        <translation type="unfinished" />
+        <translation>机床报告的数据不合理</translation>
     </message>
     <message>
         <source>the program has locked the overrides</source>
-        <translation type="unfinished" />
+        <translation>程序已锁定倍率</translation>
     </message>
     <message>
         <source>something else controls the overrides</source>
-        <translation type="unfinished" />
+        <translation>倍率由其他程序控制</translation>
     </message>
     <message>
         <source>the detector's verdict is not usable</source>
-        <translation type="unfinished" />
+        <translation>检测器的结论不可用</translation>
     </message>
     <message>
         <source>the request is {0.2} s old</source>
-        <translation type="unfinished" />
+        <translation>请求已过去 {0.2} s</translation>
     </message>
     <message>
         <source>time stood still, jumped or went back</source>
-        <translation type="unfinished" />
+        <translation>时间停滞、跳变或倒退</translation>
     </message>
     <message>
         <source>the tool is not in the cut</source>
-        <translation type="unfinished" />
+        <translation>刀具未在切削</translation>
     </message>
     <message>
         <source>the feed is on hold</source>
-        <translation type="unfinished" />
+        <translation>进给保持中</translation>
     </message>
     <message>
         <source>the operator turns the knobs: speed {0.0} %, feed {1.0} %</source>
-        <translation type="unfinished" />
+        <translation>操作者正在调旋钮:转速 {0.0} %,进给 {1.0} %</translation>
     </message>
     <message>
         <source>the spindle does not follow, {0.0} instead of {1.0} rpm</source>
-        <translation type="unfinished" />
+        <translation>主轴未跟随,{0.0} 而非 {1.0} rpm</translation>
     </message>
     <message>
         <source>the machine does not take the override, {0.1} % instead of {1.1} %</source>
-        <translation type="unfinished" />
+        <translation>机床未接受倍率,{0.1} % 而非 {1.1} %</translation>
     </message>
     <message>
         <source>the program went from {0.0} to {1.0} rpm, starting again from 100 %</source>
-        <translation type="unfinished" />
+        <translation>程序由 {0.0} 变为 {1.0} rpm,重新从 100 % 开始</translation>
     </message>
     <message>
         <source>waiting {0.1} s before taking the overrides again</source>
-        <translation type="unfinished" />
+        <translation>等待 {0.1} s 后再接管倍率</translation>
     </message>
     <message>
         <source>too many changes, waiting {0.0} s</source>
-        <translation type="unfinished" />
+        <translation>变化过多,等待 {0.0} s</translation>
     </message>
     <message>
         <source>Auto is not allowed in this set-up</source>
-        <translation type="unfinished" />
+        <translation>此设置不允许自动</translation>
     </message>
     <message>
         <source>more than {0.0} changes in a minute again, advice only from now on</source>
-        <translation type="unfinished" />
+        <translation>一分钟内变化再次超过 {0.0} 次,此后仅建议</translation>
     </message>
     <message>
         <source>the operator accepted {0.0} rpm and {1.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>操作者接受 {0.0} rpm 和 {1.0} mm/min</translation>
     </message>
     <message>
         <source>the operator refused {0.0} rpm and {1.0} mm/min</source>
-        <translation type="unfinished" />
+        <translation>操作者拒绝 {0.0} rpm 和 {1.0} mm/min</translation>
     </message>
     <message>
         <source>chatter at {0.0} Hz, energy ratio {1.2}</source>
-        <translation type="unfinished" />
+        <translation>{0.0} Hz 颤振,能量比 {1.2}</translation>
     </message>
     <message>
         <source>quiet again after {0.2} s and {1.1} mm of feed</source>
-        <translation type="unfinished" />
+        <translation>{0.2} s、进给 {1.1} mm 后恢复平稳</translation>
     </message>
     <message>
         <source>authority changed from {0.0} to {1.0}</source>
-        <translation type="unfinished" />
+        <translation>权限由 {0.0} 变为 {1.0}</translation>
     </message>
     <message>
         <source>back to 100 % at the operator's wish</source>
-        <translation type="unfinished" />
+        <translation>应操作者要求恢复 100 %</translation>
     </message>
     <message>
         <source>the machine has not answered for {0.2} s</source>
-        <translation type="unfinished" />
+        <translation>机床已 {0.2} s 未应答</translation>
     </message>
     <message>
         <source>the machine answers again</source>
-        <translation type="unfinished" />
+        <translation>机床恢复应答</translation>
     </message>
     <message>
         <source>recording has stopped</source>
-        <translation type="unfinished" />
+        <translation>记录已停止</translation>
     </message>
     <message>
         <source>{0.0} blocks were dropped</source>
-        <translation type="unfinished" />
+        <translation>丢失 {0.0} 个数据块</translation>
     </message>
     <message>
         <source>Auto is granted because this machine is simulated</source>
-        <translation type="unfinished" />
+        <translation>因为是模拟机床,允许自动</translation>
     </message>
     <message>
         <source>the strategy failed, monitoring only from now on</source>
-        <translation type="unfinished" />
+        <translation>策略失效,此后仅监测</translation>
     </message>
     <message>
         <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
-        <translation type="unfinished" />
+        <translation>建议已变为 {0.0} rpm 和 {1.0} mm/min,需再次触按</translation>
     </message>
 </context>
 <context>
     <name>ReportPages</name>
     <message>
         <source>Cut report</source>
-        <translation type="unfinished" />
+        <translation>切削报告</translation>
     </message>
     <message>
         <source>page %1 of %2</source>
-        <translation type="unfinished" />
+        <translation>第 %1 页,共 %2 页</translation>
     </message>
     <message>
         <source>Alarms and what was done</source>
-        <translation type="unfinished" />
+        <translation>报警与处理</translation>
     </message>
     <message>
         <source>Before: highest until the first command. After: newest at the end of the alarm. Numbers are those in the plots.</source>
-        <translation type="unfinished" />
+        <translation>之前:首个指令前的最大值。之后:报警结束时的最新值。编号与图中一致。</translation>
     </message>
     <message>
         <source>Events</source>
-        <translation type="unfinished" />
+        <translation>事件</translation>
     </message>
     <message>
         <source>and %1 more</source>
-        <translation type="unfinished" />
+        <translation>另有 %1 项</translation>
     </message>
     <message>
         <source>Sensor check</source>
-        <translation type="unfinished" />
+        <translation>传感器检查</translation>
     </message>
     <message>
         <source>Settings in force</source>
-        <translation type="unfinished" />
+        <translation>当前设置</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui</name>
     <message>
         <source>%1 rpm, %2</source>
-        <translation type="unfinished" />
+        <translation>%1 rpm,%2</translation>
     </message>
     <message>
         <source>Costs no time</source>
-        <translation type="unfinished" />
+        <translation>不增加时间</translation>
     </message>
     <message>
         <source>Costs %1 time</source>
-        <translation type="unfinished" />
+        <translation>时间增加 %1</translation>
     </message>
     <message>
         <source>Saves %1 time</source>
-        <translation type="unfinished" />
+        <translation>时间节省 %1</translation>
     </message>
     <message>
         <source>cutting speed %1</source>
-        <translation type="unfinished" />
+        <translation>切削速度 %1</translation>
     </message>
     <message>
         <source>The feed stays as it is</source>
-        <translation type="unfinished" />
+        <translation>进给保持不变</translation>
     </message>
     <message>
         <source>Feed follows: %1</source>
-        <translation type="unfinished" />
+        <translation>进给随动:%1</translation>
     </message>
     <message>
         <source>The speed stays as it is</source>
-        <translation type="unfinished" />
+        <translation>转速保持不变</translation>
     </message>
     <message>
         <source>ADVICE</source>
-        <translation type="unfinished" />
+        <translation>建议</translation>
     </message>
     <message>
         <source>Back to 100 %</source>
-        <translation type="unfinished" />
+        <translation>恢复 100 %</translation>
     </message>
     <message>
         <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
-        <translation type="unfinished" />
+        <translation>已请求,机床未确认</translation>
     </message>
     <message>
         <source>IN FORCE, HELD BY YOU</source>
-        <translation type="unfinished" />
+        <translation>已生效,由您保持</translation>
     </message>
     <message>
         <source>IN FORCE</source>
-        <translation type="unfinished" />
+        <translation>已生效</translation>
     </message>
     <message>
         <source>WHAT TO DO</source>
-        <translation type="unfinished" />
+        <translation>操作建议</translation>
     </message>
     <message>
         <source>No advice</source>
-        <translation type="unfinished" />
+        <translation>没有建议</translation>
     </message>
     <message>
         <source>There is no live picture to advise on</source>
-        <translation type="unfinished" />
+        <translation>没有实时画面可供建议</translation>
     </message>
     <message>
         <source>Nothing to do</source>
-        <translation type="unfinished" />
+        <translation>无需操作</translation>
     </message>
     <message>
         <source>Authority is off: Stillcut only watches</source>
-        <translation type="unfinished" />
+        <translation>权限已关闭:Stillcut 仅观察</translation>
     </message>
     <message>
         <source>There is no verdict to act on</source>
-        <translation type="unfinished" />
+        <translation>没有结论作为依据</translation>
     </message>
     <message>
         <source>The strategy has not decided yet</source>
-        <translation type="unfinished" />
+        <translation>策略尚未决定</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished" />
+        <translation>约 %1</translation>
     </message>
     <message>
         <source>The machine does not answer; last values %1 old</source>
-        <translation type="unfinished" />
+        <translation>机床无应答;最近数值已过 %1</translation>
     </message>
     <message>
         <source>Values are %1 old</source>
-        <translation type="unfinished" />
+        <translation>数值已过 %1</translation>
     </message>
     <message>
         <source>Another program has the overrides</source>
-        <translation type="unfinished" />
+        <translation>倍率由其他程序占用</translation>
     </message>
     <message>
         <source>The program has switched overrides off</source>
-        <translation type="unfinished" />
+        <translation>程序已关闭倍率</translation>
     </message>
     <message>
         <source>Feed hold</source>
-        <translation type="unfinished" />
+        <translation>进给保持</translation>
     </message>
     <message>
         <source>Energy ratio</source>
-        <translation type="unfinished" />
+        <translation>能量比</translation>
     </message>
     <message>
         <source>Vibration</source>
-        <translation type="unfinished" />
+        <translation>振动</translation>
     </message>
     <message>
         <source>Coherence</source>
-        <translation type="unfinished" />
+        <translation>相干性</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished" />
+        <translation>转速</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished" />
+        <translation>进给</translation>
     </message>
     <message>
         <source>Nothing was read from the machine yet</source>
-        <translation type="unfinished" />
+        <translation>尚未从机床读取数据</translation>
     </message>
     <message>
         <source>Knobs %1, %2</source>
-        <translation type="unfinished" />
+        <translation>旋钮 %1,%2</translation>
     </message>
     <message>
         <source>Machine</source>
-        <translation type="unfinished" />
+        <translation>机床</translation>
     </message>
     <message>
         <source>not read yet</source>
-        <translation type="unfinished" />
+        <translation>尚未读取</translation>
     </message>
     <message>
         <source>no answer for %1</source>
-        <translation type="unfinished" />
+        <translation>无应答 %1</translation>
     </message>
     <message>
         <source>Sensor</source>
-        <translation type="unfinished" />
+        <translation>传感器</translation>
     </message>
     <message>
         <source>no samples yet</source>
-        <translation type="unfinished" />
+        <translation>尚无采样</translation>
     </message>
     <message>
         <source>nothing for %1</source>
-        <translation type="unfinished" />
+        <translation>%1 无数据</translation>
     </message>
     <message>
         <source>at its limit</source>
-        <translation type="unfinished" />
+        <translation>达到极限</translation>
     </message>
     <message>
         <source>dead</source>
-        <translation type="unfinished" />
+        <translation>无信号</translation>
     </message>
     <message>
         <source>not a number</source>
-        <translation type="unfinished" />
+        <translation>非数值</translation>
     </message>
     <message>
         <source>samples missing</source>
-        <translation type="unfinished" />
+        <translation>采样缺失</translation>
     </message>
     <message>
         <source>ok</source>
-        <translation type="unfinished" />
+        <translation>正常</translation>
     </message>
     <message>
         <source>Recording</source>
-        <translation type="unfinished" />
+        <translation>记录</translation>
     </message>
     <message>
         <source>off</source>
-        <translation type="unfinished" />
+        <translation>关</translation>
     </message>
     <message>
         <source>%1, %2 lost</source>
-        <translation type="unfinished" />
+        <translation>%1,丢失 %2</translation>
     </message>
     <message>
         <source>stopped</source>
-        <translation type="unfinished" />
+        <translation>已停止</translation>
     </message>
     <message>
         <source>Chatter %1</source>
-        <translation type="unfinished" />
+        <translation>颤振 %1</translation>
     </message>
     <message>
         <source>%1, acting</source>
-        <translation type="unfinished" />
+        <translation>%1,处理中</translation>
     </message>
     <message>
         <source>%1, not quieted</source>
-        <translation type="unfinished" />
+        <translation>%1,未平稳</translation>
     </message>
     <message>
         <source>%1, quiet after %2, %3 marked</source>
-        <translation type="unfinished" />
+        <translation>%1,%2 后平稳,振纹 %3</translation>
     </message>
     <message>
         <source>%1, %2 more time</source>
-        <translation type="unfinished" />
+        <translation>%1,多用 %2</translation>
     </message>
     <message>
         <source>chatter %1</source>
-        <translation type="unfinished" />
+        <translation>颤振 %1</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished" />
+        <translation>采样率</translation>
     </message>
     <message>
         <source>Drops</source>
-        <translation type="unfinished" />
+        <translation>丢失</translation>
     </message>
     <message>
         <source>Overruns</source>
-        <translation type="unfinished" />
+        <translation>超时</translation>
     </message>
     <message>
         <source>Block age</source>
-        <translation type="unfinished" />
+        <translation>块延迟</translation>
     </message>
     <message>
         <source>You are in command</source>
-        <translation type="unfinished" />
+        <translation>由您控制</translation>
     </message>
     <message>
         <source>speed %1, feed %2</source>
-        <translation type="unfinished" />
+        <translation>转速 %1,进给 %2</translation>
     </message>
     <message>
         <source>Stillcut is in command</source>
-        <translation type="unfinished" />
+        <translation>由 Stillcut 控制</translation>
     </message>
     <message>
         <source>You are in command, Stillcut advises</source>
-        <translation type="unfinished" />
+        <translation>由您控制,Stillcut 建议</translation>
     </message>
     <message>
         <source>since %1</source>
-        <translation type="unfinished" />
+        <translation>自 %1</translation>
     </message>
     <message>
         <source>%1, on this simulated machine</source>
-        <translation type="unfinished" />
+        <translation>%1,在此模拟机床上</translation>
     </message>
     <message>
         <source>as last heard, %1 ago</source>
-        <translation type="unfinished" />
+        <translation>最近消息,%1 前</translation>
     </message>
     <message>
         <source>held by you, %1</source>
-        <translation type="unfinished" />
+        <translation>由您保持,%1</translation>
     </message>
     <message>
         <source>NO CUT</source>
-        <translation type="unfinished" />
+        <translation>空走</translation>
     </message>
     <message>
         <source>STABLE</source>
-        <translation type="unfinished" />
+        <translation>稳定</translation>
     </message>
     <message>
         <source>ONSET</source>
-        <translation type="unfinished" />
+        <translation>开始</translation>
     </message>
     <message>
         <source>CHATTER</source>
-        <translation type="unfinished" />
+        <translation>颤振</translation>
     </message>
     <message>
         <source>Hopf</source>
-        <translation type="unfinished" />
+        <translation>Hopf</translation>
     </message>
     <message>
         <source>period doubling</source>
-        <translation type="unfinished" />
+        <translation>倍周期</translation>
     </message>
     <message>
         <source>forced vibration</source>
-        <translation type="unfinished" />
+        <translation>强迫振动</translation>
     </message>
     <message>
         <source>growing</source>
-        <translation type="unfinished" />
+        <translation>增长中</translation>
     </message>
     <message>
         <source>steady</source>
-        <translation type="unfinished" />
+        <translation>平稳持续</translation>
     </message>
     <message>
         <source>dying down</source>
-        <translation type="unfinished" />
+        <translation>衰减中</translation>
     </message>
     <message>
         <source>The tool is in the air</source>
-        <translation type="unfinished" />
+        <translation>刀具在空切</translation>
     </message>
     <message>
         <source>The spindle is running up</source>
-        <translation type="unfinished" />
+        <translation>主轴正在加速</translation>
     </message>
     <message>
         <source>The tool is entering</source>
-        <translation type="unfinished" />
+        <translation>刀具正在切入</translation>
     </message>
     <message>
         <source>The tool is leaving</source>
-        <translation type="unfinished" />
+        <translation>刀具正在切出</translation>
     </message>
     <message>
         <source>No chatter in this run</source>
-        <translation type="unfinished" />
+        <translation>本次运行无颤振</translation>
     </message>
     <message>
         <source>In chatter so far: %1, %2</source>
-        <translation type="unfinished" />
+        <translation>累计颤振:%1,%2</translation>
     </message>
     <message>
         <source>NO VERDICT</source>
-        <translation type="unfinished" />
+        <translation>无结论</translation>
     </message>
     <message>
         <source>The picture is stale: nothing new for %1</source>
-        <translation type="unfinished" />
+        <translation>画面已过时:%1 无新数据</translation>
     </message>
     <message>
         <source>Last verdict: %1 %2</source>
-        <translation type="unfinished" />
+        <translation>最近结论:%1 %2</translation>
     </message>
     <message>
         <source>For %1</source>
-        <translation type="unfinished" />
+        <translation>已持续 %1</translation>
     </message>
     <message>
         <source>For %1, %2 of feed</source>
-        <translation type="unfinished" />
+        <translation>已持续 %1,进给 %2</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>等待首批采样</translation>
     </message>
     <message>
         <source>The run has ended</source>
-        <translation type="unfinished" />
+        <translation>运行已结束</translation>
     </message>
     <message>
         <source>The detector gives no reason</source>
-        <translation type="unfinished" />
+        <translation>检测器未说明原因</translation>
     </message>
     <message>
         <source>Early warning: vibration begins to grow</source>
-        <translation type="unfinished" />
+        <translation>预警:振动开始增长</translation>
     </message>
     <message>
         <source>The cut is quiet</source>
-        <translation type="unfinished" />
+        <translation>切削平稳</translation>
     </message>
     <message>
         <source>The tool does not cut</source>
-        <translation type="unfinished" />
+        <translation>刀具未切削</translation>
     </message>
     <message>
         <source>Auto: Stillcut commanded the overrides</source>
-        <translation type="unfinished" />
+        <translation>自动:Stillcut 控制倍率</translation>
     </message>
     <message>
         <source>Advise: Stillcut proposed</source>
-        <translation type="unfinished" />
+        <translation>建议:Stillcut 提出建议</translation>
     </message>
     <message>
         <source>Off: Stillcut watched</source>
-        <translation type="unfinished" />
+        <translation>关闭:Stillcut 仅观察</translation>
     </message>
     <message>
         <source>no signal: check cable and supply</source>
-        <translation type="unfinished" />
+        <translation>无信号:检查电缆与供电</translation>
     </message>
     <message>
         <source>clipped: lower the gain</source>
-        <translation type="unfinished" />
+        <translation>削波:降低增益</translation>
     </message>
     <message>
         <source>large constant part: check coupling</source>
-        <translation type="unfinished" />
+        <translation>直流分量大:检查耦合</translation>
     </message>
     <message>
         <source>far weaker than the others: loose?</source>
-        <translation type="unfinished" />
+        <translation>远弱于其他通道:松动?</translation>
     </message>
     <message>
         <source>in order</source>
-        <translation type="unfinished" />
+        <translation>正常</translation>
     </message>
     <message>
         <source>quiet</source>
-        <translation type="unfinished" />
+        <translation>平稳</translation>
     </message>
     <message>
         <source>cut ended</source>
-        <translation type="unfinished" />
+        <translation>切削结束</translation>
     </message>
     <message>
         <source>not quiet</source>
-        <translation type="unfinished" />
+        <translation>未平稳</translation>
     </message>
     <message>
         <source>not answered</source>
-        <translation type="unfinished" />
+        <translation>未应答</translation>
     </message>
     <message>
         <source> (simulated)</source>
-        <translation type="unfinished" />
+        <translation>(模拟)</translation>
     </message>
     <message>
         <source>Tool</source>
-        <translation type="unfinished" />
+        <translation>刀具</translation>
     </message>
     <message>
         <source>, diameter </source>
-        <translation type="unfinished" />
+        <translation>,直径 </translation>
     </message>
     <message>
         <source>Teeth</source>
-        <translation type="unfinished" />
+        <translation>齿数</translation>
     </message>
     <message>
         <source>Programmed</source>
-        <translation type="unfinished" />
+        <translation>编程值</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished" />
+        <translation>rpm</translation>
     </message>
     <message>
         <source>mm/min</source>
-        <translation type="unfinished" />
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>Authority</source>
-        <translation type="unfinished" />
+        <translation>权限</translation>
     </message>
     <message>
         <source>Length</source>
-        <translation type="unfinished" />
+        <translation>长度</translation>
     </message>
     <message>
         <source>Sensors</source>
-        <translation type="unfinished" />
+        <translation>传感器</translation>
     </message>
     <message>
         <source>%1 at %2 Hz</source>
-        <translation type="unfinished" />
+        <translation>%1,%2 Hz</translation>
     </message>
     <message>
         <source>Missing</source>
-        <translation type="unfinished" />
+        <translation>缺失</translation>
     </message>
     <message>
         <source>%1 in %2 gaps</source>
-        <translation type="unfinished" />
+        <translation>%2 处间断共 %1</translation>
     </message>
     <message>
         <source>Format</source>
-        <translation type="unfinished" />
+        <translation>格式</translation>
     </message>
     <message>
         <source>File</source>
-        <translation type="unfinished" />
+        <translation>文件</translation>
     </message>
     <message>
         <source>not closed: ends where it was cut off</source>
-        <translation type="unfinished" />
+        <translation>未正常关闭:在中断处结束</translation>
     </message>
     <message>
         <source>Recorded by</source>
-        <translation type="unfinished" />
+        <translation>记录程序</translation>
     </message>
     <message>
         <source>This recording holds measurements only: nobody decided while it was made. Vibration and spectrogram are shown as they are.</source>
-        <translation type="unfinished" />
+        <translation>此记录仅含测量数据:记录时未做任何结论。振动与频谱图按原样显示。</translation>
     </message>
     <message>
         <source>No chatter was found.</source>
-        <translation type="unfinished" />
+        <translation>未发现颤振。</translation>
     </message>
     <message>
         <source>Chatter began once</source>
-        <translation type="unfinished" />
+        <translation>颤振发生一次</translation>
     </message>
     <message>
         <source>Chatter began %1 times</source>
-        <translation type="unfinished" />
+        <translation>颤振发生 %1 次</translation>
     </message>
     <message>
         <source>, first at %1</source>
-        <translation type="unfinished" />
+        <translation>,首次在 %1</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished" />
+        <translation>Hz</translation>
     </message>
     <message>
         <source>; it lasted %1 in all</source>
-        <translation type="unfinished" />
+        <translation>;共持续 %1</translation>
     </message>
     <message>
         <source> and marked %1 of path</source>
-        <translation type="unfinished" />
+        <translation>,留下振纹 %1</translation>
     </message>
     <message>
         <source>The overrides were not touched.</source>
-        <translation type="unfinished" />
+        <translation>未改动倍率。</translation>
     </message>
     <message>
         <source>Stillcut moved speed and feed once; </source>
-        <translation type="unfinished" />
+        <translation>Stillcut 调整转速和进给一次;</translation>
     </message>
     <message>
         <source>Stillcut moved speed and feed %1 times; </source>
-        <translation type="unfinished" />
+        <translation>Stillcut 调整转速和进给 %1 次;</translation>
     </message>
     <message>
         <source>the cut was quiet again.</source>
-        <translation type="unfinished" />
+        <translation>切削恢复平稳。</translation>
     </message>
     <message>
         <source>each time the cut was quiet again.</source>
-        <translation type="unfinished" />
+        <translation>每次切削均恢复平稳。</translation>
     </message>
     <message>
         <source>it did not become quiet before the cut ended.</source>
-        <translation type="unfinished" />
+        <translation>切削结束前未恢复平稳。</translation>
     </message>
     <message>
         <source>once the cut was quiet again before it ended.</source>
-        <translation type="unfinished" />
+        <translation>结束前有一次恢复平稳。</translation>
     </message>
     <message>
         <source>%1 times the cut was quiet again before it ended.</source>
-        <translation type="unfinished" />
+        <translation>结束前有 %1 次恢复平稳。</translation>
     </message>
     <message>
         <source>No.</source>
-        <translation type="unfinished" />
+        <translation>编号</translation>
     </message>
     <message>
         <source>At</source>
-        <translation type="unfinished" />
+        <translation>时刻</translation>
     </message>
     <message>
         <source>Chatter</source>
-        <translation type="unfinished" />
+        <translation>颤振</translation>
     </message>
     <message>
         <source>Speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>转速 [rpm]</translation>
     </message>
     <message>
         <source>Feed [mm/min]</source>
-        <translation type="unfinished" />
+        <translation>进给 [mm/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
-        <translation type="unfinished" />
+        <translation>振动有效值</translation>
     </message>
     <message>
         <source>Quiet after</source>
-        <translation type="unfinished" />
+        <translation>平稳用时</translation>
     </message>
     <message>
         <source>Marked</source>
-        <translation type="unfinished" />
+        <translation>振纹</translation>
     </message>
     <message>
         <source>Outcome</source>
-        <translation type="unfinished" />
+        <translation>结果</translation>
     </message>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished" />
+        <translation>物理量</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished" />
+        <translation>标度</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation type="unfinished" />
+        <translation>有效值</translation>
     </message>
     <message>
         <source>Peak</source>
-        <translation type="unfinished" />
+        <translation>峰值</translation>
     </message>
     <message>
         <source>Mean</source>
-        <translation type="unfinished" />
+        <translation>均值</translation>
     </message>
     <message>
         <source>Unit</source>
-        <translation type="unfinished" />
+        <translation>单位</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished" />
+        <translation>检查</translation>
     </message>
     <message>
         <source> (assumed)</source>
-        <translation type="unfinished" />
+        <translation>(假定)</translation>
     </message>
     <message>
         <source>Level</source>
-        <translation type="unfinished" />
+        <translation>级别</translation>
     </message>
     <message>
         <source>What</source>
-        <translation type="unfinished" />
+        <translation>内容</translation>
     </message>
     <message>
         <source>fault</source>
-        <translation type="unfinished" />
+        <translation>故障</translation>
     </message>
     <message>
         <source>warning</source>
-        <translation type="unfinished" />
+        <translation>警告</translation>
     </message>
     <message>
         <source>info</source>
-        <translation type="unfinished" />
+        <translation>信息</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished" />
+        <translation>结论</translation>
     </message>
     <message>
         <source>stable</source>
-        <translation type="unfinished" />
+        <translation>稳定</translation>
     </message>
     <message>
         <source>onset</source>
-        <translation type="unfinished" />
+        <translation>开始</translation>
     </message>
     <message>
         <source>chatter</source>
-        <translation type="unfinished" />
+        <translation>颤振</translation>
     </message>
     <message>
         <source>Stillcut moved speed or feed</source>
-        <translation type="unfinished" />
+        <translation>Stillcut 调整转速或进给</translation>
     </message>
     <message>
         <source>uncalibrated</source>
-        <translation type="unfinished" />
+        <translation>未标定</translation>
     </message>
     <message>
         <source>dB</source>
-        <translation type="unfinished" />
+        <translation>dB</translation>
     </message>
     <message>
         <source>too short for a spectrogram</source>
-        <translation type="unfinished" />
+        <translation>太短,无法作频谱图</translation>
     </message>
     <message>
         <source>Not computed here</source>
-        <translation type="unfinished" />
+        <translation>此处未计算</translation>
     </message>
     <message>
         <source>The diagram does not reach this speed</source>
-        <translation type="unfinished" />
+        <translation>叶瓣图未覆盖此转速</translation>
     </message>
     <message>
         <source>Compute the diagram first</source>
-        <translation type="unfinished" />
+        <translation>请先计算叶瓣图</translation>
     </message>
     <message>
         <source>STABLE, %1 deeper would be too deep</source>
-        <translation type="unfinished" />
+        <translation>稳定,再深 %1 即过深</translation>
     </message>
     <message>
         <source>CHATTER, %1 too deep</source>
-        <translation type="unfinished" />
+        <translation>颤振,过深 %1</translation>
     </message>
     <message>
         <source>limit %1</source>
-        <translation type="unfinished" />
+        <translation>极限 %1</translation>
     </message>
     <message>
         <source>removes %1</source>
-        <translation type="unfinished" />
+        <translation>去除率 %1</translation>
     </message>
     <message>
         <source>%1 more time</source>
-        <translation type="unfinished" />
+        <translation>多用 %1 时间</translation>
     </message>
     <message>
         <source>%1 less time</source>
-        <translation type="unfinished" />
+        <translation>少用 %1 时间</translation>
     </message>
     <message>
         <source>, order %1</source>
-        <translation type="unfinished" />
+        <translation>,阶次 %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
     <message>
         <source>ACCEPT</source>
-        <translation type="unfinished" />
+        <translation>接受</translation>
     </message>
     <message>
         <source>NOT NOW</source>
-        <translation type="unfinished" />
+        <translation>暂不</translation>
     </message>
     <message>
         <source>What to do</source>
-        <translation type="unfinished" />
+        <translation>操作建议</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::AnalyseTools</name>
     <message>
         <source>LIVE</source>
-        <translation type="unfinished" />
+        <translation>实时</translation>
     </message>
     <message>
         <source>WATERFALL</source>
-        <translation type="unfinished" />
+        <translation>瀑布图</translation>
     </message>
     <message>
         <source>LINEAR</source>
-        <translation type="unfinished" />
+        <translation>线性</translation>
     </message>
     <message>
         <source>ORDERS</source>
-        <translation type="unfinished" />
+        <translation>阶次</translation>
     </message>
     <message>
         <source>MAX HOLD</source>
-        <translation type="unfinished" />
+        <translation>最大保持</translation>
     </message>
     <message>
         <source>REFERENCE</source>
-        <translation type="unfinished" />
+        <translation>参考</translation>
     </message>
     <message>
         <source>Channel</source>
-        <translation type="unfinished" />
+        <translation>通道</translation>
     </message>
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
-        <translation type="unfinished" />
+        <translation>频谱图、频谱与信号的通道</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::CommandBar</name>
     <message>
         <source>OFF</source>
-        <translation type="unfinished" />
+        <translation>关闭</translation>
     </message>
     <message>
         <source>ADVISE</source>
-        <translation type="unfinished" />
+        <translation>建议</translation>
     </message>
     <message>
         <source>AUTO</source>
-        <translation type="unfinished" />
+        <translation>自动</translation>
     </message>
     <message>
         <source>HOLD</source>
-        <translation type="unfinished" />
+        <translation>保持</translation>
     </message>
     <message>
         <source>BACK TO 100 %</source>
@@ -2159,477 +2159,485 @@
     </message>
     <message>
         <source>Authority</source>
-        <translation type="unfinished" />
+        <translation>权限</translation>
     </message>
     <message>
         <source>This profile does not grant Auto</source>
-        <translation type="unfinished" />
+        <translation>此配置不允许自动</translation>
     </message>
     <message>
         <source>END HOLD</source>
-        <translation type="unfinished" />
+        <translation>结束保持</translation>
     </message>
     <message>
         <source>Esc, now %1</source>
-        <translation type="unfinished" />
+        <translation>Esc,现为 %1</translation>
     </message>
     <message>
         <source>AUTO?</source>
-        <translation type="unfinished" />
+        <translation>自动?</translation>
     </message>
     <message>
         <source>touch again to confirm</source>
-        <translation type="unfinished" />
+        <translation>再次触按确认</translation>
     </message>
     <message>
         <source>This machine has no watchdog</source>
-        <translation type="unfinished" />
+        <translation>此机床没有看门狗</translation>
     </message>
     <message>
         <source>if Stillcut dies, its overrides stay</source>
-        <translation type="unfinished" />
+        <translation>若 Stillcut 失效,倍率将保留</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::DisplayPanel</name>
     <message>
         <source>Display</source>
-        <translation type="unfinished" />
+        <translation>显示</translation>
     </message>
     <message>
         <source>LIGHT</source>
-        <translation type="unfinished" />
+        <translation>浅色</translation>
     </message>
     <message>
         <source>DARK</source>
-        <translation type="unfinished" />
+        <translation>深色</translation>
     </message>
     <message>
         <source>HIGH CONTRAST</source>
-        <translation type="unfinished" />
+        <translation>高对比度</translation>
     </message>
     <message>
         <source>METRIC</source>
-        <translation type="unfinished" />
+        <translation>公制</translation>
     </message>
     <message>
         <source>INCH</source>
-        <translation type="unfinished" />
+        <translation>英制</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::HeaderBar</name>
     <message>
         <source>SIMULATED MACHINE</source>
-        <translation type="unfinished" />
+        <translation>模拟机床</translation>
     </message>
     <message>
         <source>Display</source>
-        <translation type="unfinished" />
+        <translation>显示</translation>
     </message>
     <message>
         <source>Theme, units, language (F11); next theme (F12)</source>
-        <translation type="unfinished" />
+        <translation>主题、单位、语言 (F11);下一主题 (F12)</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::HistoryMap</name>
     <message>
         <source>SPECTROGRAM</source>
-        <translation type="unfinished" />
+        <translation>频谱图</translation>
     </message>
     <message>
         <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B.</source>
-        <translation type="unfinished" />
+        <translation>拖动:移动。滚轮:缩放。Ctrl 加拖动:放大所选段。单击:光标 A,按 Shift 为 B。</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>等待首批采样</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>阶次</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::InterventionList</name>
     <message>
         <source>WAS CHATTER</source>
-        <translation type="unfinished" />
+        <translation>报警正确</translation>
     </message>
     <message>
         <source>FALSE ALARM</source>
-        <translation type="unfinished" />
+        <translation>误报</translation>
     </message>
     <message>
         <source>Last interventions</source>
-        <translation type="unfinished" />
+        <translation>最近干预</translation>
     </message>
     <message>
         <source>LAST INTERVENTIONS</source>
-        <translation type="unfinished" />
+        <translation>最近干预</translation>
     </message>
     <message>
         <source>None in this run</source>
-        <translation type="unfinished" />
+        <translation>本次运行无干预</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>我听到了</translation>
+    </message>
+    <message>
+        <source>Marks chatter that was not told</source>
+        <translation>标记未报出的颤振</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::LobeChart</name>
     <message>
         <source>Stability diagram</source>
-        <translation type="unfinished" />
+        <translation>稳定性图</translation>
     </message>
     <message>
         <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation type="unfinished" />
+        <translation>拖动圆环或使用方向键:若以此转速和切深切削会怎样?</translation>
     </message>
     <message>
         <source>spindle speed [rpm]</source>
-        <translation type="unfinished" />
+        <translation>主轴转速 [rpm]</translation>
     </message>
     <message>
         <source>depth of cut [in]</source>
-        <translation type="unfinished" />
+        <translation>切深 [in]</translation>
     </message>
     <message>
         <source>depth of cut [mm]</source>
-        <translation type="unfinished" />
+        <translation>切深 [mm]</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::LobesPage</name>
     <message>
         <source>ZEROTH ORDER</source>
-        <translation type="unfinished" />
+        <translation>零阶法</translation>
     </message>
     <message>
         <source>SEMI-DISCRETE</source>
-        <translation type="unfinished" />
+        <translation>半离散法</translation>
     </message>
     <message>
         <source>EXACT</source>
-        <translation type="unfinished" />
+        <translation>精确</translation>
     </message>
     <message>
         <source>COMPUTE</source>
-        <translation type="unfinished" />
+        <translation>计算</translation>
     </message>
     <message>
         <source>Progress of the diagram</source>
-        <translation type="unfinished" />
+        <translation>计算进度</translation>
     </message>
     <message>
         <source>What if the speed were</source>
-        <translation type="unfinished" />
+        <translation>若转速为</translation>
     </message>
     <message>
         <source>and the depth</source>
-        <translation type="unfinished" />
+        <translation>且切深为</translation>
     </message>
     <message>
         <source>Speed, what if</source>
-        <translation type="unfinished" />
+        <translation>假设转速</translation>
     </message>
     <message>
         <source>Depth, what if</source>
-        <translation type="unfinished" />
+        <translation>假设切深</translation>
     </message>
     <message>
         <source>Quiet pockets at this depth</source>
-        <translation type="unfinished" />
+        <translation>此切深下的稳定区</translation>
     </message>
     <message>
         <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
-        <translation type="unfinished" />
+        <translation>选择稳定区以试其最佳转速。括号内:超出倍率范围。</translation>
     </message>
     <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation type="unfinished" />
+        <translation>此刀具的模态未知。请用锤击测量(设置)或在配置中指定模型文件;叶瓣图不需要其他数据。</translation>
     </message>
     <message>
         <source>CANCEL</source>
-        <translation type="unfinished" />
+        <translation>取消</translation>
     </message>
     <message>
         <source>Computing; the diagram before stays until it is done</source>
-        <translation type="unfinished" />
+        <translation>计算中;完成前保留之前的图</translation>
     </message>
     <message>
         <source>%1. Left out: %2</source>
-        <translation type="unfinished" />
+        <translation>%1。未考虑:%2</translation>
     </message>
     <message>
         <source>Cancelled</source>
-        <translation type="unfinished" />
+        <translation>已取消</translation>
     </message>
     <message>
         <source>Cannot be computed: %1</source>
-        <translation type="unfinished" />
+        <translation>无法计算:%1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::OperatePage</name>
     <message>
         <source>channel %1</source>
-        <translation type="unfinished" />
+        <translation>通道 %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::OverrideTable</name>
     <message>
         <source>Speed and feed</source>
-        <translation type="unfinished" />
+        <translation>转速与进给</translation>
     </message>
     <message>
         <source>%1: programmed %2, override %3, actual %4 %5</source>
-        <translation type="unfinished" />
+        <translation>%1:编程 %2,倍率 %3,实际 %4 %5</translation>
     </message>
     <message>
         <source>programmed</source>
-        <translation type="unfinished" />
+        <translation>编程</translation>
     </message>
     <message>
         <source>override</source>
-        <translation type="unfinished" />
+        <translation>倍率</translation>
     </message>
     <message>
         <source>actual</source>
-        <translation type="unfinished" />
+        <translation>实际</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
-        <translation type="unfinished" />
+        <translation>超出转速倍率范围</translation>
     </message>
     <message>
         <source>(%1)</source>
-        <translation type="unfinished" />
+        <translation>(%1)</translation>
     </message>
     <message>
         <source>quiet, rpm</source>
-        <translation type="unfinished" />
+        <translation>稳定 rpm</translation>
     </message>
     <message>
         <source>best, rpm</source>
-        <translation type="unfinished" />
+        <translation>最佳 rpm</translation>
     </message>
     <message>
         <source>down to</source>
-        <translation type="unfinished" />
+        <translation>可至</translation>
     </message>
     <message>
         <source>removes</source>
-        <translation type="unfinished" />
+        <translation>去除率</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>
     <message>
         <source>SAVE</source>
-        <translation type="unfinished" />
+        <translation>保存</translation>
     </message>
     <message>
         <source>DELETE</source>
-        <translation type="unfinished" />
+        <translation>删除</translation>
     </message>
     <message>
         <source>GO TO</source>
-        <translation type="unfinished" />
+        <translation>转到</translation>
     </message>
     <message>
         <source>Preset</source>
-        <translation type="unfinished" />
+        <translation>预设</translation>
     </message>
     <message>
         <source>Choose a preset, or type a name and save what is on show</source>
-        <translation type="unfinished" />
+        <translation>选择预设,或输入名称保存当前显示</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished" />
+        <translation>时刻</translation>
     </message>
     <message>
         <source>14:03:20 or -12 s</source>
-        <translation type="unfinished" />
+        <translation>14:03:20 或 -12 s</translation>
     </message>
     <message>
         <source>No cursor: click into a plot, with Shift for B</source>
-        <translation type="unfinished" />
+        <translation>无光标:单击图中放置,按 Shift 为 B</translation>
     </message>
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
-        <translation type="unfinished" />
+        <translation>时刻无效:请写 14:03:20,或 -12 表示多少秒前</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::PresetList</name>
     <message>
         <source>Last 10 s</source>
-        <translation type="unfinished" />
+        <translation>最近 10 s</translation>
     </message>
     <message>
         <source>Orders</source>
-        <translation type="unfinished" />
+        <translation>阶次</translation>
     </message>
     <message>
         <source>Entry, 1 s</source>
-        <translation type="unfinished" />
+        <translation>切入,1 s</translation>
     </message>
     <message>
         <source>2 min, max hold</source>
-        <translation type="unfinished" />
+        <translation>2 min,最大保持</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrogramWidget</name>
     <message>
         <source>Spectrogram of the last ten seconds</source>
-        <translation type="unfinished" />
+        <translation>最近十秒的频谱图</translation>
     </message>
     <message>
         <source>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</source>
-        <translation type="unfinished" />
+        <translation>X:坐标轴为 Hz、阶次或 rpm。Page Up、Page Down:坐标范围。</translation>
     </message>
     <message>
         <source>no chatter</source>
-        <translation type="unfinished" />
+        <translation>无颤振</translation>
     </message>
     <message>
         <source>chatter at %1</source>
-        <translation type="unfinished" />
+        <translation>颤振于 %1</translation>
     </message>
     <message>
         <source>SPECTROGRAM</source>
-        <translation type="unfinished" />
+        <translation>频谱图</translation>
     </message>
     <message>
         <source>dB</source>
-        <translation type="unfinished" />
+        <translation>dB</translation>
     </message>
     <message>
         <source>dB re 1 %1</source>
-        <translation type="unfinished" />
+        <translation>dB re 1 %1</translation>
     </message>
     <message>
         <source>%1, last 10 s</source>
-        <translation type="unfinished" />
+        <translation>%1,最近 10 s</translation>
     </message>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation type="unfinished" />
+        <translation>已过时:没有新数据</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
-        <translation type="unfinished" />
+        <translation>等待首批采样</translation>
     </message>
     <message>
         <source>Hz</source>
-        <translation type="unfinished" />
+        <translation>Hz</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>阶次</translation>
     </message>
     <message>
         <source>rpm</source>
-        <translation type="unfinished" />
+        <translation>rpm</translation>
     </message>
     <message>
         <source>now</source>
-        <translation type="unfinished" />
+        <translation>现在</translation>
     </message>
     <message>
         <source>s</source>
-        <translation type="unfinished" />
+        <translation>s</translation>
     </message>
     <message>
         <source>1× tooth</source>
-        <translation type="unfinished" />
+        <translation>1× 齿</translation>
     </message>
     <message>
         <source>%1×</source>
-        <translation type="unfinished" />
+        <translation>%1×</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
     <message>
         <source>Spectrum</source>
-        <translation type="unfinished" />
+        <translation>频谱</translation>
     </message>
     <message>
         <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom.</source>
-        <translation type="unfinished" />
+        <translation>单击:谐波光标。H:置于最强谱线。拖动:移动。滚轮:缩放。</translation>
     </message>
     <message>
         <source>SPECTRUM</source>
-        <translation type="unfinished" />
+        <translation>频谱</translation>
     </message>
     <message>
         <source>SPECTRUM AT A, %1</source>
-        <translation type="unfinished" />
+        <translation>光标 A 处频谱,%1</translation>
     </message>
     <message>
         <source>SPECTRUM, NEWEST</source>
-        <translation type="unfinished" />
+        <translation>最新频谱</translation>
     </message>
     <message>
         <source>cursor: %1</source>
-        <translation type="unfinished" />
+        <translation>光标:%1</translation>
     </message>
     <message>
         <source>order</source>
-        <translation type="unfinished" />
+        <translation>阶次</translation>
     </message>
     <message>
         <source>chatter %1</source>
-        <translation type="unfinished" />
+        <translation>颤振 %1</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
     <message>
         <source>State of the chain</source>
-        <translation type="unfinished" />
+        <translation>信号链状态</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TimePlot</name>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation type="unfinished" />
+        <translation>已过时:没有新数据</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TracePlot</name>
     <message>
         <source>SIGNAL</source>
-        <translation type="unfinished" />
+        <translation>信号</translation>
     </message>
     <message>
         <source>No samples kept of this stretch</source>
-        <translation type="unfinished" />
+        <translation>此段未保留采样</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::TrackPlot</name>
     <message>
         <source>DETECTORS</source>
-        <translation type="unfinished" />
+        <translation>检测器</translation>
     </message>
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
-        <translation type="unfinished" />
+        <translation>低:稳定。半高:开始。满高:颤振。阴影:无结论。曲线为第一指标。</translation>
     </message>
 </context>
 <context>
     <name>stillcut::ui::VerdictSign</name>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished" />
+        <translation>结论</translation>
     </message>
 </context>
 </TS>

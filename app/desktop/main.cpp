@@ -1,5 +1,6 @@
 // stillcut: the desktop program.
 //   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5] [--theme light|dark|contrast] [--size WxH]
+//            [--language en|de|zh] [--page ID]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 // Without a scenario or a profile it opens the demonstration: a first start ends in a picture that moves.
@@ -39,6 +40,8 @@ struct Options {
   QSize size{1280, 800};
   bool sizeGiven = false;
   std::optional<ui::ThemeKind> theme;
+  std::optional<ui::Language> language;
+  QString page;
 };
 
 int fail(const std::string& line) {
@@ -62,8 +65,12 @@ Result<Options> parse(const QStringList& arguments) {
   const QCommandLineOption record(QStringLiteral("record"), QStringLiteral("Record the session."),
                                   QStringLiteral("FILE.h5"));
   const QCommandLineOption screenshot(QStringLiteral("screenshot"),
-                                      QStringLiteral("Write a picture of the operator page and end."),
-                                      QStringLiteral("FILE.png"));
+                                      QStringLiteral("Write a picture of a page and end."), QStringLiteral("FILE.png"));
+  const QCommandLineOption page(QStringLiteral("page"),
+                                QStringLiteral("The page to begin with (operate, analyse, lobes ...)."),
+                                QStringLiteral("ID"));
+  const QCommandLineOption language(QStringLiteral("language"), QStringLiteral("en, de or zh."),
+                                    QStringLiteral("CODE"));
   const QCommandLineOption after(QStringLiteral("after"), QStringLiteral("Seconds of the cut before the picture."),
                                  QStringLiteral("SECONDS"));
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Window size."), QStringLiteral("WxH"));
@@ -71,7 +78,7 @@ Result<Options> parse(const QStringList& arguments) {
                                  QStringLiteral("NAME"));
   const QCommandLineOption report(QStringLiteral("report"),
                                   QStringLiteral("Write a report (.pdf) or the plots (.png, .svg) of a recording."));
-  parser.addOptions({scenario, profile, record, screenshot, report, after, size, theme});
+  parser.addOptions({scenario, profile, record, screenshot, report, after, size, theme, page, language});
   parser.addPositionalArgument(QStringLiteral("files"),
                                QStringLiteral("With --report: the recording and the file to write."),
                                QStringLiteral("[RECORDING OUT]"));
@@ -112,6 +119,13 @@ Result<Options> parse(const QStringList& arguments) {
       return Error{"--theme", "'" + parser.value(theme).toStdString() + "' is no theme", "light, dark or contrast"};
     options.theme = static_cast<ui::ThemeKind>(index);
   }
+  options.page = parser.value(page);
+  if (parser.isSet(language)) {
+    options.language = ui::languageFrom(parser.value(language));
+    if (!options.language) {
+      return Error{"--language", "'" + parser.value(language).toStdString() + "' is no language", "en, de or zh"};
+    }
+  }
   if (!options.scenario.isEmpty() && !options.profile.isEmpty()) {
     return Error{"command line", "--scenario and --profile exclude each other", ""};
   }
@@ -138,6 +152,11 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
     shown_ms = now_ms;
     window.tick(now_ms);
   }
+  // What a page computes in the background is waited for.
+  while (session.lobes() != nullptr && session.lobes()->progress().state == ui::LobeProgress::State::Running) {
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
+  }
+  window.tick(shown_ms + ui::kDisplayTickMs);
   QApplication::processEvents();
   if (window.grab().save(options.screenshot)) return 0;
   return fail(options.screenshot.toStdString() + ": cannot be written");
@@ -175,8 +194,9 @@ int run(int argc, char** argv) {
 
   // Pictures are made of what the command line says alone.
   if (live) (*session)->keepStateIn(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
-  ui::MainWindow window(**session, options->theme);
+  ui::MainWindow window(**session, options->theme, options->language);
   if (live) window.restorePlace();
+  window.showPage(options->page);
   if (!live || options->sizeGiven) window.resize(options->size);
   if (!live) return takePicture(**session, window, *options);
   QObject::connect(&window, &ui::MainWindow::closed, [&] {

@@ -16,6 +16,7 @@
 #include "ui/models/signal_history.h"
 #include "ui/models/spectrum_view.h"
 #include "ui/models/time_text.h"
+#include "ui/plots/heat_image.h"
 
 namespace stillcut::ui {
 namespace {
@@ -108,6 +109,42 @@ TEST(RunHistory, AnotherChannelBeginsANewPicture) {
   history.see(*session.pull());
   ASSERT_EQ(history.columns().size(), 1U);
   EXPECT_EQ(history.columns().front().channel, 1);
+}
+
+// A picture that was moved along is the picture painted at once.
+TEST(HeatImage, MovedAlongIsTheSameAsPaintedAnew) {
+  FakeSession session;
+  RunHistory history;
+  HeatImage moving;
+  HeatWindow window;
+  window.size = QSize(300, 80);
+  window.span = Seconds(4.0);
+  window.high = Hertz(5000);
+  window.gap = qRgb(1, 2, 3);
+  const auto look = [&] {
+    window.from = history.end() - toDuration(window.span);
+    return moving.draw(history, window).copy();
+  };
+  QImage last;
+  for (int k = 0; k < 200; ++k) {
+    if (k == 120) session.lose(Seconds(0.4));
+    session.advance(Seconds(0.04));
+    history.see(*session.pull());
+    last = look();
+    if (k != 150) continue;
+    EXPECT_LT(moving.painted(), 20) << "only what is new";
+  }
+  HeatImage anew;
+  const QImage whole = anew.draw(history, window);
+  EXPECT_GT(anew.painted(), 200);
+  int different = 0;
+  for (int y = 0; y < whole.height(); ++y) {
+    for (int x = 0; x < whole.width(); ++x) different += whole.pixel(x, y) != last.pixel(x, y) ? 1 : 0;
+  }
+  EXPECT_EQ(different, 0);
+  int gaps = 0;
+  for (int x = 0; x < whole.width(); ++x) gaps += whole.pixel(x, 40) == window.gap ? 1 : 0;
+  EXPECT_NEAR(gaps, 0.4 / 4.0 * 300, 6) << "what was lost leaves a hole as long as it lasted";
 }
 
 TEST(AnalyseView, ZoomKeepsTheMomentUnderThePointer) {

@@ -199,6 +199,18 @@ TEST_F(Operate, EveryControlHasANameForScreenReaders) {
   EXPECT_FALSE(find<SpectrogramWidget>()->accessibleName().isEmpty());
 }
 
+TEST_F(Operate, ChatterThatNobodyToldOfIsMarkedInOneTouch) {
+  open();
+  EXPECT_FALSE(enabled("hear")) << "nothing is measured yet";
+  play(2.0);
+  press("hear");
+  EXPECT_EQ(lastSent().action, OperatorAction::HearChatter);
+  EXPECT_TRUE(find<TouchButton>("hear")->isChecked());
+  playToChatter();
+  EXPECT_FALSE(enabled("hear")) << "it has been told";
+  EXPECT_FALSE(find<TouchButton>("hear")->isChecked());
+}
+
 TEST_F(Operate, ThemesFollowTheKey) {
   open();
   EXPECT_EQ(window_->look().theme, ThemeKind::Light);

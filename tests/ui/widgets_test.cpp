@@ -144,7 +144,7 @@ TEST_F(Widgets, InterventionListShowsWhatWentWrong) {
   EXPECT_TRUE(line.text.contains("programmed values restored")) << line.text.toStdString();
   EXPECT_EQ(line.tone, Tone::Chatter);
   InterventionList list;
-  list.display({}, line, false);
+  list.display({}, line, true, false);
   paint(list, {690, 148});
   EXPECT_FALSE(list.clipped());
   s.snapshot.time += std::chrono::seconds(31);

@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 
 #include "tests/ui/ui_fixture.h"
+#include "ui/models/reason_text.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
@@ -123,6 +124,22 @@ TEST_F(WindowTest, LanguageAndUnitsAreChosenByTouchAndOutliveARestart) {
   const MainWindow next(session_);
   EXPECT_EQ(next.look().language, Language::German);
   EXPECT_EQ(next.look().units, UnitSystem::Inch);
+}
+
+TEST_F(WindowTest, EveryReasonIsToldInEveryLanguage) {
+  Speaker speaker(Language::English);
+  for (int code = 1; code <= static_cast<int>(ReasonCode::AdviceChanged); ++code) {
+    const Reason reason{static_cast<ReasonCode>(code), {1.0, 2.0, 3.0, 4.0}};
+    speaker.speak(Language::English);
+    const QString english = reasonText(reason);
+    for (const Language language : {Language::German, Language::Chinese}) {
+      speaker.speak(language);
+      const QString told = reasonText(reason);
+      EXPECT_FALSE(told.isEmpty()) << english.toStdString();
+      EXPECT_NE(told, english) << languageCode(language).toStdString();
+      EXPECT_FALSE(told.contains(u'{')) << told.toStdString();
+    }
+  }
 }
 
 TEST_F(WindowTest, AnotherSessionShowsItsOwnMachine) {

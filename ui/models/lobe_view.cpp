@@ -132,14 +132,13 @@ QVariant PocketTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const Pocket& p = pocket(index.row());
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole)
-    return p.reachable ? QVariant() : QVariant(say("Beyond what the speed override reaches"));
+  if (role == Qt::ToolTipRole) return p.reachable ? QVariant() : QVariant(tr("Beyond what the speed override reaches"));
   if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
   switch (static_cast<Column>(index.column())) {
     case Speeds:
       return QStringLiteral("%1\u2013%2").arg(number(p.from.value), number(p.to.value));
     case Best:
-      return p.reachable ? number(p.best.value) : say("(%1)").arg(number(p.best.value));
+      return p.reachable ? number(p.best.value) : tr("(%1)").arg(number(p.best.value));
     case Limit:
       return depthText(p.limit, units_);
     case Removal:
@@ -154,13 +153,13 @@ QVariant PocketTable::headerData(int section, Qt::Orientation orientation, int r
   if (role != Qt::DisplayRole || orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
   switch (static_cast<Column>(section)) {
     case Speeds:
-      return say("quiet, rpm");
+      return tr("quiet, rpm");
     case Best:
-      return say("best, rpm");
+      return tr("best, rpm");
     case Limit:
-      return say("down to");
+      return tr("down to");
     case Removal:
-      return say("removes");
+      return tr("removes");
     case kColumns:
       break;
   }

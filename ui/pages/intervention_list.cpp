@@ -19,30 +19,42 @@ InterventionList::InterventionList(QWidget* parent)
     : QWidget(parent),
       theme_(makeTheme(ThemeKind::Light, 1.0)),
       wasTrue_(new TouchButton(tr("WAS CHATTER"), TouchButton::Look::Plain, this)),
-      wasFalse_(new TouchButton(tr("FALSE ALARM"), TouchButton::Look::Plain, this)) {
+      wasFalse_(new TouchButton(tr("FALSE ALARM"), TouchButton::Look::Plain, this)),
+      hear_(new TouchButton(tr("I HEAR IT"), TouchButton::Look::Plain, this)) {
   setAccessibleName(tr("Last interventions"));
   wasTrue_->setObjectName(QStringLiteral("was-true"));
   wasFalse_->setObjectName(QStringLiteral("was-false"));
   wasTrue_->setKey(Qt::Key_F9);
   wasFalse_->setKey(Qt::Key_F10);
-  for (TouchButton* button : {wasTrue_, wasFalse_}) {
+  hear_->setObjectName(QStringLiteral("hear"));
+  hear_->setKey(Qt::Key_F4);
+  hear_->setToolTip(tr("Marks chatter that was not told"));
+  for (TouchButton* button : {wasTrue_, wasFalse_, hear_}) {
     button->setCheckable(true);
     button->setEnabled(false);
-    button->setBaseHeight(50);
+    button->setBaseHeight(44);
   }
+  // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
+  connect(hear_, &TouchButton::clicked, this, [this] {
+    emit asked({OperatorAction::HearChatter, Authority::Off});
+    hear_->setChecked(true);
+  });
   connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(true); });
   connect(wasFalse_, &TouchButton::clicked, this, [this] { judge(false); });
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
-void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool alarming) {
-  if (cards == cards_ && event == event_ && alarming == alarming_) return;
+void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming) {
+  if (cards == cards_ && event == event_ && live == live_ && alarming == alarming_) return;
   const bool newAlarm =
       (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
   if (newAlarm) judgement_ = Judgement::None;
   cards_ = cards;
   event_ = event;
+  if (alarming != alarming_ || live != live_) hear_->setChecked(false);
+  live_ = live;
   alarming_ = alarming;
+  hear_->setEnabled(live && !alarming);
   for (std::size_t k = 0; k < widgets_.size() && k < cards.size(); ++k) widgets_[k]->display(cards[k]);
   showJudgement();
   place();
@@ -76,13 +88,14 @@ void InterventionList::applyTheme(const Theme& theme) {
 }
 
 QSize InterventionList::minimumSizeHint() const {
-  const int buttons = wasTrue_->sizeHint().height() * 2 + theme_.px(12);
+  const int gap = std::max(theme_.px(12), pixelsFor(kTouchGapMm, this));
+  const int buttons = wasTrue_->sizeHint().height() * 3 + 2 * gap;
   return {theme_.px(420),
-          std::max(buttons + theme_.px(2 * 12), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height())};
+          std::max(buttons + theme_.px(2 * 8), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height())};
 }
 
 QSize InterventionList::sizeHint() const {
-  return {theme_.px(640), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height()};
+  return {theme_.px(640), minimumSizeHint().height()};
 }
 
 void InterventionList::resizeEvent(QResizeEvent* event) {
@@ -93,11 +106,13 @@ void InterventionList::resizeEvent(QResizeEvent* event) {
 void InterventionList::place() {
   const int pad = theme_.px(kPad), gap = std::max(theme_.px(12), pixelsFor(kTouchGapMm, this));
   const int high = wasTrue_->sizeHint().height();
-  const int buttonWidth = std::max(wasTrue_->sizeHint().width(), wasFalse_->sizeHint().width());
+  const int buttonWidth =
+      std::max({wasTrue_->sizeHint().width(), wasFalse_->sizeHint().width(), hear_->sizeHint().width()});
   const int left = width() - pad - buttonWidth;
-  const int top = std::max((height() - 2 * high - gap) / 2, theme_.px(8));
+  const int top = std::max((height() - 3 * high - 2 * gap) / 2, theme_.px(6));
   wasTrue_->setGeometry(left, top, buttonWidth, high);
   wasFalse_->setGeometry(left, top + high + gap, buttonWidth, high);
+  hear_->setGeometry(left, top + 2 * (high + gap), buttonWidth, high);
   int y = theme_.px(kHead);
   const int cardHeight = widgets_.front()->sizeHint().height();
   for (std::size_t k = 0; k < widgets_.size(); ++k) {

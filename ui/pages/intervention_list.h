@@ -19,8 +19,8 @@ class InterventionList : public QWidget, public Themed {
  public:
   explicit InterventionList(QWidget* parent = nullptr);
 
-  // `alarming`: an alarm is on right now, which can be judged before there is a card.
-  void display(const std::vector<CardView>& cards, const EventLine& event, bool alarming);
+  // `live`: samples come in. `alarming`: an alarm is on right now, which can be judged before there is a card.
+  void display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming);
   int shownCards() const;
   bool clipped() const override { return clipped_; }
 
@@ -48,6 +48,8 @@ class InterventionList : public QWidget, public Themed {
   std::vector<InterventionCard*> widgets_;
   TouchButton* wasTrue_;
   TouchButton* wasFalse_;
+  TouchButton* hear_;  // chatter that nobody told of
+  bool live_ = false;
   bool alarming_ = false;
   bool clipped_ = false;
   Judgement judgement_ = Judgement::None;

@@ -92,6 +92,8 @@ void LobesPage::layOut() {
   depthLabel->setBuddy(depth_);
   speed_->setSuffix(QStringLiteral("\u00a0rpm"));
   speed_->setSingleStep(50);
+  // Arrows are too small for a glove: the ring is dragged, or the arrow keys pressed.
+  for (QDoubleSpinBox* box : {speed_, depth_}) box->setButtonSymbols(QAbstractSpinBox::NoButtons);
   form->addWidget(speedLabel, 0, 0);
   form->addWidget(speed_, 0, 1);
   form->addWidget(depthLabel, 1, 0);
@@ -261,9 +263,7 @@ void LobesPage::showWhatIf() {
   const WhatIf answer = whatIf(diagram_.get(), service_->frame(), at.speed, at.depth, units_);
   verdict_->setText(answer.verdict);
   detail_->setText(answer.detail);
-  QPalette palette = verdict_->palette();
-  palette.setColor(QPalette::WindowText, theme_.onPanel(answer.tone));
-  verdict_->setPalette(palette);
+  verdict_->setStyleSheet(QStringLiteral("color: %1").arg(theme_.onPanel(answer.tone).name()));
   verdict_->setAccessibleDescription(answer.detail);
   table_->setPockets(diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{}, units_);
 }

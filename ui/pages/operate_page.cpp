@@ -84,8 +84,9 @@ void OperatePage::display(const Picture& picture) {
   verdict_->display(makeVerdictView(picture, trend_.trend()));
   advice_->display(makeAdviceView(picture, moveReason_.reason()));
   overrides_->display(makeMachineView(picture));
-  const bool alarming = picture.snapshot && !picture.stale && picture.verdict().alarming();
-  interventions_->display(makeCards(picture), makeEventLine(picture), alarming);
+  const bool live = picture.snapshot && !picture.stale && picture.snapshot->running;
+  const bool alarming = live && picture.verdict().alarming();
+  interventions_->display(makeCards(picture), makeEventLine(picture), live, alarming);
   showBars(picture);
   showSpectrogram(picture);
 }

@@ -24,7 +24,7 @@ void drawLeftAxis(QPainter& p, const QRect& plot, const AxisRange& range, const 
   p.setFont(theme.font(type_size::kTick));
   const QFontMetrics metrics = p.fontMetrics();
   p.setPen(theme.colors.secondary);
-  const std::vector<double> ticks = niceTicks(range.low, range.high, std::max(plot.height() / theme.px(30), 1));
+  const std::vector<double> ticks = niceTicks(range.low, range.high, std::max(plot.height() / theme.px(30), 3));
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     const int y = static_cast<int>(std::lround(plot.bottom() + 1 - range.place(ticks[k]) * plot.height()));
     p.drawLine(plot.left() - theme.px(5), y, plot.left() - 1, y);

@@ -2,18 +2,15 @@
 
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "ui/models/format.h"
 #include "ui/plots/axis_painter.h"
-#include "ui/plots/colormap.h"
 
 namespace stillcut::ui {
 namespace {
 
 constexpr int kMostWaterfallLines = 36;
-constexpr double kHoleFrom = 1.8;  // columns: further apart than that, some are missing
 
 }  // namespace
 
@@ -102,58 +99,20 @@ void HistoryMap::drawPlot(QPainter& p, const QRect& plot) {
   drawMarks(p, plot);
 }
 
-// One pixel column for each spectrum, or the strongest of several where they are denser than pixels. In orders every
-// column is stretched by its own spindle speed against the newest.
 void HistoryMap::drawHeat(QPainter& p, const QRect& plot) {
-  const auto& columns = history_->columns();
   const AnalyseOptions& o = view().options();
-  const int width = plot.width(), height = plot.height();
-  if (image_.size() != QSize(width, height)) image_ = QImage(width, height, QImage::Format_RGB32);
-  image_.fill(theme().colors.gap.rgb());
-  const double binWidth = history_->spectrumTop().value / kSpectrumBins;
-  if (!(binWidth > 0.0)) return;
-  std::array<QRgb, kSpectrumBins> colors{};
-  std::vector<int> bins(static_cast<std::size_t>(height) + 1);
-  const ColorTable& palette = viridis();
-  const Hertz now = columns.back().spindle;
-  double stretched = -1.0;
-  const auto first = std::lower_bound(columns.begin(), columns.end(), view().from() - toDuration(Seconds(0.1)),
-                                      [](const SpectrumColumn& c, Instant t) { return c.time < t; });
-  const double hop = 0.02;  // [s] between columns where nothing is missing
-  int drawn = -1;
-  for (auto c = first; c != columns.end() && c->time <= view().to(); ++c) {
-    const int x = static_cast<int>(std::floor(xOf(c->time) - plot.left()));
-    const auto next = c + 1;
-    const bool follows = next != columns.end() && secondsBetween(c->time, next->time).value < kHoleFrom * hop;
-    const double ends = follows ? xOf(next->time) : xOf(c->time + toDuration(Seconds(hop)));
-    const int to = std::clamp(static_cast<int>(std::floor(ends - plot.left())), x + 1, width);
-    if (to <= 0 || x >= width || (to - 1 <= drawn)) continue;
-    const bool order = o.axis == FrequencyAxis::Order && now.value > 0 && c->spindle.value > 0;
-    const double stretch = order ? c->spindle / now : 1.0;
-    if (std::abs(stretch - stretched) > 1e-6) {
-      stretched = stretch;
-      for (int y = 0; y <= height; ++y) {
-        const double f = (o.low.value + (o.high - o.low).value * (height - y) / height) * stretch;
-        bins[static_cast<std::size_t>(y)] = std::clamp(static_cast<int>(f / binWidth), 0, kSpectrumBins - 1);
-      }
-    }
-    const int lowest = bins.back(), highest = bins.front();
-    for (int b = lowest; b <= highest; ++b) {
-      const auto index = static_cast<std::size_t>(b);
-      colors[index] = palette[static_cast<std::size_t>(std::lround(placeOf(c->level_dB[index]) * 255.0))];
-    }
-    for (int y = 0; y < height; ++y) {
-      // The strongest bin of the pixel, so that no line falls between two.
-      int best = bins[static_cast<std::size_t>(y) + 1];
-      for (int b = best + 1; b < bins[static_cast<std::size_t>(y)]; ++b) {
-        if (c->level_dB[static_cast<std::size_t>(b)] > c->level_dB[static_cast<std::size_t>(best)]) best = b;
-      }
-      auto* line = reinterpret_cast<QRgb*>(image_.scanLine(y));
-      std::fill(line + std::max({x, 0, drawn + 1}), line + to, colors[static_cast<std::size_t>(best)]);
-    }
-    drawn = to - 1;
-  }
-  p.drawImage(plot.topLeft(), image_);
+  HeatWindow window;
+  window.size = plot.size();
+  window.from = view().from();
+  window.span = o.span;
+  window.low = o.low;
+  window.high = o.high;
+  window.order = o.axis == FrequencyAxis::Order;
+  window.linear = o.level == LevelScale::Linear;
+  window.low_dB = range_.low();
+  window.high_dB = range_.high();
+  window.gap = theme().colors.gap.rgb();
+  p.drawImage(plot.topLeft(), heat_.draw(*history_, window));
 }
 
 void HistoryMap::drawHoles(QPainter& p, const QRect& plot) const {
@@ -183,11 +142,15 @@ void HistoryMap::drawMarks(QPainter& p, const QRect& plot) const {
     }
   }
   p.setClipRect(plot);
-  p.setPen(QPen(QColor(Qt::white), theme().px(2), Qt::DotLine));
-  for (auto c = columns.begin(); c != columns.end(); ++c) {
-    if (!(c->chatter.value > 0) || c->time < view().from()) continue;
-    const double x = xOf(c->time), y = yOf(c->chatter, plot);
-    p.drawPoint(QPointF(x, y));
+  p.setRenderHint(QPainter::Antialiasing, false);
+  const int dot = theme().px(2);
+  int lastX = plot.left() - 1;
+  for (const SpectrumColumn& c : columns) {
+    if (!(c.chatter.value > 0) || c.time < view().from()) continue;
+    const int x = static_cast<int>(xOf(c.time)), y = static_cast<int>(yOf(c.chatter, plot));
+    if (x < lastX + 2 * dot) continue;
+    lastX = x;
+    p.fillRect(QRect(x, y - dot / 2, dot, dot), Qt::white);
   }
   if (const auto f = view().harmonic()) {
     p.setPen(QPen(theme().colors.onset, theme().px(1), Qt::DashLine));

@@ -3,10 +3,8 @@
 // hatched. Up and down move, Page Up and Page Down (or the wheel left of the plot) zoom the frequency. GUI thread.
 #pragma once
 
-#include <QImage>
-#include <vector>
-
 #include "ui/models/run_history.h"
+#include "ui/plots/heat_image.h"
 #include "ui/plots/level_range.h"
 #include "ui/plots/time_plot.h"
 
@@ -43,7 +41,7 @@ class HistoryMap : public TimePlot {
   int teeth_ = 0;
   LevelRange range_;
   Instant seen_{};  // newest column the range knows
-  QImage image_;
+  HeatImage heat_;
 };
 
 }  // namespace stillcut::ui

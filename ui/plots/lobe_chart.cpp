@@ -2,6 +2,7 @@
 
 #include <QAreaSeries>
 #include <QChart>
+#include <QGraphicsLayout>
 #include <QKeyEvent>
 #include <QLineSeries>
 #include <QMouseEvent>
@@ -49,6 +50,7 @@ LobeChart::LobeChart(QWidget* parent)
   chart()->legend()->hide();
   chart()->setMargins({0, 0, 0, 0});
   chart()->setBackgroundRoundness(0);
+  chart()->layout()->setContentsMargins(0, 0, 0, 0);
   chart()->addAxis(speed_, Qt::AlignBottom);
   chart()->addAxis(depth_, Qt::AlignLeft);
   for (QAbstractSeries* series :
@@ -136,6 +138,7 @@ QPoint LobeChart::place(SpeedDepth point) const {
 void LobeChart::applyTheme(const Theme& theme) {
   theme_ = theme;
   const ThemeColors& c = theme.colors;
+  setBackgroundBrush(c.panel);
   chart()->setBackgroundBrush(c.panel);
   chart()->setPlotAreaBackgroundBrush(c.track);
   chart()->setPlotAreaBackgroundVisible(true);

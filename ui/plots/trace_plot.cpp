@@ -52,16 +52,21 @@ void TracePlot::drawPlot(QPainter& p, const QRect& plot) {
   p.save();
   p.setClipRect(plot);
   p.setRenderHint(QPainter::Antialiasing, false);
-  p.setPen(Qt::NoPen);
+  QList<QLine> lines, holes;
   for (std::size_t k = 0; k < extents.size(); ++k) {
     const int x = plot.left() + static_cast<int>(k);
     if (!extents[k].present) {
-      p.fillRect(QRect(x, plot.top(), 1, plot.height()), theme().colors.gap);
+      holes << QLine(x, plot.top(), x, plot.bottom());
       continue;
     }
-    const double top = middle - extents[k].high * perUnit, bottom = middle - extents[k].low * perUnit;
-    p.fillRect(QRectF(x, top, 1.0, std::max(bottom - top, 1.0)), theme().colors.text);
+    const auto y = [&](float v) { return static_cast<int>(std::lround(middle - v * perUnit)); };
+    lines << QLine(x, y(extents[k].high), x, y(extents[k].low));
   }
+  p.setPen(theme().colors.gap);
+  p.drawLines(holes);
+  p.setPen(theme().colors.text);
+  p.drawLines(lines);
+  p.setPen(Qt::NoPen);
   for (const SignalHistory::Gap& gap : signal_->gaps()) {
     const double left = xOf(gap.from), right = std::max(xOf(gap.to), left + 2.0);
     p.fillRect(QRectF(left, plot.top(), right - left, plot.height()), QBrush(theme().colors.hatch, Qt::BDiagPattern));

@@ -75,20 +75,25 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
   const auto first = std::lower_bound(track.begin(), track.end(), view().from(),
                                       [](const TrackPoint& point, Instant t) { return point.time < t; });
   QPolygonF curve;
-  for (auto it = first == track.begin() ? first : first - 1; it != track.end() && it->time <= view().to(); ++it) {
-    const auto next = it + 1;
-    const double left = xOf(it->time);
-    const double right = next != track.end() ? xOf(next->time) : left + 1.0;
-    const QRectF step(left, row.bottom() - row.height() * heightOf(*it), right - left + 0.5,
-                      row.height() * heightOf(*it));
-    if (it->valid) {
-      p.fillRect(step, colorOf(*it, theme()));
-      if (std::isfinite(it->indicator))
-        curve << QPointF(left, row.bottom() - row.height() * std::abs(it->indicator) / largest);
+  p.setRenderHint(QPainter::Antialiasing, false);
+  for (auto it = first == track.begin() ? first : first - 1; it != track.end() && it->time <= view().to();) {
+    const TrackPoint& begin = *it;
+    const double left = xOf(begin.time);
+    // One rectangle for a whole run of the same state; of the curve one point for each pixel.
+    for (; it != track.end() && it->time <= view().to() && it->valid == begin.valid && it->state == begin.state; ++it) {
+      const double x = xOf(it->time);
+      const bool shown = it->valid && std::isfinite(it->indicator) && (curve.isEmpty() || x > curve.last().x() + 1.0);
+      if (shown) curve << QPointF(x, row.bottom() - row.height() * std::abs(it->indicator) / largest);
+    }
+    const double right = it != track.end() ? xOf(it->time) : xOf(track.back().time) + 1.0;
+    if (begin.valid) {
+      const double high = row.height() * heightOf(begin);
+      p.fillRect(QRectF(left, row.bottom() - high, right - left, high), colorOf(begin, theme()));
     } else {
       p.fillRect(QRectF(left, row.top(), right - left, row.height()), QBrush(theme().colors.hatch, Qt::BDiagPattern));
     }
   }
+  p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(theme().colors.text, theme().px(1.5)));
   p.setBrush(Qt::NoBrush);
   p.drawPolyline(curve);

@@ -26,6 +26,12 @@ QString styleSheet(const Theme& theme) {
       {QStringLiteral("@raised"), theme.colors.raised.name()},
       {QStringLiteral("@text"), theme.colors.text.name()},
       {QStringLiteral("@border"), theme.colors.border.name()},
+      {QStringLiteral("@panel"), theme.colors.panel.name()},
+      {QStringLiteral("@track"), theme.colors.track.name()},
+      {QStringLiteral("@faint"), theme.colors.faint.name()},
+      {QStringLiteral("@accentText"), theme.colors.onAdvice.name()},
+      {QStringLiteral("@advice"), theme.colors.advice.name()},
+      {QStringLiteral("@body"), QStringLiteral("%1px").arg(theme.px(type_size::kBody))},
       {QStringLiteral("@label"), QStringLiteral("%1px").arg(theme.px(type_size::kLabel))}};
   for (const auto& [name, value] : values) sheet.replace(name, value);
   return sheet;

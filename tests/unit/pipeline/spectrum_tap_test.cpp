@@ -59,6 +59,40 @@ TEST(SpectrumTap, ScrollsWithSamplesFiftyTimesASecond) {
   EXPECT_NEAR(apart, 0.02, 1e-6);
 }
 
+TEST(SpectrumTap, ShowsTheChannelAskedForWithItsOwnScale) {
+  CutSetup setup = oneChannel(1.0);
+  setup.channels.push_back({"y", SensorQuantity::Acceleration, 10.0, "y"});
+  SpectrumTap tap;
+  tap.prepare(setup);
+  SampleBlock b;
+  b.allocate(2, kFrames);
+  b.frames = kFrames;
+  b.rate = Hertz(kRate);
+  const auto run = [&](int from) {
+    for (int n = from; n < from + 100; ++n) {
+      b.firstSample = Instant(toDuration(Seconds(n * kFrames / kRate)));
+      for (int i = 0; i < kFrames; ++i) {
+        const double t = (static_cast<double>(n) * kFrames + i) / kRate;
+        b.channel(0)[static_cast<std::size_t>(i)] = static_cast<float>(std::sin(kTwoPi * 1000.0 * t));
+        b.channel(1)[static_cast<std::size_t>(i)] = static_cast<float>(std::sin(kTwoPi * 3000.0 * t));
+      }
+      tap.feed(b, Verdict{});
+    }
+    const SpectrumColumn& c = tap.column(tap.count() - 1);
+    const auto strongest = std::max_element(c.level_dB.begin(), c.level_dB.end());
+    const double bin = static_cast<double>(strongest - c.level_dB.begin());
+    return std::pair{(bin + 0.5) * tap.top().value / kSpectrumBins, static_cast<double>(*strongest)};
+  };
+  EXPECT_NEAR(run(0).first, 1000.0, 30.0);
+  tap.show(1);
+  const auto [frequency, level] = run(100);
+  EXPECT_EQ(tap.column(tap.count() - 1).channel, 1);
+  EXPECT_NEAR(frequency, 3000.0, 30.0);
+  EXPECT_NEAR(level, 20.0 * std::log10(10.0 / std::sqrt(2.0)), 0.3);
+  tap.show(7);  // there is no such channel
+  EXPECT_NEAR(run(200).first, 1000.0, 30.0);
+}
+
 TEST(SpectrumTap, NoColumnReachesAcrossAGap) {
   SpectrumTap tap;
   tap.prepare(oneChannel(1.0));
