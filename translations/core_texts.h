@@ -320,4 +320,5 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "Auto is granted because this machine is simulated"),
     QT_TRANSLATE_NOOP("Reason", "the strategy failed, monitoring only from now on"),
     QT_TRANSLATE_NOOP("Reason", "the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch"),
+    QT_TRANSLATE_NOOP("Reason", "the tool left the cut after {0.2} s and {1.1} mm of feed in chatter"),
 };

@@ -1334,6 +1334,10 @@
         <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
         <translation>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</translation>
     </message>
+    <message>
+        <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
+        <translation>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>

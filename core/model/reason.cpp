@@ -112,6 +112,8 @@ constexpr Row kRows[] = {
     {ReasonCode::StrategyFault, "strategy-fault", "the strategy failed, monitoring only from now on"},
     {ReasonCode::AdviceChanged, "advice-changed",
      "the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch"},
+    {ReasonCode::ChatterLeftCut, "chatter-left-cut",
+     "the tool left the cut after {0.2} s and {1.1} mm of feed in chatter"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -93,6 +93,7 @@ enum class ReasonCode : std::uint16_t {
   AutoGrantedBySimulation,  // -
   StrategyFault,            // -: monitoring from now on
   AdviceChanged,            // rpm, feed mm/min: what was accepted is no longer what is advised
+  ChatterLeftCut,           // seconds in chatter, mm of feed: the tool left the cut before it was quiet
 };
 
 struct Reason {

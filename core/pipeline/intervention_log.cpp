@@ -86,8 +86,9 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
   card.quiet = quiet && !left;  // a tool that left the cut proves nothing
   card.timeToQuiet = secondsBetween(card.began, lastAlarm_);
   open_ = false;
+  const ReasonCode end = card.quiet ? ReasonCode::ChatterEnded : ReasonCode::ChatterLeftCut;
   append(output, eventNumber_, EventLevel::Info, input.block.end(),
-         {ReasonCode::ChatterEnded, {card.timeToQuiet.value, card.marked.value * 1e3, 0.0, 0.0}});
+         {end, {card.timeToQuiet.value, card.marked.value * 1e3, 0.0, 0.0}});
 }
 
 }  // namespace stillcut::pipeline

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "tests/component/demo_cut.h"
 #include "tests/support/closed_loop/loop_run.h"
@@ -70,9 +71,12 @@ TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Xu, XuCut, testing::Values("xu-steel", "xu-aluminium"), [](const auto& which) {
-  return std::string(which.param) == "xu-steel" ? "steel" : "aluminium";
-});
+INSTANTIATE_TEST_SUITE_P(Xu, XuCut, testing::Values("xu-steel", "xu-aluminium", "xu-thin-wall-double"),
+                         [](const auto& which) {
+                           std::string name(which.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 // van Dijk 2010, section 4: the second strategy ends quieter than the first, because it looks for the least vibration
 // and not for the centre of the lobe. In the 2.6 s of the paper's ramp.
@@ -243,6 +247,38 @@ TEST_P(Delayed, TheDefaultStrategyEndsStableWithinThreeChanges) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Milliseconds, Delayed, testing::Values(0, 20, 40, 60, 80, 100, 120));
+
+// No delay makes a strategy hunt, or end otherwise than with the paper's 60 ms; with the program's own detectors.
+class DelayedLaw : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+
+TEST_P(DelayedLaw, NeitherHuntsNorEndsOtherwise) {
+  const auto& [scenario, strategy] = GetParam();
+  milling::Scenario cut = scenarioNamed(scenario);
+  cut.programme.duration = std::min(cut.programme.duration, Seconds(8.0));
+  std::string usual;
+  for (const int ms : {60, 0, 120}) {
+    cut.overrides.shortestDelay = cut.overrides.longestDelay = Seconds(ms / 1000.0);
+    LoopOptions options;
+    options.strategy = strategy;
+    LoopRun run(cut, options);
+    run.toEnd();
+    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    if (usual.empty()) usual = result.outcome;
+    EXPECT_EQ(result.outcome, usual) << ms << " ms";
+    EXPECT_LE(result.speedChanges, 6) << ms << " ms";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, DelayedLaw,
+                         testing::Combine(testing::Values("demo", "van-dijk-ramp"),
+                                          testing::Values("stable-pocket", "lobe-center", "extremum-paper",
+                                                          "extremum-seek", "quarter-phase", "fuzzy", "fuzzy-learning",
+                                                          "fuzzy-direct")),
+                         [](const auto& which) {
+                           std::string name = std::string(std::get<0>(which.param)) + "_" + std::get<1>(which.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace stillcut::test

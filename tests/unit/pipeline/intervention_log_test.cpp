@@ -104,9 +104,11 @@ TEST(InterventionLog, LeavingTheCutEndsItButProvesNothing) {
   for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
   for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0, false, CutPhase::Exit);
   EXPECT_FALSE(s.log.card(0).finished) << "an exit, or chatter that dies down";
-  s.block(CutState::Air, 0.0, 8000.0, 0.1, false, CutPhase::Air);
+  const StepOutput last = s.block(CutState::Air, 0.0, 8000.0, 0.1, false, CutPhase::Air);
   EXPECT_TRUE(s.log.card(0).finished);
   EXPECT_FALSE(s.log.card(0).quiet);
+  ASSERT_EQ(last.eventCount, 1);
+  EXPECT_EQ(last.events[0].reason.code, ReasonCode::ChatterLeftCut);
 }
 
 TEST(InterventionLog, KeepsTheNewestCardsOnly) {

@@ -234,6 +234,17 @@ TEST(OverrideGate, TheEdgeIsNotMadeToRubAndTheFeedStaysInItsOwnLimits) {
   EXPECT_NEAR(floor.lastCommand().feed.value, 0.8, 1e-9);
 }
 
+// Xu's feed hold, where it is allowed: by the ramp and with the spindle turning.
+TEST(OverrideGate, TheFeedStopsWhereBothOfItsLimitsAllowIt) {
+  GateLimits limits = promptLimits();
+  limits.overrides.lowestFeed = Ratio(0.0);
+  limits.overrides.lowestFeedPerTooth = 0.0;
+  GateHarness h(limits);
+  h.settleAt(9000, 0.0);
+  EXPECT_NEAR(h.lastCommand().feed.value, 0.0, 1e-9);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
+}
+
 TEST(OverrideGate, ALinkThatGoesAndComesBackIsSaidWithNothingInForceToo) {
   GateHarness h;
   h.machine.linkUp = false;
