@@ -184,6 +184,10 @@ std::string LinuxCncPeer::talk(const std::vector<std::string>& requests) {
   return all;
 }
 
+void LinuxCncPeer::write(const std::string& program, const std::string& text) const {
+  std::ofstream(folder_ / program) << text;
+}
+
 // Each step has its effect some time after its ACK, so the sequence is repeated until the program is seen running.
 void LinuxCncPeer::run(const std::string& program) {
   const std::vector<std::string> take{"set enable EMCTOO", "set set_wait received", "set estop off", "set machine on"};

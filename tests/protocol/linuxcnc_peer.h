@@ -27,6 +27,8 @@ class LinuxCncPeer {
   void start();
   void end();
 
+  // A program of one's own, into the machine's folder.
+  void write(const std::string& program, const std::string& text) const;
   // Machine on and homed, `program` of its folder running from the beginning, overrides at 100 %.
   void run(const std::string& program);
   // The process of the machine's stillcut-hal; -1: none.
