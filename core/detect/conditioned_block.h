@@ -9,11 +9,10 @@
 #include "core/base/units.h"
 #include "core/model/machine_state.h"
 #include "core/model/reason.h"
+#include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
 
 namespace stillcut::detect {
-
-inline constexpr int kMaxChannels = 32;
 
 struct ConditionedBlock {
   std::uint64_t sequence = 0;

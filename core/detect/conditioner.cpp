@@ -53,6 +53,7 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   angleStep_.assign(frames, 0.0);
   for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_;
   check_.prepare(setup);
+  sensors_.prepare(setup);
   speed_.prepare(setup, params.real(kSpeedRange));
   gate_.prepare(setup, std::pow(10.0, params.real(kCutLevel) / 10.0));
   reset();
@@ -60,11 +61,13 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
 
 void Conditioner::reset() noexcept {
   check_.reset();
+  sensors_.reset();
   speed_.reset();
   gate_.reset();
   out_ = {};
   restart();
   gapPending_ = false;
+  doubted_ = false;
 }
 
 void Conditioner::restart() noexcept {
@@ -117,6 +120,16 @@ void Conditioner::advanceGate() noexcept {
   if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
 }
 
+// The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
+void Conditioner::checkSensors(const SampleBlock& block) noexcept {
+  const Reason doubt = sensors_.check(block, out_, gate_);
+  if (doubted_ && doubt.code == ReasonCode::None) out_.afterGap = true;
+  doubted_ = doubt.code != ReasonCode::None;
+  if (!doubted_) return;
+  out_.valid = false;
+  out_.reason = doubt;
+}
+
 void Conditioner::findFeed(const MachineState& machine) noexcept {
   out_.feed = setup_.nominalFeed;
   if (!machine.valid) return;
@@ -139,6 +152,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.valid = usable(block);
   if (!out_.valid) {
     gapPending_ = true;  // whatever follows starts anew
+    sensors_.interrupt(block, out_.reason);
     return out_;
   }
   if (gapPending_) {
@@ -156,6 +170,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   advanceGate();
   out_.phase = gate_.phase();
   out_.levelTrend = gate_.trend();
+  checkSensors(block);
   return out_;
 }
 

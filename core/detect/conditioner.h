@@ -10,6 +10,7 @@
 #include "core/detect/conditioned_block.h"
 #include "core/detect/cut_gate.h"
 #include "core/detect/input_check.h"
+#include "core/detect/sensor_check.h"
 #include "core/detect/speed_tracker.h"
 #include "core/dsp/butterworth.h"
 #include "core/model/cut_setup.h"
@@ -40,12 +41,14 @@ class Conditioner {
 
   const SpeedTracker& speed() const { return speed_; }
   const CutGate& gate() const { return gate_; }
+  const SensorStatus& sensors() const { return sensors_.status(); }
 
  private:
   void restart() noexcept;
   bool usable(const SampleBlock& block) noexcept;
   void makeSi(const SampleBlock& block) noexcept;
   void advanceGate() noexcept;
+  void checkSensors(const SampleBlock& block) noexcept;
   void findFeed(const MachineState& machine) noexcept;
 
   CutSetup setup_;
@@ -54,7 +57,9 @@ class Conditioner {
   Hertz highPass_{};
   bool primed_ = false;  // the first sample of each channel is known
   bool gapPending_ = false;
+  bool doubted_ = false;  // the sensors, by the block before
   InputCheck check_;
+  SensorCheck sensors_;
   SpeedTracker speed_;
   CutGate gate_;
   std::vector<dsp::Butterworth> filters_;

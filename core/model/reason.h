@@ -20,6 +20,14 @@ enum class ReasonCode : std::uint16_t {
   InputClipped,        // -
   InputNotFinite,      // channel
   InputDead,           // channel
+  InputSilent,         // channel: fell silent in the cut
+  InputLoose,          // channel
+  InputOffset,         // channel, mean in SI
+  InputHum,            // channel, mains Hz
+  InputNoise,          // channel
+  InputDoubled,        // channel, channel that delivers the same
+  InputRepeated,       // channel
+  InputRate,           // actual Hz, told Hz
   SpindleRunUp,        // actual rpm
   Transient,           // seconds since the cut began or ended
   EnergyRatioHigh,     // ratio, limit

@@ -10,6 +10,7 @@
 #include "core/model/operator_input.h"
 #include "core/model/override_command.h"
 #include "core/model/override_request.h"
+#include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
 
 namespace stillcut {
@@ -69,6 +70,7 @@ struct Snapshot {
   Seconds chatterTime{};      // total in onset or chatter
   Metres chatterLength{};     // path cut meanwhile
   PathHealth health;
+  SensorStatus sensors;  // live level, actual rate, and whether each channel can be believed
 
   std::uint64_t columnCount = 0;  // columns ever made; columns[(number) % kSpectrumColumns]
   Hertz spectrumTop{};            // frequency of the upper edge of the last bin

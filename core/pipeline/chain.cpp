@@ -91,6 +91,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   machine_ = believable(input.machine);
   const detect::ConditionedBlock& block = conditioner_.process(input.block, machine_);
   step_.vibrationRms = rms(block.channel(0));
+  step_.sensors = &conditioner_.sensors();
   runDetectors(block);
   tellStrategy(input);
   step_.output.request = askStrategy(input);

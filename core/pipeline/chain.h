@@ -14,6 +14,7 @@
 #include "core/detect/conditioner.h"
 #include "core/detect/detector.h"
 #include "core/model/cut_setup.h"
+#include "core/model/sensor_status.h"
 #include "core/model/step_record.h"
 #include "core/safety/flight_recorder.h"
 #include "core/safety/override_gate.h"
@@ -36,8 +37,9 @@ class Chain {
 
   struct Step {
     StepOutput output;
-    safety::GateOutput gate;      // authority, advice, holds
-    double vibrationRms = 0.0;    // first channel, SI
+    safety::GateOutput gate;    // authority, advice, holds
+    double vibrationRms = 0.0;  // first channel, SI
+    const SensorStatus* sensors = nullptr;
     bool strategyFailed = false;  // now or earlier: monitoring only until the next prepare()
     bool detectorFailed = false;
   };

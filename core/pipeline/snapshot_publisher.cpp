@@ -50,6 +50,7 @@ void SnapshotPublisher::publish(const StepInput& input, const StepOutput& output
   s.chatterTime = log.chatterTime();
   s.chatterLength = log.chatterLength();
   s.health = health;
+  if (step.sensors != nullptr) s.sensors = *step.sensors;
   s.columnCount = spectrum_.count();
   s.spectrumTop = spectrum_.top();
   for (std::uint64_t c = 0; c < kSpectrumColumns; ++c) s.columns[c] = spectrum_.column(c);

@@ -41,6 +41,21 @@ StripItem sensorItem(const Picture& p) {
       return {label, say("not a number"), Tone::Chatter};
     case ReasonCode::InputGap:
       return {label, say("samples missing"), Tone::Onset};
+    case ReasonCode::InputSilent:
+      return {label, say("fell silent"), Tone::Chatter};
+    case ReasonCode::InputLoose:
+      return {label, say("loose"), Tone::Chatter};
+    case ReasonCode::InputOffset:
+      return {label, say("left its zero"), Tone::Chatter};
+    case ReasonCode::InputHum:
+      return {label, say("mains hum"), Tone::Onset};
+    case ReasonCode::InputNoise:
+      return {label, say("only noise"), Tone::Chatter};
+    case ReasonCode::InputDoubled:
+      return {label, say("one axis twice"), Tone::Chatter};
+    case ReasonCode::InputRepeated:
+    case ReasonCode::InputRate:
+      return {label, say("wrong rate"), Tone::Chatter};
     default:
       return {label, say("ok"), Tone::Normal};
   }

@@ -1,0 +1,111 @@
+#include "core/detect/knock_finder.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kOutlier = 6.0;  // standard deviations: of Gaussian noise 2e-9
+constexpr double kMedianOfNormal = 0.6745;
+constexpr double kNews = 3.0;   // times what that angle knows: an edge's impact scatters by less
+constexpr int kNear = 2;        // angles to each side: 7.5 degrees, a speed that is 2 % wrong for one turn
+constexpr double kFade = 0.85;  // per turn: chatter lifts an edge out of the cut for a few turns
+constexpr int kTurnsKnown = 3;
+
+}  // namespace
+
+std::uint8_t KnockFinder::angleOf(double angle) noexcept {
+  const int index = static_cast<int>(angle * (kAngles / kTwoPi));
+  return static_cast<std::uint8_t>(std::clamp(index, 0, kAngles - 1));
+}
+
+void KnockFinder::prepare(int longestWindow) {
+  rest_.assign(static_cast<std::size_t>(longestWindow), 0.0);
+  sorted_ = rest_;
+  reset();
+}
+
+void KnockFinder::reset() noexcept {
+  before_ = {};
+  now_ = {};
+  angle_ = turns_ = 0;
+}
+
+bool KnockFinder::predict(std::span<const double> x) noexcept {
+  std::array<double, kOrder + 1> r{};
+  for (std::size_t lag = 0; lag <= kOrder; ++lag) {
+    for (std::size_t n = lag; n < x.size(); ++n) r[lag] += x[n] * x[n - lag];
+  }
+  if (!(r[0] > 0.0)) return false;
+  model_ = {};
+  model_[0] = 1.0;
+  double error = r[0] * (1.0 + 1e-9);
+  for (std::size_t l = 1; l <= kOrder; ++l) {
+    double sum = r[l];
+    for (std::size_t j = 1; j < l; ++j) sum -= model_[j] * r[l - j];
+    const double reflection = sum / error;
+    std::array<double, kOrder + 1> old = model_;
+    for (std::size_t j = 1; j < l; ++j) model_[j] = old[j] - reflection * old[l - j];
+    model_[l] = reflection;
+    error *= 1.0 - reflection * reflection;
+    if (!(error > 0.0)) return false;
+  }
+  return true;
+}
+
+void KnockFinder::turnTo(int angle) noexcept {
+  if (angle < angle_ - kAngles / 2) {
+    for (std::size_t a = 0; a < kAngles; ++a) before_[a] = std::max(now_[a], kFade * before_[a]);
+    now_ = {};
+    turns_ = std::min(turns_ + 1, kTurnsKnown);
+  }
+  angle_ = angle;
+}
+
+bool KnockFinder::isNews(double size, int angle) noexcept {
+  double known = 0.0;
+  for (int a = angle - kNear; a <= angle + kNear; ++a) {
+    known = std::max(known, before_[static_cast<std::size_t>((a + kAngles) % kAngles)]);
+  }
+  return turns_ >= kTurnsKnown && size > kNews * known;
+}
+
+KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uint8_t> angle) noexcept {
+  KnockFacts facts;
+  if (x.size() < 4 * kOrder || x.size() > rest_.size() || !predict(x)) return facts;
+  const std::size_t count = x.size() - kOrder;
+  double energy = 0.0;
+  double squares = 0.0;
+  double fourths = 0.0;
+  for (std::size_t n = 0; n < count; ++n) {
+    double e = x[n + kOrder];
+    for (std::size_t j = 1; j <= kOrder; ++j) e -= model_[j] * x[n + kOrder - j];
+    rest_[n] = e;
+    sorted_[n] = std::abs(e);
+    energy += x[n + kOrder] * x[n + kOrder];
+    squares += e * e;
+    fourths += e * e * e * e;
+  }
+  if (!(energy > 0.0) || !(squares > 0.0)) return facts;
+  facts.left = std::min(1.0, squares / energy);
+  facts.kurtosis = fourths * static_cast<double>(count) / (squares * squares);
+  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(sorted_.begin(), middle, sorted_.begin() + static_cast<std::ptrdiff_t>(count));
+  const double limit = kOutlier / kMedianOfNormal * *middle;
+  for (std::size_t n = 0; n < count; ++n) {
+    const std::uint8_t at = angle[n + kOrder];
+    if (at == kNoAngle) continue;
+    turnTo(at);
+    const double size = std::abs(rest_[n]);
+    now_[at] = std::max(now_[at], size);
+    if (size <= limit || !isNews(size, at)) continue;
+    ++facts.knocks;
+    facts.part += size * size / energy;
+  }
+  return facts;
+}
+
+}  // namespace stillcut::detect

@@ -1,0 +1,39 @@
+// Two channels that claim different axes and deliver the same: a doubled input, whatever its gain or sign. Each sensor
+// has its own noise, so that two of them are never proportional to 80 dB. One pair is compared at a time, in turn.
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/detect/finding.h"
+#include "core/model/cut_setup.h"
+#include "core/model/sample_block.h"
+
+namespace stillcut::detect {
+
+class PairWatch {
+ public:
+  void prepare(const CutSetup& setup);
+  void reset() noexcept;
+  void push(const SampleBlock& block) noexcept;
+
+  // The channel that delivers what `channel` ought to measure alone; -1: none.
+  int twinOf(int channel) const noexcept;
+
+ private:
+  struct Pair {
+    int first = 0, second = 0;
+    Finding same;
+  };
+  void begin() noexcept;
+  void judge(Pair& pair) noexcept;
+
+  std::vector<Pair> pairs_;
+  std::size_t turn_ = 0;
+  int window_ = 0;
+  int frames_ = 0;
+  double x0_ = 0.0, y0_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, yy_ = 0.0, xy_ = 0.0;
+};
+
+}  // namespace stillcut::detect

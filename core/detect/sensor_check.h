@@ -1,0 +1,83 @@
+// Whether the sensors can be believed over tenths of seconds; what one block shows is input_check.h's. Always on. What
+// cannot be believed makes the verdicts invalid with a reason; it never reads as "stable".
+//
+// Every channel is looked at in windows of a tenth of a second, 256 samples at the least:
+//   loose mount      much of the energy lies in knocks at no fixed spindle angle (knock_finder.h),
+//                    three windows long
+//   broken cable     falls silent in the cut while another channel goes on (cable_watch.h)
+//   offset           the mean has left its place by more than anything the channel has shown, and more than gravity
+//                    can turn: a sensor of what changes (acceleration, velocity, sound) has lost its bias
+//   mains hum        more than half of what is there (hum_watch.h)
+//   noise            white and loud, with no structure in it: no cut is
+//   same axis twice  two axes deliver the same (pair_watch.h)
+//   values repeated  each sample comes two to eight times: a lower rate was stretched
+//   wrong rate       against the clock (rate_watch.h)
+// Which of two axes is x cannot be told from a cut: a swap without a doubling is not looked for.
+// Thread: worker; everything but prepare() is real-time.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/detect/cable_watch.h"
+#include "core/detect/conditioned_block.h"
+#include "core/detect/cut_gate.h"
+#include "core/detect/finding.h"
+#include "core/detect/hum_watch.h"
+#include "core/detect/knock_finder.h"
+#include "core/detect/pair_watch.h"
+#include "core/detect/rate_watch.h"
+#include "core/model/cut_setup.h"
+#include "core/model/sample_block.h"
+#include "core/model/sensor_status.h"
+
+namespace stillcut::detect {
+
+class SensorCheck {
+ public:
+  void prepare(const CutSetup& setup);
+  void reset() noexcept;
+  // A block that cannot be used at all: what was collected is dropped, what was found stands.
+  void interrupt(const SampleBlock& raw, const Reason& why) noexcept;
+  // The block as delivered and as conditioned. None: the sensors can be believed.
+  Reason check(const SampleBlock& raw, const ConditionedBlock& block, const CutGate& gate) noexcept;
+
+  const SensorStatus& status() const noexcept { return status_; }
+
+ private:
+  struct Channel {
+    SensorQuantity quantity = SensorQuantity::Acceleration;
+    double scale = 1.0;
+    std::vector<double> samples;  // of the window, conditioned
+    std::vector<std::uint8_t> angles;
+    std::size_t fill = 0, length = 0;
+    double sum = 0.0;  // as delivered [SI]
+    float last = 0.0F;
+    int run = 0;                        // equal values in a row
+    int singles = 0, held = 0;          // runs of one, runs of two to eight
+    double place = 0.0, largest = 0.0;  // usual mean, and the largest magnitude shown [SI]
+    double peak = 0.0;                  // of the window before
+    double seconds = 0.0;               // looked at so far
+    KnockFinder knocks;
+    HumWatch hum;
+    Finding loose, off, noise, repeated;
+  };
+  void begin() noexcept;
+  void take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept;
+  void countRuns(Channel& c, float value) noexcept;
+  void look(int index, const CutGate& gate) noexcept;
+  void watchMean(Channel& c, double mean, double peak) noexcept;
+  void watchRuns(Channel& c) noexcept;
+  int windowsIn(double seconds) const noexcept;
+  Reason faultOf(int index, const CutGate& gate) const noexcept;
+
+  double windowSeconds_ = 0.1;
+  std::size_t window_ = 0;
+  std::vector<Channel> channels_;
+  CableWatch cable_;
+  PairWatch pairs_;
+  RateWatch rate_;
+  SensorStatus status_;
+};
+
+}  // namespace stillcut::detect
