@@ -5,7 +5,10 @@
 #include <utility>
 
 #include "app/compose/known_lobes.h"
+#include "app/io/alsa_driver.h"
+#include "app/io/comedi_driver.h"
 #include "app/io/comedi_output.h"
+#include "app/io/iio_driver.h"
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
@@ -51,16 +54,23 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   auto port = std::make_shared<milling::PlantPort>();
 
   RigSpec spec;
+  const auto clock = std::make_shared<SteadyClock>();
+  spec.clock = clock;
   daq::SourceRequest source;
   source.scenario = simulated;
   source.port = port;
   source.pace.realTime = true;
+  source.settings = profile.source.settings;
+  source.channels = profile.cut.channels;
+  source.wires = makeWire;
+  source.pcm = makeAlsaDriver;
+  source.iio = makeIioDriver;
+  source.comedi = makeComediDriver;
+  source.clock = clock.get();
   auto device = daq::makeSource(profile.source.id, source);
   if (!device) return device.error();
   spec.device = std::move(device).value();
   if (!profile.link.id.empty()) {
-    const auto clock = std::make_shared<SteadyClock>();
-    spec.linkClock = clock;
     cnc::LinkRequest request;
     request.scenario = simulated;
     request.port = port;

@@ -24,10 +24,10 @@ struct Methods {
 };
 
 struct RigSpec {
+  std::shared_ptr<const Clock> clock;           // kept for the lives of device and link; may be empty
   std::unique_ptr<daq::DaqSource> device;       // what the steps come from
   std::unique_ptr<pipeline::StepSource> steps;  // empty: `device`, live
   std::unique_ptr<pipeline::MachineFeed> feed;  // empty: the link's mailbox and the operator's ring
-  std::shared_ptr<const Clock> linkClock;       // kept for the link's life; may be empty
   std::unique_ptr<cnc::CncLink> link;           // empty: no machine
   CutSetup setup;                               // rate, channels and block size are overwritten by the source's format
   config::ParamSet params;

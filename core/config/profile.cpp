@@ -39,6 +39,21 @@ PartChoice partFrom(const TomlTable& table, const std::vector<std::string_view>&
   return part;
 }
 
+// Either the scale itself, or what the data sheets of sensor and input say.
+void readScale(const TomlTable& table, ChannelInfo& channel) {
+  if (!table.has("sensitivity_mv")) {
+    channel.scale = table.numberOr("scale", 1.0);
+    if (channel.scale == 0.0) table.refuse("scale", "is zero", "SI units per device unit");
+    return;
+  }
+  channel.sensitivity = table.numberOr("sensitivity_mv", 1.0);
+  channel.volts = table.numberOr("volts", 1.0);
+  if (table.has("scale")) table.refuse("scale", "is given beside sensitivity_mv", "one of them says it all");
+  if (channel.sensitivity == 0.0) table.refuse("sensitivity_mv", "is zero", "mV per g, Pa, N ... of the data sheet");
+  if (channel.volts == 0.0) table.refuse("volts", "is zero", "volts of one device unit, for example of full scale");
+  if (channel.sensitivity != 0.0) channel.scale = scaleOf(channel.quantity, channel.sensitivity, channel.volts);
+}
+
 ChannelInfo channelFrom(const TomlTable& table) {
   ChannelInfo channel;
   channel.name = table.text("name");
@@ -49,9 +64,14 @@ ChannelInfo channelFrom(const TomlTable& table) {
     table.refuse("quantity", "is unknown: '" + quantity + "'",
                  "choices: acceleration, velocity, displacement, sound, force, current, speed");
   }
-  channel.scale = table.numberOr("scale", 1.0);
-  if (channel.scale == 0.0) table.refuse("scale", "is zero", "SI units per device unit");
+  readScale(table, channel);
   channel.axis = table.textOr("axis", "");
+  channel.coupling = table.textOr("coupling", "");
+  const std::string& coupling = channel.coupling;
+  if (!coupling.empty() && coupling != "iepe" && coupling != "ac" && coupling != "dc") {
+    table.refuse("coupling", "is unknown: '" + coupling + "'", "choices: iepe, ac, dc");
+  }
+  channel.place = table.textOr("place", "");
   return channel;
 }
 
@@ -153,8 +173,15 @@ void writeCut(TomlWriter& out, const Profile& profile) {
     out.arrayElement("channels");
     out.text("name", channel.name);
     out.text("quantity", name(channel.quantity));
-    out.number("scale", channel.scale);
+    if (channel.sensitivity != 0.0) {
+      out.number("sensitivity_mv", channel.sensitivity);
+      out.number("volts", channel.volts);
+    } else {
+      out.number("scale", channel.scale);
+    }
     out.text("axis", channel.axis);
+    if (!channel.coupling.empty()) out.text("coupling", channel.coupling);
+    if (!channel.place.empty()) out.text("place", channel.place);
   }
 }
 

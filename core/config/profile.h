@@ -8,7 +8,9 @@
 //                model, depth_mm                         file of the cut's modes and material, and its depth: where
 //                both
 //                                                        are known strategies check their targets against the lobes
-//   [[channels]] name, quantity, scale, axis             scale: SI units per device unit
+//   [[channels]] name, quantity, scale, axis             scale: SI units per device unit; instead of it
+//                sensitivity_mv, volts                   mV per g, Pa, N ... and V of one device unit
+//                coupling, place                         iepe, ac, dc; where it is mounted
 //   [source]     id        [source.settings]  keys of that device
 //   [link]       id        [link.settings]    keys of that machine link
 //   [control]    detector, fallback, strategy, allow_auto

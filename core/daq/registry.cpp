@@ -1,7 +1,17 @@
 #include "core/daq/registry.h"
 
+#include <algorithm>
 #include <array>
+#include <charconv>
+#include <numeric>
 #include <string>
+#include <utility>
+
+#include "core/config/part_settings.h"
+#include "core/daq/pcm_source.h"
+#include "core/daq/stream_decoder.h"
+#include "core/daq/stream_source.h"
+#include "core/model/sensor_status.h"
 
 namespace stillcut::daq {
 
@@ -12,8 +22,139 @@ Result<std::unique_ptr<DaqSource>> makeSimulated(const SourceRequest& r) {
   return std::unique_ptr<DaqSource>(std::make_unique<SimulatedSource>(*r.scenario, r.seed, r.port, r.pace));
 }
 
-constexpr std::array<SourceEntry, 1> kSources{{
+Status realChannels(const SourceRequest& r, const std::string& where) {
+  if (!r.channels.empty() && r.channels.size() <= kMaxChannels) return Done{};
+  return Error{where, std::to_string(r.channels.size()) + " [[channels]] in the profile",
+               "as many as the device sends, 1 to " + std::to_string(kMaxChannels)};
+}
+
+// Bytes over a wire: what frames are in them, and what cannot be seen in them, the rate and the channels.
+Result<std::unique_ptr<DaqSource>> makeStream(const SourceRequest& r, const std::string& where,
+                                              WireAddress (*addressOf)(config::PartSettings&)) {
+  config::PartSettings settings(r.settings, where);
+  const WireAddress address = addressOf(settings);
+  SourceFormat format;
+  format.channels = r.channels;
+  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, from 100 to 1000000");
+  format.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
+  const double block = settings.number("block_ms", 10.0, 1.0, 200.0) * 1e-3;
+  format.blockFrames = std::max(1, static_cast<int>(block * format.rate.value));
+  auto decoder = makeDecoder(settings, static_cast<int>(r.channels.size()));
+  if (Status known = settings.finish(); !known) return known.error();
+  if (Status some = realChannels(r, where); !some) return some.error();
+  if (!r.wires || r.clock == nullptr) return Error{where, "there is no wire to a real device here", ""};
+  auto wire = r.wires(address);
+  if (!wire) return wire.error();
+  return std::unique_ptr<DaqSource>(
+      std::make_unique<StreamSource>(where, std::move(format), std::move(wire).value(), std::move(decoder), *r.clock));
+}
+
+Result<std::unique_ptr<DaqSource>> makeTcp(const SourceRequest& r) {
+  return makeStream(r, "source 'tcp'", [](config::PartSettings& settings) {
+    WireAddress address;
+    address.host = settings.text("host", "localhost");
+    address.port = settings.whole("port", 7820, 1, 65535);
+    return address;
+  });
+}
+
+Result<std::unique_ptr<DaqSource>> makeSerial(const SourceRequest& r) {
+  return makeStream(r, "source 'serial'", [](config::PartSettings& settings) {
+    WireAddress address;
+    address.device = settings.text("device", "/dev/ttyACM0");
+    address.baud = settings.whole("baud", 115200, 1200, 12'000'000);
+    return address;
+  });
+}
+
+// "0,2": one input for each channel of the profile; left out: the first ones.
+std::vector<int> inputsFrom(config::PartSettings& settings, std::size_t channels) {
+  std::vector<int> inputs(channels);
+  std::iota(inputs.begin(), inputs.end(), 0);
+  if (!settings.has("inputs")) return inputs;
+  const std::string text = settings.text("inputs", "");
+  inputs.clear();
+  const char* at = text.data();
+  const char* end = at + text.size();
+  while (at != end) {
+    int input = 0;
+    const auto [next, error] = std::from_chars(at, end, input);
+    if (error != std::errc() || input < 0 || input >= kMaxChannels) break;
+    inputs.push_back(input);
+    at = next != end && *next == ',' ? next + 1 : next;
+    if (at == next && at != end) break;
+  }
+  if (at != end || inputs.size() != channels) {
+    settings.fault("inputs", "is '" + text + "'",
+                   "one input from 0 for each of the " + std::to_string(channels) + " [[channels]], for example 0,1");
+  }
+  return inputs;
+}
+
+// What the devices behind a PcmDriver have in common, once `settings` has been read but for `inputs` and `block_ms`.
+Result<std::unique_ptr<DaqSource>> makePcm(const SourceRequest& r, const std::string& where, PcmRequest request,
+                                           config::PartSettings& settings, std::unique_ptr<PcmDriver> driver,
+                                           const std::string& package) {
+  if (Status some = realChannels(r, where); !some) return some.error();
+  request.periodFrames =
+      std::max(1, static_cast<int>(settings.number("block_ms", 5.0, 1.0, 200.0) * 1e-3 * request.rate.value));
+  std::vector<int> inputs = inputsFrom(settings, r.channels.size());
+  if (Status known = settings.finish(); !known) return known.error();
+  if (!driver)
+    return Error{where, "such devices are not part of this build", "install " + package + " and build again"};
+  if (r.clock == nullptr) return Error{where, "there is no clock here", ""};
+  return std::unique_ptr<DaqSource>(std::make_unique<PcmSource>(where, std::move(request), r.channels,
+                                                                std::move(inputs), std::move(driver), *r.clock));
+}
+
+Result<std::unique_ptr<DaqSource>> makeAlsa(const SourceRequest& r) {
+  const std::string where = "source 'alsa'";
+  config::PartSettings settings(r.settings, where);
+  PcmRequest request;
+  request.device = settings.text("device", request.device);
+  request.rate = Hertz(settings.whole("rate_hz", 48000, 8000, 192000));
+  constexpr int kBits[] = {0, 16, 24, 32};
+  request.bits = kBits[settings.choice("bits", 0, {"auto", "16", "24", "32"})];
+  return makePcm(r, where, std::move(request), settings, r.pcm ? r.pcm() : nullptr, "libasound2-dev");
+}
+
+Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
+  const std::string where = "source 'iio'";
+  config::PartSettings settings(r.settings, where);
+  PcmRequest request;
+  request.device = settings.text("device", "");
+  if (request.device.empty()) settings.fault("device", "is missing", "its name, as stillcut-cli devices lists it");
+  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, one of the device's");
+  request.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
+  const std::string uri = settings.text("uri", "local:");
+  const std::string trigger = settings.has("trigger") ? settings.text("trigger", "") : std::string();
+  return makePcm(r, where, std::move(request), settings, r.iio ? r.iio(uri, trigger) : nullptr, "libiio-dev");
+}
+
+Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
+  const std::string where = "source 'comedi'";
+  config::PartSettings settings(r.settings, where);
+  PcmRequest request;
+  request.device = settings.text("device", "/dev/comedi0");
+  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, from 100 to 1000000");
+  request.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
+  const int range = settings.whole("range", 0, 0, 31);
+  const auto reference = static_cast<int>(settings.choice("reference", 2, {"ground", "common", "differential"}));
+  return makePcm(r, where, std::move(request), settings, r.comedi ? r.comedi(range, reference) : nullptr,
+                 "libcomedi-dev");
+}
+
+constexpr std::array<SourceEntry, 6> kSources{{
     {"simulated", "A simulated cut from a scenario file, in real time or as fast as possible", makeSimulated},
+    {"alsa",
+     "Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs",
+     makeAlsa},
+    {"comedi", "Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs", makeComedi},
+    {"iio", "Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger",
+     makeIio},
+    {"serial", "A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format",
+     makeSerial},
+    {"tcp", "A bridge that sends the same over a socket: host, port, rate_hz, format", makeTcp},
 }};
 
 }  // namespace

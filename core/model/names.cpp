@@ -46,6 +46,11 @@ std::string_view siUnit(SensorQuantity q) {
   return row(q).unit;
 }
 
+double scaleOf(SensorQuantity q, double sensitivity, double volts) {
+  constexpr double kGravity = 9.80665;  // data sheets of accelerometers say mV/g
+  return volts * 1e3 / sensitivity * (q == SensorQuantity::Acceleration ? kGravity : 1.0);
+}
+
 int integrationFactor(SensorQuantity q) {
   return row(q).integration;
 }

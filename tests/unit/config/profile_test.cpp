@@ -159,5 +159,32 @@ TEST(ProfileVersion, OldParameterNamesAreReadInOldProfilesOnly) {
   EXPECT_FALSE(parseProfile(kOld, "p.toml", catalog(), kKnown, inOlder).ok());
 }
 
+// 100 mV/g into a converter whose full scale is 5 V: 50 g are full scale.
+TEST(Profile, AChannelIsToldByItsDataSheets) {
+  const std::string sheet =
+      "version = 1\nmachine = 'm'\n[[channels]]\nname = 'x'\nquantity = 'acceleration'\nsensitivity_mv = 100\nvolts = 5\n"
+      "coupling = 'iepe'\nplace = 'spindle nose'\n[[channels]]\nname = 'mic'\nquantity = 'sound'\nsensitivity_mv = "
+      "50\n";
+  auto read = parseProfile(sheet, "p.toml", catalog());
+  ASSERT_TRUE(read) << read.error().line();
+  EXPECT_NEAR(read->cut.channels[0].scale, 50.0 * 9.80665, 1e-9);
+  EXPECT_NEAR(read->cut.channels[1].scale, 20.0, 1e-12);
+  const auto again = parseProfile(profileText(*read, catalog()), "q.toml", catalog());
+  ASSERT_TRUE(again) << again.error().line();
+  EXPECT_EQ(again->cut.channels[0].scale, read->cut.channels[0].scale);
+  EXPECT_EQ(again->cut.channels[0].place, "spindle nose");
+  EXPECT_EQ(again->cut.channels[0].coupling, "iepe");
+
+  const std::pair<const char*, const char*> wrong[] = {{"sensitivity_mv = 0", "'sensitivity_mv' is zero"},
+                                                       {"sensitivity_mv = 1\nscale = 2", "'scale' is given beside"},
+                                                       {"sensitivity_mv = 1\nvolts = 0", "'volts' is zero"},
+                                                       {"coupling = 'usb'", "'coupling' is unknown: 'usb'"}};
+  for (const auto& [keys, what] : wrong) {
+    const std::string line =
+        lineOf(std::string("version = 1\nmachine = 'm'\n[[channels]]\nname = 'x'\nquantity = 'force'\n") + keys);
+    EXPECT_NE(line.find(what), std::string::npos) << line;
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::config

@@ -1,0 +1,39 @@
+// StreamDecoder: from the bytes of a serial line or a socket to one sample of every channel at a time.
+// Thread: driver; real-time after it is made.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/config/part_settings.h"
+
+namespace stillcut::daq {
+
+class StreamDecoder {
+ public:
+  virtual ~StreamDecoder() = default;
+  // Takes as many bytes as it has room for and returns how many: take() what is there, then feed the rest.
+  virtual std::size_t feed(std::string_view bytes) noexcept = 0;
+  static constexpr std::uint64_t kUnknown = ~std::uint64_t{0};
+  // The next instant: one value a channel. `lost` are the instants missing before it, as far as the stream tells;
+  // kUnknown: its counter has begun anew.
+  // False: more bytes are needed.
+  virtual bool take(std::span<float> values, std::uint64_t& lost) noexcept = 0;
+  // The line was cut: what is half there is dropped, and counters begin anew.
+  virtual void reset() noexcept = 0;
+  // The stream has a counter: what is missing shows in it.
+  virtual bool countsLosses() const noexcept = 0;
+  // Frames or lines that were damaged, since the start.
+  virtual std::uint64_t damaged() const noexcept = 0;
+};
+
+// Key `format`: binary or text. Of binary frames: sync, counter, instants (in a frame), sample, byte_order, checksum;
+// of text: counted (each line begins with a counter). What is wrong stays in `settings`.
+std::unique_ptr<StreamDecoder> makeDecoder(config::PartSettings& settings, int channels);
+
+}  // namespace stillcut::daq
