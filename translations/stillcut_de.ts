@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
     <name>Core</name>
@@ -267,7 +268,7 @@
         <translation>Kohärenz-Sollwert</translation>
     </message>
     <message>
-        <source>gamma_ref: coherence ratio that is chatter's</source>
+        <source>gamma_ref: coherence ratio that is chatter&apos;s</source>
         <translation>gamma_ref: Kohärenz, die Rattern bedeutet</translation>
     </message>
     <message>
@@ -451,7 +452,7 @@
         <translation>Zeit für den ganzen Bereich</translation>
     </message>
     <message>
-        <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
+        <source>At full output the whole range of an override takes this long (the paper&apos;s limit: a second)</source>
         <translation>Bei voller Ausgabe dauert der ganze Bereich eines Overrides so lange (Grenze der Arbeit: eine Sekunde)</translation>
     </message>
     <message>
@@ -571,7 +572,7 @@
         <translation>Größte Drehzahl</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
+        <source>Spindle speed is never driven above this: the machine&apos;s limit; auto: none</source>
         <translation>Die Drehzahl wird nie darüber gehoben: die Grenze der Maschine; automatisch: keine</translation>
     </message>
     <message>
@@ -595,7 +596,7 @@
         <translation>Größte Schnittgeschwindigkeit</translation>
     </message>
     <message>
-        <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
+        <source>The edge is never driven faster than this; needs the tool&apos;s diameter; auto: no such limit</source>
         <translation>Die Schneide läuft nie schneller; braucht den Werkzeugdurchmesser; automatisch: keine solche Grenze</translation>
     </message>
     <message>
@@ -855,7 +856,7 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
         <translation>Adaptionsschritt mu; bei „normiert“ als Anteil des größten stabilen Schritts</translation>
     </message>
     <message>
@@ -969,6 +970,26 @@
     <message>
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
         <translation>Ein simulierter Schnitt aus einer Szenariodatei, in Echtzeit oder so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs</source>
+        <translation>Audiogeräte: Messmikrofone, USB-Beschleunigungssensoren, IEPE-Verstärker: device, rate_hz, bits, inputs</translation>
+    </message>
+    <message>
+        <source>Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs</source>
+        <translation>Messkarten, NI und viele andere: device, rate_hz, range, reference, inputs</translation>
+    </message>
+    <message>
+        <source>Accelerometers of Linux&apos; industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
+        <translation>Beschleunigungssensoren der Linux-Industrie-E/A, hier oder über iiod: device, rate_hz, uri, inputs, trigger</translation>
+    </message>
+    <message>
+        <source>A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format</source>
+        <translation>Ein Mikrocontroller an einer seriellen Schnittstelle, binäre Rahmen oder Textzeilen: device, baud, rate_hz, format</translation>
+    </message>
+    <message>
+        <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
+        <translation>Eine Brücke, die dasselbe über einen Socket sendet: host, port, rate_hz, format</translation>
     </message>
 </context>
 <context>
@@ -1179,7 +1200,7 @@
         <translation>verlangt {0.2}, die Grenzen erlauben {1.2}</translation>
     </message>
     <message>
-        <source>the machine's state is {0.2} s old</source>
+        <source>the machine&apos;s state is {0.2} s old</source>
         <translation>der Maschinenzustand ist {0.2} s alt</translation>
     </message>
     <message>
@@ -1231,7 +1252,7 @@
         <translation>etwas anderes steuert die Overrides</translation>
     </message>
     <message>
-        <source>the detector's verdict is not usable</source>
+        <source>the detector&apos;s verdict is not usable</source>
         <translation>das Urteil des Detektors ist nicht brauchbar</translation>
     </message>
     <message>
@@ -1303,7 +1324,7 @@
         <translation>Befugnis von {0.0} auf {1.0} geändert</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator's wish</source>
+        <source>back to 100 % at the operator&apos;s wish</source>
         <translation>auf Wunsch des Bedieners zurück auf 100 %</translation>
     </message>
     <message>
@@ -1336,7 +1357,39 @@
     </message>
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
-        <translation type="unfinished" />
+        <translation>das Werkzeug verließ den Schnitt nach {0.2} s und {1.1} mm Vorschub im Rattern</translation>
+    </message>
+    <message>
+        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
+        <translation>Kanal {0.0} verstummte im Schnitt, während ein anderer weiterläuft, nach einem Kabelbruch sehen</translation>
+    </message>
+    <message>
+        <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
+        <translation>Kanal {0.0} schlägt bei beliebigem Spindelwinkel, sein Sensor ist lose</translation>
+    </message>
+    <message>
+        <source>channel {0.0} has left its zero and stands at {1.1}, look at its supply and range</source>
+        <translation>Kanal {0.0} hat seinen Nullpunkt verlassen und steht bei {1.1}, nach Speisung und Messbereich sehen</translation>
+    </message>
+    <message>
+        <source>most of what channel {0.0} delivers is mains hum of {1.0} Hz, look at its shield and ground</source>
+        <translation>das meiste, was Kanal {0.0} liefert, ist Netzbrummen von {1.0} Hz, nach Schirm und Masse sehen</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers loud noise and nothing of a cut</source>
+        <translation>Kanal {0.0} liefert lautes Rauschen und nichts von einem Schnitt</translation>
+    </message>
+    <message>
+        <source>channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly</source>
+        <translation>die Kanäle {0.0} und {1.0} nennen zwei Achsen und liefern dasselbe, einer ist falsch verdrahtet oder benannt</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
+        <translation>Kanal {0.0} wiederholt jeden Wert, seine Werte wurden mit kleinerer Rate aufgenommen als angegeben</translation>
+    </message>
+    <message>
+        <source>the device delivers {0.1} samples a second instead of {1.1}</source>
+        <translation>das Gerät liefert {0.1} Werte in der Sekunde statt {1.1}</translation>
     </message>
 </context>
 <context>
@@ -2088,6 +2141,34 @@
         <source>, order %1</source>
         <translation>, Ordnung %1</translation>
     </message>
+    <message>
+        <source>fell silent</source>
+        <translation>verstummt</translation>
+    </message>
+    <message>
+        <source>loose</source>
+        <translation>lose</translation>
+    </message>
+    <message>
+        <source>left its zero</source>
+        <translation>Nullpunkt verlassen</translation>
+    </message>
+    <message>
+        <source>mains hum</source>
+        <translation>Netzbrummen</translation>
+    </message>
+    <message>
+        <source>only noise</source>
+        <translation>nur Rauschen</translation>
+    </message>
+    <message>
+        <source>one axis twice</source>
+        <translation>eine Achse doppelt</translation>
+    </message>
+    <message>
+        <source>wrong rate</source>
+        <translation>falsche Rate</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2352,7 +2433,7 @@
         <translation>Ruhige Bereiche in dieser Tiefe</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
+        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
         <translation>Einen Bereich wählen, um seine beste Drehzahl zu versuchen. In Klammern: außerhalb der Reichweite des Overrides.</translation>
     </message>
     <message>

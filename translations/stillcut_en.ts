@@ -970,6 +970,26 @@
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
         <translation>A simulated cut from a scenario file, in real time or as fast as possible</translation>
     </message>
+    <message>
+        <source>Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs</source>
+        <translation>Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs</translation>
+    </message>
+    <message>
+        <source>Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs</source>
+        <translation>Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs</translation>
+    </message>
+    <message>
+        <source>Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
+        <translation>Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</translation>
+    </message>
+    <message>
+        <source>A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format</source>
+        <translation>A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format</translation>
+    </message>
+    <message>
+        <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
+        <translation>A bridge that sends the same over a socket: host, port, rate_hz, format</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1337,6 +1357,38 @@
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
         <translation>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</translation>
+    </message>
+    <message>
+        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
+        <translation>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</translation>
+    </message>
+    <message>
+        <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
+        <translation>channel {0.0} knocks at any spindle angle, its sensor is loose</translation>
+    </message>
+    <message>
+        <source>channel {0.0} has left its zero and stands at {1.1}, look at its supply and range</source>
+        <translation>channel {0.0} has left its zero and stands at {1.1}, look at its supply and range</translation>
+    </message>
+    <message>
+        <source>most of what channel {0.0} delivers is mains hum of {1.0} Hz, look at its shield and ground</source>
+        <translation>most of what channel {0.0} delivers is mains hum of {1.0} Hz, look at its shield and ground</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers loud noise and nothing of a cut</source>
+        <translation>channel {0.0} delivers loud noise and nothing of a cut</translation>
+    </message>
+    <message>
+        <source>channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly</source>
+        <translation>channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
+        <translation>channel {0.0} repeats each value, its samples were taken at a lower rate than told</translation>
+    </message>
+    <message>
+        <source>the device delivers {0.1} samples a second instead of {1.1}</source>
+        <translation>the device delivers {0.1} samples a second instead of {1.1}</translation>
     </message>
 </context>
 <context>
@@ -2087,6 +2139,34 @@
     <message>
         <source>, order %1</source>
         <translation>, order %1</translation>
+    </message>
+    <message>
+        <source>fell silent</source>
+        <translation>fell silent</translation>
+    </message>
+    <message>
+        <source>loose</source>
+        <translation>loose</translation>
+    </message>
+    <message>
+        <source>left its zero</source>
+        <translation>left its zero</translation>
+    </message>
+    <message>
+        <source>mains hum</source>
+        <translation>mains hum</translation>
+    </message>
+    <message>
+        <source>only noise</source>
+        <translation>only noise</translation>
+    </message>
+    <message>
+        <source>one axis twice</source>
+        <translation>one axis twice</translation>
+    </message>
+    <message>
+        <source>wrong rate</source>
+        <translation>wrong rate</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
     <name>Core</name>
@@ -267,7 +268,7 @@
         <translation>相干基准</translation>
     </message>
     <message>
-        <source>gamma_ref: coherence ratio that is chatter's</source>
+        <source>gamma_ref: coherence ratio that is chatter&apos;s</source>
         <translation>gamma_ref:表示颤振的相干比</translation>
     </message>
     <message>
@@ -451,7 +452,7 @@
         <translation>全程时间</translation>
     </message>
     <message>
-        <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
+        <source>At full output the whole range of an override takes this long (the paper&apos;s limit: a second)</source>
         <translation>满输出时走完倍率全程所需时间(论文限值:一秒)</translation>
     </message>
     <message>
@@ -571,7 +572,7 @@
         <translation>最高转速</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
+        <source>Spindle speed is never driven above this: the machine&apos;s limit; auto: none</source>
         <translation>转速不会高于此值:机床极限;自动:无</translation>
     </message>
     <message>
@@ -595,7 +596,7 @@
         <translation>最高切削速度</translation>
     </message>
     <message>
-        <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
+        <source>The edge is never driven faster than this; needs the tool&apos;s diameter; auto: no such limit</source>
         <translation>切削刃不会快于此值;需要刀具直径;自动:无此限值</translation>
     </message>
     <message>
@@ -855,7 +856,7 @@
         <translation>步长</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
         <translation>自适应步长 mu;归一化开启时为最大稳定步长的比例</translation>
     </message>
     <message>
@@ -969,6 +970,26 @@
     <message>
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
         <translation>来自场景文件的模拟切削,实时或尽快</translation>
+    </message>
+    <message>
+        <source>Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs</source>
+        <translation>音频类设备：测量传声器、USB 加速度计、IEPE 调理器：device、rate_hz、bits、inputs</translation>
+    </message>
+    <message>
+        <source>Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs</source>
+        <translation>数据采集卡，NI 及许多其他型号：device、rate_hz、range、reference、inputs</translation>
+    </message>
+    <message>
+        <source>Accelerometers of Linux&apos; industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
+        <translation>Linux 工业 I/O 加速度计，本机或经由 iiod：device、rate_hz、uri、inputs、trigger</translation>
+    </message>
+    <message>
+        <source>A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format</source>
+        <translation>串口上的微控制器，二进制帧或文本行：device、baud、rate_hz、format</translation>
+    </message>
+    <message>
+        <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
+        <translation>通过套接字发送相同数据的网桥：host、port、rate_hz、format</translation>
     </message>
 </context>
 <context>
@@ -1179,7 +1200,7 @@
         <translation>请求 {0.2},限值允许 {1.2}</translation>
     </message>
     <message>
-        <source>the machine's state is {0.2} s old</source>
+        <source>the machine&apos;s state is {0.2} s old</source>
         <translation>机床状态已过去 {0.2} s</translation>
     </message>
     <message>
@@ -1231,7 +1252,7 @@
         <translation>倍率由其他程序控制</translation>
     </message>
     <message>
-        <source>the detector's verdict is not usable</source>
+        <source>the detector&apos;s verdict is not usable</source>
         <translation>检测器的结论不可用</translation>
     </message>
     <message>
@@ -1303,7 +1324,7 @@
         <translation>权限由 {0.0} 变为 {1.0}</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator's wish</source>
+        <source>back to 100 % at the operator&apos;s wish</source>
         <translation>应操作者要求恢复 100 %</translation>
     </message>
     <message>
@@ -1336,7 +1357,39 @@
     </message>
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
-        <translation type="unfinished" />
+        <translation>颤振 {0.2} s、进给 {1.1} mm 后刀具离开切削</translation>
+    </message>
+    <message>
+        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
+        <translation>通道 {0.0} 在切削中失去信号而另一通道仍正常，请检查电缆是否断裂</translation>
+    </message>
+    <message>
+        <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
+        <translation>通道 {0.0} 在任意主轴转角出现敲击，其传感器松动</translation>
+    </message>
+    <message>
+        <source>channel {0.0} has left its zero and stands at {1.1}, look at its supply and range</source>
+        <translation>通道 {0.0} 偏离零点，停在 {1.1}，请检查其供电和量程</translation>
+    </message>
+    <message>
+        <source>most of what channel {0.0} delivers is mains hum of {1.0} Hz, look at its shield and ground</source>
+        <translation>通道 {0.0} 的信号大部分是 {1.0} Hz 工频干扰，请检查其屏蔽和接地</translation>
+    </message>
+    <message>
+        <source>channel {0.0} delivers loud noise and nothing of a cut</source>
+        <translation>通道 {0.0} 只有强噪声，没有切削信号</translation>
+    </message>
+    <message>
+        <source>channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly</source>
+        <translation>通道 {0.0} 和 {1.0} 标为两个轴却给出相同信号，其中一个接线或命名有误</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
+        <translation>通道 {0.0} 重复每个采样值，其实际采样率低于所给值</translation>
+    </message>
+    <message>
+        <source>the device delivers {0.1} samples a second instead of {1.1}</source>
+        <translation>设备每秒给出 {0.1} 个采样，而不是 {1.1} 个</translation>
     </message>
 </context>
 <context>
@@ -2088,6 +2141,34 @@
         <source>, order %1</source>
         <translation>,阶次 %1</translation>
     </message>
+    <message>
+        <source>fell silent</source>
+        <translation>信号消失</translation>
+    </message>
+    <message>
+        <source>loose</source>
+        <translation>松动</translation>
+    </message>
+    <message>
+        <source>left its zero</source>
+        <translation>偏离零点</translation>
+    </message>
+    <message>
+        <source>mains hum</source>
+        <translation>工频干扰</translation>
+    </message>
+    <message>
+        <source>only noise</source>
+        <translation>只有噪声</translation>
+    </message>
+    <message>
+        <source>one axis twice</source>
+        <translation>同一轴重复</translation>
+    </message>
+    <message>
+        <source>wrong rate</source>
+        <translation>采样率错误</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2352,7 +2433,7 @@
         <translation>此切深下的稳定区</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
+        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
         <translation>选择稳定区以试其最佳转速。括号内:超出倍率范围。</translation>
     </message>
     <message>
