@@ -404,14 +404,6 @@
         <translation>Abstand benachbarter Versuche, in Prozent der programmierten Drehzahl</translation>
     </message>
     <message>
-        <source>Time per trial</source>
-        <translation>Zeit je Versuch</translation>
-    </message>
-    <message>
-        <source>The vibration at each trial is averaged this long</source>
-        <translation>So lange wird die Schwingung je Versuch gemittelt</translation>
-    </message>
-    <message>
         <source>Direction</source>
         <translation>Richtung</translation>
     </message>
@@ -990,6 +982,22 @@
     <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>Eine Brücke, die dasselbe über einen Socket sendet: host, port, rate_hz, format</translation>
+    </message>
+    <message>
+        <source>Longest time per trial</source>
+        <translation>Längste Zeit je Versuch</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged no longer than this</source>
+        <translation>Die Schwingung wird je Versuch höchstens so lange gemittelt</translation>
+    </message>
+    <message>
+        <source>Revolutions per trial</source>
+        <translation>Umdrehungen je Versuch</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
+        <translation>Die Schwingung wird je Versuch über so viele Umdrehungen gemittelt oder so lange wie erlaubt</translation>
     </message>
 </context>
 <context>

@@ -403,14 +403,6 @@
         <translation>Distance of neighbouring trials, in percent of the programmed speed</translation>
     </message>
     <message>
-        <source>Time per trial</source>
-        <translation>Time per trial</translation>
-    </message>
-    <message>
-        <source>The vibration at each trial is averaged this long</source>
-        <translation>The vibration at each trial is averaged this long</translation>
-    </message>
-    <message>
         <source>Direction</source>
         <translation>Direction</translation>
     </message>
@@ -989,6 +981,22 @@
     <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>A bridge that sends the same over a socket: host, port, rate_hz, format</translation>
+    </message>
+    <message>
+        <source>Longest time per trial</source>
+        <translation>Longest time per trial</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged no longer than this</source>
+        <translation>The vibration at each trial is averaged no longer than this</translation>
+    </message>
+    <message>
+        <source>Revolutions per trial</source>
+        <translation>Revolutions per trial</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
+        <translation>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</translation>
     </message>
 </context>
 <context>

@@ -404,14 +404,6 @@
         <translation>相邻尝试的间距,占编程转速的百分比</translation>
     </message>
     <message>
-        <source>Time per trial</source>
-        <translation>每次尝试时间</translation>
-    </message>
-    <message>
-        <source>The vibration at each trial is averaged this long</source>
-        <translation>每次尝试的振动平均时间</translation>
-    </message>
-    <message>
         <source>Direction</source>
         <translation>方向</translation>
     </message>
@@ -990,6 +982,22 @@
     <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>通过套接字发送相同数据的网桥：host、port、rate_hz、format</translation>
+    </message>
+    <message>
+        <source>Longest time per trial</source>
+        <translation>每次试探的最长时间</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged no longer than this</source>
+        <translation>每次试探时振动平均不超过这个时间</translation>
+    </message>
+    <message>
+        <source>Revolutions per trial</source>
+        <translation>每次试探的转数</translation>
+    </message>
+    <message>
+        <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
+        <translation>每次试探时振动在这么多转内平均，或到允许的最长时间</translation>
     </message>
 </context>
 <context>

@@ -15,9 +15,9 @@
 //   first half second; until then energy says nothing.
 // - Without gamma_max the severity of the detector in charge stands in: 0 .. 0.2 .. 1 onto 0 .. 0.8 .. 1, both
 //   references being where the method says chatter.
-// - (f, v) = 0 above the upper limit (table 3.1) is a feed hold: the spindle never stops in the cut. The gate carries it
-//   out where it is told that the feed may stop (gate.lowest-feed-override and gate.lowest-feed-per-tooth 0), and goes
-//   to the lowest feed where it is not.
+// - (f, v) = 0 above the upper limit (table 3.1) is a feed hold: the spindle never stops in the cut. The gate stops the
+//   feed where it may (gate.lowest-feed-override and gate.lowest-feed-per-tooth 0), and goes to the lowest feed where
+//   not.
 // - Nothing rises above `fuzzy.highest` of the programme, and for `fuzzy.rest` seconds after an alarm the speed does
 //   not rise at all: the rules as printed would climb back to the speed that chattered.
 // - The paper lets the whole range go in a second. A pocket 2 % wide is then passed in less time than chatter needs to

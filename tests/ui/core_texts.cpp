@@ -55,7 +55,7 @@ std::string fileText() {
     lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);
   for (const auto& entry : daq::sourceTable()) lines.add("Core", entry.description);
-  for (int code = 0; code <= static_cast<int>(ReasonCode::AdviceChanged); ++code) {
+  for (int code = 0; code <= static_cast<int>(ReasonCode::ChatterLeftCut); ++code) {
     lines.add("Reason", pattern(static_cast<ReasonCode>(code)));
   }
   return "// Made by core_texts (tests/ui) for lupdate; not compiled.\n// clang-format off\nconst char* const "

@@ -128,7 +128,7 @@ TEST_F(WindowTest, LanguageAndUnitsAreChosenByTouchAndOutliveARestart) {
 
 TEST_F(WindowTest, EveryReasonIsToldInEveryLanguage) {
   Speaker speaker(Language::English);
-  for (int code = 1; code <= static_cast<int>(ReasonCode::AdviceChanged); ++code) {
+  for (int code = 1; code <= static_cast<int>(ReasonCode::ChatterLeftCut); ++code) {
     const Reason reason{static_cast<ReasonCode>(code), {1.0, 2.0, 3.0, 4.0}};
     speaker.speak(Language::English);
     const QString english = reasonText(reason);
