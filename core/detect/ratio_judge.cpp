@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
-constexpr double kEntryChatterSeconds = 0.15;
+constexpr double kEntryChatterSeconds = 0.1;
 constexpr double kSettled = 1.6;        // chatter that was there from the entry has long found its size
 constexpr double kFalling = 0.8;        // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not

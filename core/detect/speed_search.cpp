@@ -106,6 +106,18 @@ void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t c
   for (std::size_t i = 0; i < count; ++i) trials_[i] *= scale;
 }
 
+double SpeedSearch::squareBeside(Hertz line, Hertz spindle) const noexcept {
+  const double whole = partsAt(spindle).square;
+  if (std::lround(2.0 * line.value / spindle.value) > kMostHarmonics) return whole;  // not among what is summed
+  const auto middle = static_cast<std::size_t>(std::lround(2.0 * line.value / spectrum_.binWidth()));
+  double own = 0.0;
+  for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < square_.size(); ++b) {
+    own += square_[b];
+  }
+  own /= std::max(added_, 1);
+  return own < 1.0 ? (whole - own) / (1.0 - own) : 0.0;
+}
+
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
   SpeedCandidate found;
   const int harmonics = std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / std::max(high.value, 1e-3)));

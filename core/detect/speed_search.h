@@ -54,6 +54,9 @@ class SpeedSearch {
     double square = 0.0;
   };
   Parts partsAt(Hertz spindle) const noexcept;
+  // Part of the square's power on the comb of `spindle`, but for what one line of the vibration leaves at twice its
+  // frequency, which lies on every comb that the line lies on.
+  double squareBeside(Hertz line, Hertz spindle) const noexcept;
 
  private:
   static constexpr int kMostTrials = 4096;

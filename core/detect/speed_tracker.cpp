@@ -236,7 +236,7 @@ void SpeedTracker::watchLoneLine(const SpeedSearch& search) noexcept {
   if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return;
   // Where other lines stand with it on one comb, that comb is the spindle's.
   for (double order = std::ceil(lowest); order <= highest; order += 1.0) {
-    if (search.partsAt(Hertz(strongest_.value / order)).square > kLoneSquare) return;
+    if (search.squareBeside(strongest_, Hertz(strongest_.value / order)) > kLoneSquare) return;
   }
   loneLine_ = suspect_ = strongest_;
 }

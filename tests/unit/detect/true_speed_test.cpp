@@ -128,6 +128,25 @@ TEST(ChatterFromTheEntry, AlarmsWithinThreeTenthsOfASecond) {
   }
 }
 
+// Within the doubt of the told speed the line may be a whole order, and twice its frequency always is one then.
+TEST(ChatterFromTheEntry, NearAWholeOrderIsSeen) {
+  for (const double order : {4.9, 5.11}) {
+    Entry e;
+    e.rate = 25600.0;
+    e.spindle = 180.0;
+    e.teeth = 2;
+    e.cutFrom = 0.5;
+    e.seconds = 1.5;
+    e.forced = 0.1;
+    e.lineHertz = order * e.spindle;
+    e.lineAmplitude = 1.0;
+    const RunResult r = run(make(e), told(e, 60.0 * e.spindle));
+    EXPECT_GT(r.firstAlarm, e.cutFrom) << order;
+    EXPECT_LT(r.firstAlarm, e.cutFrom + 0.3) << order;
+    EXPECT_NEAR(r.at(1.2).frequency.value, e.lineHertz, 5e-3 * e.lineHertz) << order;
+  }
+}
+
 // The same line on a tooth passing is a forced resonance.
 TEST(ChatterFromTheEntry, ForcedResonanceIsNone) {
   for (const double error : {-0.02, 0.0, 0.02}) {
