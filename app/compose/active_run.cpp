@@ -175,12 +175,14 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   if (!paths) return paths.error();
 
   std::array<std::unique_ptr<Axis>, 2> axes;
+  active::FxlmsOptions controller = options.controller;
+  controller.emphasis.lines = scenario.workHolder->quieten;
   safety::ActuatorLimits limits;
   limits.amplitude = scenario.workHolder->stroke.value;
   limits.slew = scenario.workHolder->slew;
   for (std::size_t a = 0; a < 2; ++a) {
     axes[a] = std::make_unique<Axis>();
-    axes[a]->controller.prepare(options.controller, (*paths)[a].model);
+    axes[a]->controller.prepare(controller, (*paths)[a].model, scenario.rate);
     if (Status ok = axes[a]->gate.prepare(limits, scenario.rate); !ok) return ok.error();
     axes[a]->gate.engage();
   }
@@ -207,7 +209,9 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
     for (const double f : linesOf(scenario, alone.chatterHz, kAxes[a])) {
       const double before = powerAt(alone.errors[a], f, scenario.rate);
       const double after = powerAt(controlled.errors[a], f, scenario.rate);
-      if (before > 0.0 && after > 0.0) result.attenuation.push_back({kAxes[a], f, 10.0 * std::log10(before / after)});
+      if (before > 0.0 && after > 0.0) {
+        result.attenuation.push_back({kAxes[a], f, 10.0 * std::log10(before / after), before});
+      }
     }
   }
   return result;

@@ -37,6 +37,7 @@ struct Attenuation {
   std::string axis;
   double frequency = 0.0;  // [Hz]
   double db = 0.0;         // power within 5 Hz of it over the last second, without control over with control
+  double alone = 0.0;      // that power without control, any unit
 };
 
 struct ActiveResult {

@@ -27,11 +27,17 @@ constexpr ParamDecl kLeak = realParam("active.leak", "Leak", "", 1.0, 0.9, 1.0,
 constexpr ParamDecl kReference =
     locked(choiceParam("active.reference", "Reference", 1, kReferences,
                        "What the filter works from: the error itself, or the disturbance as the model sees it"));
+constexpr ParamDecl kEmphasis = locked(
+    realParam("active.emphasis", "Emphasis", "", 20.0, 1.0, 1000.0,
+              "How much more the error counts on the lines to quieten than elsewhere, as amplitudes; 1: no more"));
+constexpr ParamDecl kEmphasisWidth = locked(realParam("active.emphasis-width", "Width of the emphasis", "Hz", 40.0, 1.0,
+                                                      1000.0, "Around each of the lines to quieten"));
 constexpr ParamDecl kPathTaps =
     locked(integerParam("active.path-taps", "Path taps", 35, 1, kMostTaps,
                         "Length of each part of the recursive model from actuator to sensor (table 3: 35)"));
 
-constexpr std::array<const ParamDecl*, 6> kAll{&kTaps, &kStep, &kNormalised, &kLeak, &kReference, &kPathTaps};
+constexpr std::array<const ParamDecl*, 8> kAll{&kTaps,      &kStep,     &kNormalised, &kLeak,
+                                               &kReference, &kPathTaps, &kEmphasis,   &kEmphasisWidth};
 
 }  // namespace
 
@@ -46,6 +52,8 @@ FxlmsOptions fxlmsOptions(const config::ParamSet& params) {
   o.filter.normalised = params.boolean(kNormalised);
   o.filter.leak = params.real(kLeak);
   o.reference = params.choice(kReference) == 0 ? Reference::ErrorFeedback : Reference::InternalModel;
+  o.emphasis.gain = params.real(kEmphasis);
+  o.emphasis.width = Hertz(params.real(kEmphasisWidth));
   return o;
 }
 

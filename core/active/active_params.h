@@ -9,7 +9,7 @@
 namespace stillcut::active {
 
 config::ParamTable activeParams();
-FxlmsOptions fxlmsOptions(const config::ParamSet& params);
+FxlmsOptions fxlmsOptions(const config::ParamSet& params);  // without lines to quieten: those belong to the cut
 PathRequest pathRequest(const config::ParamSet& params);
 
 }  // namespace stillcut::active

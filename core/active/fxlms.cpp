@@ -7,20 +7,21 @@ namespace stillcut::active {
 namespace {
 
 // Centre of gravity of the energy of the impulse response [samples].
-double delayOf(const PathModel& model) {
+double delayOf(const PathModel& model, ErrorWeighting weighting) {
   double energy = 0.0;
   double moment = 0.0;
   const std::vector<double> impulse = model.impulse(4 * kMostTaps);
   for (std::size_t n = 0; n < impulse.size(); ++n) {
-    energy += impulse[n] * impulse[n];
-    moment += static_cast<double>(n + 1) * impulse[n] * impulse[n];
+    const double r = weighting.process(impulse[n]);
+    energy += r * r;
+    moment += static_cast<double>(n + 1) * r * r;
   }
   return energy > 0.0 ? moment / energy : 0.0;
 }
 
 }  // namespace
 
-void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& model) {
+void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& model, Hertz rate) {
   options_ = options;
   const auto taps = static_cast<std::size_t>(options.filter.taps);
   reference_.prepare(taps);
@@ -28,7 +29,9 @@ void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& mode
   weights_.assign(reference_.size(), 0.0);
   heard_.prepare(model);
   shaped_.prepare(model);
-  delay_ = delayOf(model);
+  errorWeight_.prepare(options.emphasis, rate);
+  referenceWeight_.prepare(options.emphasis, rate);
+  delay_ = delayOf(model, errorWeight_);
   forget_ = 1.0 / (8.0 * static_cast<double>(taps));
   reset();
 }
@@ -39,6 +42,8 @@ void FxlmsController::reset() noexcept {
   filtered_.reset();
   heard_.reset();
   shaped_.reset();
+  errorWeight_.reset();
+  referenceWeight_.reset();
   power_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
 }
 
@@ -48,12 +53,12 @@ double FxlmsController::largestStep() const noexcept {
 }
 
 double FxlmsController::process(double error, double reference) STILLCUT_RT {
-  error_ = error;
+  error_ = errorWeight_.process(error);
   disturbance_ = error + heard_.arrive();
   const double x = options_.reference == Reference::Feedforward     ? reference
                    : options_.reference == Reference::ErrorFeedback ? error
                                                                     : disturbance_;
-  const double filtered = shaped_.arrive();
+  const double filtered = referenceWeight_.process(shaped_.arrive());
   shaped_.push(x);
   filtered_.push(filtered);
   reference_.push(x);

@@ -6,7 +6,9 @@
 //   InternalModel:   the disturbance as the model sees it: x = d^ = e + s^ * y, the error with the model's part taken
 //   out
 //                    (Morari and Zafiriou)
-// The automatic step is a share of 1/(P (L + D)): P the mean square of x', L the taps, D the samples the path delays by
+// The error and x' pass a weighting first that says which lines count most (error_weighting.h); none: the plain law.
+// The automatic step is a share of 1/(P (L + D)): P the mean square of x', L the taps, D the samples that path and
+// weighting delay by
 // (Elliott, Signal Processing for Active Control, 2001, section 3.4).
 // With it the error counts up to thrice its usual size, which keeps the first instants of a cut from throwing the
 // weights. What leaves the output limited (written()) is what went through the path: the model is fed with it, and
@@ -16,6 +18,7 @@
 
 #include <vector>
 
+#include "core/active/error_weighting.h"
 #include "core/active/lms.h"
 #include "core/active/path_filter.h"
 
@@ -26,12 +29,13 @@ enum class Reference { Feedforward, ErrorFeedback, InternalModel };
 struct FxlmsOptions {
   LmsOptions filter;  // step: mu, or with `normalised` the share of the automatic bound
   Reference reference = Reference::InternalModel;
+  Emphasis emphasis;
 };
 
 class FxlmsController {
  public:
   // `model` has passed checkPath().
-  void prepare(const FxlmsOptions& options, const PathModel& model);
+  void prepare(const FxlmsOptions& options, const PathModel& model, Hertz rate);
   void reset() noexcept;
   void setStep(double step) noexcept { options_.filter.step = step; }  // no jump: weights stay
   void setLeak(double leak) noexcept { options_.filter.leak = leak; }
@@ -54,9 +58,10 @@ class FxlmsController {
   std::vector<double> weights_;
   TapLine reference_, filtered_;
   PathFilter heard_, shaped_;  // s^ * y and s^ * x
-  double delay_ = 0.0;         // of the model [samples]
-  double power_ = 0.0;         // of the filtered reference, the larger of one filter length and about 8
-  double errorPower_ = 0.0;    // over about 8 filter lengths
+  ErrorWeighting errorWeight_, referenceWeight_;
+  double delay_ = 0.0;       // of the model and the weighting [samples]
+  double power_ = 0.0;       // of the filtered reference, the larger of one filter length and about 8
+  double errorPower_ = 0.0;  // over about 8 filter lengths
   double forget_ = 0.0;
   double disturbance_ = 0.0;
   double wanted_ = 0.0;

@@ -62,10 +62,13 @@ std::string programmeText(const Programme& p) {
 }
 
 std::string workHolderText(const WorkHolderSettings& w) {
+  std::string lines;
+  for (const Hertz f : w.quieten) lines += (lines.empty() ? "" : ", ") + numberText(f.value, 1.0);
+  if (!lines.empty()) lines = "quieten_hz = [" + lines + "]\n";
   return "[work_holder]\n" + line("flexure_hz", w.flexure.value) + line("damping", w.damping) +
          line("stiffness_n_per_m", w.stiffness) + line("stroke_um", w.stroke.value, 1e6) +
          line("reconstruction_hz", w.reconstruction.value) + line("amplifier_hz", w.amplifier.value) +
-         line("slew_m_per_s", w.slew) + "\n";
+         line("slew_m_per_s", w.slew) + lines + "\n";
 }
 
 std::string drivesText(const DriveSettings& d, const OverrideSettings& o) {

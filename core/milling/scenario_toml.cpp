@@ -70,6 +70,9 @@ std::optional<WorkHolderSettings> readWorkHolder(const TomlTable& t) {
   w.reconstruction = Hertz(t.numberOr("reconstruction_hz", w.reconstruction.value, 1.0, 1e6));
   w.amplifier = Hertz(t.numberOr("amplifier_hz", w.amplifier.value, 1.0, 1e6));
   w.slew = t.numberOr("slew_m_per_s", w.slew, 1e-9, 1e3);
+  if (t.has("quieten_hz")) {
+    for (const double line : t.numbers("quieten_hz")) w.quieten.emplace_back(line);
+  }
   return w;
 }
 

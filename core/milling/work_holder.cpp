@@ -16,6 +16,9 @@ Status check(const WorkHolderSettings& s, const std::string& where) {
   if (!positive(s.reconstruction.value) || !positive(s.amplifier.value) || !positive(s.slew)) {
     return Error{where, "the work-holder's filter and amplifier need a bandwidth and a slew limit", ""};
   }
+  if (s.quieten.size() > 8 || !std::ranges::all_of(s.quieten, [&](Hertz f) { return positive(f.value); })) {
+    return Error{where, "the work-holder's lines to quieten must be positive frequencies", "at most 8"};
+  }
   return Done{};
 }
 

@@ -20,6 +20,7 @@ struct WorkHolderSettings {
   Hertz reconstruction{4000.0};  // -3 dB of the filter behind the converter
   Hertz amplifier{3000.0};       // -3 dB of the amplifier, small signals
   double slew = 0.05;            // largest speed of the free stroke [m/s]
+  std::vector<Hertz> quieten;    // lines its control is to care about most
   bool operator==(const WorkHolderSettings&) const = default;
 };
 

@@ -41,7 +41,7 @@ Status ActuatorGate::prepare(const ActuatorLimits& limits, Hertz rate) {
     }
   }
   limits_ = limits;
-  watch_.prepare(rate);
+  watch_.prepare(rate, limits.amplitude);
   perSample_ = limits.slew / rate.value;
   inStep_ = 1.0 / std::max(1.0, limits.rampIn.value * rate.value);
   outStep_ = 1.0 / std::max(1.0, std::floor(limits.rampOut.value * rate.value));

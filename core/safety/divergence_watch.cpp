@@ -12,12 +12,14 @@ constexpr double kSilence = 0.005;      // [s]
 constexpr double kGrowth = 1.3;         // energy, from window to window
 constexpr double kBeyond = 4.0;         // energy: twice the amplitude
 constexpr double kWorse = 2.0;          // energy
+constexpr double kSlight = 0.01;        // of the largest output, rms
 constexpr std::size_t kSaturating = 3;  // windows
 
 }  // namespace
 
-void DivergenceWatch::prepare(Hertz rate) noexcept {
+void DivergenceWatch::prepare(Hertz rate, double amplitude) noexcept {
   length_ = std::max(4, static_cast<int>(std::lround(kWindow * rate.value)));
+  slight_ = kSlight * kSlight * amplitude * amplitude * length_;
   silence_ = std::max(4, static_cast<int>(std::lround(kSilence * rate.value)));
   reset();
 }
@@ -56,7 +58,9 @@ LoopHealth DivergenceWatch::judge() const STILLCUT_RT {
   for (std::size_t w = 0; w < kSaturating; ++w) limited += back(w).limited;
   if (loud && 2 * limited > static_cast<int>(kSaturating) * length_) return LoopHealth::Saturated;
   bool worse = true;
-  for (std::size_t w = 0; w < kSaturating; ++w) worse = worse && back(w).error > kWorse * back(w).without;
+  for (std::size_t w = 0; w < kSaturating; ++w) {
+    worse = worse && back(w).error > kWorse * back(w).without && back(w).output > slight_;
+  }
   if (worse) return LoopHealth::Worse;
   bool growing = loud;
   for (std::size_t w = 0; w < kGrowing && growing; ++w) {

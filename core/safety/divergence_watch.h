@@ -9,7 +9,8 @@
 //               the output is at its end and nothing gets better
 //   Worse:      over three windows in a row the error had twice the power of what the controller's own model says it
 //   would
-//               be without output: slow drift that the others do not see
+//               be without output: slow drift that the others do not see. Not while the output is below a hundredth of
+//               its limit: in air the loop learns from the sensor's noise, and nothing is at stake
 //   DeadSensor: the reading has not changed at all for 5 ms while something goes out
 // so that at the latest 16 ms of growth, 12 ms of saturation or 5 ms of silence pass.
 // Thread: one, real-time.
@@ -27,7 +28,8 @@ enum class LoopHealth { Fine, Diverging, Saturated, Worse, DeadSensor };
 
 class DivergenceWatch {
  public:
-  void prepare(Hertz rate) noexcept;
+  // `amplitude`: the largest output.
+  void prepare(Hertz rate, double amplitude) noexcept;
   void reset() noexcept;
   // Once a sample: the error read, what it would be without output (the error itself when nobody knows), what was
   // written, and whether a limit had cut it off.
@@ -51,6 +53,7 @@ class DivergenceWatch {
   int count_ = 0;
   int still_ = 0;  // samples without any change
   int silence_ = 25;
+  double slight_ = 0.0;  // energy of an output in a window that does no harm
   double last_ = 0.0;
 };
 

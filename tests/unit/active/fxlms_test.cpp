@@ -46,7 +46,7 @@ std::vector<double> run(FxlmsController& controller, const PathModel& truth, con
 
 FxlmsController made(Reference reference, const LmsOptions& filter, const PathModel& model = kPath) {
   FxlmsController controller;
-  controller.prepare({filter, reference}, model);
+  controller.prepare({filter, reference, {}}, model, Hertz(kRate));
   return controller;
 }
 
@@ -153,6 +153,74 @@ TEST(Fxlms, TheAutomaticBoundSeparatesConvergenceFromDivergence) {
     EXPECT_EQ(rms(e, 29000) < 0.1 * rms(d, 29000), converges) << share;
     EXPECT_GT(controller.largestStep(), 0.0);
   }
+}
+
+// eq. 2 with the error and the filtered reference both weighted, written out.
+TEST(Fxlms, TheWeightedLawAgreesWithTheEquationsWrittenOut) {
+  const std::size_t count = 600;
+  const std::size_t taps = 12;
+  const double mu = 2e-5;
+  const double gain = 20.0;
+  const double width = 60.0;
+  const double line = 700.0;
+  const auto d = whiteNoise(count, 1);
+  std::vector<double> y(count, 0.0), x(count, 0.0), r(count, 0.0), filtered(count, 0.0), e(count, 0.0);
+  std::vector<double> w(taps, 0.0), we(count, 0.0), wf(count, 0.0);
+  const double root = std::sqrt(gain);
+  const double angle = 2.0 * std::numbers::pi * line / kRate;
+  const double alpha = 0.5 * std::sin(angle) * width / line;
+  const auto weigh = [&](const std::vector<double>& in, std::vector<double>& out, std::size_t n) {
+    out[n] =
+        ((1.0 + alpha * root) * in[n] - 2.0 * std::cos(angle) * past(in, n, 1) + (1.0 - alpha * root) * past(in, n, 2) +
+         2.0 * std::cos(angle) * past(out, n, 1) - (1.0 - alpha / root) * past(out, n, 2)) /
+        (1.0 + alpha / root);
+  };
+  const auto arrives = [](const std::vector<double>& in, std::vector<double>& out, std::size_t n) {
+    for (std::size_t k = 0; k < kPath.forward.size(); ++k) out[n] += kPath.forward[k] * past(in, n, k + 1);
+    for (std::size_t k = 0; k < kPath.backward.size(); ++k) out[n] += kPath.backward[k] * past(out, n, k + 1);
+  };
+  for (std::size_t n = 0; n < count; ++n) {
+    arrives(y, r, n);
+    e[n] = d[n] - r[n];
+    x[n] = e[n] + r[n];
+    arrives(x, filtered, n);
+    weigh(e, we, n);
+    weigh(filtered, wf, n);
+    for (std::size_t k = 0; k < taps; ++k) y[n] += w[k] * past(x, n, k);
+    for (std::size_t k = 0; k < taps; ++k) w[k] += 2.0 * mu * we[n] * past(wf, n, k);
+  }
+  FxlmsController controller;
+  controller.prepare(
+      {{.taps = static_cast<int>(taps), .step = mu}, Reference::InternalModel, {{Hertz(line)}, gain, Hertz(width)}},
+      kPath, Hertz(kRate));
+  const auto errors = run(controller, kPath, d, {});
+  for (std::size_t n = 0; n < count; ++n) ASSERT_NEAR(errors[n], e[n], 1e-9) << n;
+  for (std::size_t k = 0; k < taps; ++k) EXPECT_NEAR(controller.weights()[k], w[k], 1e-9);
+}
+
+// Two tones and a filter too short to take both out whole: the one that is asked for goes, however faint.
+TEST(Fxlms, AFaintLineThatIsAskedForIsQuietenedBesideALoudOne) {
+  auto d = tone(60000, 471.0, 10.0);
+  const auto faint = tone(60000, 1000.0, 0.5);
+  for (std::size_t n = 0; n < d.size(); ++n) d[n] += faint[n];
+  const auto left = [&](const Emphasis& emphasis) {
+    FxlmsController controller;
+    controller.prepare({{.taps = 3, .step = 0.02, .normalised = true}, Reference::InternalModel, emphasis}, kPath,
+                       Hertz(kRate));
+    const auto e = run(controller, kPath, d, {});
+    double cosine = 0.0;
+    double sine = 0.0;
+    for (std::size_t n = 55000; n < 60000; ++n) {  // a second: whole periods of both
+      const double angle = 2.0 * std::numbers::pi * 1000.0 / kRate * static_cast<double>(n);
+      cosine += e[n] * std::cos(angle) / 2500.0;
+      sine += e[n] * std::sin(angle) / 2500.0;
+    }
+    return std::hypot(cosine, sine);
+  };
+  const double plain = left({});
+  const double asked = left({{Hertz(1000.0)}, 200.0, Hertz(40.0)});
+  EXPECT_GT(plain, 0.5);  // what LMS alone makes of it: no less than there was
+  EXPECT_LT(asked, 0.1 * plain);
 }
 
 // With leak gamma the optimum moves away from the full solution: less output, less attenuation, never zero error.

@@ -39,7 +39,7 @@ struct Course {
 
 Course run(const Loop& loop, int samples) {
   FxlmsController controller;
-  controller.prepare({loop.filter, Reference::InternalModel}, loop.model);
+  controller.prepare({loop.filter, Reference::InternalModel, {}}, loop.model, Hertz(kRate));
   safety::ActuatorGate gate;
   safety::ActuatorLimits limits;
   limits.amplitude = loop.amplitude;
@@ -142,7 +142,10 @@ TEST(GatedLoop, TheWholeStepAsksForNoMemoryAndTakesNoLock) {
   if (!test::PathCounter::works()) GTEST_SKIP() << "the sanitizer counts";
   for (int taps : {35, 512}) {
     FxlmsController controller;
-    controller.prepare({{.taps = taps, .step = 0.1, .normalised = true}, Reference::InternalModel}, kPath);
+    controller.prepare({{.taps = taps, .step = 0.1, .normalised = true},
+                        Reference::InternalModel,
+                        {{Hertz(339.0), Hertz(1024.0)}, 20.0, Hertz(40.0)}},
+                       kPath, Hertz(kRate));
     safety::ActuatorGate gate;
     safety::ActuatorLimits limits;
     limits.amplitude = 3.0;
