@@ -42,7 +42,7 @@ int table(int plants, unsigned seed) {
   int unstable = 0;
   int held = 0;
   std::printf(
-      "| plant | alone | with control | chatter [Hz] | x [dB] | y [dB] | stroke x, y "
+      "| plant | alone | with control | chatter [Hz] | axis | [dB] | stroke x, y "
       "|\n|---|---|---|---|---|---|---|\n");
   for (int plant = 1; plant <= plants; ++plant) {
     ActiveOptions options;
