@@ -30,6 +30,8 @@ class ReplayRun {
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   daq::ReplayControl& control() { return *control_; }
   const Snapshot* read() { return rig_->read(); }
+  // To the run, at its next block: new parameters. Screen's thread. False: too many at once.
+  bool send(const OperatorInput& input) { return rig_->send(input); }
   // After stop(): what made it end early; empty for a plain end.
   std::string fault() const { return rig_->device().fault(); }
 

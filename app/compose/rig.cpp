@@ -1,10 +1,12 @@
 #include "app/compose/rig.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/compose/run_text.h"
 #include "core/control/registry.h"
+#include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
 #include "core/record/session_markers.h"
 #include "generated/version.h"
@@ -22,6 +24,25 @@ Status completeMethods(Methods& methods) {
   return Done{};
 }
 
+// Of the methods that run, what is not locked; the gate's are not among them.
+std::vector<const config::ParamDecl*> tunable(const Methods& methods) {
+  std::vector<const config::ParamDecl*> decls;
+  const auto take = [&decls](config::ParamTable table) {
+    std::copy_if(table.begin(), table.end(), std::back_inserter(decls),
+                 [](const config::ParamDecl* decl) { return !decl->lockedWhileRunning; });
+  };
+  take(detect::conditionerParams());
+  for (const auto& row : detect::detectorTable()) {
+    if (std::find(methods.detectors.begin(), methods.detectors.end(), row.id) != methods.detectors.end()) {
+      take(row.params());
+    }
+  }
+  for (const auto& entry : control::strategyTable()) {
+    if (entry.id == methods.strategy) take(entry.params);
+  }
+  return decls;
+}
+
 Result<pipeline::ChainParts> makeParts(const Methods& methods) {
   pipeline::ChainParts parts;
   for (const std::string& id : methods.detectors) {
@@ -33,6 +54,7 @@ Result<pipeline::ChainParts> makeParts(const Methods& methods) {
   auto strategy = control::makeStrategy(methods.strategy);
   if (!strategy) return strategy.error();
   parts.strategy = std::move(strategy).value();
+  parts.tunable = tunable(methods);
   return parts;
 }
 
@@ -108,7 +130,11 @@ Status Rig::prepare(SetUpFault& fault) {
   chain_->prepare(spec_.setup, spec_.params, *limits);
   publisher_.prepare(spec_.setup, spec_.link && spec_.link->describe().simulated, spec_.autoAllowed);
   if (!spec_.steps) spec_.steps = std::make_unique<pipeline::DeviceStepSource>(*spec_.device);
-  if (!spec_.feed) spec_.feed = std::make_unique<pipeline::LiveMachineFeed>(states_, inputs_);
+  if (!spec_.feed) {
+    spec_.feed = std::make_unique<pipeline::LiveMachineFeed>(states_, inputs_);
+  } else if (spec_.watched) {
+    spec_.feed = std::make_unique<pipeline::TunedFeed>(std::move(spec_.feed), inputs_);
+  }
   if (spec_.link) linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_);
   makeLoop();
   return Done{};

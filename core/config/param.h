@@ -6,6 +6,8 @@
 //       "Spindle harmonics the Kalman filter removes (N in eq. 16)");
 #pragma once
 
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <string_view>
@@ -74,6 +76,21 @@ constexpr ParamDecl choiceParam(std::string_view key, std::string_view label, in
 constexpr ParamDecl locked(ParamDecl decl) {
   decl.lockedWhileRunning = true;
   return decl;
+}
+
+// A key as a number (FNV-1a), for values that cross to the worker and into recordings; it stays as long as the key
+// does.
+constexpr std::uint32_t parameterId(std::string_view key) {
+  std::uint32_t hash = 2166136261U;
+  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+  return hash;
+}
+
+// Whether ParamSet::set would take the value. Real-time.
+inline bool isLegal(const ParamDecl& decl, double value) noexcept {
+  if (std::isnan(value)) return decl.mayBeAutomatic;
+  if (decl.kind != ParamKind::Real && value != std::round(value)) return false;
+  return value >= decl.lowest && value <= decl.highest;
 }
 
 using ParamTable = std::span<const ParamDecl* const>;

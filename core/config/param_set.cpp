@@ -115,6 +115,13 @@ Status ParamSet::set(const ParamDecl& decl, double value, std::string_view where
   return Done{};
 }
 
+bool ParamSet::replace(const ParamDecl& decl, double value) noexcept {
+  const auto it = values_.find(decl.key);
+  if (it == values_.end() || !isLegal(decl, value)) return false;
+  it->second = value;
+  return true;
+}
+
 void ParamSet::unset(const ParamDecl& decl) {
   const auto it = values_.find(decl.key);
   if (it != values_.end()) values_.erase(it);

@@ -40,6 +40,8 @@ class ParamSet {
   // Same with a value already parsed.
   Status set(const ParamDecl& decl, double value, std::string_view where);
   void unset(const ParamDecl& decl);
+  // A value for a key that is set already. False: it is not, or the value is not legal; nothing changes. Real-time.
+  bool replace(const ParamDecl& decl, double value) noexcept;
 
   // As text a file and set() both understand: "auto", "true", "0.2", the choice's word.
   std::string text(const ParamDecl& decl) const;

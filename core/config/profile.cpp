@@ -187,14 +187,14 @@ void writeCut(TomlWriter& out, const Profile& profile) {
 
 }  // namespace
 
-void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog) {
+void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog, std::string_view prefix) {
   // A table may be opened once only, so the parts are written one after the other.
   std::map<std::string, std::vector<const ParamDecl*>> parts;
   for (const ParamDecl* decl : catalog.all()) {
     if (params.isSet(*decl)) parts[std::string(decl->key.substr(0, decl->key.rfind('.')))].push_back(decl);
   }
   for (const auto& [part, decls] : parts) {
-    out.table("parameters." + part);
+    out.table(std::string(prefix) + part);
     for (const ParamDecl* decl : decls) out.scalar(decl->key.substr(part.size() + 1), params.text(*decl));
   }
 }

@@ -80,8 +80,10 @@ Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const st
 // Parameters alone, a table a part: [energy-ratio] threshold = 0.2. The `--config` of the command line.
 Result<ParamSet> loadParameters(const std::string& path, const ParamCatalog& catalog);
 
-// Tables of a larger file: [parameters.energy-ratio] and so on, in the order of the catalogue, and back.
-void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog);
+// Tables of a larger file: [parameters.energy-ratio] and so on, in the order of the catalogue, and back. Without a
+// `prefix`: what loadParameters() reads.
+void writeParameters(TomlWriter& out, const ParamSet& params, const ParamCatalog& catalog,
+                     std::string_view prefix = "parameters.");
 Result<ParamSet> readParameters(const TomlTable& parameters, const ParamCatalog& catalog);
 
 // "KEY=VALUE" of the command line; `where` names the option for the error. Nothing changes on error.

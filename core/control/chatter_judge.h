@@ -25,10 +25,7 @@ class ChatterJudge {
     Seconds smoothing{0.05};  // of the frequency
   };
 
-  void prepare(const Options& options) {
-    options_ = options;
-    forget();
-  }
+  void configure(const Options& options) STILLCUT_RT { options_ = options; }
   // The alarm in hand. What was heard of the cut's level stays.
   void forget() STILLCUT_RT;
   void forgetLevels() STILLCUT_RT { usual_ = struck_ = loud_ = 0.0; }

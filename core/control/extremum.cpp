@@ -47,6 +47,10 @@ StrategyInfo Extremum::describe() const {
 }
 
 void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  prepareRule(setup, params);
+}
+
+void Extremum::retune(const config::ParamSet& params) noexcept {
   mu_ = params.real(kMu);
   lambda_ = params.real(kLambda);
   unit_ = params.real(kUnit) / 100.0;
@@ -56,7 +60,7 @@ void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
   options.turns = params.real(kSeekTurns);
   options.dwell = Seconds(params.real(kSeekDwell) / 1000.0);
   search_.configure(options);
-  prepareRule(setup, params, {Seconds(params.real(kSmoothing) / 1000.0), false, false});
+  setOptions({Seconds(params.real(kSmoothing) / 1000.0), false, false});
 }
 
 void Extremum::forget() noexcept {

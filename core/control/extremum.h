@@ -30,6 +30,7 @@ class Extremum : public FrequencyRule {
   explicit Extremum(bool seek) : seek_(seek) {}
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  void retune(const config::ParamSet& params) noexcept override;
 
  private:
   Aim aim(const RuleView& view) noexcept override;

@@ -25,11 +25,11 @@ bool usable(const MachineState& m) noexcept {
 
 }  // namespace
 
-void FrequencyRule::prepareRule(const CutSetup& setup, const config::ParamSet& params, const RuleOptions& options) {
+void FrequencyRule::prepareRule(const CutSetup& setup, const config::ParamSet& params) {
   const auto limits = config::checkOverrideLimits(params, setup, describe().id);
   if (!limits) throw std::runtime_error(limits.error().line());
   limits_ = *limits;
-  options_ = options;
+  retune(params);
   teeth_ = setup.teeth;
   reset();
 }

@@ -42,7 +42,8 @@ class FrequencyRule : public Strategy {
 
  protected:
   // From the rule's own prepare(); throws std::runtime_error where the override limits contradict each other.
-  void prepareRule(const CutSetup& setup, const config::ParamSet& params, const RuleOptions& options);
+  void prepareRule(const CutSetup& setup, const config::ParamSet& params);
+  void setOptions(const RuleOptions& options) noexcept { options_ = options; }
 
   // Chatter is marked. Real-time.
   virtual Aim aim(const RuleView& view) noexcept = 0;

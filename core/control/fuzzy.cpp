@@ -43,11 +43,17 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
   const auto limits = config::checkOverrideLimits(params, setup, describe().id);
   if (!limits) throw std::runtime_error(limits.error().line());
   limits_ = *limits;
-  options_ = fuzzyOptions(params);
-  if (!(options_.energyUp > options_.energyRef)) {
+  const FuzzyOptions options = fuzzyOptions(params);
+  if (!(options.energyUp > options.energyRef)) {
     throw std::runtime_error("fuzzy.energy-limit: must be above fuzzy.energy-reference");
   }
+  options_ = options;
   reset();
+}
+
+void Fuzzy::retune(const config::ParamSet& params) noexcept {
+  const FuzzyOptions options = fuzzyOptions(params);
+  if (options.energyUp > options.energyRef) options_ = options;
 }
 
 void Fuzzy::letGo() noexcept {

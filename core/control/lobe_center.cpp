@@ -28,8 +28,11 @@ StrategyInfo LobeCenter::describe() const {
 }
 
 void LobeCenter::prepare(const CutSetup& setup, const config::ParamSet& params) {
-  prepareRule(setup, params,
-              {Seconds(params.real(kSmoothing) / 1000.0), params.choice(kActOn) == 1, params.boolean(kFreeze)});
+  prepareRule(setup, params);
+}
+
+void LobeCenter::retune(const config::ParamSet& params) noexcept {
+  setOptions({Seconds(params.real(kSmoothing) / 1000.0), params.choice(kActOn) == 1, params.boolean(kFreeze)});
 }
 
 Aim LobeCenter::aim(const RuleView& view) noexcept {

@@ -20,6 +20,7 @@ class LobeCenter final : public FrequencyRule {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  void retune(const config::ParamSet& params) noexcept override;
 
  private:
   Aim aim(const RuleView& view) noexcept override;

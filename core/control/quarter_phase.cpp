@@ -48,9 +48,13 @@ StrategyInfo QuarterPhase::describe() const {
 }
 
 void QuarterPhase::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  prepareRule(setup, params);
+}
+
+void QuarterPhase::retune(const config::ParamSet& params) noexcept {
   direction_ = static_cast<SpeedDirection>(params.choice(kDirection));
   phase_ = params.real(kPhase);
-  prepareRule(setup, params, {Seconds(params.real(kSmoothing) / 1000.0), false, false});
+  setOptions({Seconds(params.real(kSmoothing) / 1000.0), false, false});
 }
 
 Aim QuarterPhase::aim(const RuleView& view) noexcept {

@@ -26,6 +26,7 @@ class QuarterPhase final : public FrequencyRule {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  void retune(const config::ParamSet& params) noexcept override;
 
  private:
   Aim aim(const RuleView& view) noexcept override;

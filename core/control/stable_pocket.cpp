@@ -62,13 +62,18 @@ void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params
   if (!limits) throw std::runtime_error(limits.error().line());
   limits_ = *limits;
   teeth_ = setup.teeth;
+  retune(params);
+  judge_.forget();
+  search_.prepare(setup);
+  reset();
+}
+
+void StablePocket::retune(const config::ParamSet& params) noexcept {
   mostMoves_ = params.integer(kMoves);
   settle_ = Seconds(params.real(kSettle) / 1000.0);
   forget_ = Seconds(params.real(kForget));
   pause_ = Seconds(params.real(kPause));
-  judge_.prepare({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
-  search_.prepare(setup);
-  reset();
+  judge_.configure({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
 }
 
 void StablePocket::reset() noexcept {

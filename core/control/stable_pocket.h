@@ -22,6 +22,7 @@ class StablePocket final : public Strategy {
   StrategyInfo describe() const override;
   // Throws std::runtime_error where the override limits contradict each other.
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
+  void retune(const config::ParamSet& params) noexcept override;
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
   void letGo() noexcept override;

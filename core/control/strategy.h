@@ -45,6 +45,9 @@ class Strategy {
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
   // Real-time; an exception is taken as a fault and drops to monitoring. An unusable verdict or machine state gives
   // Hold or None, never a Set.
+  // New values of parameters that are not locked while running; its memory stays. A value that cannot be used with the
+  // others leaves all as they were. Between blocks, real-time.
+  virtual void retune(const config::ParamSet& /*params*/) noexcept {}
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
   virtual void reset() noexcept = 0;
   // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not

@@ -13,9 +13,8 @@ constexpr double kFlipOffset = 0.02;  // tooth orders from the middle
 
 }  // namespace
 
-void AlarmJudge::prepare(int teeth, double chatterRatio) noexcept {
+void AlarmJudge::prepare(int teeth) noexcept {
   teeth_ = teeth;
-  chatterRatio_ = chatterRatio;
   reset();
 }
 

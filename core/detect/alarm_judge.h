@@ -20,8 +20,9 @@ struct Evidence {
 
 class AlarmJudge {
  public:
-  // chatterRatio: energy ratio of full chatter (Caliskan: 0.2); it ends at half of that.
-  void prepare(int teeth, double chatterRatio) noexcept;
+  void prepare(int teeth) noexcept;
+  // Energy ratio of full chatter (Caliskan: 0.2); it ends at half of that.
+  void setChatterRatio(double ratio) noexcept { chatterRatio_ = ratio; }
   void reset() noexcept;
 
   void judge(const Evidence& evidence, CutPhase phase, Seconds step) noexcept;

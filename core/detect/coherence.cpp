@@ -49,10 +49,6 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   if (!params.isAutomatic(kCohSegment)) seconds = params.real(kCohSegment);
   const int frames = dsp::goodFftSize(std::clamp(static_cast<int>(seconds * rate_), 16, kMostFrames));
   hop_ = std::max(1, frames / kOverlap);
-  gammaRef_ = params.real(kCohGammaRef);
-  energyRef_ = params.isAutomatic(kCohEnergyRef) ? 0.0 : params.real(kCohEnergyRef);
-  purity_ = params.real(kCohPurity);
-  chatterRatio_ = params.real(kCohChatter);
   CoherenceRatio::Settings settings;
   settings.form = params.choice(kCohForm) == 0 ? CoherenceForm::Welch : CoherenceForm::Paper;
   settings.sharpening = params.choice(kCohSharpening) == 0 ? SharpenForm::Monotone : SharpenForm::Printed;
@@ -61,8 +57,7 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
     settings.band = {Hertz(params.real(kCohLow)), Hertz(params.real(kCohHigh))};
   }
   const auto count = setup.channels.size();
-  judge_.prepare(setup.teeth, chatterRatio_);
-  onset_.prepare({kSmallest * kSmallest, params.real(kCohEvidence)});
+  judge_.prepare(setup.teeth);
   turns_.prepare(static_cast<int>(count), setup.rate, nominal * 0.5);
   ring_.prepare(static_cast<int>(count), frames);
   spectrum_.prepare(frames, setup.rate, dsp::WindowKind::Hann);
@@ -72,7 +67,21 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   channels_.assign(count, {});
   difference_.assign(count * kRow, 0.0);
   before_.assign(static_cast<std::size_t>(spectrum_.bins()), {});
+  retune(params);
   reset();
+}
+
+void CoherenceDetector::retune(const config::ParamSet& params) noexcept {
+  gammaRef_ = params.real(kCohGammaRef);
+  energyRef_ = params.isAutomatic(kCohEnergyRef) ? 0.0 : params.real(kCohEnergyRef);
+  purity_ = params.real(kCohPurity);
+  chatterRatio_ = params.real(kCohChatter);
+  judge_.setChatterRatio(chatterRatio_);
+  onset_.prepare({kSmallest * kSmallest, params.real(kCohEvidence)});
+}
+
+double CoherenceDetector::chosen(const config::ParamDecl& decl) const {
+  return decl.key == kCohSegment.key ? spectrum_.segment() / rate_ : config::kAutomatic;
 }
 
 void CoherenceDetector::reset() noexcept {

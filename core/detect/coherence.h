@@ -75,6 +75,8 @@ class CoherenceDetector final : public Detector {
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
   Verdict process(const ConditionedBlock& block) noexcept override;
+  void retune(const config::ParamSet& params) noexcept override;
+  double chosen(const config::ParamDecl& decl) const override;
   void reset() noexcept override;
 
  private:

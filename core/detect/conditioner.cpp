@@ -55,8 +55,17 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   check_.prepare(setup);
   sensors_.prepare(setup);
   speed_.prepare(setup, params.real(kSpeedRange));
-  gate_.prepare(setup, std::pow(10.0, params.real(kCutLevel) / 10.0));
+  gate_.prepare(setup);
+  retune(params);
   reset();
+}
+
+void Conditioner::retune(const config::ParamSet& params) noexcept {
+  gate_.setOpenRatio(std::pow(10.0, params.real(kCutLevel) / 10.0));
+}
+
+double Conditioner::chosen(const config::ParamDecl& decl) const {
+  return decl.key == kHighPass.key ? highPass_.value : config::kAutomatic;
 }
 
 void Conditioner::reset() noexcept {

@@ -19,12 +19,12 @@
 
 namespace stillcut::detect {
 
-inline constexpr config::ParamDecl kHighPass =
+inline constexpr config::ParamDecl kHighPass = config::locked(
     config::autoParam("conditioner.high-pass", "High-pass edge", "Hz", 0.1, 1000.0,
-                      "Removes offset and drift below this frequency; auto: a quarter of the spindle frequency");
-inline constexpr config::ParamDecl kSpeedRange =
+                      "Removes offset and drift below this frequency; auto: a quarter of the spindle frequency"));
+inline constexpr config::ParamDecl kSpeedRange = config::locked(
     config::realParam("conditioner.speed-range", "Doubt of the told speed", "", 0.03, 0.0, 0.2,
-                      "How far the told spindle speed may be from the true one, as a ratio; searched at entry");
+                      "How far the told spindle speed may be from the true one, as a ratio; searched at entry"));
 inline constexpr config::ParamDecl kCutLevel =
     config::realParam("conditioner.cut-level", "Cut above air", "dB", 6.0, 1.0, 40.0,
                       "A cut is this much louder than the quietest the sensor has heard");
@@ -35,6 +35,9 @@ config::ParamTable conditionerParams();
 class Conditioner {
  public:
   void prepare(const CutSetup& setup, const config::ParamSet& params);
+  // As Detector::retune() and Detector::chosen().
+  void retune(const config::ParamSet& params) noexcept;
+  double chosen(const config::ParamDecl& decl) const;
   // The returned block and what it points at are good until the next call.
   const ConditionedBlock& process(const SampleBlock& block, const MachineState& machine) noexcept;
   void reset() noexcept;

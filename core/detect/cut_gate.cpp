@@ -23,9 +23,8 @@ void follow(double& state, double target, double step, double timeConstant) {
 
 }  // namespace
 
-void CutGate::prepare(const CutSetup& setup, double openRatio) {
+void CutGate::prepare(const CutSetup& setup) {
   channels_ = std::min<std::size_t>(setup.channels.size(), kMaxChannels);
-  openRatio_ = openRatio;
   reset();
 }
 

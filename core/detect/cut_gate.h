@@ -16,7 +16,9 @@ namespace stillcut::detect {
 
 class CutGate {
  public:
-  void prepare(const CutSetup& setup, double openRatio);
+  void prepare(const CutSetup& setup);
+  // Mean square of a cut over that of air.
+  void setOpenRatio(double ratio) noexcept { openRatio_ = ratio; }
   void reset() noexcept;
 
   // Mean squares of the channels over `seconds`; `revolution` is the present length of one turn.

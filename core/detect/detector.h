@@ -35,6 +35,13 @@ class Detector {
   // sequence; an invalid block gives an invalid verdict with the block's reason and changes no learned state.
   virtual Verdict process(const ConditionedBlock& block) = 0;
 
+  // New values of parameters that are not locked while running; what was learned stays. A part whose parameters are all
+  // locked needs none. Between blocks, real-time. Before the first block it does the same as prepare() with them.
+  virtual void retune(const config::ParamSet& /*params*/) noexcept {}
+  // After prepare(): what the detector chose for a parameter left automatic, in the declaration's unit. Not a number:
+  // it depends on what is learned while running. Set-up thread.
+  virtual double chosen(const config::ParamDecl& /*decl*/) const { return config::kAutomatic; }
+
   // Forgets everything learned. Real-time.
   virtual void reset() noexcept = 0;
 };

@@ -41,6 +41,7 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   int harmonics = std::clamp(std::max(kLeastHarmonics, kToothHarmonics * teeth_), 1, kMostHarmonics);
   if (!params.isAutomatic(kErHarmonics)) harmonics = static_cast<int>(std::lround(params.real(kErHarmonics)));
   harmonics = std::min(harmonics, allowed);
+  harmonics_ = harmonics;
   const int perBand = teeth_ > 0 ? teeth_ : kBandOrdersUnknown;
   const int bandCount = std::clamp((harmonics + perBand - 1) / perBand, 1, kMostBands);
   const Hertz slowest(0.5 * nominal);
@@ -56,22 +57,33 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   rate_ = setup.rate.value;
   teeth_ = setup.teeth;
   channels_ = static_cast<int>(setup.channels.size());
-  const double amplitude = params.real(kErOnsetAmplitude);
-  smallest_ = amplitude * amplitude;
-  judge_.prepare(teeth_, params.real(kErChatter));
   sizeFor(setup, params);
   channelStates_.assign(static_cast<std::size_t>(channels_), {});
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
     s.quantity = setup.channels[static_cast<std::size_t>(c)].quantity;
-    const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
-    s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
-    s.news.prepare(limits, TurnDifference::kNewsArrival);
-    s.doubling.prepare(teeth_, integrationFactor(s.quantity), limits.evidence);
+    s.doubling.prepare(teeth_, integrationFactor(s.quantity));
   }
+  retune(params);
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
   for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_ * kRow), 0.0);
   reset();
+}
+
+void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
+  const double amplitude = params.real(kErOnsetAmplitude);
+  smallest_ = amplitude * amplitude;
+  judge_.prepare(teeth_, params.real(kErChatter));
+  const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
+  for (RatioChannel& s : channelStates_) {
+    s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
+    s.news.prepare(limits, TurnDifference::kNewsArrival);
+    s.doubling.setEvidence(limits.evidence);
+  }
+}
+
+double EnergyRatioDetector::chosen(const config::ParamDecl& decl) const {
+  return decl.key == kErHarmonics.key ? harmonics_ : config::kAutomatic;
 }
 
 void EnergyRatioDetector::reset() noexcept {

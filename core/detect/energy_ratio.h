@@ -59,6 +59,8 @@ class EnergyRatioDetector final : public Detector {
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
   Verdict process(const ConditionedBlock& block) noexcept override;
+  void retune(const config::ParamSet& params) noexcept override;
+  double chosen(const config::ParamDecl& decl) const override;
   void reset() noexcept override;
 
  private:
@@ -78,6 +80,7 @@ class EnergyRatioDetector final : public Detector {
   double rate_ = 0.0;
   int teeth_ = 0;
   int channels_ = 0;
+  int harmonics_ = 0;
   double smallest_ = 0.0;
   double fixedGain_ = 0.0;  // 0: from the memory in turns
   EnergyChain chain_;

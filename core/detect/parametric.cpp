@@ -55,27 +55,37 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   harmonics_ = std::min(wanted, allowed);
   mu_ = params.isAutomatic(kParMu) ? 0.0 : params.real(kParMu);
   lambda_ = params.isAutomatic(kParLambda) ? 0.0 : params.real(kParLambda);
-  delta_ = params.real(kParDelta);
-  varianceLimit_ = params.isAutomatic(kParVariance) ? 0.0 : params.real(kParVariance);
-  rootLimit_ = params.real(kParRoot);
-  chatterRatio_ = params.real(kParChatter);
   most_ = static_cast<std::size_t>(std::max(setup.blockFrames, 1));
   thinned_.assign(setup.channels.size() * most_, 0.0);
   rest_.assign(most_, 0.0);
   recursions_.prepare(static_cast<int>(setup.channels.size()), harmonics_,
                       {params.real(kParRv), params.real(kParRw), kStartVariance}, dsp::kernels::bestKernels());
-  judge_.prepare(setup.teeth, chatterRatio_);
+  judge_.prepare(setup.teeth);
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
     c.eta = integrationFactor(setup.channels[i].quantity);
-    c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
     if (factor_ > 1) {
       c.lowPass.resize(1);
       c.lowPass[0].lowPass(kFilterOrder, Hertz(kPassBand * rate_), setup.rate);
     }
   }
+  retune(params);
   reset();
+}
+
+void ParametricDetector::retune(const config::ParamSet& params) noexcept {
+  delta_ = params.real(kParDelta);
+  varianceLimit_ = params.isAutomatic(kParVariance) ? 0.0 : params.real(kParVariance);
+  rootLimit_ = params.real(kParRoot);
+  chatterRatio_ = params.real(kParChatter);
+  judge_.setChatterRatio(chatterRatio_);
+  for (Channel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
+}
+
+double ParametricDetector::chosen(const config::ParamDecl& decl) const {
+  if (decl.key == kParHarmonics.key) return harmonics_;
+  return decl.key == kParRate.key ? rate_ : config::kAutomatic;
 }
 
 void ParametricDetector::reset() noexcept {

@@ -69,12 +69,8 @@ void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& pa
   if (!params.isAutomatic(kSpeWindow)) seconds = params.real(kSpeWindow);
   const int frames = dsp::goodFftSize(std::clamp(static_cast<int>(seconds * rate_), 16, kMostFrames));
   hop_ = std::max(1, frames / params.integer(kSpeOverlap));
-  maskBins_ = params.real(kSpeMask);
-  threshold_ = params.isAutomatic(kSpeThreshold) ? 0.0 : params.real(kSpeThreshold);
-  purity_ = params.real(kSpePurity);
-  chatterRatio_ = params.real(kSpeChatter);
   kernels_ = dsp::kernels::bestKernels();
-  judge_.prepare(setup.teeth, chatterRatio_);
+  judge_.prepare(setup.teeth);
   spectrum_.prepare(frames, setup.rate, dsp::WindowKind::Hann);
   ring_.prepare(static_cast<int>(setup.channels.size()), frames);
   mask_.prepare(spectrum_.bins(), spectrum_.binWidth());
@@ -82,9 +78,22 @@ void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& pa
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     channels_[i].eta = integrationFactor(setup.channels[i].quantity);
-    channels_[i].onset.prepare({kSmallest * kSmallest, params.real(kSpeEvidence)});
   }
+  retune(params);
   reset();
+}
+
+void SpectralDetector::retune(const config::ParamSet& params) noexcept {
+  maskBins_ = params.real(kSpeMask);
+  threshold_ = params.isAutomatic(kSpeThreshold) ? 0.0 : params.real(kSpeThreshold);
+  purity_ = params.real(kSpePurity);
+  chatterRatio_ = params.real(kSpeChatter);
+  judge_.setChatterRatio(chatterRatio_);
+  for (Channel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kSpeEvidence)});
+}
+
+double SpectralDetector::chosen(const config::ParamDecl& decl) const {
+  return decl.key == kSpeWindow.key ? spectrum_.segment() / rate_ : config::kAutomatic;
 }
 
 void SpectralDetector::reset() noexcept {

@@ -19,14 +19,17 @@ void ToothDoubling::setSpindle(Hertz spindle) noexcept {
   relearn();
 }
 
-void ToothDoubling::prepare(int teeth, int eta, double evidence) noexcept {
+void ToothDoubling::prepare(int teeth, int eta) noexcept {
   teeth_ = teeth % 2 == 0 ? teeth : 0;
   eta_ = eta;
   share_ = weightedShare_ = purity_ = 0.0;
   order_ = 0;
   learnedAt_ = {};
-  onset_.prepare({kSmallest, evidence});
   relearn();
+}
+
+void ToothDoubling::setEvidence(double evidence) noexcept {
+  onset_.prepare({kSmallest, evidence});
 }
 
 void ToothDoubling::endHop(const EnergyChain& chain, int channel) noexcept {

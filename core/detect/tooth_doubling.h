@@ -16,7 +16,8 @@ namespace stillcut::detect {
 class ToothDoubling {
  public:
   // eta: of the energy ratio's weights (Caliskan 2018 eq. 28).
-  void prepare(int teeth, int eta, double evidence) noexcept;
+  void prepare(int teeth, int eta) noexcept;
+  void setEvidence(double evidence) noexcept;
   void relearn() noexcept { onset_.reset(); }
   // What modes make of runout changes with the speed: beyond their damping's width the floor is learned anew.
   void setSpindle(Hertz spindle) noexcept;

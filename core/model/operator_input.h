@@ -20,12 +20,16 @@ enum class OperatorAction : std::uint8_t {
   FalseAlarm,         // "that was not chatter"
   HearChatter,        // "I hear it now"
   GrantBySimulation,  // Auto, because the machine exists only in this program
+  SetParameter,       // `parameter` to `value`, on the running cut; no authority is asked for
 };
 
 struct OperatorInput {
   OperatorAction action = OperatorAction::BackToProgrammed;
   Authority authority = Authority::Off;
   std::uint32_t advice = 0;  // Accept: the number of the advice that was on screen (Snapshot::adviceNumber)
+  // SetParameter: config::parameterId() of the key, and its new value; not a number: automatic.
+  std::uint32_t parameter = 0;
+  double value = 0.0;
 };
 
 }  // namespace stillcut

@@ -52,6 +52,11 @@ Chain::Chain(ChainParts parts) : parts_(std::move(parts)), inCharge_(parts_.inCh
 }
 
 void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const safety::GateLimits& limits) {
+  params_ = params;
+  for (const config::ParamDecl* decl : parts_.tunable) {
+    if (const Status set = params_.set(*decl, params.real(*decl), "chain"); !set)
+      throw std::runtime_error(set.error().line());
+  }
   conditioner_.prepare(setup, params);
   for (auto& detector : parts_.detectors) detector->prepare(setup, params);
   parts_.strategy->prepare(setup, params);
@@ -88,6 +93,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   previous_ = input.block.end();
   started_ = true;
 
+  takeParameters(input);
   machine_ = believable(input.machine);
   const detect::ConditionedBlock& block = conditioner_.process(input.block, machine_);
   step_.vibrationRms = rms(block.channel(0));
@@ -98,6 +104,22 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   step_.strategyFailed = strategyFailed_;
   runGate(input);
   return step_;
+}
+
+// What is no parameter of ours, locked or out of range changes nothing.
+void Chain::takeParameters(const StepInput& input) noexcept {
+  bool changed = false;
+  for (int i = 0; i < input.inputCount; ++i) {
+    const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
+    if (asked.action != OperatorAction::SetParameter) continue;
+    for (const config::ParamDecl* decl : parts_.tunable) {
+      if (config::parameterId(decl->key) == asked.parameter) changed = params_.replace(*decl, asked.value) || changed;
+    }
+  }
+  if (!changed) return;
+  conditioner_.retune(params_);
+  for (auto& detector : parts_.detectors) detector->retune(params_);
+  parts_.strategy->retune(params_);
 }
 
 void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {

@@ -26,6 +26,7 @@ struct ChainParts {
   int inCharge = 0;                                          // whose verdict the strategy follows
   int fallback = -1;  // who follows when it fails; -1: nobody, verdicts become invalid
   std::unique_ptr<control::Strategy> strategy;
+  std::vector<const config::ParamDecl*> tunable;  // may be changed by OperatorAction::SetParameter; live for good
 };
 
 class Chain {
@@ -47,11 +48,13 @@ class Chain {
   const Step& process(const StepInput& input) noexcept;
 
   const ChainParts& parts() const { return parts_; }
+  const detect::Conditioner& conditioner() const { return conditioner_; }
   int inCharge() const { return inCharge_; }
   // The last seconds before each fault, refusal and change of authority; one other thread takes and writes them.
   safety::FlightRecorder& flights() { return flights_; }
 
  private:
+  void takeParameters(const StepInput& input) noexcept;
   void runDetectors(const detect::ConditionedBlock& block) noexcept;
   void tellStrategy(const StepInput& input) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
@@ -66,6 +69,7 @@ class Chain {
   void runGate(const StepInput& input) noexcept;
 
   ChainParts parts_;
+  config::ParamSet params_;  // of the tunable ones, every key set
   detect::Conditioner conditioner_;
   safety::OverrideGate gate_;
   safety::FlightRecorder flights_;

@@ -16,6 +16,18 @@ void LiveMachineFeed::complete(StepInput& step) noexcept {
   }
 }
 
+void TunedFeed::complete(StepInput& step) noexcept {
+  inner_->complete(step);
+  while (step.inputCount < kMaxInputsPerStep) {
+    const OperatorInput* input = inputs_.front();
+    if (input == nullptr) break;
+    if (input->action == OperatorAction::SetParameter) {
+      step.inputs[static_cast<std::size_t>(step.inputCount++)] = *input;
+    }
+    inputs_.pop();
+  }
+}
+
 void SpeedLogFeed::complete(StepInput& step) noexcept {
   step.machine = MachineState{};
   step.inputCount = 0;

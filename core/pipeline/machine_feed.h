@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/model/machine_state.h"
@@ -38,6 +40,18 @@ class LiveMachineFeed final : public MachineFeed {
 class RecordedMachineFeed final : public MachineFeed {
  public:
   void complete(StepInput& /*step*/) noexcept override {}
+};
+
+// Another feed, and what a hand on the screen sets: a replay takes new parameters and nothing else from there.
+class TunedFeed final : public MachineFeed {
+ public:
+  TunedFeed(std::unique_ptr<MachineFeed> inner, rt::SpscRing<OperatorInput>& inputs)
+      : inner_(std::move(inner)), inputs_(inputs) {}
+  void complete(StepInput& step) noexcept override;
+
+ private:
+  std::unique_ptr<MachineFeed> inner_;
+  rt::SpscRing<OperatorInput>& inputs_;
 };
 
 // A recording without a machine: only the told or logged spindle speed is known.

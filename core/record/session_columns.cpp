@@ -65,10 +65,12 @@ std::span<const Column> columnsOf<DecisionRow>() {
 
 template <>
 std::span<const Column> columnsOf<InputRow>() {
-  static constexpr std::array<Column, 4> kColumns{{{"step", offsetof(InputRow, step), T::U64},
+  static constexpr std::array<Column, 6> kColumns{{{"step", offsetof(InputRow, step), T::U64},
                                                    {"action", offsetof(InputRow, action), T::U8},
                                                    {"authority", offsetof(InputRow, authority), T::U8},
-                                                   {"advice", offsetof(InputRow, advice), T::U32, 1, true}}};
+                                                   {"advice", offsetof(InputRow, advice), T::U32, 1, true},
+                                                   {"parameter", offsetof(InputRow, parameter), T::U32, 1, true},
+                                                   {"value", offsetof(InputRow, value), T::F64, 1, true}}};
   return kColumns;
 }
 

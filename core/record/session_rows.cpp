@@ -8,7 +8,7 @@ namespace {
 
 // A field added to the model must be added to its row as well, or a replay would differ from the cut.
 static_assert(sizeof(MachineState) == 88 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
-                  sizeof(CommandRecord) == 96 && sizeof(Event) == 64 && sizeof(OperatorInput) == 8,
+                  sizeof(CommandRecord) == 96 && sizeof(Event) == 64 && sizeof(OperatorInput) == 24,
               "record the new field in session_rows, raise kSessionVersion, then change this line");
 
 Reason fromRow(const ReasonRow& row) {
@@ -149,12 +149,14 @@ bool fromRow(const DecisionRow& row, StepOutput& o) {
 }
 
 InputRow toRow(const OperatorInput& i, std::uint64_t step) {
-  return {step, byte(i.action), byte(i.authority), i.advice};
+  return {step, byte(i.action), byte(i.authority), i.advice, i.parameter, i.value};
 }
 
 bool fromRow(const InputRow& row, OperatorInput& i) {
   i.action = static_cast<OperatorAction>(row.action);
   i.advice = row.advice;
+  i.parameter = row.parameter;
+  i.value = row.value;
   return take(row.authority, i.authority);
 }
 

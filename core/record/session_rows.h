@@ -59,7 +59,8 @@ struct DecisionRow {
 struct InputRow {
   std::uint64_t step = 0;
   std::uint8_t action = 0, authority = 0;
-  std::uint32_t advice = 0;
+  std::uint32_t advice = 0, parameter = 0;
+  double value = 0;
 };
 
 struct VerdictRow {

@@ -35,6 +35,7 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
       case OperatorAction::TrueAlarm:
       case OperatorAction::FalseAlarm:
       case OperatorAction::HearChatter:
+      case OperatorAction::SetParameter:
         break;  // for the detectors' thresholds and the record, not for the machine
     }
   }

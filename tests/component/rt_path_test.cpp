@@ -51,11 +51,21 @@ void add(PathCounts& sum, const PathCounter& counter) {
   sum.locks += c.locks;
 }
 
+void addOpen(ChainParts& parts, config::ParamTable table) {
+  for (const config::ParamDecl* decl : table) {
+    if (!decl->lockedWhileRunning) parts.tunable.push_back(decl);
+  }
+}
+
 ChainParts allDetectors(std::unique_ptr<control::Strategy> strategy) {
   ChainParts parts;
+  for (const auto& entry : control::strategyTable()) {
+    if (entry.id == strategy->describe().id) addOpen(parts, entry.params);
+  }
   for (const auto& row : detect::detectorTable()) {
     if (row.id == detect::kDefaultDetector) parts.inCharge = static_cast<int>(parts.detectors.size());
     parts.detectors.push_back(row.make());
+    addOpen(parts, row.params());
   }
   parts.strategy = std::move(strategy);
   return parts;
@@ -73,7 +83,9 @@ Tally runCut(std::unique_ptr<control::Strategy> strategy) {
   auto recorder = record::Recorder::create(folder / "cut.h5", {setup, "", "test", true});
   EXPECT_TRUE(recorder.ok());
   RecorderTap tap(**recorder);
-  Chain chain(allDetectors(std::move(strategy)));
+  ChainParts parts = allDetectors(std::move(strategy));
+  const std::vector<const config::ParamDecl*> tunable = parts.tunable;
+  Chain chain(std::move(parts));
   auto limits = safety::gateLimits({}, setup, "test");
   EXPECT_TRUE(limits.ok());
   limits->autoAllowed = true;
@@ -98,6 +110,11 @@ Tally runCut(std::unique_ptr<control::Strategy> strategy) {
     const bool more = source.read(input.block);
     add(tally.source, counted);
     if (!more) break;
+    // Every parameter that may be set on the running cut is, to what it is already.
+    if (tally.blocks > 0 && static_cast<std::size_t>(tally.blocks) <= tunable.size()) {
+      const config::ParamDecl& decl = *tunable[static_cast<std::size_t>(tally.blocks) - 1];
+      inputs.push({OperatorAction::SetParameter, Authority::Off, 0, config::parameterId(decl.key), decl.fallback});
+    }
     const PathCounter countedStep;
     const Chain::Step& done = loop.step(input);
     add(tally.step, countedStep);

@@ -83,6 +83,7 @@ void FakeSession::send(const OperatorInput& input) {
     case OperatorAction::TrueAlarm:
     case OperatorAction::FalseAlarm:
     case OperatorAction::HearChatter:
+    case OperatorAction::SetParameter:
       break;
   }
 }

@@ -17,7 +17,8 @@ struct Gate {
   Gate() {
     CutSetup setup;
     setup.channels.resize(1);
-    gate.prepare(setup, kOpen);
+    gate.prepare(setup);
+    gate.setOpenRatio(kOpen);
     gate.setSpeedKnown(true);
   }
   // `seconds` at this mean square; the phases on the way.

@@ -1,0 +1,187 @@
+// Parameters on the running cut: what is set before the first block acts as from the start, what is set in the middle
+// is recorded and decided the same again, and what is locked, unknown or out of range changes nothing.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "app/compose/catalog.h"
+#include "app/compose/recording_rig.h"
+#include "core/cnc/simulated_machine.h"
+#include "core/control/registry.h"
+#include "core/daq/simulated_source.h"
+#include "core/detect/energy_ratio.h"
+#include "core/detect/registry.h"
+#include "core/record/open_recording.h"
+#include "tests/component/demo_cut.h"
+#include "tests/component/same_bits.h"
+#include "tests/unit/record/temp_folder.h"
+
+namespace stillcut::app {
+namespace {
+
+using Outputs = std::vector<StepOutput>;
+using config::ParamDecl;
+
+RigSpec demoSpec(const Methods& methods, const config::ParamSet& params = {}) {
+  const milling::Scenario cut = test::demoCut();
+  auto port = std::make_shared<milling::PlantPort>();
+  RigSpec spec;
+  spec.device = std::make_unique<daq::SimulatedSource>(cut, 0, port, daq::SimulatedPace{});
+  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
+  spec.setup = cut.cutSetup();
+  spec.methods = methods;
+  spec.params = params;
+  spec.deterministic = true;
+  return spec;
+}
+
+OperatorInput setting(const ParamDecl& decl, double value) {
+  OperatorInput input;
+  input.action = OperatorAction::SetParameter;
+  input.parameter = config::parameterId(decl.key);
+  input.value = value;
+  return input;
+}
+
+// The cut with `inputs` sent before block `at`.
+Outputs run(RigSpec spec, const std::vector<OperatorInput>& inputs, std::size_t at = 0, const std::string& path = "") {
+  auto rig = Rig::build(std::move(spec));
+  EXPECT_TRUE(rig.ok()) << rig.error().line();
+  Outputs outputs;
+  if (!rig) return outputs;
+  if (!path.empty()) {
+    EXPECT_TRUE((*rig)->recordTo(path, "").ok());
+  }
+  const auto send = [&] {
+    for (const OperatorInput& input : inputs) EXPECT_TRUE((*rig)->send(input));
+  };
+  if (at == 0) send();
+  (*rig)->runToEnd([&](const StepInput&, const StepOutput& output) {
+    outputs.push_back(output);
+    if (outputs.size() == at) send();
+  });
+  return outputs;
+}
+
+std::size_t firstDifference(const Outputs& a, const Outputs& b) {
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
+    if (!test::difference(a[i], b[i]).empty()) return i;
+  }
+  return std::min(a.size(), b.size());
+}
+
+// A value far from the default that a person could choose.
+double another(const ParamDecl& decl) {
+  if (decl.kind != config::ParamKind::Real) return decl.fallback == decl.lowest ? decl.highest : decl.lowest;
+  const double middle = decl.lowest > 0.0 ? std::sqrt(decl.lowest * decl.highest) : 0.5 * (decl.lowest + decl.highest);
+  return middle == decl.fallback ? 0.5 * (middle + decl.highest) : middle;
+}
+
+// Every open parameter set away from its default: from the start, or before the first block.
+struct Chosen {
+  config::ParamSet params;
+  std::vector<OperatorInput> inputs;
+};
+
+Chosen others(config::ParamTable table) {
+  Chosen chosen;
+  for (const ParamDecl* decl : table) {
+    if (decl->lockedWhileRunning) continue;
+    EXPECT_TRUE(chosen.params.set(*decl, another(*decl), "test").ok());
+    chosen.inputs.push_back(setting(*decl, another(*decl)));
+  }
+  return chosen;
+}
+
+class Retuned : public testing::TestWithParam<std::string_view> {};
+
+TEST_P(Retuned, EveryOpenParameterActsAsFromTheStart) {
+  Methods methods;
+  methods.detectors = {std::string(GetParam())};
+  methods.strategy = "monitor";
+  Chosen chosen;
+  for (const auto& row : detect::detectorTable()) {
+    if (row.id == GetParam()) chosen = others(row.params());
+  }
+  const Outputs set = run(demoSpec(methods), chosen.inputs);
+  EXPECT_EQ(firstDifference(run(demoSpec(methods, chosen.params), {}), set), 500U);
+  EXPECT_LT(firstDifference(run(demoSpec(methods), {}), set), 500U) << "the cut does not ask for these parameters";
+}
+
+std::string caseName(const testing::TestParamInfo<std::string_view>& tested) {
+  std::string name(tested.param);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryDetector, Retuned, testing::Values("parametric", "spectral", "energy-ratio", "coherence"),
+                         caseName);
+
+TEST(Retune, EveryOpenParameterOfEveryStrategyActsAsFromTheStart) {
+  for (const auto& entry : control::strategyTable()) {
+    Methods methods;
+    methods.strategy = entry.id;
+    const Chosen chosen = others(entry.params);
+    const OperatorInput advise{OperatorAction::SetAuthority, Authority::Advise};
+    std::vector<OperatorInput> inputs = chosen.inputs;
+    inputs.insert(inputs.begin(), advise);
+    EXPECT_EQ(firstDifference(run(demoSpec(methods, chosen.params), {advise}), run(demoSpec(methods), inputs)), 500U)
+        << entry.id;
+  }
+}
+
+TEST(Retune, InTheMiddleOfACutIsRecordedAndDecidedTheSameAgain) {
+  const record::TempFolder folder;
+  const std::string path = folder / "tuned.h5";
+  constexpr std::size_t kAt = 200;
+  const Methods methods;
+  const OperatorInput stricter = setting(detect::kErOnsetAmplitude, 0.5);
+  const Outputs usual = run(demoSpec(methods), {});
+  const Outputs tuned = run(demoSpec(methods), {stricter}, kAt, path);
+  const std::size_t first = firstDifference(usual, tuned);
+  EXPECT_GE(first, kAt);
+  ASSERT_LT(first, 500U) << "the setting has done nothing";
+
+  auto replay = buildReplayRig(path);
+  ASSERT_TRUE(replay.ok()) << replay.error().line();
+  Outputs again;
+  replay->rig->runToEnd([&](const StepInput&, const StepOutput& output) { again.push_back(output); });
+  EXPECT_EQ(firstDifference(tuned, again), 500U);
+  // What was learned before it stays: there is a verdict at once.
+  EXPECT_EQ(usual[kAt].verdicts[0].valid, tuned[kAt].verdicts[0].valid);
+}
+
+TEST(Retune, LockedUnknownAndSenselessValuesChangeNothing) {
+  const Methods methods;
+  const Outputs usual = run(demoSpec(methods), {});
+  OperatorInput unknown = setting(detect::kErChatter, 0.5);
+  unknown.parameter ^= 1U;
+  const std::vector<OperatorInput> nothing{
+      setting(detect::kErHarmonics, 8.0),          setting(detect::kErChatter, 1e9),
+      setting(detect::kErChatter, -1.0),           setting(detect::kErChatter, config::kAutomatic),
+      setting(config::kLowestSpeedOverride, 90.0), unknown};
+  EXPECT_EQ(firstDifference(usual, run(demoSpec(methods), nothing, 100)), 500U);
+}
+
+TEST(Retune, NoTwoParametersHaveTheSameNumber) {
+  std::set<std::uint32_t> ids;
+  const config::ParamCatalog catalog = fullCatalog();
+  for (const ParamDecl* decl : catalog.all())
+    EXPECT_TRUE(ids.insert(config::parameterId(decl->key)).second) << decl->key;
+  EXPECT_GT(ids.size(), 60U);
+}
+
+TEST(Retune, DetectorsSayWhatTheyChoseThemselves) {
+  const CutSetup setup = test::demoCut().cutSetup();
+  detect::EnergyRatioDetector detector;
+  detector.prepare(setup, {});
+  EXPECT_EQ(detector.chosen(detect::kErHarmonics), 48.0);  // twelve tooth passings of four teeth
+  EXPECT_TRUE(std::isnan(detector.chosen(detect::kErLambda)));
+}
+
+}  // namespace
+}  // namespace stillcut::app
