@@ -999,6 +999,18 @@
         <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
         <translation>Die Schwingung wird je Versuch über so viele Umdrehungen gemittelt oder so lange wie erlaubt</translation>
     </message>
+    <message>
+        <source>Signal and cut</source>
+        <translation>Signal und Schnitt</translation>
+    </message>
+    <message>
+        <source>Limits of the machine</source>
+        <translation>Grenzen der Maschine</translation>
+    </message>
+    <message>
+        <source>Active work-holder</source>
+        <translation>Aktive Spannvorrichtung</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1013,6 +1025,18 @@
     <message>
         <source>Lobes</source>
         <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Aufbau</translation>
     </message>
 </context>
 <context>
@@ -2177,6 +2201,198 @@
         <source>wrong rate</source>
         <translation>falsche Rate</translation>
     </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>noch nicht versucht</translation>
+    </message>
+    <message>
+        <source>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</source>
+        <translation>%1 in Kraft, Alarme: %2, im Alarm %3, Energieverhältnis bis %4</translation>
+    </message>
+    <message>
+        <source>no cut</source>
+        <translation>kein Schnitt</translation>
+    </message>
+    <message>
+        <source>energy ratio</source>
+        <translation>Energieverhältnis</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>Frequenz [Hz]</translation>
+    </message>
+    <message>
+        <source>changes from turn to turn</source>
+        <translation>Änderung von Umdrehung zu Umdrehung</translation>
+    </message>
+    <message>
+        <source>learned noise floor</source>
+        <translation>gelernter Rauschpegel</translation>
+    </message>
+    <message>
+        <source>evidence of growth</source>
+        <translation>Beleg für Wachstum</translation>
+    </message>
+    <message>
+        <source>purity of the line</source>
+        <translation>Reinheit der Linie</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>Kohärenz</translation>
+    </message>
+    <message>
+        <source>vibration energy</source>
+        <translation>Schwingungsenergie</translation>
+    </message>
+    <message>
+        <source>warned ahead by [s]</source>
+        <translation>Vorwarnzeit [s]</translation>
+    </message>
+    <message>
+        <source>noise variance</source>
+        <translation>Rauschvarianz</translation>
+    </message>
+    <message>
+        <source>perturbation power</source>
+        <translation>Störleistung</translation>
+    </message>
+    <message>
+        <source>largest root</source>
+        <translation>größte Wurzel</translation>
+    </message>
+    <message>
+        <source>part outside the harmonics</source>
+        <translation>Anteil außerhalb der Harmonischen</translation>
+    </message>
+    <message>
+        <source>highest line</source>
+        <translation>höchste Linie</translation>
+    </message>
+    <message>
+        <source>before every detector</source>
+        <translation>vor jedem Detektor</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>Detektor</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>limits of the machine</source>
+        <translation>Grenzen der Maschine</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>aktive Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>in charge</source>
+        <translation>führt</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>does not run</source>
+        <translation>läuft nicht</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>true alarm</source>
+        <translation>echter Alarm</translation>
+    </message>
+    <message>
+        <source>false alarm</source>
+        <translation>Fehlalarm</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>gehört</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>%1: alarms: %2, marked false: %3</source>
+        <translation>%1: Alarme: %2, als falsch markiert: %3</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
+        <translation>%1 hätte gemeldet: %2, davon als falsch markiert: %3 (wie aufgenommen: %4, %5)</translation>
+    </message>
+    <message>
+        <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
+        <translation>%1: gefunden %2 von %3, falsch %4 (%5 je Stunde), Verzug %6</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Lese %1</translation>
+    </message>
+    <message>
+        <source>Every detector runs on it: %1</source>
+        <translation>Jeder Detektor läuft darüber: %1</translation>
+    </message>
+    <message>
+        <source>Every detector has run on it</source>
+        <translation>Jeder Detektor ist darüber gelaufen</translation>
+    </message>
+    <message>
+        <source>Scoring: %1</source>
+        <translation>Bewertung: %1</translation>
+    </message>
+    <message>
+        <source>Scored against what is marked</source>
+        <translation>Gegen die Markierungen bewertet</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Schreibe %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>Maschine</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2226,6 +2442,25 @@
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
         <translation>Kanal von Spektrogramm, Spektrum und Signal</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ChannelModel</name>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Per device unit</source>
+        <translation>Je Geräteeinheit</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
     </message>
 </context>
 <context>
@@ -2376,6 +2611,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::LevelSpectrum</name>
+    <message>
+        <source>Spectrum of the first channel, now</source>
+        <translation>Spektrum des ersten Kanals, jetzt</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>Es kommen keine Messwerte</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::LobeChart</name>
     <message>
         <source>Stability diagram</source>
@@ -2500,6 +2746,84 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ParamModel</name>
+    <message>
+        <source>Locked while the cut runs: the limits of the machine hold for a whole run</source>
+        <translation>Gesperrt, solange der Schnitt läuft: die Grenzen der Maschine gelten für einen ganzen Lauf</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: a file keeps one way of recording</source>
+        <translation>Gesperrt, solange der Schnitt läuft: eine Datei behält eine Art der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: filters and windows are sized for it before the first block</source>
+        <translation>Gesperrt, solange der Schnitt läuft: Filter und Fenster werden vor dem ersten Block danach bemessen</translation>
+    </message>
+    <message>
+        <source>follows what is learned from the cut</source>
+        <translation>folgt dem, was aus dem Schnitt gelernt wird</translation>
+    </message>
+    <message>
+        <source>chose %1</source>
+        <translation>wählte %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ParamRow</name>
+    <message>
+        <source>Less: %1</source>
+        <translation>Weniger: %1</translation>
+    </message>
+    <message>
+        <source>More: %1</source>
+        <translation>Mehr: %1</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>AUTO</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
+    </message>
+    <message>
+        <source>Not taken. Allowed: %1</source>
+        <translation>Nicht übernommen. Erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>%1   (A and B differ)</source>
+        <translation>%1   (A und B verschieden)</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2582,6 +2906,646 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min, Maximum</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionList</name>
+    <message>
+        <source>Find job or tool</source>
+        <translation>Auftrag oder Werkzeug suchen</translation>
+    </message>
+    <message>
+        <source>JOB</source>
+        <translation>JOB</translation>
+    </message>
+    <message>
+        <source>Order by job</source>
+        <translation>Nach Auftrag ordnen</translation>
+    </message>
+    <message>
+        <source>TOOL</source>
+        <translation>WKZ</translation>
+    </message>
+    <message>
+        <source>Order by tool</source>
+        <translation>Nach Werkzeug ordnen</translation>
+    </message>
+    <message>
+        <source>TIME</source>
+        <translation>ZEIT</translation>
+    </message>
+    <message>
+        <source>Order by time</source>
+        <translation>Nach Zeit ordnen</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
+        <translation>Keine Aufnahmen hier. Ein Schnitt wird mit --record oder durch das Profil aufgenommen.</translation>
+    </message>
+    <message>
+        <source>There are no recordings to work on here.</source>
+        <translation>Hier gibt es keine Aufnahmen.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionListModel</name>
+    <message>
+        <source>%1, tool %2, of %3</source>
+        <translation>%1, Werkzeug %2, vom %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionTimeline</name>
+    <message>
+        <source>Recording over time</source>
+        <translation>Aufnahme über der Zeit</translation>
+    </message>
+    <message>
+        <source>Choose a recording on the left</source>
+        <translation>Links eine Aufnahme wählen</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>Schwingung</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionsPage</name>
+    <message>
+        <source>ON ALL PAGES</source>
+        <translation>AUF ALLEN SEITEN</translation>
+    </message>
+    <message>
+        <source>Show the replay on all pages</source>
+        <translation>Die Wiedergabe auf allen Seiten zeigen</translation>
+    </message>
+    <message>
+        <source>MARK</source>
+        <translation>MARKE</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>VERGLEICH</translation>
+    </message>
+    <message>
+        <source>Compare, score and export</source>
+        <translation>Vergleichen, bewerten und ausgeben</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>RATTERN</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>Echten Alarm markieren</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>FALSCH</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>Fehlalarm markieren</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>ICH HÖRE ES</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>Ich höre es jetzt</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>NOTIZ</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>Mit der Notiz markieren</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>Notiz der nächsten Markierung</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>ENTFERNEN</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>Gewählte Markierung entfernen</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>Markierung entfernt</translation>
+    </message>
+    <message>
+        <source>ALL DETECTORS</source>
+        <translation>ALLE PRÜFEN</translation>
+    </message>
+    <message>
+        <source>Run every detector on this recording</source>
+        <translation>Jeden Detektor über diese Aufnahme laufen lassen</translation>
+    </message>
+    <message>
+        <source>SCORE</source>
+        <translation>WERTEN</translation>
+    </message>
+    <message>
+        <source>Score this recording against its markers</source>
+        <translation>Diese Aufnahme gegen ihre Markierungen bewerten</translation>
+    </message>
+    <message>
+        <source>SCORE FOLDER</source>
+        <translation>ORDNER</translation>
+    </message>
+    <message>
+        <source>Score the whole folder</source>
+        <translation>Den ganzen Ordner bewerten</translation>
+    </message>
+    <message>
+        <source>EXPORT</source>
+        <translation>AUSGABE</translation>
+    </message>
+    <message>
+        <source>Export the selected span, or the whole</source>
+        <translation>Gewählte Spanne oder alles ausgeben</translation>
+    </message>
+    <message>
+        <source>REPORT</source>
+        <translation>BERICHT</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Einen Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>HALT</translation>
+    </message>
+    <message>
+        <source>Stop what is being worked on</source>
+        <translation>Laufende Arbeit anhalten</translation>
+    </message>
+    <message>
+        <source>FROM TUNE</source>
+        <translation>VON WERTE</translation>
+    </message>
+    <message>
+        <source>Take what was changed on the Tune page</source>
+        <translation>Übernehmen, was auf der Seite Werte geändert wurde</translation>
+    </message>
+    <message>
+        <source>What if: settings, KEY=VALUE, with spaces between them</source>
+        <translation>Was wäre wenn: Einstellungen, SCHLÜSSEL=WERT, mit Leerzeichen dazwischen</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>Was wäre, wenn</translation>
+    </message>
+    <message>
+        <source>Drag over the picture first: the loop repeats the selected span</source>
+        <translation>Zuerst über das Bild ziehen: die Schleife wiederholt die gewählte Spanne</translation>
+    </message>
+    <message>
+        <source>Every page shows the replay; the touches below still go to the machine</source>
+        <translation>Jede Seite zeigt die Wiedergabe; die Tasten unten gelten weiter der Maschine</translation>
+    </message>
+    <message>
+        <source>Every page shows the cut again</source>
+        <translation>Jede Seite zeigt wieder den Schnitt</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>Markiert: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>No recording is open</source>
+        <translation>Keine Aufnahme ist offen</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · alarms: %3 · in chatter %4</source>
+        <translation>%1 · %2 · Alarme: %3 · im Rattern %4</translation>
+    </message>
+    <message>
+        <source>no verdict</source>
+        <translation>kein Urteil</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SettingsForm</name>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupDraft</name>
+    <message>
+        <source>no machine link is chosen: the program will only watch</source>
+        <translation>keine Verbindung gewählt: das Programm schaut nur zu</translation>
+    </message>
+    <message>
+        <source>no device is chosen</source>
+        <translation>kein Gerät gewählt</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known</source>
+        <translation>die Zähnezahl ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>the programmed speed is not known</source>
+        <translation>die programmierte Drehzahl ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupGuide</name>
+    <message>
+        <source>Two ways to begin</source>
+        <translation>Zwei Wege zu beginnen</translation>
+    </message>
+    <message>
+        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</source>
+        <translation>Zuerst einen simulierten Schnitt ansehen: er rattert, wenn er tiefer wird, und das Programm findet die ruhige Drehzahl. Nichts muss angeschlossen sein.</translation>
+    </message>
+    <message>
+        <source>SHOW ME A SIMULATED CUT</source>
+        <translation>SIMULIERTEN SCHNITT ZEIGEN</translation>
+    </message>
+    <message>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
+        <translation>Oder diese Maschine Schritt für Schritt anschließen. Jeder Schritt sagt, was noch fehlt; nichts wird befohlen, bevor Auto gewählt ist.</translation>
+    </message>
+    <message>
+        <source>1  MACHINE</source>
+        <translation>1  MASCHINE</translation>
+    </message>
+    <message>
+        <source>2  SENSORS</source>
+        <translation>2  SENSOREN</translation>
+    </message>
+    <message>
+        <source>3  TOOL</source>
+        <translation>3  WERKZEUG</translation>
+    </message>
+    <message>
+        <source>4  TRY OUT, SAVE, START</source>
+        <translation>4  PRÜFEN, STARTEN</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>still open</source>
+        <translation>noch offen</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>in Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupMachine</name>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name der Maschine</translation>
+    </message>
+    <message>
+        <source>Programmed speed in rpm</source>
+        <translation>Programmierte Drehzahl in 1/min</translation>
+    </message>
+    <message>
+        <source>Programmed feed in mm per minute</source>
+        <translation>Programmierter Vorschub in mm je Minute</translation>
+    </message>
+    <message>
+        <source>AUTO MAY BE CHOSEN</source>
+        <translation>AUTO IST WÄHLBAR</translation>
+    </message>
+    <message>
+        <source>Auto may be chosen on this machine</source>
+        <translation>Auto darf an dieser Maschine gewählt werden</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Drehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>LINK TO THE CONTROL</source>
+        <translation>VERBINDUNG ZUR STEUERUNG</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupPage</name>
+    <message>
+        <source>There is nothing to set up here.</source>
+        <translation>Hier gibt es nichts einzurichten.</translation>
+    </message>
+    <message>
+        <source>GUIDE</source>
+        <translation>ANLEITUNG</translation>
+    </message>
+    <message>
+        <source>MACHINE</source>
+        <translation>MASCHINE</translation>
+    </message>
+    <message>
+        <source>SENSORS</source>
+        <translation>SENSOREN</translation>
+    </message>
+    <message>
+        <source>TOOLS</source>
+        <translation>WERKZEUGE</translation>
+    </message>
+    <message>
+        <source>PROFILE</source>
+        <translation>PROFIL</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupProfile</name>
+    <message>
+        <source>Name of the profile</source>
+        <translation>Name des Profils</translation>
+    </message>
+    <message>
+        <source>TRY OUT</source>
+        <translation>PRÜFEN</translation>
+    </message>
+    <message>
+        <source>Try out step by step; nothing is commanded</source>
+        <translation>Schritt für Schritt prüfen; nichts wird befohlen</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SICHERN</translation>
+    </message>
+    <message>
+        <source>Save the profile</source>
+        <translation>Profil sichern</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>LOAD</source>
+        <translation>LADEN</translation>
+    </message>
+    <message>
+        <source>Load the chosen profile</source>
+        <translation>Gewähltes Profil laden</translation>
+    </message>
+    <message>
+        <source>PROFILES</source>
+        <translation>PROFILE</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profile</translation>
+    </message>
+    <message>
+        <source>DETECTOR IN CHARGE</source>
+        <translation>FÜHRENDER DETEKTOR</translation>
+    </message>
+    <message>
+        <source>STRATEGY</source>
+        <translation>STRATEGIE</translation>
+    </message>
+    <message>
+        <source>Save the profile and begin with it</source>
+        <translation>Profil sichern und damit beginnen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
+    </message>
+    <message>
+        <source>It runs. Authority is Off.</source>
+        <translation>Es läuft. Befugnis ist Aus.</translation>
+    </message>
+    <message>
+        <source>Loaded: %1</source>
+        <translation>Geladen: %1</translation>
+    </message>
+    <message>
+        <source>A demonstration runs, no profile.</source>
+        <translation>Eine Vorführung läuft, kein Profil.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>In Kraft: %1</translation>
+    </message>
+    <message>
+        <source>Try it out first: each step says what was found. Nothing is commanded.</source>
+        <translation>Zuerst prüfen: jeder Schritt sagt, was gefunden wurde. Nichts wird befohlen.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensors</name>
+    <message>
+        <source>DEVICE</source>
+        <translation>GERÄT</translation>
+    </message>
+    <message>
+        <source>CHANNELS</source>
+        <translation>KANÄLE</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>ADD CHANNEL</source>
+        <translation>KANAL DAZU</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Einen Kanal hinzufügen</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>ENTFERNEN</translation>
+    </message>
+    <message>
+        <source>Remove the chosen channel</source>
+        <translation>Gewählten Kanal entfernen</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>WAS JETZT LÄUFT</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>Es kommen keine Messwerte</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>Sensor in Ordnung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupTools</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Holder and stick-out</source>
+        <translation>Halter, Auskragung</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Durchmesser, mm</translation>
+    </message>
+    <message>
+        <source>Pitch angles, degrees</source>
+        <translation>Teilung, Grad</translation>
+    </message>
+    <message>
+        <source>File of its modes</source>
+        <translation>Datei der Moden</translation>
+    </message>
+    <message>
+        <source>Highest speed, rpm</source>
+        <translation>Höchstdrehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>BEHALTEN</translation>
+    </message>
+    <message>
+        <source>Keep this tool</source>
+        <translation>Dieses Werkzeug behalten</translation>
+    </message>
+    <message>
+        <source>USE IT</source>
+        <translation>NUTZEN</translation>
+    </message>
+    <message>
+        <source>Use this tool for the profile</source>
+        <translation>Dieses Werkzeug für das Profil nutzen</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>ENTFERNEN</translation>
+    </message>
+    <message>
+        <source>Remove this tool</source>
+        <translation>Dieses Werkzeug entfernen</translation>
+    </message>
+    <message>
+        <source>CHATTERED HERE</source>
+        <translation>RATTERT HIER</translation>
+    </message>
+    <message>
+        <source>Note that it chatters now</source>
+        <translation>Vermerken, dass es jetzt rattert</translation>
+    </message>
+    <message>
+        <source>NEW TOOL</source>
+        <translation>NEUES WERKZEUG</translation>
+    </message>
+    <message>
+        <source>New tool</source>
+        <translation>Neues Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>keine Grenze</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>The profile uses it now</source>
+        <translation>Das Profil nutzt es jetzt</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Entfernt</translation>
+    </message>
+    <message>
+        <source>Chattered at %1 rpm, %2 Hz  %3</source>
+        <translation>Ratterte bei %1 1/min, %2 Hz  %3</translation>
+    </message>
+    <message>
+        <source>No tools yet: begin with NEW TOOL</source>
+        <translation>Noch keine Werkzeuge: mit NEUES WERKZEUG beginnen</translation>
+    </message>
+    <message>
+        <source>Noted</source>
+        <translation>Vermerkt</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +3669,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ToolModel</name>
+    <message>
+        <source>D %1 mm, %2 teeth</source>
+        <translation>D %1 mm, %2 Zähne</translation>
+    </message>
+    <message>
+        <source>, chattered here before: %1</source>
+        <translation>, ratterte schon: %1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::TracePlot</name>
     <message>
         <source>SIGNAL</source>
@@ -2724,6 +3699,151 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>Niedrig: stabil. Halb: Beginn. Voll: Rattern. Schraffiert: kein Urteil. Die Linie ist die erste Kenngröße.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TransportBar</name>
+    <message>
+        <source>To the beginning</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>A block back</source>
+        <translation>Einen Block zurück</translation>
+    </message>
+    <message>
+        <source>PLAY</source>
+        <translation>ABSPIELEN</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>A block on</source>
+        <translation>Einen Block weiter</translation>
+    </message>
+    <message>
+        <source>LOOP</source>
+        <translation>SCHLEIFE</translation>
+    </message>
+    <message>
+        <source>Repeat the selected span</source>
+        <translation>Gewählte Spanne wiederholen</translation>
+    </message>
+    <message>
+        <source>Pace of the replay</source>
+        <translation>Tempo der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>schnellstens</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TuneDesk</name>
+    <message>
+        <source>to the defaults</source>
+        <translation>auf die Vorgaben</translation>
+    </message>
+    <message>
+        <source>as the run began</source>
+        <translation>wie zu Beginn</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TunePage</name>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>ZURÜCK</translation>
+    </message>
+    <message>
+        <source>REDO</source>
+        <translation>WIEDER</translation>
+    </message>
+    <message>
+        <source>AS BEGUN</source>
+        <translation>BEGINN</translation>
+    </message>
+    <message>
+        <source>DEFAULTS</source>
+        <translation>VORGABEN</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SICHERN</translation>
+    </message>
+    <message>
+        <source>WHAT IT SEES NOW</source>
+        <translation>WAS ES JETZT SIEHT</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>VERGLEICH</translation>
+    </message>
+    <message>
+        <source>A = B</source>
+        <translation>A = B</translation>
+    </message>
+    <message>
+        <source>Use the values of side A</source>
+        <translation>Werte der Seite A nutzen</translation>
+    </message>
+    <message>
+        <source>Use the values of side B</source>
+        <translation>Werte der Seite B nutzen</translation>
+    </message>
+    <message>
+        <source>Make the other side like this one</source>
+        <translation>Die andere Seite wie diese machen</translation>
+    </message>
+    <message>
+        <source>Nothing to tune: this session has no methods of its own</source>
+        <translation>Nichts einzustellen: diese Sitzung hat keine eigenen Verfahren</translation>
+    </message>
+    <message>
+        <source>B = A</source>
+        <translation>B = A</translation>
+    </message>
+    <message>
+        <source>Both sides are alike. Take B, change something, and go to and fro.</source>
+        <translation>Beide Seiten sind gleich. B nehmen, etwas ändern, und hin und her wechseln.</translation>
+    </message>
+    <message>
+        <source>Values that differ: %1</source>
+        <translation>Verschiedene Werte: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Noch nichts</translation>
+    </message>
+    <message>
+        <source>It does not run</source>
+        <translation>Es läuft nicht</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Behalten in %1</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>Nicht behalten: %1</translation>
     </message>
 </context>
 <context>

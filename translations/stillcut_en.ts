@@ -998,6 +998,18 @@
         <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
         <translation>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</translation>
     </message>
+    <message>
+        <source>Signal and cut</source>
+        <translation>Signal and cut</translation>
+    </message>
+    <message>
+        <source>Limits of the machine</source>
+        <translation>Limits of the machine</translation>
+    </message>
+    <message>
+        <source>Active work-holder</source>
+        <translation>Active work-holder</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1012,6 +1024,18 @@
     <message>
         <source>Lobes</source>
         <translation>Lobes</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>Tune</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>Sessions</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>Set up</translation>
     </message>
 </context>
 <context>
@@ -2176,6 +2200,198 @@
         <source>wrong rate</source>
         <translation>wrong rate</translation>
     </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>not tried yet</translation>
+    </message>
+    <message>
+        <source>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</source>
+        <translation>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</translation>
+    </message>
+    <message>
+        <source>no cut</source>
+        <translation>no cut</translation>
+    </message>
+    <message>
+        <source>energy ratio</source>
+        <translation>energy ratio</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>frequency [Hz]</translation>
+    </message>
+    <message>
+        <source>changes from turn to turn</source>
+        <translation>changes from turn to turn</translation>
+    </message>
+    <message>
+        <source>learned noise floor</source>
+        <translation>learned noise floor</translation>
+    </message>
+    <message>
+        <source>evidence of growth</source>
+        <translation>evidence of growth</translation>
+    </message>
+    <message>
+        <source>purity of the line</source>
+        <translation>purity of the line</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>coherence</translation>
+    </message>
+    <message>
+        <source>vibration energy</source>
+        <translation>vibration energy</translation>
+    </message>
+    <message>
+        <source>warned ahead by [s]</source>
+        <translation>warned ahead by [s]</translation>
+    </message>
+    <message>
+        <source>noise variance</source>
+        <translation>noise variance</translation>
+    </message>
+    <message>
+        <source>perturbation power</source>
+        <translation>perturbation power</translation>
+    </message>
+    <message>
+        <source>largest root</source>
+        <translation>largest root</translation>
+    </message>
+    <message>
+        <source>part outside the harmonics</source>
+        <translation>part outside the harmonics</translation>
+    </message>
+    <message>
+        <source>highest line</source>
+        <translation>highest line</translation>
+    </message>
+    <message>
+        <source>before every detector</source>
+        <translation>before every detector</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>detector</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>strategy</translation>
+    </message>
+    <message>
+        <source>limits of the machine</source>
+        <translation>limits of the machine</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>recording</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>active work-holder</translation>
+    </message>
+    <message>
+        <source>in charge</source>
+        <translation>in charge</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>runs</translation>
+    </message>
+    <message>
+        <source>does not run</source>
+        <translation>does not run</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatic</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>on</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 to %2</translation>
+    </message>
+    <message>
+        <source>true alarm</source>
+        <translation>true alarm</translation>
+    </message>
+    <message>
+        <source>false alarm</source>
+        <translation>false alarm</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>heard</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>%1: alarms: %2, marked false: %3</source>
+        <translation>%1: alarms: %2, marked false: %3</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
+        <translation>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</translation>
+    </message>
+    <message>
+        <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
+        <translation>%1: found %2 of %3, false %4 (%5 per hour), delay %6</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Reading %1</translation>
+    </message>
+    <message>
+        <source>Every detector runs on it: %1</source>
+        <translation>Every detector runs on it: %1</translation>
+    </message>
+    <message>
+        <source>Every detector has run on it</source>
+        <translation>Every detector has run on it</translation>
+    </message>
+    <message>
+        <source>Scoring: %1</source>
+        <translation>Scoring: %1</translation>
+    </message>
+    <message>
+        <source>Scored against what is marked</source>
+        <translation>Scored against what is marked</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Writing %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Written: %1</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>settings</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>device</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>samples</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>machine</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2225,6 +2441,25 @@
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
         <translation>Channel of spectrogram, spectrum and signal</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ChannelModel</name>
+    <message>
+        <source>Channel</source>
+        <translation>Channel</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Quantity</translation>
+    </message>
+    <message>
+        <source>Per device unit</source>
+        <translation>Per device unit</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axis</translation>
     </message>
 </context>
 <context>
@@ -2375,6 +2610,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::LevelSpectrum</name>
+    <message>
+        <source>Spectrum of the first channel, now</source>
+        <translation>Spectrum of the first channel, now</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>No samples come</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::LobeChart</name>
     <message>
         <source>Stability diagram</source>
@@ -2499,6 +2745,84 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ParamModel</name>
+    <message>
+        <source>Locked while the cut runs: the limits of the machine hold for a whole run</source>
+        <translation>Locked while the cut runs: the limits of the machine hold for a whole run</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: a file keeps one way of recording</source>
+        <translation>Locked while the cut runs: a file keeps one way of recording</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: filters and windows are sized for it before the first block</source>
+        <translation>Locked while the cut runs: filters and windows are sized for it before the first block</translation>
+    </message>
+    <message>
+        <source>follows what is learned from the cut</source>
+        <translation>follows what is learned from the cut</translation>
+    </message>
+    <message>
+        <source>chose %1</source>
+        <translation>chose %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>off</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>on</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Value</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unit</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Default</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ParamRow</name>
+    <message>
+        <source>Less: %1</source>
+        <translation>Less: %1</translation>
+    </message>
+    <message>
+        <source>More: %1</source>
+        <translation>More: %1</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>AUTO</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatic: %1</translation>
+    </message>
+    <message>
+        <source>Not taken. Allowed: %1</source>
+        <translation>Not taken. Allowed: %1</translation>
+    </message>
+    <message>
+        <source>%1   (A and B differ)</source>
+        <translation>%1   (A and B differ)</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Default: %1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2581,6 +2905,646 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min, max hold</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionList</name>
+    <message>
+        <source>Find job or tool</source>
+        <translation>Find job or tool</translation>
+    </message>
+    <message>
+        <source>JOB</source>
+        <translation>JOB</translation>
+    </message>
+    <message>
+        <source>Order by job</source>
+        <translation>Order by job</translation>
+    </message>
+    <message>
+        <source>TOOL</source>
+        <translation>TOOL</translation>
+    </message>
+    <message>
+        <source>Order by tool</source>
+        <translation>Order by tool</translation>
+    </message>
+    <message>
+        <source>TIME</source>
+        <translation>TIME</translation>
+    </message>
+    <message>
+        <source>Order by time</source>
+        <translation>Order by time</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Recordings</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Folder of the recordings</translation>
+    </message>
+    <message>
+        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
+        <translation>No recordings here. A cut is recorded with --record, or by the profile.</translation>
+    </message>
+    <message>
+        <source>There are no recordings to work on here.</source>
+        <translation>There are no recordings to work on here.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionListModel</name>
+    <message>
+        <source>%1, tool %2, of %3</source>
+        <translation>%1, tool %2, of %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionTimeline</name>
+    <message>
+        <source>Recording over time</source>
+        <translation>Recording over time</translation>
+    </message>
+    <message>
+        <source>Choose a recording on the left</source>
+        <translation>Choose a recording on the left</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>vibration</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>as recorded</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionsPage</name>
+    <message>
+        <source>ON ALL PAGES</source>
+        <translation>ON ALL PAGES</translation>
+    </message>
+    <message>
+        <source>Show the replay on all pages</source>
+        <translation>Show the replay on all pages</translation>
+    </message>
+    <message>
+        <source>MARK</source>
+        <translation>MARK</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markers</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>COMPARE</translation>
+    </message>
+    <message>
+        <source>Compare, score and export</source>
+        <translation>Compare, score and export</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>CHATTER</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>Mark a true alarm</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>FALSE</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>Mark a false alarm</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>I HEAR IT</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>I hear it now</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>NOTE</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>Mark with the note</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>Note of the next marker</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>REMOVE</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>Remove the chosen marker</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>Marker removed</translation>
+    </message>
+    <message>
+        <source>ALL DETECTORS</source>
+        <translation>ALL DETECTORS</translation>
+    </message>
+    <message>
+        <source>Run every detector on this recording</source>
+        <translation>Run every detector on this recording</translation>
+    </message>
+    <message>
+        <source>SCORE</source>
+        <translation>SCORE</translation>
+    </message>
+    <message>
+        <source>Score this recording against its markers</source>
+        <translation>Score this recording against its markers</translation>
+    </message>
+    <message>
+        <source>SCORE FOLDER</source>
+        <translation>SCORE FOLDER</translation>
+    </message>
+    <message>
+        <source>Score the whole folder</source>
+        <translation>Score the whole folder</translation>
+    </message>
+    <message>
+        <source>EXPORT</source>
+        <translation>EXPORT</translation>
+    </message>
+    <message>
+        <source>Export the selected span, or the whole</source>
+        <translation>Export the selected span, or the whole</translation>
+    </message>
+    <message>
+        <source>REPORT</source>
+        <translation>REPORT</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>Write a report</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop what is being worked on</source>
+        <translation>Stop what is being worked on</translation>
+    </message>
+    <message>
+        <source>FROM TUNE</source>
+        <translation>FROM TUNE</translation>
+    </message>
+    <message>
+        <source>Take what was changed on the Tune page</source>
+        <translation>Take what was changed on the Tune page</translation>
+    </message>
+    <message>
+        <source>What if: settings, KEY=VALUE, with spaces between them</source>
+        <translation>What if: settings, KEY=VALUE, with spaces between them</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>What if</translation>
+    </message>
+    <message>
+        <source>Drag over the picture first: the loop repeats the selected span</source>
+        <translation>Drag over the picture first: the loop repeats the selected span</translation>
+    </message>
+    <message>
+        <source>Every page shows the replay; the touches below still go to the machine</source>
+        <translation>Every page shows the replay; the touches below still go to the machine</translation>
+    </message>
+    <message>
+        <source>Every page shows the cut again</source>
+        <translation>Every page shows the cut again</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>Marked: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Written: %1</translation>
+    </message>
+    <message>
+        <source>No recording is open</source>
+        <translation>No recording is open</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · alarms: %3 · in chatter %4</source>
+        <translation>%1 · %2 · alarms: %3 · in chatter %4</translation>
+    </message>
+    <message>
+        <source>no verdict</source>
+        <translation>no verdict</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SettingsForm</name>
+    <message>
+        <source>yes</source>
+        <translation>yes</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>no</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>not set</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 to %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupDraft</name>
+    <message>
+        <source>no machine link is chosen: the program will only watch</source>
+        <translation>no machine link is chosen: the program will only watch</translation>
+    </message>
+    <message>
+        <source>no device is chosen</source>
+        <translation>no device is chosen</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known</source>
+        <translation>the number of teeth is not known</translation>
+    </message>
+    <message>
+        <source>the programmed speed is not known</source>
+        <translation>the programmed speed is not known</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupGuide</name>
+    <message>
+        <source>Two ways to begin</source>
+        <translation>Two ways to begin</translation>
+    </message>
+    <message>
+        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</source>
+        <translation>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</translation>
+    </message>
+    <message>
+        <source>SHOW ME A SIMULATED CUT</source>
+        <translation>SHOW ME A SIMULATED CUT</translation>
+    </message>
+    <message>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
+        <translation>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</translation>
+    </message>
+    <message>
+        <source>1  MACHINE</source>
+        <translation>1  MACHINE</translation>
+    </message>
+    <message>
+        <source>2  SENSORS</source>
+        <translation>2  SENSORS</translation>
+    </message>
+    <message>
+        <source>3  TOOL</source>
+        <translation>3  TOOL</translation>
+    </message>
+    <message>
+        <source>4  TRY OUT, SAVE, START</source>
+        <translation>4  TRY OUT, SAVE, START</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>ready</translation>
+    </message>
+    <message>
+        <source>still open</source>
+        <translation>still open</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>in force</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupMachine</name>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Name of the machine</translation>
+    </message>
+    <message>
+        <source>Programmed speed in rpm</source>
+        <translation>Programmed speed in rpm</translation>
+    </message>
+    <message>
+        <source>Programmed feed in mm per minute</source>
+        <translation>Programmed feed in mm per minute</translation>
+    </message>
+    <message>
+        <source>AUTO MAY BE CHOSEN</source>
+        <translation>AUTO MAY BE CHOSEN</translation>
+    </message>
+    <message>
+        <source>Auto may be chosen on this machine</source>
+        <translation>Auto may be chosen on this machine</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>Speed, rpm</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Feed, mm/min</translation>
+    </message>
+    <message>
+        <source>LINK TO THE CONTROL</source>
+        <translation>LINK TO THE CONTROL</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupPage</name>
+    <message>
+        <source>There is nothing to set up here.</source>
+        <translation>There is nothing to set up here.</translation>
+    </message>
+    <message>
+        <source>GUIDE</source>
+        <translation>GUIDE</translation>
+    </message>
+    <message>
+        <source>MACHINE</source>
+        <translation>MACHINE</translation>
+    </message>
+    <message>
+        <source>SENSORS</source>
+        <translation>SENSORS</translation>
+    </message>
+    <message>
+        <source>TOOLS</source>
+        <translation>TOOLS</translation>
+    </message>
+    <message>
+        <source>PROFILE</source>
+        <translation>PROFILE</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupProfile</name>
+    <message>
+        <source>Name of the profile</source>
+        <translation>Name of the profile</translation>
+    </message>
+    <message>
+        <source>TRY OUT</source>
+        <translation>TRY OUT</translation>
+    </message>
+    <message>
+        <source>Try out step by step; nothing is commanded</source>
+        <translation>Try out step by step; nothing is commanded</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SAVE</translation>
+    </message>
+    <message>
+        <source>Save the profile</source>
+        <translation>Save the profile</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>LOAD</source>
+        <translation>LOAD</translation>
+    </message>
+    <message>
+        <source>Load the chosen profile</source>
+        <translation>Load the chosen profile</translation>
+    </message>
+    <message>
+        <source>PROFILES</source>
+        <translation>PROFILES</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>Profiles</translation>
+    </message>
+    <message>
+        <source>DETECTOR IN CHARGE</source>
+        <translation>DETECTOR IN CHARGE</translation>
+    </message>
+    <message>
+        <source>STRATEGY</source>
+        <translation>STRATEGY</translation>
+    </message>
+    <message>
+        <source>Save the profile and begin with it</source>
+        <translation>Save the profile and begin with it</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Saved: %1</translation>
+    </message>
+    <message>
+        <source>It runs. Authority is Off.</source>
+        <translation>It runs. Authority is Off.</translation>
+    </message>
+    <message>
+        <source>Loaded: %1</source>
+        <translation>Loaded: %1</translation>
+    </message>
+    <message>
+        <source>A demonstration runs, no profile.</source>
+        <translation>A demonstration runs, no profile.</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>In force: %1</translation>
+    </message>
+    <message>
+        <source>Try it out first: each step says what was found. Nothing is commanded.</source>
+        <translation>Try it out first: each step says what was found. Nothing is commanded.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensors</name>
+    <message>
+        <source>DEVICE</source>
+        <translation>DEVICE</translation>
+    </message>
+    <message>
+        <source>CHANNELS</source>
+        <translation>CHANNELS</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Channels</translation>
+    </message>
+    <message>
+        <source>ADD CHANNEL</source>
+        <translation>ADD CHANNEL</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>Add a channel</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>REMOVE</translation>
+    </message>
+    <message>
+        <source>Remove the chosen channel</source>
+        <translation>Remove the chosen channel</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>WHAT RUNS NOW</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>No samples come</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>Sensor in order: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupTools</name>
+    <message>
+        <source>Tool</source>
+        <translation>Tool</translation>
+    </message>
+    <message>
+        <source>Holder and stick-out</source>
+        <translation>Holder and stick-out</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Teeth</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>Diameter, mm</translation>
+    </message>
+    <message>
+        <source>Pitch angles, degrees</source>
+        <translation>Pitch angles, degrees</translation>
+    </message>
+    <message>
+        <source>File of its modes</source>
+        <translation>File of its modes</translation>
+    </message>
+    <message>
+        <source>Highest speed, rpm</source>
+        <translation>Highest speed, rpm</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>KEEP</translation>
+    </message>
+    <message>
+        <source>Keep this tool</source>
+        <translation>Keep this tool</translation>
+    </message>
+    <message>
+        <source>USE IT</source>
+        <translation>USE IT</translation>
+    </message>
+    <message>
+        <source>Use this tool for the profile</source>
+        <translation>Use this tool for the profile</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>REMOVE</translation>
+    </message>
+    <message>
+        <source>Remove this tool</source>
+        <translation>Remove this tool</translation>
+    </message>
+    <message>
+        <source>CHATTERED HERE</source>
+        <translation>CHATTERED HERE</translation>
+    </message>
+    <message>
+        <source>Note that it chatters now</source>
+        <translation>Note that it chatters now</translation>
+    </message>
+    <message>
+        <source>NEW TOOL</source>
+        <translation>NEW TOOL</translation>
+    </message>
+    <message>
+        <source>New tool</source>
+        <translation>New tool</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Tools</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>even</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>not measured</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>no limit</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notes</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Kept</translation>
+    </message>
+    <message>
+        <source>The profile uses it now</source>
+        <translation>The profile uses it now</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Removed</translation>
+    </message>
+    <message>
+        <source>Chattered at %1 rpm, %2 Hz  %3</source>
+        <translation>Chattered at %1 rpm, %2 Hz  %3</translation>
+    </message>
+    <message>
+        <source>No tools yet: begin with NEW TOOL</source>
+        <translation>No tools yet: begin with NEW TOOL</translation>
+    </message>
+    <message>
+        <source>Noted</source>
+        <translation>Noted</translation>
     </message>
 </context>
 <context>
@@ -2704,6 +3668,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ToolModel</name>
+    <message>
+        <source>D %1 mm, %2 teeth</source>
+        <translation>D %1 mm, %2 teeth</translation>
+    </message>
+    <message>
+        <source>, chattered here before: %1</source>
+        <translation>, chattered here before: %1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::TracePlot</name>
     <message>
         <source>SIGNAL</source>
@@ -2723,6 +3698,151 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TransportBar</name>
+    <message>
+        <source>To the beginning</source>
+        <translation>To the beginning</translation>
+    </message>
+    <message>
+        <source>A block back</source>
+        <translation>A block back</translation>
+    </message>
+    <message>
+        <source>PLAY</source>
+        <translation>PLAY</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Play or pause</translation>
+    </message>
+    <message>
+        <source>A block on</source>
+        <translation>A block on</translation>
+    </message>
+    <message>
+        <source>LOOP</source>
+        <translation>LOOP</translation>
+    </message>
+    <message>
+        <source>Repeat the selected span</source>
+        <translation>Repeat the selected span</translation>
+    </message>
+    <message>
+        <source>Pace of the replay</source>
+        <translation>Pace of the replay</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>PAUSE</translation>
+    </message>
+    <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>fastest</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 of %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TuneDesk</name>
+    <message>
+        <source>to the defaults</source>
+        <translation>to the defaults</translation>
+    </message>
+    <message>
+        <source>as the run began</source>
+        <translation>as the run began</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TunePage</name>
+    <message>
+        <source>Methods</source>
+        <translation>Methods</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>UNDO</translation>
+    </message>
+    <message>
+        <source>REDO</source>
+        <translation>REDO</translation>
+    </message>
+    <message>
+        <source>AS BEGUN</source>
+        <translation>AS BEGUN</translation>
+    </message>
+    <message>
+        <source>DEFAULTS</source>
+        <translation>DEFAULTS</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SAVE</translation>
+    </message>
+    <message>
+        <source>WHAT IT SEES NOW</source>
+        <translation>WHAT IT SEES NOW</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>COMPARE</translation>
+    </message>
+    <message>
+        <source>A = B</source>
+        <translation>A = B</translation>
+    </message>
+    <message>
+        <source>Use the values of side A</source>
+        <translation>Use the values of side A</translation>
+    </message>
+    <message>
+        <source>Use the values of side B</source>
+        <translation>Use the values of side B</translation>
+    </message>
+    <message>
+        <source>Make the other side like this one</source>
+        <translation>Make the other side like this one</translation>
+    </message>
+    <message>
+        <source>Nothing to tune: this session has no methods of its own</source>
+        <translation>Nothing to tune: this session has no methods of its own</translation>
+    </message>
+    <message>
+        <source>B = A</source>
+        <translation>B = A</translation>
+    </message>
+    <message>
+        <source>Both sides are alike. Take B, change something, and go to and fro.</source>
+        <translation>Both sides are alike. Take B, change something, and go to and fro.</translation>
+    </message>
+    <message>
+        <source>Values that differ: %1</source>
+        <translation>Values that differ: %1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Nothing yet</translation>
+    </message>
+    <message>
+        <source>It does not run</source>
+        <translation>It does not run</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Kept in %1</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>Not kept: %1</translation>
     </message>
 </context>
 <context>

@@ -999,6 +999,18 @@
         <source>The vibration at each trial is averaged over so many revolutions, or as long as is allowed</source>
         <translation>每次试探时振动在这么多转内平均，或到允许的最长时间</translation>
     </message>
+    <message>
+        <source>Signal and cut</source>
+        <translation>信号与切削</translation>
+    </message>
+    <message>
+        <source>Limits of the machine</source>
+        <translation>机床极限</translation>
+    </message>
+    <message>
+        <source>Active work-holder</source>
+        <translation>主动夹具</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1013,6 +1025,18 @@
     <message>
         <source>Lobes</source>
         <translation>叶瓣图</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>调整</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Set up</source>
+        <translation>设置</translation>
     </message>
 </context>
 <context>
@@ -2177,6 +2201,198 @@
         <source>wrong rate</source>
         <translation>采样率错误</translation>
     </message>
+    <message>
+        <source>not tried yet</source>
+        <translation>尚未试用</translation>
+    </message>
+    <message>
+        <source>%1 in force, alarms: %2, in alarm %3, energy ratio to %4</source>
+        <translation>生效 %1，报警：%2，报警时长 %3，能量比最高 %4</translation>
+    </message>
+    <message>
+        <source>no cut</source>
+        <translation>未切削</translation>
+    </message>
+    <message>
+        <source>energy ratio</source>
+        <translation>能量比</translation>
+    </message>
+    <message>
+        <source>frequency [Hz]</source>
+        <translation>频率 [Hz]</translation>
+    </message>
+    <message>
+        <source>changes from turn to turn</source>
+        <translation>逐转变化</translation>
+    </message>
+    <message>
+        <source>learned noise floor</source>
+        <translation>学得的噪声底</translation>
+    </message>
+    <message>
+        <source>evidence of growth</source>
+        <translation>增长证据</translation>
+    </message>
+    <message>
+        <source>purity of the line</source>
+        <translation>谱线纯度</translation>
+    </message>
+    <message>
+        <source>coherence</source>
+        <translation>相干</translation>
+    </message>
+    <message>
+        <source>vibration energy</source>
+        <translation>振动能量</translation>
+    </message>
+    <message>
+        <source>warned ahead by [s]</source>
+        <translation>提前预警 [s]</translation>
+    </message>
+    <message>
+        <source>noise variance</source>
+        <translation>噪声方差</translation>
+    </message>
+    <message>
+        <source>perturbation power</source>
+        <translation>扰动功率</translation>
+    </message>
+    <message>
+        <source>largest root</source>
+        <translation>最大根</translation>
+    </message>
+    <message>
+        <source>part outside the harmonics</source>
+        <translation>谐波外的部分</translation>
+    </message>
+    <message>
+        <source>highest line</source>
+        <translation>最高谱线</translation>
+    </message>
+    <message>
+        <source>before every detector</source>
+        <translation>所有检测器之前</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>检测器</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>limits of the machine</source>
+        <translation>机床极限</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>主动夹具</translation>
+    </message>
+    <message>
+        <source>in charge</source>
+        <translation>主用</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>does not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>true alarm</source>
+        <translation>真报警</translation>
+    </message>
+    <message>
+        <source>false alarm</source>
+        <translation>误报</translation>
+    </message>
+    <message>
+        <source>heard</source>
+        <translation>听到</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>%1: alarms: %2, marked false: %3</source>
+        <translation>%1：报警 %2，标为误报 %3</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
+        <translation>%1 将报警：%2，其中标为误报：%3（记录时：%4，%5）</translation>
+    </message>
+    <message>
+        <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
+        <translation>%1：找到 %2 / %3，误报 %4（每小时 %5），延迟 %6</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+    <message>
+        <source>Every detector runs on it: %1</source>
+        <translation>所有检测器正在运行：%1</translation>
+    </message>
+    <message>
+        <source>Every detector has run on it</source>
+        <translation>所有检测器已运行</translation>
+    </message>
+    <message>
+        <source>Scoring: %1</source>
+        <translation>评分：%1</translation>
+    </message>
+    <message>
+        <source>Scored against what is marked</source>
+        <translation>已按标记评分</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>machine</source>
+        <translation>机床</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2226,6 +2442,25 @@
     <message>
         <source>Channel of spectrogram, spectrum and signal</source>
         <translation>频谱图、频谱与信号的通道</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ChannelModel</name>
+    <message>
+        <source>Channel</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>物理量</translation>
+    </message>
+    <message>
+        <source>Per device unit</source>
+        <translation>每设备单位</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>轴</translation>
     </message>
 </context>
 <context>
@@ -2376,6 +2611,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::LevelSpectrum</name>
+    <message>
+        <source>Spectrum of the first channel, now</source>
+        <translation>第一通道当前频谱</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>没有采样</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::LobeChart</name>
     <message>
         <source>Stability diagram</source>
@@ -2500,6 +2746,84 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ParamModel</name>
+    <message>
+        <source>Locked while the cut runs: the limits of the machine hold for a whole run</source>
+        <translation>切削运行时锁定：机床极限在整个运行中有效</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: a file keeps one way of recording</source>
+        <translation>切削运行时锁定：一个文件只用一种记录方式</translation>
+    </message>
+    <message>
+        <source>Locked while the cut runs: filters and windows are sized for it before the first block</source>
+        <translation>切削运行时锁定：滤波器和窗口在第一个数据块之前已据此确定</translation>
+    </message>
+    <message>
+        <source>follows what is learned from the cut</source>
+        <translation>随切削中学到的内容而定</translation>
+    </message>
+    <message>
+        <source>chose %1</source>
+        <translation>已选 %1</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>单位</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ParamRow</name>
+    <message>
+        <source>Less: %1</source>
+        <translation>减小：%1</translation>
+    </message>
+    <message>
+        <source>More: %1</source>
+        <translation>增大：%1</translation>
+    </message>
+    <message>
+        <source>AUTO</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>自动：%1</translation>
+    </message>
+    <message>
+        <source>Not taken. Allowed: %1</source>
+        <translation>未采用。允许：%1</translation>
+    </message>
+    <message>
+        <source>%1   (A and B differ)</source>
+        <translation>%1   （A 与 B 不同）</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>默认：%1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2582,6 +2906,646 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min,最大保持</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionList</name>
+    <message>
+        <source>Find job or tool</source>
+        <translation>查找任务或刀具</translation>
+    </message>
+    <message>
+        <source>JOB</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Order by job</source>
+        <translation>按任务排序</translation>
+    </message>
+    <message>
+        <source>TOOL</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>Order by tool</source>
+        <translation>按刀具排序</translation>
+    </message>
+    <message>
+        <source>TIME</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Order by time</source>
+        <translation>按时间排序</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>记录</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>记录文件夹</translation>
+    </message>
+    <message>
+        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
+        <translation>此处没有记录。用 --record 或由配置文件记录切削。</translation>
+    </message>
+    <message>
+        <source>There are no recordings to work on here.</source>
+        <translation>此处没有可用的记录。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionListModel</name>
+    <message>
+        <source>%1, tool %2, of %3</source>
+        <translation>%1，刀具 %2，%3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionTimeline</name>
+    <message>
+        <source>Recording over time</source>
+        <translation>记录随时间变化</translation>
+    </message>
+    <message>
+        <source>Choose a recording on the left</source>
+        <translation>请在左侧选择记录</translation>
+    </message>
+    <message>
+        <source>vibration</source>
+        <translation>振动</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>记录时</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SessionsPage</name>
+    <message>
+        <source>ON ALL PAGES</source>
+        <translation>所有页面</translation>
+    </message>
+    <message>
+        <source>Show the replay on all pages</source>
+        <translation>在所有页面显示回放</translation>
+    </message>
+    <message>
+        <source>MARK</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Compare, score and export</source>
+        <translation>比较、评分和导出</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>颤振</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>标为真报警</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>误报</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>标为误报</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>我听到</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>我现在听到</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>用备注标记</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>下一标记的备注</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>删除所选标记</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>标记已删除</translation>
+    </message>
+    <message>
+        <source>ALL DETECTORS</source>
+        <translation>全部检测</translation>
+    </message>
+    <message>
+        <source>Run every detector on this recording</source>
+        <translation>在此记录上运行所有检测器</translation>
+    </message>
+    <message>
+        <source>SCORE</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>Score this recording against its markers</source>
+        <translation>按标记为此记录评分</translation>
+    </message>
+    <message>
+        <source>SCORE FOLDER</source>
+        <translation>文件夹评分</translation>
+    </message>
+    <message>
+        <source>Score the whole folder</source>
+        <translation>为整个文件夹评分</translation>
+    </message>
+    <message>
+        <source>EXPORT</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Export the selected span, or the whole</source>
+        <translation>导出所选区间或全部</translation>
+    </message>
+    <message>
+        <source>REPORT</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>Write a report</source>
+        <translation>生成报告</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop what is being worked on</source>
+        <translation>停止当前任务</translation>
+    </message>
+    <message>
+        <source>FROM TUNE</source>
+        <translation>取自调整</translation>
+    </message>
+    <message>
+        <source>Take what was changed on the Tune page</source>
+        <translation>采用“调整”页的改动</translation>
+    </message>
+    <message>
+        <source>What if: settings, KEY=VALUE, with spaces between them</source>
+        <translation>假设：参数，键=值，以空格分隔</translation>
+    </message>
+    <message>
+        <source>What if</source>
+        <translation>假设</translation>
+    </message>
+    <message>
+        <source>Drag over the picture first: the loop repeats the selected span</source>
+        <translation>请先在图上拖选：循环将重复所选区间</translation>
+    </message>
+    <message>
+        <source>Every page shows the replay; the touches below still go to the machine</source>
+        <translation>所有页面显示回放；下方按键仍作用于机床</translation>
+    </message>
+    <message>
+        <source>Every page shows the cut again</source>
+        <translation>所有页面恢复显示切削</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>已标记：%1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>已写入：%1</translation>
+    </message>
+    <message>
+        <source>No recording is open</source>
+        <translation>没有打开的记录</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · alarms: %3 · in chatter %4</source>
+        <translation>%1 · %2 · 报警：%3 · 颤振 %4</translation>
+    </message>
+    <message>
+        <source>no verdict</source>
+        <translation>无判定</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SettingsForm</name>
+    <message>
+        <source>yes</source>
+        <translation>是</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>否</translation>
+    </message>
+    <message>
+        <source>not set</source>
+        <translation>未设置</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupDraft</name>
+    <message>
+        <source>no machine link is chosen: the program will only watch</source>
+        <translation>未选择机床连接：程序仅监视</translation>
+    </message>
+    <message>
+        <source>no device is chosen</source>
+        <translation>未选择设备</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known</source>
+        <translation>齿数未知</translation>
+    </message>
+    <message>
+        <source>the programmed speed is not known</source>
+        <translation>编程转速未知</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupGuide</name>
+    <message>
+        <source>Two ways to begin</source>
+        <translation>两种开始方式</translation>
+    </message>
+    <message>
+        <source>Look at a simulated cut first: it chatters as it gets deeper, and the program finds the quiet speed. Nothing has to be connected.</source>
+        <translation>先看一次模拟切削：切深增大时发生颤振，程序找到安静转速。无需连接任何设备。</translation>
+    </message>
+    <message>
+        <source>SHOW ME A SIMULATED CUT</source>
+        <translation>显示模拟切削</translation>
+    </message>
+    <message>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
+        <translation>或逐步连接本机床。每一步说明尚缺什么；选择自动之前不发出任何指令。</translation>
+    </message>
+    <message>
+        <source>1  MACHINE</source>
+        <translation>1  机床</translation>
+    </message>
+    <message>
+        <source>2  SENSORS</source>
+        <translation>2  传感器</translation>
+    </message>
+    <message>
+        <source>3  TOOL</source>
+        <translation>3  刀具</translation>
+    </message>
+    <message>
+        <source>4  TRY OUT, SAVE, START</source>
+        <translation>4  试运行并开始</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>still open</source>
+        <translation>未完成</translation>
+    </message>
+    <message>
+        <source>in force</source>
+        <translation>生效</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupMachine</name>
+    <message>
+        <source>Name of the machine</source>
+        <translation>机床名称</translation>
+    </message>
+    <message>
+        <source>Programmed speed in rpm</source>
+        <translation>编程转速（rpm）</translation>
+    </message>
+    <message>
+        <source>Programmed feed in mm per minute</source>
+        <translation>编程进给（mm/min）</translation>
+    </message>
+    <message>
+        <source>AUTO MAY BE CHOSEN</source>
+        <translation>允许选择自动</translation>
+    </message>
+    <message>
+        <source>Auto may be chosen on this machine</source>
+        <translation>此机床允许选择自动</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>Speed, rpm</source>
+        <translation>转速 rpm</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>进给 mm/min</translation>
+    </message>
+    <message>
+        <source>LINK TO THE CONTROL</source>
+        <translation>与控制系统的连接</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupPage</name>
+    <message>
+        <source>There is nothing to set up here.</source>
+        <translation>此处无需设置。</translation>
+    </message>
+    <message>
+        <source>GUIDE</source>
+        <translation>向导</translation>
+    </message>
+    <message>
+        <source>MACHINE</source>
+        <translation>机床</translation>
+    </message>
+    <message>
+        <source>SENSORS</source>
+        <translation>传感器</translation>
+    </message>
+    <message>
+        <source>TOOLS</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>PROFILE</source>
+        <translation>配置</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupProfile</name>
+    <message>
+        <source>Name of the profile</source>
+        <translation>配置名称</translation>
+    </message>
+    <message>
+        <source>TRY OUT</source>
+        <translation>试运行</translation>
+    </message>
+    <message>
+        <source>Try out step by step; nothing is commanded</source>
+        <translation>逐步试运行；不发出指令</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the profile</source>
+        <translation>保存配置</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>LOAD</source>
+        <translation>载入</translation>
+    </message>
+    <message>
+        <source>Load the chosen profile</source>
+        <translation>载入所选配置</translation>
+    </message>
+    <message>
+        <source>PROFILES</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>Profiles</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>DETECTOR IN CHARGE</source>
+        <translation>主用检测器</translation>
+    </message>
+    <message>
+        <source>STRATEGY</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Save the profile and begin with it</source>
+        <translation>保存配置并以其开始</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>It runs. Authority is Off.</source>
+        <translation>正在运行。权限为关闭。</translation>
+    </message>
+    <message>
+        <source>Loaded: %1</source>
+        <translation>已载入：%1</translation>
+    </message>
+    <message>
+        <source>A demonstration runs, no profile.</source>
+        <translation>正在演示，无配置。</translation>
+    </message>
+    <message>
+        <source>In force: %1</source>
+        <translation>生效：%1</translation>
+    </message>
+    <message>
+        <source>Try it out first: each step says what was found. Nothing is commanded.</source>
+        <translation>请先试运行：每一步说明结果。不发出指令。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensors</name>
+    <message>
+        <source>DEVICE</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>CHANNELS</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>通道</translation>
+    </message>
+    <message>
+        <source>ADD CHANNEL</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>Add a channel</source>
+        <translation>添加通道</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen channel</source>
+        <translation>删除所选通道</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>当前运行</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>没有采样</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>传感器正常：%1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupTools</name>
+    <message>
+        <source>Tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>Holder and stick-out</source>
+        <translation>刀柄与悬伸</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>齿数</translation>
+    </message>
+    <message>
+        <source>Diameter, mm</source>
+        <translation>直径 mm</translation>
+    </message>
+    <message>
+        <source>Pitch angles, degrees</source>
+        <translation>齿距角（度）</translation>
+    </message>
+    <message>
+        <source>File of its modes</source>
+        <translation>模态文件</translation>
+    </message>
+    <message>
+        <source>Highest speed, rpm</source>
+        <translation>最高转速 rpm</translation>
+    </message>
+    <message>
+        <source>KEEP</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Keep this tool</source>
+        <translation>保存此刀具</translation>
+    </message>
+    <message>
+        <source>USE IT</source>
+        <translation>使用</translation>
+    </message>
+    <message>
+        <source>Use this tool for the profile</source>
+        <translation>将此刀具用于配置</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove this tool</source>
+        <translation>删除此刀具</translation>
+    </message>
+    <message>
+        <source>CHATTERED HERE</source>
+        <translation>此处颤振</translation>
+    </message>
+    <message>
+        <source>Note that it chatters now</source>
+        <translation>记下当前颤振</translation>
+    </message>
+    <message>
+        <source>NEW TOOL</source>
+        <translation>新刀具</translation>
+    </message>
+    <message>
+        <source>New tool</source>
+        <translation>新刀具</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>无限制</translation>
+    </message>
+    <message>
+        <source>Notes</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>已保存</translation>
+    </message>
+    <message>
+        <source>The profile uses it now</source>
+        <translation>配置已使用</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>已删除</translation>
+    </message>
+    <message>
+        <source>Chattered at %1 rpm, %2 Hz  %3</source>
+        <translation>颤振于 %1 rpm，%2 Hz  %3</translation>
+    </message>
+    <message>
+        <source>No tools yet: begin with NEW TOOL</source>
+        <translation>尚无刀具：请从“新刀具”开始</translation>
+    </message>
+    <message>
+        <source>Noted</source>
+        <translation>已记下</translation>
     </message>
 </context>
 <context>
@@ -2705,6 +3669,17 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ToolModel</name>
+    <message>
+        <source>D %1 mm, %2 teeth</source>
+        <translation>D %1 mm，%2 齿</translation>
+    </message>
+    <message>
+        <source>, chattered here before: %1</source>
+        <translation>，曾颤振：%1</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::TracePlot</name>
     <message>
         <source>SIGNAL</source>
@@ -2724,6 +3699,151 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>低:稳定。半高:开始。满高:颤振。阴影:无结论。曲线为第一指标。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TransportBar</name>
+    <message>
+        <source>To the beginning</source>
+        <translation>到开头</translation>
+    </message>
+    <message>
+        <source>A block back</source>
+        <translation>后退一块</translation>
+    </message>
+    <message>
+        <source>PLAY</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>播放或暂停</translation>
+    </message>
+    <message>
+        <source>A block on</source>
+        <translation>前进一块</translation>
+    </message>
+    <message>
+        <source>LOOP</source>
+        <translation>循环</translation>
+    </message>
+    <message>
+        <source>Repeat the selected span</source>
+        <translation>重复所选区间</translation>
+    </message>
+    <message>
+        <source>Pace of the replay</source>
+        <translation>回放速度</translation>
+    </message>
+    <message>
+        <source>PAUSE</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>%1 x</source>
+        <translation>%1 x</translation>
+    </message>
+    <message>
+        <source>fastest</source>
+        <translation>最快</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TuneDesk</name>
+    <message>
+        <source>to the defaults</source>
+        <translation>恢复默认</translation>
+    </message>
+    <message>
+        <source>as the run began</source>
+        <translation>恢复到开始时</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TunePage</name>
+    <message>
+        <source>Methods</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>REDO</source>
+        <translation>重做</translation>
+    </message>
+    <message>
+        <source>AS BEGUN</source>
+        <translation>开始值</translation>
+    </message>
+    <message>
+        <source>DEFAULTS</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>WHAT IT SEES NOW</source>
+        <translation>当前所见</translation>
+    </message>
+    <message>
+        <source>COMPARE</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>A = B</source>
+        <translation>A = B</translation>
+    </message>
+    <message>
+        <source>Use the values of side A</source>
+        <translation>使用 A 侧的值</translation>
+    </message>
+    <message>
+        <source>Use the values of side B</source>
+        <translation>使用 B 侧的值</translation>
+    </message>
+    <message>
+        <source>Make the other side like this one</source>
+        <translation>使另一侧与此相同</translation>
+    </message>
+    <message>
+        <source>Nothing to tune: this session has no methods of its own</source>
+        <translation>无可调整：此会话没有自己的方法</translation>
+    </message>
+    <message>
+        <source>B = A</source>
+        <translation>B = A</translation>
+    </message>
+    <message>
+        <source>Both sides are alike. Take B, change something, and go to and fro.</source>
+        <translation>两侧相同。选 B，改动后来回切换。</translation>
+    </message>
+    <message>
+        <source>Values that differ: %1</source>
+        <translation>不同的值：%1</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>暂无</translation>
+    </message>
+    <message>
+        <source>It does not run</source>
+        <translation>未运行</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>已保存到 %1</translation>
+    </message>
+    <message>
+        <source>Not kept: %1</source>
+        <translation>未保存：%1</translation>
     </message>
 </context>
 <context>

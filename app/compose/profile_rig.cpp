@@ -45,17 +45,17 @@ config::KnownIds knownIds() {
   return known;
 }
 
-Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
-                                             SetUpFault* fault) {
+Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
+                                      std::vector<config::AskedSetting>* asked) {
   if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
   auto scenario = scenarioOf(profile, path);
   if (!scenario) return scenario.error();
   const milling::Scenario* simulated = *scenario ? &**scenario : nullptr;
   auto port = std::make_shared<milling::PlantPort>();
 
-  RigSpec spec;
+  ProfileParts parts;
   const auto clock = std::make_shared<SteadyClock>();
-  spec.clock = clock;
+  parts.clock = clock;
   daq::SourceRequest source;
   source.scenario = simulated;
   source.port = port;
@@ -69,23 +69,34 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   source.clock = clock.get();
   auto device = daq::makeSource(profile.source.id, source);
   if (!device) return device.error();
-  spec.device = std::move(device).value();
-  if (!profile.link.id.empty()) {
-    cnc::LinkRequest request;
-    request.scenario = simulated;
-    request.port = port;
-    request.settings = profile.link.settings;
-    request.folder = std::filesystem::path(path).parent_path().string();
-    request.wires = makeWire;
-    request.buses = busMaker();
-    request.analog = makeComediOutput;
-    request.programmedSpeed = profile.cut.nominalSpeed;
-    request.programmedFeed = profile.cut.nominalFeed;
-    request.clock = clock.get();
-    auto link = cnc::makeLink(profile.link.id, request);
-    if (!link) return link.error();
-    spec.link = std::move(link).value();
-  }
+  parts.device = std::move(device).value();
+  if (profile.link.id.empty()) return parts;
+  cnc::LinkRequest request;
+  request.scenario = simulated;
+  request.port = port;
+  request.settings = profile.link.settings;
+  request.folder = std::filesystem::path(path).parent_path().string();
+  request.wires = makeWire;
+  request.buses = busMaker();
+  request.analog = makeComediOutput;
+  request.programmedSpeed = profile.cut.nominalSpeed;
+  request.programmedFeed = profile.cut.nominalFeed;
+  request.clock = clock.get();
+  request.asked = asked;
+  auto link = cnc::makeLink(profile.link.id, request);
+  if (!link) return link.error();
+  parts.link = std::move(link).value();
+  return parts;
+}
+
+Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
+                                             SetUpFault* fault) {
+  auto parts = makeProfileParts(profile, path);
+  if (!parts) return parts.error();
+  RigSpec spec;
+  spec.device = std::move(parts->device);
+  spec.clock = std::move(parts->clock);
+  spec.link = std::move(parts->link);
   spec.setup = profile.cut;
   auto known = stableSpeeds(profile, besideProfile(profile.model, path));
   if (!known) return known.error();

@@ -5,12 +5,23 @@
 #include <memory>
 
 #include "app/compose/rig.h"
+#include "core/config/part_settings.h"
 #include "core/config/profile.h"
 
 namespace stillcut::app {
 
 // Ids that a profile may name.
 config::KnownIds knownIds();
+
+// Device and link of a profile, made and not yet opened. A simulated pair shares its plant.
+struct ProfileParts {
+  std::shared_ptr<const Clock> clock;  // outlives both
+  std::unique_ptr<daq::DaqSource> device;
+  std::unique_ptr<cnc::CncLink> link;  // empty: no machine
+};
+// `asked`, where given, is told of every setting the link asks for.
+Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
+                                      std::vector<config::AskedSetting>* asked = nullptr);
 
 // The source "simulated" takes the setting `scenario`, a file; its machine is the link "simulated".
 // `fault`: as for Rig::build.

@@ -60,17 +60,22 @@ Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& t
   std::vector<AlarmList> lists(request.detectors.size());
   std::optional<Instant> begin;
   Instant end{};
-  rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
+  const auto observe = [&](const StepInput& in, const StepOutput& out) {
     if (!begin) begin = in.block.firstSample;
     end = in.block.end();
     for (std::size_t d = 0; d < lists.size(); ++d) {
       lists[d].observe(secondsBetween(*begin, out.verdicts[d].time), out.verdicts[d]);
     }
-  });
+  };
+  const double length = std::max(built->format.length().value, 1e-9);
+  while (rig.advance(observe)) {
+    if (request.goOn && !request.goOn(secondsBetween(*begin, end).value / length)) return Error{path, "stopped", ""};
+  }
   if (const std::string fault = rig.device().fault(); !fault.empty()) return Error{"", fault, ""};
-  FileScore score{path, truth, begin ? secondsBetween(*begin, end) : Seconds(), {}};
+  FileScore score{path, truth, begin ? secondsBetween(*begin, end) : Seconds(), {}, {}};
   for (std::size_t d = 0; d < lists.size(); ++d) {
     score.byDetector[request.detectors[d]] = scoreAlarms(truth.spans, lists[d].alarms());
+    score.alarms[request.detectors[d]] = lists[d].alarms();
   }
   return score;
 }

@@ -2,6 +2,7 @@
 // Thread: set-up (runs the recording as fast as it can, in the caller's thread).
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct ScoreRequest {
   std::vector<std::string> settings;  // KEY=VALUE on top of all
   int teeth = 0;                      // 0: as the truth or the recording says
   Rpm speed{};                        // likewise
+  std::function<bool(double)> goOn;   // told the part done, 0 .. 1; false: stop with an error. Empty: to the end
 };
 
 struct FileScore {
@@ -25,8 +27,10 @@ struct FileScore {
   RecordedTruth truth;
   Seconds length{};
   std::map<std::string, AlarmScore> byDetector;
+  std::map<std::string, std::vector<Alarm>> alarms;
 };
 
+// Without spans of truth only the alarms are told.
 Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& truth, const ScoreRequest& request);
 
 // "energy-ratio would have alarmed 3 times, 2 of them marked false; before 5 times, 4 of them marked false"

@@ -29,7 +29,10 @@ class ReplayRun {
   // The recording has ended. One that was paused or loops does not.
   bool finished() const { return finished_.load(std::memory_order_acquire); }
   daq::ReplayControl& control() { return *control_; }
+  // What does not change while it runs: set-up, parameters, parts.
+  const Rig& rig() const { return *rig_; }
   const Snapshot* read() { return rig_->read(); }
+  pipeline::SignalTap& signal() { return rig_->signal(); }
   // To the run, at its next block: new parameters. Screen's thread. False: too many at once.
   bool send(const OperatorInput& input) { return rig_->send(input); }
   // After stop(): what made it end early; empty for a plain end.

@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QStandardPaths>
 #include <algorithm>
 #include <array>
@@ -194,6 +195,11 @@ int run(int argc, char** argv) {
 
   // Pictures are made of what the command line says alone.
   if (live) (*session)->keepStateIn(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+  (*session)->demonstrateWith((resourceFolder() / "scenarios/demo.toml").string());
+  (*session)->listRecordingsIn(options->record.isEmpty()
+                                   ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                                         QStringLiteral("/recordings")
+                                   : QFileInfo(options->record).absolutePath());
   ui::MainWindow window(**session, options->theme, options->language);
   if (live) window.restorePlace();
   window.showPage(options->page);

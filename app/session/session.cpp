@@ -6,38 +6,12 @@
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
-#include "core/detect/energy_ratio.h"
+#include "app/session/run_tuning.h"
+#include "app/session/session_view.h"
 #include "core/milling/scenario.h"
 
 namespace stillcut::app {
 namespace {
-
-QString text(std::string_view s) {
-  return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
-}
-
-ui::SessionInfo makeInfo(const Rig& rig) {
-  ui::SessionInfo info;
-  info.setup = rig.setup();
-  for (const auto& detector : rig.chain().parts().detectors) {
-    const detect::DetectorInfo d = detector->describe();
-    ui::DetectorInfo shown{text(d.id), text(d.label), {}};
-    for (std::string_view indicator : d.indicators) shown.indicators.push_back(text(indicator));
-    info.detectors.push_back(std::move(shown));
-  }
-  if (rig.hasLink()) {
-    const cnc::LinkInfo link = rig.linkInfo();
-    info.linkLabel = text(link.label);
-    info.simulatedMachine = link.simulated;
-    info.machineWatchdog = link.machineWatchdog;
-  }
-  info.limits.energyRatio = rig.params().real(detect::kErChatter);
-  const CutSetup& cut = info.setup;
-  if (cut.teeth > 0 && cut.nominalSpeed.value > 0.0) {
-    info.feedPerTooth = Metres(cut.nominalFeed.value / toothPassing(cut.nominalSpeed, cut.teeth).value);
-  }
-  return info;
-}
 
 // Live stream time is the steady clock's.
 qint64 wallAtLiveZero() {
@@ -47,13 +21,19 @@ qint64 wallAtLiveZero() {
 }  // namespace
 
 Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string configuration)
-    : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {}
+    : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {
+  replays_.mayShow = [this] { return mayShowReplay(); };
+  replays_.tuned = [this] { return tunedSettings(); };
+  machine_.running = [this] { return runningProfile(); };
+  machine_.begin = [this](const std::string& path) { return switchTo([&path] { return openProfileSession(path); }); };
+}
 
 Session::~Session() {
   (void)stop().ok();
 }
 
 void Session::start(const std::filesystem::path& flights) {
+  flights_ = flights;
   flightLog_.emplace(rig_->flights(), flights);
   flightLog_->start();
   rig_->start({});
@@ -65,13 +45,96 @@ Status Session::stop() {
   return recorded ? flown : recorded;
 }
 
-const Snapshot* Session::pull() {
-  const Snapshot* snapshot = rig_->read();
-  if (lobes_ && snapshot != nullptr && !lobes_->started()) {
-    const PathHealth& health = snapshot->health;
-    lobes_->setStart(snapshot->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+void Session::demonstrateWith(const std::string& scenario) {
+  machine_.beginDemonstration = [this, scenario] {
+    return switchTo([&scenario] { return openScenarioSession(scenario, true); });
+  };
+}
+
+Status Session::switchTo(const Opening& open) {
+  if (rig_->hasLink() && !rig_->linkInfo().simulated && authority_ != Authority::Off) {
+    return Error{"start", "the machine is under our authority", "set it to Off first"};
   }
-  return snapshot;
+  if (const Status kept = stop(); !kept) return kept;
+  auto next = open();
+  if (!next)
+    return Error{next.error().where, next.error().what, next.error().why + "; the cut before has been stopped"};
+  flightLog_.reset();
+  rig_ = std::move((*next)->rig_);
+  info_ = std::move((*next)->info_);
+  configuration_ = std::move((*next)->configuration_);
+  profile_ = std::move((*next)->profile_);
+  lobes_ = std::move((*next)->lobes_);
+  machine_.inForce = profile_;
+  tuned_.clear();
+  authority_ = Authority::Off;
+  ++runs_;
+  start(flights_);
+  return Done{};
+}
+
+// Of a profile all of it; of a scenario what a profile can say of it.
+config::Profile Session::runningProfile() const {
+  if (!profile_.empty()) {
+    if (auto loaded = config::loadProfile(profile_, fullCatalog(), knownIds()); loaded) return std::move(*loaded);
+  }
+  config::Profile profile;
+  profile.cut = rig_->setup();
+  profile.strategy = rig_->chain().parts().strategy->describe().id;
+  profile.allowAuto = false;
+  return profile;
+}
+
+const Snapshot* Session::pull() {
+  const Snapshot* live = rig_->read();
+  if (live != nullptr) authority_ = live->authority;
+  if (lobes_ && live != nullptr && !lobes_->started()) {
+    const PathHealth& health = live->health;
+    lobes_->setStart(live->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+  }
+  return shown() ? replays_.replayed() : live;
+}
+
+void Session::send(const OperatorInput& input) {
+  if (input.action != OperatorAction::SetParameter) {
+    rig_->send(input);
+    return;
+  }
+  const config::ParamCatalog catalog = fullCatalog();
+  for (const config::ParamDecl* decl : catalog.all()) {
+    if (config::parameterId(decl->key) != input.parameter) continue;
+    config::ParamSet value;
+    if (value.set(*decl, input.value, "tune")) tuned_[std::string(decl->key)] = value.text(*decl);
+  }
+  if (shown()) {
+    replays_.send(input);
+  } else {
+    rig_->send(input);
+  }
+}
+
+// A machine that we command may not go out of sight.
+Status Session::mayShowReplay() const {
+  if (!rig_->hasLink() || rig_->linkInfo().simulated || authority_ == Authority::Off) return Done{};
+  return Error{"replay", "the machine is under our authority", "set it to Off first"};
+}
+
+QStringList Session::tunedSettings() const {
+  QStringList settings;
+  for (const auto& [key, value] : tuned_) settings.push_back(QString::fromStdString(key + "=" + value));
+  return settings;
+}
+
+const std::vector<ui::TunablePart>& Session::tunableParts() const {
+  if (partsOf_ != generation()) {
+    parts_ = app::tunableParts(shownRig());
+    partsOf_ = generation();
+  }
+  return parts_;
+}
+
+Result<QString> Session::saveValues(const config::ParamSet& values) {
+  return keepValues({values, shownRig().params()}, profile_, stateFolder_);
 }
 
 ui::LinkStatus Session::link() const {
@@ -105,8 +168,8 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   auto built = buildScenarioRig(*scenario, options);
   if (!built) return built.error();
 
-  ui::SessionInfo info = makeInfo(*built->rig);
-  info.sourceLabel = QStringLiteral("%1 (%2)").arg(text("simulated cut"), text(scenario->name));
+  ui::SessionInfo info = sessionInfo(*built->rig);
+  info.sourceLabel = QStringLiteral("%1 (%2)").arg(viewText("simulated cut"), viewText(scenario->name));
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   session->setLobes(std::make_unique<LobeWorker>(*scenario));
@@ -120,10 +183,13 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
   if (!profile) return profile.error();
   auto rig = buildProfileRig(*profile, path);
   if (!rig) return rig.error();
-  ui::SessionInfo info = makeInfo(**rig);
+  ui::SessionInfo info = sessionInfo(**rig);
   info.sourceLabel = QString::fromStdString(profile->source.id);
   info.wallMsAtStreamZero = wallAtLiveZero();
-  return std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));
+  auto session =
+      std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));
+  session->madeFrom(path);
+  return session;
 }
 
 }  // namespace stillcut::app

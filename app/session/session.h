@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,11 +11,14 @@
 #include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
 #include "app/session/lobe_worker.h"
+#include "app/session/machine_desk.h"
+#include "app/session/replay_desk.h"
+#include "ui/models/tuning.h"
 #include "ui/shell/session_facade.h"
 
 namespace stillcut::app {
 
-class Session final : public ui::SessionFacade {
+class Session final : public ui::SessionFacade, public ui::Tuning {
  public:
   // `rig` built with spec.watched; `configuration` is what a recording keeps as the text in force.
   Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string configuration);
@@ -22,10 +26,17 @@ class Session final : public ui::SessionFacade {
 
   // Before start(): everything goes to the session file as well.
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
+  // The file that changed parameters are kept in.
+  void madeFrom(const std::string& profile) { profile_ = machine_.inForce = profile; }
   // Before the window is made: where the screens keep what outlives a restart.
-  void keepStateIn(const QString& folder) { stateFolder_ = folder; }
+  void keepStateIn(const QString& folder) {
+    stateFolder_ = folder;
+    machine_.keepIn(folder);
+  }
   // The model that the Lobes page looks at.
   void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
+  // What the Set up page may show of a first start.
+  void demonstrateWith(const std::string& scenario);
   // Threads on. Flight recordings go to `flights`.
   void start(const std::filesystem::path& flights);
   // Threads off; the machine has its programmed values back, what was recorded is on the disk. An error: not all of it.
@@ -33,22 +44,52 @@ class Session final : public ui::SessionFacade {
   // Instead of start(): one block at once. False: the source has ended.
   bool advance() { return rig_->advance(); }
 
-  const ui::SessionInfo& info() const override { return info_; }
+  const ui::SessionInfo& info() const override { return shown() ? replays_.info() : info_; }
+  std::uint32_t generation() const override { return runs_ + replays_.generation(); }
   const Snapshot* pull() override;
-  void readSignal(const std::function<void(const SampleBlock&)>& sink) override { rig_->signal().read(sink); }
+  void readSignal(const std::function<void(const SampleBlock&)>& sink) override { shownSignal().read(sink); }
   void showChannel(int channel) override { rig_->showChannel(channel); }
-  void send(const OperatorInput& input) override { rig_->send(input); }
+  // What asks the machine for something always goes to the cut; parameters go to what is shown.
+  void send(const OperatorInput& input) override;
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return lobes_.get(); }
   QString stateFolder() const override { return stateFolder_; }
+  ui::Tuning* tuning() override { return this; }
+  ui::SessionDesk* sessions() override { return &replays_; }
+  ui::SetupDesk* setup() override { return &machine_; }
+  void listRecordingsIn(const QString& folder) { replays_.setFolder(folder); }
+
+  std::uint32_t tuningRun() const override { return generation(); }
+  const std::vector<ui::TunablePart>& tunableParts() const override;
+  const config::ParamSet& startValues() const override { return shownRig().params(); }
+  Result<QString> saveValues(const config::ParamSet& values) override;
 
  private:
+  bool shown() const { return replays_.shownEverywhere() && replays_.rig() != nullptr; }
+  const Rig& shownRig() const { return shown() ? *replays_.rig() : *rig_; }
+  pipeline::SignalTap& shownSignal() { return shown() ? *replays_.signal() : rig_->signal(); }
+  Status mayShowReplay() const;
+  QStringList tunedSettings() const;
+  config::Profile runningProfile() const;
+  // Another run takes the place of this one, whose machine gets its programmed values back first.
+  using Opening = std::function<Result<std::unique_ptr<Session>>()>;
+  Status switchTo(const Opening& open);
+
   std::unique_ptr<Rig> rig_;
+  ReplayDesk replays_;
+  MachineDesk machine_;
+  std::uint32_t runs_ = 0;
+  std::filesystem::path flights_;
   ui::SessionInfo info_;
   std::string configuration_;
   QString stateFolder_;
   std::unique_ptr<LobeWorker> lobes_;
+  std::string profile_;                         // the run was made from; empty: none
+  mutable std::vector<ui::TunablePart> parts_;  // of run partsOf_
+  mutable std::optional<std::uint32_t> partsOf_;
+  Authority authority_ = Authority::Off;  // as last seen
+  std::map<std::string, std::string> tuned_;
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
 };
 

@@ -17,7 +17,7 @@ namespace stillcut::cnc {
 namespace {
 
 Result<std::unique_ptr<CncLink>> makeSimulated(const LinkRequest& r) {
-  const config::PartSettings settings(r.settings, "link 'simulated'");
+  const config::PartSettings settings(r.settings, "link 'simulated'", r.asked);
   if (Status known = settings.finish(); !known) return known.error();
   if (r.scenario == nullptr) return Error{"link 'simulated'", "a scenario is needed", ""};
   return std::unique_ptr<CncLink>(std::make_unique<SimulatedMachine>(*r.scenario, r.port));
@@ -30,7 +30,7 @@ Status realMachine(const LinkRequest& r, const std::string& where) {
 
 Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   const std::string where = "link 'linuxcnc'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   LinuxCncSettings s;
   s.rsh.host = settings.text("host", s.rsh.host);
   s.rsh.port = settings.whole("port", s.rsh.port, 1, 65535);
@@ -62,7 +62,7 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
   const std::string where = "link 'grbl'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   GrblSettings s;
   if (settings.has("host")) {
     s.wire = {.host = settings.text("host", ""), .port = settings.whole("port", 23, 1, 65535), .device = {}};
@@ -81,7 +81,7 @@ Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
   const std::string where = "link 'modbus'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
   if (file.empty()) return Error{where, "'map' is missing", "it names the file with the machine's registers"};
@@ -97,7 +97,7 @@ Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeAnalog(const LinkRequest& r) {
   const std::string where = "link 'analog'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
   if (file.empty()) return Error{where, "'map' is missing", "it names the file with outputs and calibration tables"};

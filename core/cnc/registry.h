@@ -8,11 +8,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/cnc/analog_link.h"
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/register_bus.h"
+#include "core/config/part_settings.h"
 #include "core/milling/plant_port.h"
 #include "core/milling/scenario.h"
 
@@ -29,7 +31,8 @@ struct LinkRequest {
   std::function<std::unique_ptr<AnalogOutput>()> analog;  // may give null
   Rpm programmedSpeed{};                                  // of the profile, for machines that do not tell
   MetresPerSecond programmedFeed{};
-  const Clock* clock = nullptr;  // real machines; outlives the link
+  const Clock* clock = nullptr;                        // real machines; outlives the link
+  std::vector<config::AskedSetting>* asked = nullptr;  // told of every setting the link asks for
 };
 
 struct LinkEntry {

@@ -31,17 +31,29 @@ const std::string* PartSettings::find(std::string_view key) {
   return found == settings_.end() ? nullptr : &found->second;
 }
 
+void PartSettings::tell(AskedSetting setting) const {
+  if (asked_ == nullptr) return;
+  const auto same = std::find_if(asked_->begin(), asked_->end(), [&](const auto& a) { return a.key == setting.key; });
+  if (same == asked_->end()) {
+    asked_->push_back(std::move(setting));
+  } else {
+    *same = std::move(setting);
+  }
+}
+
 void PartSettings::fault(std::string_view key, const std::string& what, const std::string& why) {
   if (!first_) first_ = Error{where_, "'" + std::string(key) + "' " + what, why};
 }
 
 std::string PartSettings::text(std::string_view key, const std::string& fallback) {
+  tell({std::string(key), AskedSetting::Kind::Text, fallback, 0.0, 0.0, {}});
   const std::string* given = find(key);
   if (given != nullptr && given->empty()) fault(key, "is empty", "leave it out for the usual value");
   return given == nullptr ? fallback : *given;
 }
 
 double PartSettings::number(std::string_view key, double fallback, double lowest, double highest) {
+  tell({std::string(key), AskedSetting::Kind::Number, shortly(fallback), lowest, highest, {}});
   const std::string* given = find(key);
   if (given == nullptr) return fallback;
   const auto value = config::number(*given);
@@ -52,12 +64,19 @@ double PartSettings::number(std::string_view key, double fallback, double lowest
 
 int PartSettings::whole(std::string_view key, int fallback, int lowest, int highest) {
   const double value = number(key, fallback, lowest, highest);
+  tell({std::string(key),
+        AskedSetting::Kind::Whole,
+        std::to_string(fallback),
+        static_cast<double>(lowest),
+        static_cast<double>(highest),
+        {}});
   if (value == std::floor(value)) return static_cast<int>(value);
   fault(key, "is '" + shortly(value) + "'", "must be a whole number");
   return fallback;
 }
 
 bool PartSettings::flag(std::string_view key, bool fallback) {
+  tell({std::string(key), AskedSetting::Kind::Flag, fallback ? "true" : "false", 0.0, 1.0, {}});
   const std::string* given = find(key);
   if (given == nullptr) return fallback;
   if (*given == "true" || *given == "false") return *given == "true";
@@ -67,6 +86,12 @@ bool PartSettings::flag(std::string_view key, bool fallback) {
 
 std::size_t PartSettings::choice(std::string_view key, std::size_t fallback,
                                  const std::vector<std::string_view>& words) {
+  tell({std::string(key),
+        AskedSetting::Kind::Choice,
+        std::string(words[fallback]),
+        0.0,
+        static_cast<double>(words.size()) - 1.0,
+        {words.begin(), words.end()}});
   const std::string* given = find(key);
   if (given == nullptr) return fallback;
   const auto found = std::find(words.begin(), words.end(), *given);

@@ -14,11 +14,23 @@
 
 namespace stillcut::config {
 
+// One setting as a part asks for it: what a form is made of.
+struct AskedSetting {
+  enum class Kind { Text, Number, Whole, Flag, Choice };
+  std::string key;
+  Kind kind = Kind::Text;
+  std::string fallback;  // as text
+  double lowest = 0.0, highest = 0.0;
+  std::vector<std::string> words;  // of a choice
+};
+
 class PartSettings {
  public:
   // `where` names the part in errors: "link 'linuxcnc'".
-  PartSettings(const std::map<std::string, std::string>& settings, std::string where)
-      : settings_(settings), where_(std::move(where)) {}
+  // `asked`, where given, is told of every setting the part asks for.
+  PartSettings(const std::map<std::string, std::string>& settings, std::string where,
+               std::vector<AskedSetting>* asked = nullptr)
+      : settings_(settings), where_(std::move(where)), asked_(asked) {}
 
   std::string text(std::string_view key, const std::string& fallback);
   // Outside [lowest, highest], or no number: a fault, and the fallback.
@@ -27,7 +39,10 @@ class PartSettings {
   bool flag(std::string_view key, bool fallback);
   // The place of one of `words`; a fault names them all.
   std::size_t choice(std::string_view key, std::size_t fallback, const std::vector<std::string_view>& words);
-  bool has(std::string_view key) const { return settings_.contains(std::string(key)); }
+  bool has(std::string_view key) const {
+    if (asked_ != nullptr) tell({std::string(key), AskedSetting::Kind::Text, "", 0.0, 0.0, {}});
+    return settings_.contains(std::string(key));
+  }
   // A fault the part itself has found.
   void fault(std::string_view key, const std::string& what, const std::string& why);
 
@@ -35,9 +50,12 @@ class PartSettings {
 
  private:
   const std::string* find(std::string_view key);
+  // A later question about the same key says more than has().
+  void tell(AskedSetting setting) const;
 
   const std::map<std::string, std::string>& settings_;
   std::string where_;
+  std::vector<AskedSetting>* asked_;
   std::vector<std::string_view> read_;
   std::optional<Error> first_;
 };

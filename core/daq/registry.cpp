@@ -31,7 +31,7 @@ Status realChannels(const SourceRequest& r, const std::string& where) {
 // Bytes over a wire: what frames are in them, and what cannot be seen in them, the rate and the channels.
 Result<std::unique_ptr<DaqSource>> makeStream(const SourceRequest& r, const std::string& where,
                                               WireAddress (*addressOf)(config::PartSettings&)) {
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   const WireAddress address = addressOf(settings);
   SourceFormat format;
   format.channels = r.channels;
@@ -109,7 +109,7 @@ Result<std::unique_ptr<DaqSource>> makePcm(const SourceRequest& r, const std::st
 
 Result<std::unique_ptr<DaqSource>> makeAlsa(const SourceRequest& r) {
   const std::string where = "source 'alsa'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", request.device);
   request.rate = Hertz(settings.whole("rate_hz", 48000, 8000, 192000));
@@ -120,7 +120,7 @@ Result<std::unique_ptr<DaqSource>> makeAlsa(const SourceRequest& r) {
 
 Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
   const std::string where = "source 'iio'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "");
   if (request.device.empty()) settings.fault("device", "is missing", "its name, as stillcut-cli devices lists it");
@@ -133,7 +133,7 @@ Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
 
 Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
   const std::string where = "source 'comedi'";
-  config::PartSettings settings(r.settings, where);
+  config::PartSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "/dev/comedi0");
   if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, from 100 to 1000000");

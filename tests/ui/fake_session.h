@@ -24,6 +24,13 @@ class FakeSession final : public SessionFacade {
   void showChannel(int channel) override { channel_ = channel; }
   LobeService* lobes() override { return lobesKnown_ ? &lobes_ : nullptr; }
   QString stateFolder() const override { return stateFolder_; }
+  Tuning* tuning() override { return tuning_; }
+
+  void setTuning(Tuning* tuning) { tuning_ = tuning; }
+  SetupDesk* setup() override { return setup_; }
+  void setSetup(SetupDesk* desk) { setup_ = desk; }
+  SessionDesk* sessions() override { return sessions_; }
+  void setSessions(SessionDesk* desk) { sessions_ = desk; }
 
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
   FakeLobes& fakeLobes() { return lobes_; }
@@ -68,6 +75,9 @@ class FakeSession final : public SessionFacade {
   int channel_ = 0;
   Seconds lost_{};
   std::vector<SampleBlock> signal_;
+  Tuning* tuning_ = nullptr;
+  SessionDesk* sessions_ = nullptr;
+  SetupDesk* setup_ = nullptr;
   std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
   std::mt19937 random_{7};

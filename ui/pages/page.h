@@ -29,6 +29,8 @@ class Page : public QWidget, public Themed {
   virtual void restore(const QSettings& settings) { static_cast<void>(settings); }
 
  signals:
+  // Shows another page of the window, by its id.
+  void pageAsked(const QString& id);
   void asked(const stillcut::OperatorInput& input);
 };
 

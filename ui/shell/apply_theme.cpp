@@ -32,6 +32,9 @@ QString styleSheet(const Theme& theme) {
       {QStringLiteral("@accentText"), theme.colors.onAdvice.name()},
       {QStringLiteral("@advice"), theme.colors.advice.name()},
       {QStringLiteral("@body"), QStringLiteral("%1px").arg(theme.px(type_size::kBody))},
+      {QStringLiteral("@fill"), theme.colors.fill.name()},
+      {QStringLiteral("@touch"), QStringLiteral("%1px").arg(theme.px(46))},
+      {QStringLiteral("@bar"), QStringLiteral("%1px").arg(theme.px(18))},
       {QStringLiteral("@label"), QStringLiteral("%1px").arg(theme.px(type_size::kLabel))}};
   for (const auto& [name, value] : values) sheet.replace(name, value);
   return sheet;

@@ -70,6 +70,7 @@ void MainWindow::addPages() {
     const QKeySequence key(static_cast<int>(Qt::CTRL) | (static_cast<int>(Qt::Key_0) + entry.number));
     header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
     connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
+    connect(page, &Page::pageAsked, this, qOverload<const QString&>(&MainWindow::showPage));
     connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input); });
   }
   state_.restore(pages_);

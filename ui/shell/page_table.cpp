@@ -6,6 +6,10 @@
 #include "ui/pages/analyse_page.h"
 #include "ui/pages/lobes_page.h"
 #include "ui/pages/operate_page.h"
+#include "ui/pages/sessions_page.h"
+#include "ui/pages/setup_page.h"
+#include "ui/pages/tune_page.h"
+#include "ui/report/report_files.h"
 
 namespace stillcut::ui {
 namespace {
@@ -23,6 +27,12 @@ constexpr std::array kPages{
     PageEntry{2, "analyse", QT_TRANSLATE_NOOP("Pages", "Analyse"), makeAnalyse},
     PageEntry{3, "lobes", QT_TRANSLATE_NOOP("Pages", "Lobes"),
               [](SessionFacade& session) -> Page* { return new LobesPage([&session] { return session.lobes(); }); }},
+    PageEntry{4, "tune", QT_TRANSLATE_NOOP("Pages", "Tune"),
+              [](SessionFacade& session) -> Page* { return new TunePage(session.tuning()); }},
+    PageEntry{5, "sessions", QT_TRANSLATE_NOOP("Pages", "Sessions"),
+              [](SessionFacade& session) -> Page* { return new SessionsPage(session.sessions(), &writeReport); }},
+    PageEntry{6, "setup", QT_TRANSLATE_NOOP("Pages", "Set up"),
+              [](SessionFacade& session) -> Page* { return new SetupPage(session.setup()); }},
 };
 
 }  // namespace

@@ -10,7 +10,10 @@
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
 #include "ui/models/lobe_service.h"
+#include "ui/models/session_desk.h"
 #include "ui/models/session_info.h"
+#include "ui/models/setup_desk.h"
+#include "ui/models/tuning.h"
 
 namespace stillcut::ui {
 
@@ -36,6 +39,12 @@ class SessionFacade {
   virtual LinkStatus link() const = 0;
   // Null: the modes of the cut are not known.
   virtual LobeService* lobes() { return nullptr; }
+  // What the Tune page works on; null: nothing. As long-lived as the session.
+  virtual Tuning* tuning() { return nullptr; }
+  // Recordings and their replay; null: there are none here. As long-lived as the session.
+  virtual SessionDesk* sessions() { return nullptr; }
+  // Parts, profiles and tools; null: nothing can be set up here. As long-lived as the session.
+  virtual SetupDesk* setup() { return nullptr; }
   // Where window and pages keep what outlives a restart; empty: nothing is kept.
   virtual QString stateFolder() const { return {}; }
 };

@@ -59,7 +59,8 @@ void TouchButton::applyTheme(const Theme& theme) {
 QSize TouchButton::sizeHint() const {
   const QFontMetricsF caption(theme_.font(type_size::kButton, true));
   const QFontMetricsF small(theme_.font(type_size::kTick));
-  const double width = std::max(caption.horizontalAdvance(text()), small.horizontalAdvance(hint_)) + theme_.px(40);
+  const double width = std::max(caption.horizontalAdvance(text()), small.horizontalAdvance(hint_)) +
+                       theme_.px(look_ == Look::Tab ? 22 : 40);
   const int touch = pixelsFor(kTouchMm, this);
   return {std::max(static_cast<int>(width), touch), std::max(theme_.px(baseHeight_), touch)};
 }

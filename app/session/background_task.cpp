@@ -1,0 +1,47 @@
+#include "app/session/background_task.h"
+
+#include <exception>
+#include <utility>
+
+namespace stillcut::app {
+
+void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work work) {
+  cancel();
+  what_ = what;
+  file_ = file;
+  problem_.clear();
+  job_ = std::make_shared<Job>();
+  thread_ = std::jthread([job = job_, work = std::move(work)] {
+    try {
+      job->result.emplace(work(job->progress));
+    } catch (const std::exception& e) {
+      job->result.emplace(Error{"task", e.what(), ""});
+    }
+    job->finished.store(true, std::memory_order_release);
+  });
+}
+
+void BackgroundTask::cancel() {
+  if (!job_) return;
+  job_->progress.stop.store(true, std::memory_order_relaxed);
+  if (thread_.joinable()) thread_.join();
+  job_.reset();
+}
+
+bool BackgroundTask::collect() {
+  if (!job_ || !job_->finished.load(std::memory_order_acquire)) return false;
+  thread_.join();
+  const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
+  if (!*job->result) {
+    problem_ = QString::fromStdString(job->result->error().line());
+  } else if (const Apply& apply = job->result->value()) {
+    apply();
+  }
+  return true;
+}
+
+ui::TaskState BackgroundTask::state() const {
+  return {what_, job_ != nullptr, job_ ? job_->progress.part.load(std::memory_order_relaxed) : 1.0, file_, problem_};
+}
+
+}  // namespace stillcut::app

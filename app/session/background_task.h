@@ -1,0 +1,49 @@
+// One piece of work on a thread of its own, with its progress, and its result taken over on the GUI thread.
+// Thread: GUI, but for the work itself and the progress it reports.
+#pragma once
+
+#include <QString>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "ui/models/session_desk.h"
+
+namespace stillcut::app {
+
+class BackgroundTask {
+ public:
+  // Work's own view of it: how far it is, and whether to go on.
+  struct Progress {
+    std::atomic<double> part{0.0};
+    std::atomic<bool> stop{false};
+  };
+  // Gives what to do on the GUI thread with the result; an empty function: nothing.
+  using Apply = std::function<void()>;
+  using Work = std::function<Result<Apply>(Progress&)>;
+
+  ~BackgroundTask() { cancel(); }
+
+  // What still runs is stopped first, and its result thrown away.
+  void start(ui::TaskState::What what, const QString& file, Work work);
+  // Ends it, and waits for that.
+  void cancel();
+  // True: something has been finished and applied.
+  bool collect();
+  ui::TaskState state() const;
+
+ private:
+  struct Job {
+    Progress progress;
+    std::atomic<bool> finished{false};
+    std::optional<Result<Apply>> result;  // the worker's until `finished`
+  };
+  std::shared_ptr<Job> job_;
+  std::jthread thread_;
+  ui::TaskState::What what_ = ui::TaskState::What::None;
+  QString file_, problem_;
+};
+
+}  // namespace stillcut::app

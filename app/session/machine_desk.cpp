@@ -1,0 +1,147 @@
+#include "app/session/machine_desk.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <filesystem>
+#include <utility>
+
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
+#include "app/session/machine_trial.h"
+#include "app/session/session_view.h"
+#include "app/session/tool_library.h"
+#include "core/cnc/registry.h"
+#include "core/control/registry.h"
+#include "core/daq/registry.h"
+#include "core/detect/registry.h"
+
+namespace stillcut::app {
+namespace {
+
+template <class Table>
+std::vector<ui::PartOption> options(const Table& table) {
+  std::vector<ui::PartOption> all;
+  for (const auto& row : table) all.push_back({viewText(row.id), viewText(row.description)});
+  return all;
+}
+
+template <class Table>
+std::vector<ui::PartOption> methods(const Table& table) {
+  std::vector<ui::PartOption> all;
+  for (const auto& row : table) all.push_back({viewText(row.id), viewText(row.make()->describe().label)});
+  return all;
+}
+
+}  // namespace
+
+bool MachineDesk::poll() {
+  return task_.collect();
+}
+
+std::vector<ui::PartOption> MachineDesk::sources() const {
+  return options(daq::sourceTable());
+}
+
+std::vector<ui::PartOption> MachineDesk::links() const {
+  return options(cnc::linkTable());
+}
+
+std::vector<ui::PartOption> MachineDesk::detectors() const {
+  return methods(detect::detectorTable());
+}
+
+std::vector<ui::PartOption> MachineDesk::strategies() const {
+  return methods(control::strategyTable());
+}
+
+std::vector<config::AskedSetting> MachineDesk::sourceSettings(const config::Profile& profile) const {
+  // The simulated device's cut is the profile's affair, for its machine runs in the same one.
+  if (profile.source.id == "simulated") return {{"scenario", config::AskedSetting::Kind::Text, "", 0.0, 0.0, {}}};
+  std::vector<config::AskedSetting> asked;
+  if (profile.source.id.empty()) return asked;
+  daq::SourceRequest request;
+  request.settings = profile.source.settings;
+  request.channels = profile.cut.channels;
+  request.asked = &asked;
+  (void)daq::makeSource(profile.source.id, request).ok();
+  return asked;
+}
+
+// The link itself is asked: it is made without a wire, which it says only after its settings.
+std::vector<config::AskedSetting> MachineDesk::linkSettings(const config::Profile& profile) const {
+  std::vector<config::AskedSetting> asked;
+  if (profile.link.id.empty()) return asked;
+  cnc::LinkRequest request;
+  request.settings = profile.link.settings;
+  request.asked = &asked;
+  (void)cnc::makeLink(profile.link.id, request).ok();
+  return asked;
+}
+
+std::string MachineDesk::profileFile(const QString& name) const {
+  return QDir(folder_).filePath(QStringLiteral("profiles/%1.toml").arg(name)).toStdString();
+}
+
+QStringList MachineDesk::profiles() const {
+  QStringList names;
+  const QDir folder(QDir(folder_).filePath(QStringLiteral("profiles")));
+  if (folder_.isEmpty()) return names;
+  for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.toml")}, QDir::Files, QDir::Name)) {
+    names.push_back(file.completeBaseName());
+  }
+  return names;
+}
+
+QString MachineDesk::profileInForce() const {
+  return inForce.empty() ? QString() : QFileInfo(QString::fromStdString(inForce)).completeBaseName();
+}
+
+Result<config::Profile> MachineDesk::load(const QString& name) const {
+  return config::loadProfile(profileFile(name), fullCatalog(), knownIds());
+}
+
+Result<QString> MachineDesk::save(const config::Profile& profile, const QString& name) {
+  if (folder_.isEmpty()) return Error{"profile", "there is no folder to keep it in", ""};
+  const bool sayable = !name.isEmpty() && !name.contains(u'/') && !name.startsWith(u'.');
+  if (!sayable) return Error{"profile", "'" + name.toStdString() + "' is no name for a file", "letters and digits"};
+  const std::string file = profileFile(name);
+  std::error_code problem;
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
+  const config::ParamCatalog catalog = fullCatalog();
+  // What could not be read again is not written.
+  const auto sound = config::parseProfile(config::profileText(profile, catalog), file, catalog, knownIds());
+  if (!sound) return sound.error();
+  if (const Status saved = config::saveProfile(profile, catalog, file); !saved) return saved.error();
+  return QString::fromStdString(file);
+}
+
+void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
+  trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Runs, {}}};
+  task_.start(ui::TaskState::What::None, {},
+              [this, profile, path = profileFile(name.isEmpty() ? QStringLiteral("new") : name)](
+                  BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+                return BackgroundTask::Apply([this, steps = tryProfile(profile, path)] { trial_ = steps; });
+              });
+}
+
+Status MachineDesk::start(const QString& name) {
+  if (!begin) return Error{"profile", "cannot be put in force here", ""};
+  return begin(profileFile(name));
+}
+
+Status MachineDesk::startDemonstration() {
+  if (!beginDemonstration) return Error{"demonstration", "cannot run here", ""};
+  return beginDemonstration();
+}
+
+Result<std::vector<ui::ToolEntry>> MachineDesk::tools() const {
+  if (folder_.isEmpty()) return std::vector<ui::ToolEntry>();
+  return loadTools(QDir(folder_).filePath(QStringLiteral("tools.toml")).toStdString());
+}
+
+Status MachineDesk::saveTools(const std::vector<ui::ToolEntry>& tools) {
+  if (folder_.isEmpty()) return Error{"tools", "there is no folder to keep them in", ""};
+  return app::saveTools(tools, QDir(folder_).filePath(QStringLiteral("tools.toml")).toStdString());
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,94 @@
+// ReplayDesk: the recordings of a folder, one of them opened, replayed by hand, marked, held against detectors and
+// exported. Nothing of it can reach a machine: a replay's rig has none. Thread: GUI; work that takes time runs apart.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/compose/replay_run.h"
+#include "app/session/background_task.h"
+#include "ui/models/session_desk.h"
+#include "ui/models/session_info.h"
+
+namespace stillcut::app {
+
+class ReplayDesk final : public ui::SessionDesk {
+ public:
+  ReplayDesk() = default;
+  ~ReplayDesk() override;
+
+  // Of the opened recording, for the place of the cut on every page.
+  const ui::SessionInfo& info() const { return info_; }
+  const Rig* rig() const { return run_ ? &run_->rig() : nullptr; }
+  pipeline::SignalTap* signal() { return run_ ? &run_->signal() : nullptr; }
+  void send(const OperatorInput& input);
+  // The session says whether its cut may leave the screen, and what was tuned.
+  std::function<Status()> mayShow;
+  std::function<QStringList()> tuned;
+  // Counts what was opened and shown.
+  std::uint32_t generation() const { return generation_; }
+
+  bool poll() override;
+  QString folder() const override { return folder_; }
+  void setFolder(const QString& folder) override;
+  const std::vector<ui::SessionEntry>& entries() const override { return entries_; }
+  void open(const QString& path) override;
+  QString openedPath() const override { return path_; }
+  std::shared_ptr<const SessionSummary> summary() const override { return summary_; }
+
+  ui::ReplayState replay() const override;
+  const Snapshot* replayed() override { return run_ ? run_->read() : nullptr; }
+  void play() override;
+  void pause() override;
+  void step(int blocks) override;
+  void setPace(double times) override;
+  void goTo(Seconds time) override;
+  void loop(Seconds from, Seconds to) override;
+  void endLoop() override;
+  Status showEverywhere(bool on) override;
+  bool shownEverywhere() const override { return everywhere_; }
+
+  const std::vector<Marker>& markers() const override { return markers_; }
+  Seconds markerTime(const Marker& marker) const override { return secondsBetween(begin_, marker.begin); }
+  Status mark(Seconds from, Seconds to, const QString& label, const QString& note) override;
+  Status removeMark(std::uint64_t number) override;
+
+  QStringList tunedSettings() const override { return tuned ? tuned() : QStringList(); }
+  void runDetectors(const QStringList& settings) override;
+  const std::vector<ui::DetectorTrack>& tracks() const override { return tracks_; }
+  void score(bool wholeFolder) override;
+  const std::vector<ui::ScoreLine>& scores() const override { return scores_; }
+  void exportSpan(Seconds from, Seconds to, const QString& file) override;
+  ui::TaskState task() const override { return task_.state(); }
+  void cancel() override { task_.cancel(); }
+
+ private:
+  struct Opened;
+  void takeOpened(const std::shared_ptr<Opened>& opened);
+  void closeRun();
+  void reopenIfFinished();
+  // The file is the replay's while it is open: `change` gets it alone, then the replay goes on where it was.
+  Status changeFile(const std::function<Status(const std::string&)>& change);
+  bool reopen();
+
+  QString folder_, path_;
+  std::vector<ui::SessionEntry> entries_;
+  std::shared_ptr<const SessionSummary> summary_;
+  Instant begin_{};  // of the first sample, on the recording's clock
+  std::vector<Marker> markers_;
+  std::vector<ui::DetectorTrack> tracks_;
+  std::vector<ui::ScoreLine> scores_;
+  SteadyClock clock_;  // of the replay's pace
+  std::unique_ptr<ReplayRun> run_;
+  ui::SessionInfo info_;
+  ui::ReplayState hand_;  // pace, loop
+  bool everywhere_ = false;
+  bool changed_ = true;
+  std::uint32_t generation_ = 0;
+  BackgroundTask task_;
+  BackgroundTask listing_;
+};
+
+}  // namespace stillcut::app

@@ -1,0 +1,22 @@
+// RunTuning: the parameters of one rig as the Tune page shows them, and where to keep changed ones. Thread: GUI.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/compose/rig.h"
+#include "ui/models/tuning.h"
+
+namespace stillcut::app {
+
+// Every part there is; those the rig runs say what they chose for automatic parameters.
+std::vector<ui::TunablePart> tunableParts(const Rig& rig);
+
+struct ValuesToKeep {
+  const config::ParamSet& values;
+  const config::ParamSet& started;  // what differs from it is kept
+};
+// Into the profile itself where there is one, else into `folder`/parameters.toml, which --config reads.
+Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile, const QString& folder);
+
+}  // namespace stillcut::app

@@ -1,0 +1,36 @@
+#include "app/session/session_view.h"
+
+#include <utility>
+
+#include "core/detect/energy_ratio.h"
+
+namespace stillcut::app {
+
+QString viewText(std::string_view s) {
+  return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+ui::SessionInfo sessionInfo(const Rig& rig) {
+  ui::SessionInfo info;
+  info.setup = rig.setup();
+  for (const auto& detector : rig.chain().parts().detectors) {
+    const detect::DetectorInfo d = detector->describe();
+    ui::DetectorInfo shown{viewText(d.id), viewText(d.label), {}};
+    for (std::string_view indicator : d.indicators) shown.indicators.push_back(viewText(indicator));
+    info.detectors.push_back(std::move(shown));
+  }
+  if (rig.hasLink()) {
+    const cnc::LinkInfo link = rig.linkInfo();
+    info.linkLabel = viewText(link.label);
+    info.simulatedMachine = link.simulated;
+    info.machineWatchdog = link.machineWatchdog;
+  }
+  info.limits.energyRatio = rig.params().real(detect::kErChatter);
+  const CutSetup& cut = info.setup;
+  if (cut.teeth > 0 && cut.nominalSpeed.value > 0.0) {
+    info.feedPerTooth = Metres(cut.nominalFeed.value / toothPassing(cut.nominalSpeed, cut.teeth).value);
+  }
+  return info;
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,16 @@
+// What the screens are told once of a rig. Thread: GUI.
+#pragma once
+
+#include <QString>
+#include <string_view>
+
+#include "app/compose/rig.h"
+#include "ui/models/session_info.h"
+
+namespace stillcut::app {
+
+QString viewText(std::string_view s);
+// Everything but the source's label and the wall clock.
+ui::SessionInfo sessionInfo(const Rig& rig);
+
+}  // namespace stillcut::app

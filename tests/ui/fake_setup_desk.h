@@ -1,0 +1,99 @@
+// A desk of two devices, two links and a folder in memory.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "ui/models/setup_desk.h"
+
+namespace stillcut::ui {
+
+class FakeSetupDesk final : public SetupDesk {
+ public:
+  bool poll() override { return std::exchange(changed, false); }
+  std::vector<PartOption> sources() const override {
+    return {{QStringLiteral("simulated"), QStringLiteral("A simulated cut from a scenario file")},
+            {QStringLiteral("alsa"), QStringLiteral("A sound card")}};
+  }
+  std::vector<PartOption> links() const override {
+    return {
+        {QStringLiteral("simulated"), QStringLiteral("The control of the simulated mill")},
+        {QStringLiteral("linuxcnc"), QStringLiteral("LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port")}};
+  }
+  std::vector<PartOption> detectors() const override {
+    return {{QStringLiteral("energy-ratio"), QStringLiteral("Energy ratio")},
+            {QStringLiteral("coherence"), QStringLiteral("Coherence")}};
+  }
+  std::vector<PartOption> strategies() const override {
+    return {{QStringLiteral("monitor"), QStringLiteral("Monitor only")},
+            {QStringLiteral("stable-pocket"), QStringLiteral("Next stable pocket, checked")}};
+  }
+  std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const override {
+    if (profile.source.id != "simulated") return {};
+    return {{"scenario", config::AskedSetting::Kind::Text, "", 0.0, 0.0, {}}};
+  }
+  // As the link itself asks: what its settings are hangs on those it has.
+  std::vector<config::AskedSetting> linkSettings(const config::Profile& profile) const override {
+    std::vector<config::AskedSetting> asked;
+    if (profile.link.id != "linuxcnc") return asked;
+    config::PartSettings settings(profile.link.settings, "link 'linuxcnc'", &asked);
+    settings.text("host", "127.0.0.1");
+    settings.whole("port", 5007, 1, 65535);
+    settings.flag("adaptive_feed", false);
+    settings.choice("restore", 0, {"program", "hundred"});
+    settings.whole("lowest_speed_percent", 50, 1, 100);
+    return asked;
+  }
+  QStringList profiles() const override {
+    QStringList names;
+    for (const auto& [name, profile] : kept) names.push_back(name);
+    return names;
+  }
+  QString profileInForce() const override { return inForce; }
+  Result<config::Profile> load(const QString& name) const override {
+    const auto found = kept.find(name);
+    if (found == kept.end()) return Error{name.toStdString(), "does not exist", ""};
+    return found->second;
+  }
+  Result<QString> save(const config::Profile& profile, const QString& name) override {
+    if (name.isEmpty()) return Error{"profile", "'' is no name for a file", "letters and digits"};
+    kept[name] = profile;
+    return name + QStringLiteral(".toml");
+  }
+  config::Profile draft() const override { return {}; }
+  void tryOut(const config::Profile& profile, const QString&) override {
+    steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},
+             {TrialStep::What::Device, TrialStep::State::Good, QStringLiteral("25600 Hz, 2 channel(s)")},
+             {TrialStep::What::Samples, TrialStep::State::Good, QStringLiteral("x 0.42 m/s2, y 0.39 m/s2")}};
+    if (!profile.link.id.empty()) {
+      steps.push_back({TrialStep::What::Link, TrialStep::State::Bad,
+                       QStringLiteral("127.0.0.1:5007: connection refused (is linuxcncrsh running?)")});
+      steps.push_back({TrialStep::What::Machine, TrialStep::State::Waits, {}});
+    }
+    changed = true;
+  }
+  const std::vector<TrialStep>& trial() const override { return steps; }
+  Status start(const QString& name) override {
+    if (refuse) return Error{"start", "the machine is under our authority", "set it to Off first"};
+    inForce = name;
+    return Done{};
+  }
+  Status startDemonstration() override {
+    ++demonstrations;
+    return Done{};
+  }
+  Result<std::vector<ToolEntry>> tools() const override { return shop; }
+  Status saveTools(const std::vector<ToolEntry>& tools) override {
+    shop = tools;
+    return Done{};
+  }
+
+  std::map<QString, config::Profile> kept;
+  std::vector<ToolEntry> shop;
+  std::vector<TrialStep> steps;
+  QString inForce;
+  int demonstrations = 0;
+  bool changed = false, refuse = false;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,253 @@
+// The desks behind the Sessions, Tune and Set up pages on real recordings, simulated machines and files of a folder.
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+
+#include "app/compose/scenario_rig.h"
+#include "app/session/machine_desk.h"
+#include "app/session/replay_desk.h"
+#include "app/session/session.h"
+#include "app/session/tool_library.h"
+#include "core/detect/energy_ratio.h"
+#include "tests/component/demo_cut.h"
+
+namespace stillcut::app {
+namespace {
+
+// The short demo, recorded without control: chatter from 2 s on.
+std::string recordDemo(const QString& folder) {
+  QDir().mkpath(folder + QStringLiteral("/Housing/T12"));
+  const std::string path = (folder + QStringLiteral("/Housing/T12/demo.h5")).toStdString();
+  ScenarioOptions options;
+  options.methods.strategy = "monitor";
+  auto built = buildScenarioRig(test::demoCut(), options);
+  EXPECT_TRUE(built.ok());
+  EXPECT_TRUE(built->rig->recordTo(path, "").ok());
+  built->rig->runToEnd({});
+  EXPECT_TRUE(built->rig->recorder()->finish().ok());
+  return path;
+}
+
+template <class Desk>
+void waitFor(Desk& desk, const std::function<bool()>& done) {
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        desk.poll();
+        return done();
+      },
+      60000));
+}
+
+class ReplayDeskTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    path_ = QString::fromStdString(recordDemo(folder_.path()));
+    desk_.setFolder(folder_.path());
+    waitFor(desk_, [this] { return !desk_.entries().empty(); });
+    desk_.open(path_);
+    waitFor(desk_, [this] { return desk_.replay().open && desk_.replayed() != nullptr; });
+  }
+  void waitForTask() {
+    waitFor(desk_, [this] { return !desk_.task().running; });
+    EXPECT_TRUE(desk_.task().problem.isEmpty()) << desk_.task().problem.toStdString();
+  }
+
+  QTemporaryDir folder_;
+  QString path_;
+  ReplayDesk desk_;
+};
+
+TEST_F(ReplayDeskTest, ListsOpensPlaysJumpsAndBeginsAnew) {
+  ASSERT_EQ(desk_.entries().size(), 1U);
+  EXPECT_EQ(desk_.entries()[0].job, QStringLiteral("Housing"));
+  EXPECT_EQ(desk_.entries()[0].tool, QStringLiteral("T12"));
+  EXPECT_NEAR(desk_.replay().length.value, 5.0, 0.1);
+  EXPECT_FALSE(desk_.replay().playing);
+  desk_.goTo(Seconds(3.0));
+  waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 3.0) < 0.1; });
+  ASSERT_NE(desk_.replayed(), nullptr);
+  desk_.setPace(0.0);
+  desk_.play();
+  waitFor(desk_, [this] { return desk_.replay().finished; });
+  EXPECT_NEAR(desk_.replay().position.value, 5.0, 0.1);
+  desk_.goTo(Seconds(1.0));
+  waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 1.0) < 0.1; });
+  desk_.loop(Seconds(1.0), Seconds(1.5));
+  desk_.play();
+  waitFor(desk_, [this] { return desk_.replayed()->health.blocks > 300; });
+  EXPECT_LT(desk_.replay().position.value, 1.7) << "it goes round and round";
+}
+
+TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("chatter"), QStringLiteral("deep slot")).ok());
+  ASSERT_TRUE(desk_.mark(Seconds(1.0), Seconds(1.0), QStringLiteral("heard"), {}).ok());
+  ASSERT_EQ(desk_.markers().size(), 2U);
+  EXPECT_NEAR(desk_.markerTime(desk_.markers()[1]).value, 2.4, 1e-6);
+  ASSERT_TRUE(desk_.removeMark(desk_.markers()[0].number).ok());
+  waitFor(desk_, [this] { return desk_.replayed() != nullptr; });
+  ReplayDesk second;
+  second.open(path_);
+  waitFor(second, [&] { return second.replay().open; });
+  ASSERT_EQ(second.markers().size(), 1U);
+  EXPECT_EQ(second.markers()[0].note, "deep slot");
+}
+
+TEST_F(ReplayDeskTest, DetectorsRunSideBySideAndAreScored) {
+  ASSERT_TRUE(desk_.mark(Seconds(0.7), Seconds(1.5), QStringLiteral("stable"), {}).ok());
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.6), QStringLiteral("chatter"), {}).ok());
+  desk_.runDetectors({QStringLiteral("energy-ratio.onset-amplitude=1"), QStringLiteral("energy-ratio.chatter=1")});
+  waitForTask();
+  ASSERT_EQ(desk_.tracks().size(), 4U);
+  for (const ui::DetectorTrack& track : desk_.tracks()) {
+    if (track.detector != QStringLiteral("Energy ratio")) continue;
+    EXPECT_TRUE(track.compared);
+    EXPECT_GE(track.before.size(), 1U);
+    EXPECT_NE(track.after, track.before) << "the limits have changed nothing";
+  }
+  desk_.score(false);
+  waitForTask();
+  ASSERT_EQ(desk_.scores().size(), 4U);
+  for (const ui::ScoreLine& line : desk_.scores()) {
+    EXPECT_EQ(line.spans, 1);
+    if (line.detector == QStringLiteral("Energy ratio")) {
+      EXPECT_EQ(line.found, 1);
+    }
+  }
+}
+
+TEST_F(ReplayDeskTest, ExportsTheSpan) {
+  const QString file = folder_.filePath(QStringLiteral("span.wav"));
+  desk_.exportSpan(Seconds(2.0), Seconds(3.0), file);
+  waitForTask();
+  const double frames =
+      static_cast<double>(QFile(file).size()) / (4.0 * static_cast<double>(desk_.summary()->setup.channels.size()));
+  EXPECT_NEAR(frames / desk_.summary()->setup.rate.value, 1.0, 0.05);
+}
+
+TEST_F(ReplayDeskTest, WhatCannotBeReadIsASentence) {
+  QFile broken(folder_.filePath(QStringLiteral("broken.h5")));
+  ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
+  broken.write("nothing");
+  broken.close();
+  desk_.open(broken.fileName());
+  waitFor(desk_, [this] { return !desk_.task().running; });
+  EXPECT_TRUE(desk_.task().problem.contains(QStringLiteral("broken.h5")));
+  EXPECT_EQ(desk_.openedPath(), path_) << "what was open stays";
+}
+
+TEST(MachineDesk, TriesOutTheSimulatedMillStepByStep) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.machine = "Simulated mill";
+  profile.cut.teeth = 4;
+  profile.cut.nominalSpeed = Rpm(8500.0);
+  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+  profile.link = {"simulated", {}};
+  desk.tryOut(profile, QStringLiteral("mill"));
+  waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  for (const ui::TrialStep& step : desk.trial()) {
+    EXPECT_EQ(step.state, ui::TrialStep::State::Good) << step.detail.toStdString();
+  }
+  profile.source.settings["scenario"] = "nowhere.toml";
+  desk.tryOut(profile, QStringLiteral("mill"));
+  waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  EXPECT_EQ(desk.trial()[0].state, ui::TrialStep::State::Bad);
+  EXPECT_EQ(desk.trial()[1].state, ui::TrialStep::State::Waits);
+  EXPECT_TRUE(desk.trial()[0].detail.contains(QStringLiteral("nowhere.toml")));
+}
+
+TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
+  const MachineDesk desk;
+  config::Profile profile;
+  profile.link.id = "linuxcnc";
+  std::vector<std::string> keys;
+  for (const config::AskedSetting& asked : desk.linkSettings(profile)) keys.push_back(asked.key);
+  for (const char* key : {"host", "port", "hal_port", "lowest_speed_percent"}) {
+    EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << key;
+  }
+  for (const ui::PartOption& link : desk.links()) {
+    profile.link.id = link.id.toStdString();
+    for (const config::AskedSetting& asked : desk.linkSettings(profile)) EXPECT_FALSE(asked.key.empty());
+  }
+}
+
+TEST(MachineDesk, ProfilesAreKeptAndComeBack) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.machine = "Mill 3";
+  profile.source.id = "simulated";
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill3")).ok());
+  EXPECT_EQ(desk.profiles(), QStringList{QStringLiteral("mill3")});
+  const auto back = desk.load(QStringLiteral("mill3"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(back->cut.machine, "Mill 3");
+  EXPECT_FALSE(desk.save(profile, QStringLiteral("../evil")).ok());
+  profile.strategy = "no-such";
+  EXPECT_FALSE(desk.save(profile, QStringLiteral("mill4")).ok());
+  EXPECT_EQ(desk.profiles().size(), 1);
+}
+
+TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("data/tools.toml")).toStdString();
+  EXPECT_TRUE(loadTools(path)->empty());
+  ui::ToolEntry tool;
+  tool.name = QStringLiteral("T12 \"D12\" Z4 µ");
+  tool.holder = QStringLiteral("HSK63");
+  tool.teeth = 4;
+  tool.diameter_mm = 12.0;
+  tool.highestSpeed_rpm = 18000.0;
+  tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot")}, {8200.0, 0.0, 0.0, {}}};
+  ui::ToolEntry plain;
+  plain.name = QStringLiteral("T3");
+  ASSERT_TRUE(saveTools({tool, plain}, path).ok());
+  const auto back = loadTools(path);
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(*back, (std::vector<ui::ToolEntry>{tool, plain}));
+  QFile file(QString::fromStdString(path));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("version = 1\n[[tool]]\nname = \"T1\"\nteeth = 0\ndiameter_mm = 3\n");
+  file.close();
+  const auto wrong = loadTools(path);
+  ASSERT_FALSE(wrong.ok());
+  EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
+}
+
+TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
+  const QTemporaryDir folder;
+  const std::string demo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
+  auto session = openScenarioSession(demo, true);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  (*session)->keepStateIn(folder.path());
+  (*session)->demonstrateWith(demo);
+  (*session)->start(folder.filePath(QStringLiteral("flights")).toStdString());
+  const std::uint32_t before = (*session)->generation();
+  config::ParamSet values = (*session)->startValues();
+  ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());
+  const auto kept = (*session)->saveValues(values);
+  ASSERT_TRUE(kept.ok()) << kept.error().line();
+  QFile file(kept.value());
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().contains("chatter = 0.35"));
+  (*session)->send({OperatorAction::SetParameter, Authority::Off, 0, config::parameterId(detect::kErChatter.key), 0.4});
+  EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
+  ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
+  EXPECT_GT((*session)->generation(), before);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr; }, 20000)) << "the new cut moves";
+  const Status refused = (*session)->setup()->start(QStringLiteral("no-such-profile"));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("stopped"), std::string::npos);
+  EXPECT_TRUE((*session)->stop().ok());
+}
+
+}  // namespace
+}  // namespace stillcut::app

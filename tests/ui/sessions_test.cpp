@@ -1,0 +1,235 @@
+// The Sessions page, driven as a person would, and its models.
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QListView>
+
+#include "tests/ui/fake_session_desk.h"
+#include "tests/ui/page_picture.h"
+#include "ui/models/format.h"
+#include "ui/models/session_models.h"
+#include "ui/models/session_words.h"
+#include "ui/plots/session_timeline.h"
+#include "ui/widgets/transport_bar.h"
+#include "ui/widgets/value_slider.h"
+
+namespace stillcut::ui {
+namespace {
+
+class SessionsPageTest : public WindowTest {
+ protected:
+  void openSessions(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
+    session_.setSessions(&desk_);
+    open(width, height, theme);
+    window_->showPage(QStringLiteral("sessions"));
+    play(0.2);
+  }
+  void openFirst() {
+    auto* list = find<QListView>("session-list");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+    tick(40);
+  }
+  QPoint at(double seconds) const {
+    const auto* timeline = find<SessionTimeline>();
+    // The axis begins behind the names of the rows; found by asking the widget itself.
+    return {static_cast<int>(left_ + seconds / 30.0 * (right_ - left_)), timeline->height() / 3};
+  }
+  // Learns where the axis lies from what clicks near its ends say.
+  void measureAxis() {
+    auto* timeline = find<SessionTimeline>();
+    const auto timeOf = [&](int x) {
+      QTest::mouseClick(timeline, Qt::LeftButton, {}, QPoint(x, timeline->height() / 3));
+      return desk_.state.position.value;
+    };
+    const int a = timeline->width() / 3, b = timeline->width() * 2 / 3;
+    const double ta = timeOf(a), tb = timeOf(b);
+    ASSERT_GT(tb, ta);
+    const double perSecond = (b - a) / (tb - ta);
+    left_ = a - ta * perSecond;
+    right_ = left_ + 30.0 * perSecond;
+  }
+
+  FakeSessionDesk desk_;
+  double left_ = 0.0, right_ = 1.0;
+};
+
+TEST_F(SessionsPageTest, ListIsOrderedFilteredAndOpensByTouchAndKey) {
+  openSessions();
+  auto* list = find<QListView>("session-list");
+  ASSERT_EQ(list->model()->rowCount(), 3);
+  const auto first = [&] { return list->model()->index(0, 0).data(SessionListModel::JobRole).toString(); };
+  EXPECT_EQ(first(), QStringLiteral("Bracket")) << "newest first";
+  press("sessions-by-tool");
+  EXPECT_EQ(first(), QStringLiteral("face"));
+  press("sessions-by-job");
+  EXPECT_EQ(first(), QStringLiteral("Bracket"));
+  auto* filter = find<QLineEdit>("session-filter");
+  filter->setFocus();
+  QTest::keyClicks(filter, QStringLiteral("hous"));
+  ASSERT_EQ(list->model()->rowCount(), 1);
+  list->setFocus();
+  list->setCurrentIndex(list->model()->index(0, 0));
+  QTest::keyClick(list, Qt::Key_Return);
+  EXPECT_TRUE(desk_.openedPath().contains(QStringLiteral("Housing")));
+}
+
+TEST_F(SessionsPageTest, TransportLeadsTheReplay) {
+  openSessions();
+  EXPECT_FALSE(find<TouchButton>("replay-play")->isEnabled());
+  openFirst();
+  press("replay-play");
+  EXPECT_TRUE(desk_.state.playing);
+  play(1.0);
+  EXPECT_GT(desk_.state.position.value, 0.5);
+  press("replay-play");
+  EXPECT_FALSE(desk_.state.playing);
+  press("replay-step");
+  press("replay-step");
+  press("replay-back");
+  EXPECT_EQ(desk_.steps, 1);
+  press("replay-start");
+  EXPECT_EQ(desk_.state.position.value, 0.0);
+  auto* pace = find<ValueSlider>("replay-pace");
+  pace->setFocus();
+  QTest::keyClick(pace, Qt::Key_Home);
+  EXPECT_DOUBLE_EQ(desk_.state.pace, 0.1);
+  QTest::keyClick(pace, Qt::Key_End);
+  EXPECT_DOUBLE_EQ(desk_.state.pace, 0.0) << "as fast as possible";
+}
+
+TEST(Transport, EveryPaceOfTheSliderIsInReach) {
+  for (int k = 0; k <= 98; ++k) {
+    const double pace = TransportBar::paceAt(k / 100.0);
+    EXPECT_GE(pace, 0.1);
+    EXPECT_LE(pace, 1000.0);
+    EXPECT_NEAR(TransportBar::fractionOfPace(pace), k / 100.0, 0.02);
+  }
+  EXPECT_EQ(TransportBar::paceAt(TransportBar::fractionOfPace(1.0)), 1.0);
+  EXPECT_EQ(TransportBar::paceAt(1.0), 0.0);
+}
+
+TEST_F(SessionsPageTest, ClickGoesThereAndDragSelectsForLoopMarkAndExport) {
+  openSessions();
+  openFirst();
+  measureAxis();
+  auto* timeline = find<SessionTimeline>();
+  QTest::mouseClick(timeline, Qt::LeftButton, {}, at(12.0));
+  EXPECT_NEAR(desk_.state.position.value, 12.0, 0.2);
+  press("replay-loop");
+  EXPECT_FALSE(desk_.state.looping) << "there is nothing to repeat yet";
+
+  QTest::mousePress(timeline, Qt::LeftButton, {}, at(8.0));
+  QTest::mouseMove(timeline, at(9.0));
+  QTest::mouseRelease(timeline, Qt::LeftButton, {}, at(9.5));
+  tick(40);
+  press("replay-loop");
+  EXPECT_TRUE(desk_.state.looping);
+  EXPECT_NEAR(desk_.state.loopFrom.value, 8.0, 0.2);
+  EXPECT_NEAR(desk_.state.loopTo.value, 9.5, 0.2);
+
+  auto* note = find<QLineEdit>("mark-text");
+  note->setFocus();
+  QTest::keyClicks(note, QStringLiteral("corner"));
+  press("mark-true");
+  ASSERT_EQ(desk_.marks.size(), 1U);
+  EXPECT_EQ(desk_.marks[0].label, kLabelTrueAlarm);
+  EXPECT_EQ(desk_.marks[0].note, "corner");
+  EXPECT_NEAR(secondsBetween(desk_.marks[0].begin, desk_.marks[0].end).value, 1.5, 0.3);
+  EXPECT_TRUE(note->text().isEmpty());
+
+  press("sheet-compare");
+  press("session-export");
+  EXPECT_TRUE(desk_.exported.endsWith(QStringLiteral(".wav")));
+  EXPECT_NEAR(desk_.exportFrom.value, 8.0, 0.2);
+  EXPECT_NEAR(desk_.exportTo.value, 9.5, 0.2);
+}
+
+TEST_F(SessionsPageTest, IHearItNowIsOneKeyAndMarkersCanBeRemoved) {
+  openSessions();
+  openFirst();
+  desk_.goTo(Seconds(5.0));
+  tick(40);
+  QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);
+  tick(40);
+  ASSERT_EQ(desk_.marks.size(), 1U);
+  EXPECT_EQ(desk_.marks[0].label, kLabelHeard);
+  EXPECT_EQ(desk_.marks[0].begin, desk_.marks[0].end);
+  auto* list = find<QListView>("marker-list");
+  ASSERT_EQ(list->model()->rowCount(), 1);
+  list->setCurrentIndex(list->model()->index(0, 0));
+  press("mark-remove");
+  EXPECT_TRUE(desk_.marks.empty());
+}
+
+TEST_F(SessionsPageTest, DetectorsRunSideBySideWithWhatWasTuned) {
+  desk_.tuned = {QStringLiteral("energy-ratio.chatter=0.3")};
+  openSessions();
+  openFirst();
+  press("sheet-compare");
+  press("session-tuned");
+  press("session-run");
+  EXPECT_EQ(desk_.asked, desk_.tuned);
+  tick(40);
+  bool told = false;
+  for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
+    told = told || label->text().contains(QStringLiteral("would have alarmed: 1"));
+  }
+  EXPECT_TRUE(told);
+  press("session-score-all");
+  EXPECT_TRUE(desk_.scoredFolder);
+}
+
+TEST_F(SessionsPageTest, TheReplayTakesThePlaceOfTheCutOnlyWhereItMay) {
+  openSessions();
+  openFirst();
+  desk_.refuse = true;
+  press("replay-everywhere");
+  tick(40);
+  EXPECT_FALSE(find<TouchButton>("replay-everywhere")->isChecked());
+  desk_.refuse = false;
+  press("replay-everywhere");
+  tick(40);
+  EXPECT_TRUE(desk_.everywhere);
+}
+
+TEST(SessionModels, PassTheModelTester) {
+  FakeSessionDesk desk;
+  SessionListModel list;
+  SessionOrder order;
+  MarkerModel markers;
+  order.setSourceModel(&list);
+  const auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+  const QAbstractItemModelTester a(&list, fatal), b(&order, fatal), c(&markers, fatal);
+  list.show(desk.entries());
+  order.orderBy(SessionOrder::Job);
+  order.setFilterFixedString(QStringLiteral("T3"));
+  EXPECT_EQ(order.rowCount(), 1);
+  ASSERT_TRUE(desk.mark(Seconds(61.5), Seconds(63.0), QStringLiteral("heard"), QStringLiteral("loud")).ok());
+  markers.show(desk);
+  EXPECT_EQ(markers.index(0, 0).data().toString(),
+            QStringLiteral("1:01.50  heard, %1: loud").arg(duration(Seconds(1.5))));
+  list.show({});
+}
+
+class SessionsPictures : public SessionsPageTest, public testing::WithParamInterface<PageLook> {};
+
+TEST_P(SessionsPictures, EveryStateFits) {
+  openSessions(GetParam().width, GetParam().height, GetParam().theme);
+  savePage(*window_, "sessions", GetParam(), "closed");
+  openFirst();
+  desk_.goTo(Seconds(13.0));
+  (void)desk_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), QStringLiteral("corner"));
+  (void)desk_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("false-alarm"), {});
+  find<QLineEdit>("session-settings")->setText(QStringLiteral("energy-ratio.chatter=0.3"));
+  savePage(*window_, "sessions", GetParam(), "marked");
+  press("sheet-compare");
+  press("session-run");
+  press("session-score");
+  find<SessionTimeline>()->select(Seconds(20.0), Seconds(23.0));
+  tick(40);
+  savePage(*window_, "sessions", GetParam(), "open");
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, SessionsPictures, testing::ValuesIn(kPageLooks), lookName);
+
+}  // namespace
+}  // namespace stillcut::ui

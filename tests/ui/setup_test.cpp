@@ -1,0 +1,202 @@
+// The Set up page, driven as a person would, and its models.
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QListView>
+#include <QPlainTextEdit>
+#include <QTableView>
+
+#include "tests/ui/fake_setup_desk.h"
+#include "tests/ui/page_picture.h"
+#include "ui/models/setup_draft.h"
+#include "ui/pages/setup_page.h"
+#include "ui/plots/level_spectrum.h"
+
+namespace stillcut::ui {
+namespace {
+
+class SetupPageTest : public WindowTest {
+ protected:
+  void openSetup(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
+    session_.setSetup(&desk_);
+    open(width, height, theme);
+    window_->showPage(QStringLiteral("setup"));
+    play(0.4);
+  }
+  void type(const QString& name, const QString& text) const {
+    auto* edit = find<QLineEdit>(name);
+    ASSERT_NE(edit, nullptr) << name.toStdString();
+    edit->setFocus();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+    QTest::keyClick(edit, Qt::Key_Return);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  bool told(const QString& part) const {
+    for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
+      if (label->isVisible() && label->text().contains(part)) return true;
+    }
+    return false;
+  }
+
+  FakeSetupDesk desk_;
+};
+
+TEST_F(SetupPageTest, TheGuideEndsInAPictureThatMoves) {
+  openSetup();
+  press("guide-simulated");
+  EXPECT_EQ(desk_.demonstrations, 1);
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
+}
+
+TEST_F(SetupPageTest, AMachineIsPutTogetherTriedSavedAndStarted) {
+  openSetup();
+  EXPECT_EQ(find<TouchButton>("guide-machine")->hint(), QStringLiteral("still open"));
+  press("guide-machine");
+  type(QStringLiteral("machine-name"), QStringLiteral("Mill 3"));
+  type(QStringLiteral("machine-speed"), QStringLiteral("8500"));
+  type(QStringLiteral("machine-feed"), QStringLiteral("2720"));
+  press("link-linuxcnc");
+  ASSERT_NE(find<QLineEdit>("link-setting-host"), nullptr);
+  type(QStringLiteral("link-setting-host"), QStringLiteral("192.168.1.20"));
+  press("link-setting-adaptive_feed-true");
+  press("link-setting-restore-hundred");
+  press("setup-sensors");
+  press("source-alsa");
+  press("channel-add");
+  press("setup-tools");
+  press("tool-new");
+  type(QStringLiteral("tool-name"), QStringLiteral("T12 D12 Z4"));
+  type(QStringLiteral("tool-teeth"), QStringLiteral("4"));
+  type(QStringLiteral("tool-diameter"), QStringLiteral("12,0"));
+  press("tool-use");
+  press("setup-profile");
+  press("detector-coherence");
+  press("strategy-stable-pocket");
+  type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
+  press("profile-try");
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("25600 Hz")));
+  EXPECT_TRUE(told(QStringLiteral("connection refused")));
+  press("profile-start");
+  EXPECT_EQ(desk_.inForce, QStringLiteral("mill3"));
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
+
+  const config::Profile& kept = desk_.kept.at(QStringLiteral("mill3"));
+  EXPECT_EQ(kept.cut.machine, "Mill 3");
+  EXPECT_DOUBLE_EQ(kept.cut.nominalSpeed.value, 8500.0);
+  EXPECT_NEAR(kept.cut.nominalFeed.value, 2.72 / 60.0, 1e-9);
+  EXPECT_EQ(kept.link.id, "linuxcnc");
+  EXPECT_EQ(kept.link.settings.at("host"), "192.168.1.20");
+  EXPECT_EQ(kept.link.settings.at("adaptive_feed"), "true");
+  EXPECT_EQ(kept.link.settings.at("restore"), "hundred");
+  EXPECT_FALSE(kept.link.settings.contains("port")) << "what is as usual is not written";
+  EXPECT_EQ(kept.source.id, "alsa");
+  ASSERT_EQ(kept.cut.channels.size(), 1U);
+  EXPECT_EQ(kept.cut.teeth, 4);
+  EXPECT_NEAR(kept.cut.toolDiameter.value, 12e-3, 1e-12);
+  EXPECT_EQ(kept.detector, "coherence");
+  EXPECT_EQ(kept.strategy, "stable-pocket");
+  EXPECT_FALSE(kept.allowAuto) << "nobody said so";
+}
+
+TEST_F(SetupPageTest, ARefusedStartSaysWhyAndStays) {
+  openSetup();
+  desk_.refuse = true;
+  press("setup-profile");
+  type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
+  press("profile-start");
+  EXPECT_TRUE(told(QStringLiteral("set it to Off first")));
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("setup"));
+}
+
+TEST_F(SetupPageTest, ToolsRememberWhereTheyChattered) {
+  ToolEntry tool;
+  tool.name = QStringLiteral("T3 D6 Z2");
+  desk_.shop = {tool};
+  openSetup();
+  press("setup-tools");
+  EXPECT_FALSE(find<TouchButton>("tool-chattered")->isEnabled());
+  while (session_.snapshot().verdicts[0].state != CutState::Chatter) play(0.04);
+  press("tool-chattered");
+  ASSERT_EQ(desk_.shop[0].chattered.size(), 1U);
+  EXPECT_NEAR(desk_.shop[0].chattered[0].speed_rpm, 8800.0, 50.0);
+  EXPECT_GT(desk_.shop[0].chattered[0].frequency_hz, 1000.0);
+  EXPECT_TRUE(told(QStringLiteral("Chattered at")));
+}
+
+TEST_F(SetupPageTest, SensorsShowLevelAndSpectrumAndSayWhenTheyAreSick) {
+  openSetup();
+  press("setup-sensors");
+  play(0.4);
+  EXPECT_TRUE(find<LevelSpectrum>()->alive());
+  EXPECT_TRUE(told(QStringLiteral("Sensor in order")));
+  session_.snapshot().verdicts[0].valid = false;
+  session_.snapshot().verdicts[0].reason = {ReasonCode::InputDead, {0.0}};
+  session_.touch();
+  tick(40);
+  EXPECT_FALSE(told(QStringLiteral("Sensor in order")));
+}
+
+TEST(SetupModels, PassTheModelTester) {
+  SetupDraft draft;
+  ChannelModel channels(draft);
+  ToolModel tools;
+  const auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+  const QAbstractItemModelTester a(&channels, fatal), b(&tools, fatal);
+  channels.add();
+  channels.add();
+  EXPECT_TRUE(channels.setData(channels.index(0, ChannelModel::Quantity), QStringLiteral("force")));
+  EXPECT_TRUE(channels.setData(channels.index(0, ChannelModel::Scale), QStringLiteral("9,81")));
+  for (const char* wrong : {"0", "nan", "much"}) {
+    EXPECT_FALSE(channels.setData(channels.index(0, ChannelModel::Scale), QString::fromLatin1(wrong))) << wrong;
+  }
+  EXPECT_FALSE(channels.setData(channels.index(0, ChannelModel::Quantity), QStringLiteral("colour")));
+  EXPECT_DOUBLE_EQ(draft.profile().cut.channels[0].scale, 9.81);
+  channels.remove(1);
+  EXPECT_EQ(channels.rowCount(), 1);
+  tools.add({});
+  tools.add({});
+  tools.remove(0);
+  EXPECT_EQ(tools.rowCount(), 1);
+}
+
+TEST(SetupModels, SettingsAreLabelledByTheirKeys) {
+  EXPECT_EQ(settingLabel("hal_port"), QStringLiteral("Hal port"));
+  EXPECT_EQ(settingLabel("lowest_speed_percent"), QStringLiteral("Lowest speed [%]"));
+}
+
+class SetupPictures : public SetupPageTest, public testing::WithParamInterface<PageLook> {};
+
+TEST_P(SetupPictures, EveryTabFits) {
+  ToolEntry tool;
+  tool.name = QStringLiteral("T12 D12 Z4 R0.5");
+  tool.holder = QStringLiteral("HSK63 shrink-fit, stick-out 48");
+  tool.teeth = 4;
+  tool.diameter_mm = 12.0;
+  tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot, first pass")}};
+  desk_.shop = {tool};
+  desk_.kept[QStringLiteral("mill3")] = {};
+  openSetup(GetParam().width, GetParam().height, GetParam().theme);
+  savePage(*window_, "setup", GetParam(), "guide");
+  press("setup-machine");
+  press("link-linuxcnc");
+  play(0.1);
+  savePage(*window_, "setup", GetParam(), "machine");
+  press("setup-sensors");
+  press("source-simulated");
+  press("channel-add");
+  play(0.1);
+  savePage(*window_, "setup", GetParam(), "sensors");
+  press("setup-tools");
+  play(0.1);
+  savePage(*window_, "setup", GetParam(), "tools");
+  press("setup-profile");
+  press("profile-try");
+  play(0.1);
+  savePage(*window_, "setup", GetParam(), "profile");
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, SetupPictures, testing::ValuesIn(kPageLooks), lookName);
+
+}  // namespace
+}  // namespace stillcut::ui

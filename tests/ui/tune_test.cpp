@@ -1,0 +1,201 @@
+// The Tune page, driven as a person would.
+#include <QLineEdit>
+#include <QListView>
+
+#include "tests/ui/fake_tuning.h"
+#include "tests/ui/page_picture.h"
+#include "ui/pages/tune_page.h"
+#include "ui/widgets/param_row.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/value_slider.h"
+
+namespace stillcut::ui {
+namespace {
+
+using detect::kErChatter;
+
+class TunePageTest : public WindowTest {
+ protected:
+  void openTune(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
+    session_.setTuning(&tuning_);
+    open(width, height, theme);
+    window_->showPage(QStringLiteral("tune"));
+    play(0.4);
+  }
+  // Values of `decl` that have reached the session, in order.
+  std::vector<double> sentValues(const config::ParamDecl& decl) const {
+    std::vector<double> values;
+    for (const OperatorInput& input : session_.sent()) {
+      if (input.action != OperatorAction::SetParameter) continue;
+      if (input.parameter == config::parameterId(decl.key)) values.push_back(input.value);
+    }
+    return values;
+  }
+  ParamRow* row(const char* key) const { return find<ParamRow>(QLatin1String(key)); }
+  void choosePart(const char* id) const {
+    auto* list = find<QListView>("tune-parts");
+    for (int k = 0; k < list->model()->rowCount(); ++k) {
+      list->setCurrentIndex(list->model()->index(k, 0));
+      if (!window_->findChildren<ParamRow*>().isEmpty() &&
+          window_->findChildren<ParamRow*>().front()->objectName().startsWith(QLatin1String(id))) {
+        return;
+      }
+    }
+    FAIL() << id;
+  }
+
+  FakeTuning tuning_;
+};
+
+TEST_F(TunePageTest, EveryParameterOfEveryPartHasItsRow) {
+  openTune();
+  auto* list = find<QListView>("tune-parts");
+  ASSERT_GE(list->model()->rowCount(), 8);
+  for (const TunablePart& part : tuning_.tunableParts()) {
+    const std::string_view key = part.params.front()->key;
+    choosePart(std::string(key.substr(0, key.find('.'))).c_str());
+  }
+  list->setCurrentIndex(list->model()->index(0, 0));
+  for (const config::ParamDecl* decl : detect::energyRatioParams()) {
+    const ParamRow* made = row(std::string(decl->key).c_str());
+    ASSERT_NE(made, nullptr) << decl->key;
+    EXPECT_TRUE(made->accessibleName().contains(QString::fromStdString(std::string(decl->label))));
+  }
+}
+
+TEST_F(TunePageTest, ButtonsSliderKeysAndTypingReachTheRun) {
+  openTune();
+  press("energy-ratio.chatter-more");
+  tick(40);
+  ASSERT_FALSE(sentValues(kErChatter).empty());
+  EXPECT_GT(sentValues(kErChatter).back(), 0.2);
+
+  auto* slider = find<ValueSlider>("energy-ratio.chatter-slider");
+  QTest::mousePress(slider, Qt::LeftButton, {}, QPoint(slider->width() / 2, slider->height() / 2));
+  QTest::mouseMove(slider, QPoint(slider->width() * 3 / 4, slider->height() / 2));
+  tick(40);
+  const double dragged = sentValues(kErChatter).back();
+  EXPECT_GT(dragged, 0.25);
+  QTest::mouseRelease(slider, Qt::LeftButton, {}, QPoint(slider->width() * 3 / 4, slider->height() / 2));
+
+  slider->setFocus();
+  QTest::keyClick(slider, Qt::Key_Left);
+  tick(40);
+  EXPECT_LT(sentValues(kErChatter).back(), dragged);
+
+  auto* edit = find<QLineEdit>("energy-ratio.chatter-edit");
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, QStringLiteral("0,33"));
+  QTest::keyClick(edit, Qt::Key_Return);
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.33);
+}
+
+TEST_F(TunePageTest, WhatIsNoValueIsRefusedInPlace) {
+  openTune();
+  auto* edit = find<QLineEdit>("energy-ratio.chatter-edit");
+  edit->setFocus();
+  edit->selectAll();
+  QTest::keyClicks(edit, QStringLiteral("77"));
+  QTest::keyClick(edit, Qt::Key_Return);
+  tick(40);
+  EXPECT_TRUE(sentValues(kErChatter).empty());
+  bool told = false;
+  for (const TextLabel* label : row("energy-ratio.chatter")->findChildren<TextLabel*>()) {
+    told = told || label->text().contains(QStringLiteral("0.01"));
+  }
+  EXPECT_TRUE(told) << "the allowed range stands beside it";
+}
+
+TEST_F(TunePageTest, UndoRedoDefaultsAndTheKeysForThem) {
+  openTune();
+  press("energy-ratio.chatter-more");
+  tick(40);
+  const double more = sentValues(kErChatter).back();
+  QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2);
+  press("tune-redo");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), more);
+  press("tune-reset");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2);
+}
+
+TEST_F(TunePageTest, AAndBAreSwappedOnTheRunningCut) {
+  openTune();
+  press("tune-b");
+  press("energy-ratio.chatter-more");
+  tick(40);
+  const double b = sentValues(kErChatter).back();
+  press("tune-a");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2);
+  press("tune-b");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), b);
+}
+
+TEST_F(TunePageTest, LockedRowsSayWhyAndCannotBeMoved) {
+  openTune();
+  ParamRow* locked = row("energy-ratio.harmonics");
+  ASSERT_NE(locked, nullptr);
+  EXPECT_TRUE(locked->view().locked.contains(QStringLiteral("Locked")));
+  EXPECT_FALSE(find<TouchButton>("energy-ratio.harmonics-more")->isEnabled());
+  EXPECT_FALSE(find<ValueSlider>("energy-ratio.harmonics-slider")->isEnabled());
+  session_.snapshot().running = false;
+  session_.touch();
+  tick(40);
+  EXPECT_TRUE(find<TouchButton>("energy-ratio.harmonics-more")->isEnabled()) << "between runs it is open";
+  // Out of automatic it begins at what the method chose.
+  press("energy-ratio.harmonics-auto");
+  EXPECT_EQ(locked->view().value, QStringLiteral("48"));
+}
+
+TEST_F(TunePageTest, SavesAndSaysWhereOrWhyNot) {
+  openTune();
+  press("energy-ratio.chatter-more");
+  press("tune-save");
+  ASSERT_TRUE(tuning_.saved.has_value());
+  EXPECT_GT(tuning_.saved->real(kErChatter), 0.2);
+  tuning_.refuse = true;
+  QTest::keyClick(window_.get(), Qt::Key_S, Qt::ControlModifier);
+  bool told = false;
+  for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
+    told = told || label->text().contains(QStringLiteral("the disk is full"));
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST_F(TunePageTest, AnotherRunBeginsWithItsOwnValues) {
+  openTune();
+  press("energy-ratio.chatter-more");
+  ++tuning_.run;
+  tick(40);
+  EXPECT_EQ(row("energy-ratio.chatter")->view().value, QStringLiteral("0.2"));
+  EXPECT_FALSE(find<TouchButton>("tune-undo")->isEnabled());
+}
+
+class TunePictures : public TunePageTest, public testing::WithParamInterface<PageLook> {};
+
+TEST_P(TunePictures, EveryPartFits) {
+  openTune(GetParam().width, GetParam().height, GetParam().theme);
+  play(5.2);
+  press("tune-b");
+  press("energy-ratio.chatter-more");
+  play(0.4);
+  savePage(*window_, "tune", GetParam(), "detector");
+  choosePart("stable-pocket");
+  play(0.1);
+  savePage(*window_, "tune", GetParam(), "strategy");
+  choosePart("gate");
+  play(0.1);
+  savePage(*window_, "tune", GetParam(), "gate");
+}
+
+INSTANTIATE_TEST_SUITE_P(Looks, TunePictures, testing::ValuesIn(kPageLooks), lookName);
+
+}  // namespace
+}  // namespace stillcut::ui

@@ -1,0 +1,106 @@
+// SessionDesk: what the Sessions page needs: the recordings there are, one of them opened and replayed by hand, what
+// people have marked in it, every detector on it side by side, its score, and exports. app/session implements it; what
+// takes time runs on a thread of its own and is taken over by poll(). GUI thread; every function returns at once.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <memory>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/model/marker.h"
+#include "core/model/session_summary.h"
+#include "core/model/snapshot.h"
+
+namespace stillcut::ui {
+
+struct SessionEntry {
+  QString path, job, tool;
+  qint64 wallMs = 0;  // when it was last written, ms since 1970
+  qint64 bytes = 0;
+  bool session = false;  // a session of this program; else an imported recording
+  bool operator==(const SessionEntry&) const = default;
+};
+
+// Times count from the first sample of the recording.
+struct AlarmSpan {
+  Seconds begin{}, end{};
+  bool operator==(const AlarmSpan&) const = default;
+};
+struct DetectorTrack {
+  QString detector;                     // its label
+  std::vector<AlarmSpan> before;        // with the recording's own parameters
+  std::vector<AlarmSpan> after;         // with the settings asked for
+  bool compared = false;                // `after` was asked for
+  int falseBefore = 0, falseAfter = 0;  // alarms that reach into what is marked quiet
+};
+struct ScoreLine {
+  QString detector;
+  int spans = 0, found = 0, alarms = 0, falseAlarms = 0;
+  double falsePerHour = 0.0, delay_s = 0.0;  // not a number: nothing marked quiet, nothing found
+};
+
+struct ReplayState {
+  bool open = false, playing = false, looping = false, finished = false;
+  double pace = 1.0;  // times real time; 0: as fast as possible
+  Seconds position{}, length{}, loopFrom{}, loopTo{};
+};
+
+// The one thing that is being worked on.
+struct TaskState {
+  enum class What { None, Reading, Detectors, Scoring, Exporting };
+  What what = What::None;  // the last one when nothing runs
+  bool running = false;
+  double part = 0.0;  // 0 .. 1
+  QString file;       // that is being read or written
+  QString problem;    // of the last one; empty: it went well
+};
+
+class SessionDesk {
+ public:
+  virtual ~SessionDesk() = default;
+
+  // Takes over what has been finished. True: something below has changed. Every display tick.
+  virtual bool poll() = 0;
+
+  virtual QString folder() const = 0;
+  virtual void setFolder(const QString& folder) = 0;  // lists it anew
+  virtual const std::vector<SessionEntry>& entries() const = 0;
+
+  // Reads its summary, then opens it paused at its beginning.
+  virtual void open(const QString& path) = 0;
+  virtual QString openedPath() const = 0;
+  virtual std::shared_ptr<const SessionSummary> summary() const = 0;  // null: nothing is open
+
+  virtual ReplayState replay() const = 0;
+  virtual const Snapshot* replayed() = 0;  // its newest picture; null: none
+  virtual void play() = 0;
+  virtual void pause() = 0;
+  virtual void step(int blocks) = 0;
+  virtual void setPace(double times) = 0;
+  virtual void goTo(Seconds time) = 0;
+  virtual void loop(Seconds from, Seconds to) = 0;
+  virtual void endLoop() = 0;
+  // The replay in the place of the cut, on every page. An error says why it may not be.
+  virtual Status showEverywhere(bool on) = 0;
+  virtual bool shownEverywhere() const = 0;
+
+  virtual const std::vector<Marker>& markers() const = 0;
+  virtual Seconds markerTime(const Marker& marker) const = 0;  // from the first sample
+  virtual Status mark(Seconds from, Seconds to, const QString& label, const QString& note) = 0;
+  virtual Status removeMark(std::uint64_t number) = 0;
+
+  // KEY=VALUE of what was changed on the Tune page.
+  virtual QStringList tunedSettings() const = 0;
+  virtual void runDetectors(const QStringList& settings) = 0;
+  virtual const std::vector<DetectorTrack>& tracks() const = 0;
+  // Of the opened session, or of the whole folder.
+  virtual void score(bool wholeFolder) = 0;
+  virtual const std::vector<ScoreLine>& scores() const = 0;
+  virtual void exportSpan(Seconds from, Seconds to, const QString& file) = 0;
+  virtual TaskState task() const = 0;
+  virtual void cancel() = 0;
+};
+
+}  // namespace stillcut::ui

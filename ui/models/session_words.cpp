@@ -1,0 +1,59 @@
+#include "ui/models/session_words.h"
+
+#include <QFileInfo>
+#include <cmath>
+
+#include "ui/models/format.h"
+#include "ui/models/say.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString figure(double value, const QString& unit) {
+  return std::isfinite(value) ? join(significant(value, 3), unit) : QString(QChar(0x2013));
+}
+
+}  // namespace
+
+QString trackText(const DetectorTrack& track) {
+  const QString name = sayCore(track.detector.toStdString());
+  if (!track.compared) {
+    return say("%1: alarms: %2, marked false: %3").arg(name).arg(track.before.size()).arg(track.falseBefore);
+  }
+  return say("%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)")
+      .arg(name)
+      .arg(track.after.size())
+      .arg(track.falseAfter)
+      .arg(track.before.size())
+      .arg(track.falseBefore);
+}
+
+QString scoreText(const ScoreLine& line) {
+  return say("%1: found %2 of %3, false %4 (%5 per hour), delay %6")
+      .arg(sayCore(line.detector.toStdString()))
+      .arg(line.found)
+      .arg(line.spans)
+      .arg(line.falseAlarms)
+      .arg(figure(line.falsePerHour, {}), figure(line.delay_s, QStringLiteral("s")));
+}
+
+QString taskText(const TaskState& task) {
+  if (!task.running && !task.problem.isEmpty()) return task.problem;
+  const QString file = QFileInfo(task.file).fileName();
+  switch (task.what) {
+    case TaskState::What::None:
+      return {};
+    case TaskState::What::Reading:
+      return task.running ? say("Reading %1").arg(file) : QString();
+    case TaskState::What::Detectors:
+      return task.running ? say("Every detector runs on it: %1").arg(percent(task.part))
+                          : say("Every detector has run on it");
+    case TaskState::What::Scoring:
+      return task.running ? say("Scoring: %1").arg(percent(task.part)) : say("Scored against what is marked");
+    case TaskState::What::Exporting:
+      return task.running ? say("Writing %1").arg(file) : say("Written: %1").arg(task.file);
+  }
+  return {};
+}
+
+}  // namespace stillcut::ui

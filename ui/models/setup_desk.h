@@ -1,0 +1,65 @@
+// SetupDesk: what the Set up page needs: the parts a machine can be made of and their settings, profiles, the tools of
+// the shop, trials of what was chosen, and putting a profile in force. app/session implements it; what takes time runs
+// on a thread of its own and is taken over by poll(). GUI thread; every function returns at once.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/config/part_settings.h"
+#include "core/config/profile.h"
+#include "ui/models/tool_entry.h"
+
+namespace stillcut::ui {
+
+struct PartOption {
+  QString id, description;  // description in English; shown by sayCore()
+};
+
+// One step of a trial, in order; a later one is only tried when the ones before went well.
+struct TrialStep {
+  enum class State { Waits, Runs, Good, Bad };
+  enum class What { Settings, Device, Samples, Link, Machine };
+  What what = What::Settings;
+  State state = State::Waits;
+  QString detail;  // what was found, or what is wrong; in English
+};
+
+class SetupDesk {
+ public:
+  virtual ~SetupDesk() = default;
+
+  // Takes over what has been finished. True: something has changed. Every display tick.
+  virtual bool poll() = 0;
+
+  virtual std::vector<PartOption> sources() const = 0;
+  virtual std::vector<PartOption> links() const = 0;
+  virtual std::vector<PartOption> detectors() const = 0;
+  virtual std::vector<PartOption> strategies() const = 0;
+  // The settings that the chosen part asks for, given those it has already.
+  virtual std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const = 0;
+  virtual std::vector<config::AskedSetting> linkSettings(const config::Profile& profile) const = 0;
+
+  // Files in the user's folder, by name, and the profile in force.
+  virtual QStringList profiles() const = 0;
+  virtual QString profileInForce() const = 0;  // empty: a scenario, none
+  virtual Result<config::Profile> load(const QString& name) const = 0;
+  // Gives the file.
+  virtual Result<QString> save(const config::Profile& profile, const QString& name) = 0;
+  virtual config::Profile draft() const = 0;  // to begin with: of the run, as far as it is known
+
+  virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
+  virtual const std::vector<TrialStep>& trial() const = 0;
+
+  // In the place of the present cut, whose machine gets its programmed values back. An error leaves no cut running
+  // where the new one could not begin; it says so.
+  virtual Status start(const QString& name) = 0;
+  virtual Status startDemonstration() = 0;
+
+  virtual Result<std::vector<ToolEntry>> tools() const = 0;
+  virtual Status saveTools(const std::vector<ToolEntry>& tools) = 0;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,228 @@
+#include "ui/models/setup_draft.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "ui/models/format.h"
+#include "ui/models/say.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString fromUtf8(std::string_view s) {
+  return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
+}
+
+void put(std::map<std::string, std::string>& settings, const QString& key, const QString& value) {
+  if (value.trimmed().isEmpty()) {
+    settings.erase(key.toStdString());
+  } else {
+    settings[key.toStdString()] = value.trimmed().toStdString();
+  }
+}
+
+}  // namespace
+
+void SetupDraft::open(const config::Profile& profile, const QString& name) {
+  profile_ = profile;
+  name_ = name;
+  emit changed();
+}
+
+void SetupDraft::setName(const QString& name) {
+  if (name == name_) return;
+  name_ = name;
+  emit changed();
+}
+
+void SetupDraft::setSource(const QString& id) {
+  if (fromUtf8(profile_.source.id) == id) return;
+  edit([&](config::Profile& p) { p.source = {id.toStdString(), {}}; });
+}
+
+void SetupDraft::setLink(const QString& id) {
+  if (fromUtf8(profile_.link.id) == id) return;
+  edit([&](config::Profile& p) { p.link = {id.toStdString(), {}}; });
+}
+
+void SetupDraft::setSourceSetting(const QString& key, const QString& value) {
+  edit([&](config::Profile& p) { put(p.source.settings, key, value); });
+}
+
+void SetupDraft::setLinkSetting(const QString& key, const QString& value) {
+  edit([&](config::Profile& p) { put(p.link.settings, key, value); });
+}
+
+void SetupDraft::useTool(const ToolEntry& tool) {
+  edit([&](config::Profile& p) {
+    p.cut.tool = (tool.holder.isEmpty() ? tool.name : tool.name + u' ' + tool.holder).toStdString();
+    p.cut.teeth = tool.teeth;
+    p.cut.toolDiameter = Metres(tool.diameter_mm * 1e-3);
+    if (!tool.modes.isEmpty()) p.model = tool.modes.toStdString();
+  });
+}
+
+QString SetupDraft::missing(Part part) const {
+  switch (part) {
+    case Part::Machine:
+      return profile_.link.id.empty() ? tr("no machine link is chosen: the program will only watch") : QString();
+    case Part::Sensors:
+      return profile_.source.id.empty() ? tr("no device is chosen") : QString();
+    case Part::Tool:
+      if (profile_.cut.teeth == 0) return tr("the number of teeth is not known");
+      return profile_.cut.nominalSpeed.value > 0.0 ? QString() : tr("the programmed speed is not known");
+  }
+  return {};
+}
+
+ChannelModel::ChannelModel(SetupDraft& draft, QObject* parent) : QAbstractTableModel(parent), draft_(draft) {
+  rows_ = static_cast<int>(draft.profile().cut.channels.size());
+  connect(&draft, &SetupDraft::changed, this, [this] {
+    if (rows_ != static_cast<int>(draft_.profile().cut.channels.size())) {
+      beginResetModel();
+      rows_ = static_cast<int>(draft_.profile().cut.channels.size());
+      endResetModel();
+    } else if (rows_ > 0) {
+      emit dataChanged(index(0, 0), index(rows_ - 1, ColumnCount - 1));
+    }
+  });
+}
+
+void ChannelModel::add() {
+  draft_.edit([](config::Profile& p) {
+    ChannelInfo channel;
+    channel.name = std::string(1, "xyz"[p.cut.channels.size() % 3]);
+    channel.axis = channel.name;
+    p.cut.channels.push_back(channel);
+  });
+}
+
+void ChannelModel::remove(int row) {
+  if (row < 0 || row >= rows_) return;
+  draft_.edit([row](config::Profile& p) { p.cut.channels.erase(p.cut.channels.begin() + row); });
+}
+
+int ChannelModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : rows_;
+}
+
+int ChannelModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : ColumnCount;
+}
+
+QVariant ChannelModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
+  const ChannelInfo& channel = draft_.profile().cut.channels[static_cast<std::size_t>(index.row())];
+  switch (index.column()) {
+    case Name:
+      return fromUtf8(channel.name);
+    case Quantity:
+      return role == Qt::EditRole ? fromUtf8(name(channel.quantity)) : sayCore(std::string(name(channel.quantity)));
+    case Scale:
+      return role == Qt::EditRole ? QString::number(channel.scale, 'g', 6)
+                                  : join(QString::number(channel.scale, 'g', 6), fromUtf8(siUnit(channel.quantity)));
+    default:
+      return fromUtf8(channel.axis);
+  }
+}
+
+bool ChannelModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid) || role != Qt::EditRole) return false;
+  const std::string text = value.toString().trimmed().toStdString();
+  bool taken = true;
+  draft_.edit([&](config::Profile& p) {
+    ChannelInfo& channel = p.cut.channels[static_cast<std::size_t>(index.row())];
+    if (index.column() == Name && !text.empty()) {
+      channel.name = text;
+    } else if (index.column() == Quantity && sensorQuantityFromName(text)) {
+      channel.quantity = *sensorQuantityFromName(text);
+    } else if (index.column() == Axis && text.size() <= 1) {
+      channel.axis = text;
+    } else if (index.column() == Scale) {
+      const double scale = QString::fromStdString(text).replace(u',', u'.').toDouble(&taken);
+      taken = taken && std::isfinite(scale) && scale != 0.0;
+      if (taken) channel.scale = scale;
+    } else {
+      taken = false;
+    }
+  });
+  return taken;
+}
+
+Qt::ItemFlags ChannelModel::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.isValid() ? flags | Qt::ItemIsEditable : flags;
+}
+
+QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const QStringList titles{tr("Channel"), tr("Quantity"), tr("Per device unit"), tr("Axis")};
+  return section >= 0 && section < ColumnCount ? QVariant(titles[section]) : QVariant();
+}
+
+void ToolModel::show(std::vector<ToolEntry> tools) {
+  beginResetModel();
+  tools_ = std::move(tools);
+  endResetModel();
+}
+
+const ToolEntry* ToolModel::tool(int row) const {
+  return row >= 0 && row < rowCount() ? &tools_[static_cast<std::size_t>(row)] : nullptr;
+}
+
+void ToolModel::put(int row, const ToolEntry& tool) {
+  if (row < 0 || row >= rowCount()) return;
+  tools_[static_cast<std::size_t>(row)] = tool;
+  emit dataChanged(index(row), index(row));
+}
+
+int ToolModel::add(const ToolEntry& tool) {
+  const int row = rowCount();
+  beginInsertRows({}, row, row);
+  tools_.push_back(tool);
+  endInsertRows();
+  return row;
+}
+
+void ToolModel::remove(int row) {
+  if (row < 0 || row >= rowCount()) return;
+  beginRemoveRows({}, row, row);
+  tools_.erase(tools_.begin() + row);
+  endRemoveRows();
+}
+
+int ToolModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(tools_.size());
+}
+
+QVariant ToolModel::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+  if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
+  const ToolEntry& t = tools_[static_cast<std::size_t>(index.row())];
+  QString facts = tr("D %1 mm, %2 teeth").arg(QString::number(t.diameter_mm, 'g', 4)).arg(t.teeth);
+  if (!t.chattered.empty()) facts += tr(", chattered here before: %1").arg(t.chattered.size());
+  return t.name + u'\n' + facts;
+}
+
+QString settingLabel(const std::string& key) {
+  struct Unit {
+    const char *ending, *shown;
+  };
+  constexpr std::array<Unit, 5> kUnits{
+      {{"_percent", " [%]"}, {"_mm", " [mm]"}, {"_hz", " [Hz]"}, {"_ms", " [ms]"}, {"_s", " [s]"}}};
+  std::string words = key;
+  std::string unit;
+  for (const Unit& u : kUnits) {
+    if (!words.ends_with(u.ending)) continue;
+    unit = u.shown;
+    words.resize(words.size() - std::string_view(u.ending).size());
+    break;
+  }
+  for (char& c : words) c = c == '_' || c == '-' ? ' ' : c;
+  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
+  return sayCore(words) + QString::fromStdString(unit);
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,42 @@
+// What the Tune page needs of a session beyond the picture: which parts have parameters, with which values the run
+// began, and where to keep others. app/session implements it. GUI thread; every function returns at once.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <map>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/config/param_set.h"
+
+namespace stillcut::ui {
+
+struct TunablePart {
+  enum class Role { Conditioner, Detector, Strategy, Gate, Recording, Active };
+  QString id;      // "energy-ratio"
+  QString label;   // "Energy ratio", in English; shown by sayCore()
+  QString source;  // "Caliskan, Kilic, Altintas 2018"
+  Role role = Role::Detector;
+  bool running = false;    // among the methods of this run
+  bool inCharge = false;   // its verdict, or its wish, counts
+  int detector = -1;       // index into Snapshot::verdicts; -1: none
+  QStringList indicators;  // names of Verdict::indicators
+  std::vector<const config::ParamDecl*> params;
+  std::map<std::string_view, double> chosen;  // by key: what the part chose for an automatic parameter when it was made
+};
+
+class Tuning {
+ public:
+  virtual ~Tuning() = default;
+
+  // Another number: another run, with other parts and values.
+  virtual std::uint32_t tuningRun() const = 0;
+  virtual const std::vector<TunablePart>& tunableParts() const = 0;
+  virtual const config::ParamSet& startValues() const = 0;
+  // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.
+  virtual Result<QString> saveValues(const config::ParamSet& values) = 0;
+};
+
+}  // namespace stillcut::ui

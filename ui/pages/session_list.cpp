@@ -1,0 +1,99 @@
+#include "ui/pages/session_list.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListView>
+#include <algorithm>
+
+#include "ui/widgets/painting.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
+  auto* button = new TouchButton(caption);
+  button->setObjectName(QLatin1String(name));
+  button->setAccessibleName(spoken);
+  button->setBaseHeight(48);
+  return button;
+}
+
+}  // namespace
+
+SessionList::SessionList(SessionDesk* desk, QWidget* parent)
+    : QWidget(parent), desk_(desk), orders_(new QHBoxLayout), list_(new QListView) {
+  order_.setSourceModel(&sessions_);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  filter_ = new QLineEdit;
+  filter_->setObjectName(QStringLiteral("session-filter"));
+  filter_->setPlaceholderText(tr("Find job or tool"));
+  filter_->setAccessibleName(filter_->placeholderText());
+  filter_->setClearButtonEnabled(false);
+  connect(filter_, &QLineEdit::textChanged, &order_, &QSortFilterProxyModel::setFilterFixedString);
+  byJob_ = tool(tr("JOB"), tr("Order by job"), "sessions-by-job");
+  byTool_ = tool(tr("TOOL"), tr("Order by tool"), "sessions-by-tool");
+  byTime_ = tool(tr("TIME"), tr("Order by time"), "sessions-by-time");
+  for (const auto& [button, by] : {std::pair{byJob_, SessionOrder::Job}, std::pair{byTool_, SessionOrder::Tool},
+                                   std::pair{byTime_, SessionOrder::Time}}) {
+    button->setCheckable(true);
+    orders_->addWidget(button);
+    connect(button, &TouchButton::clicked, this, [this, by = by] { orderBy(by); });
+  }
+  orderBy(SessionOrder::Time);
+  list_->setObjectName(QStringLiteral("session-list"));
+  list_->setAccessibleName(tr("Recordings"));
+  list_->setModel(&order_);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  const auto openIndex = [this](const QModelIndex& index) {
+    const QString path = index.data(SessionListModel::PathRole).toString();
+    if (desk_ != nullptr && !path.isEmpty() && path != desk_->openedPath()) desk_->open(path);
+  };
+  connect(list_, &QListView::clicked, this, openIndex);
+  connect(list_, &QListView::activated, this, openIndex);
+  empty_ = new TextLabel({type_size::kBody, false, true, true});
+  folder_ = new QLineEdit;
+  folder_->setObjectName(QStringLiteral("session-folder"));
+  folder_->setAccessibleName(tr("Folder of the recordings"));
+  connect(folder_, &QLineEdit::editingFinished, this, [this] {
+    if (desk_ != nullptr && folder_->text() != desk_->folder()) desk_->setFolder(folder_->text());
+  });
+  column->addWidget(filter_);
+  column->addLayout(orders_);
+  column->addWidget(list_, 1);
+  column->addWidget(empty_);
+  column->addWidget(folder_);
+  refresh();
+}
+
+void SessionList::orderBy(SessionOrder::By by) {
+  order_.orderBy(by);
+  byJob_->setChecked(by == SessionOrder::Job);
+  byTool_->setChecked(by == SessionOrder::Tool);
+  byTime_->setChecked(by == SessionOrder::Time);
+}
+
+void SessionList::refresh() {
+  if (desk_ != nullptr) {
+    sessions_.show(desk_->entries());
+    if (!folder_->hasFocus()) folder_->setText(desk_->folder());
+  }
+  empty_->setText(desk_ != nullptr ? tr("No recordings here. A cut is recorded with --record, or by the profile.")
+                                   : tr("There are no recordings to work on here."));
+  empty_->setVisible(sessions_.rowCount() == 0);
+}
+
+void SessionList::applyTheme(const Theme& theme) {
+  layout()->setSpacing(theme.px(10));
+  orders_->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
+  list_->setFont(theme.font(type_size::kBody));
+  for (QLineEdit* edit : {filter_, folder_}) {
+    edit->setFont(theme.font(type_size::kBody));
+    edit->setFixedHeight(theme.px(48));
+  }
+}
+
+}  // namespace stillcut::ui

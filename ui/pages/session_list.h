@@ -1,0 +1,40 @@
+// The recordings of a folder: found by what is typed, ordered by job, tool or time, opened by touch or key. GUI thread.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/session_models.h"
+#include "ui/models/themed.h"
+
+class QHBoxLayout;
+class QLineEdit;
+class QListView;
+
+namespace stillcut::ui {
+
+class TextLabel;
+class TouchButton;
+
+class SessionList : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  // `desk` may be null: the list stays empty and says so. It outlives the widget.
+  explicit SessionList(SessionDesk* desk, QWidget* parent = nullptr);
+
+  void refresh();
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void orderBy(SessionOrder::By by);
+
+  SessionDesk* desk_;
+  SessionListModel sessions_;
+  SessionOrder order_;
+  QLineEdit *filter_, *folder_;
+  QHBoxLayout* orders_;
+  TouchButton *byJob_, *byTool_, *byTime_;
+  QListView* list_;
+  TextLabel* empty_;
+};
+
+}  // namespace stillcut::ui

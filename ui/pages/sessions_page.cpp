@@ -1,0 +1,358 @@
+#include "ui/pages/sessions_page.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListView>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <algorithm>
+#include <utility>
+
+#include "ui/models/format.h"
+#include "ui/models/live_numbers.h"
+#include "ui/models/session_words.h"
+#include "ui/pages/session_list.h"
+#include "ui/plots/session_timeline.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/panel.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+#include "ui/widgets/transport_bar.h"
+
+namespace stillcut::ui {
+namespace {
+
+TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
+  auto* button = new TouchButton(caption, TouchButton::Look::Plain);
+  button->setObjectName(QLatin1String(name));
+  button->setAccessibleName(spoken);
+  button->setBaseHeight(48);
+  return button;
+}
+
+Tone toneOf(const std::string& label) {
+  if (label == kLabelTrueAlarm || label == kLabelHeard) return Tone::Chatter;
+  return label == kLabelFalseAlarm ? Tone::Onset : Tone::Advice;
+}
+
+}  // namespace
+
+SessionsPage::SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* parent)
+    : Page(parent), desk_(desk), report_(std::move(report)), theme_(makeTheme(ThemeKind::Light, 1.0)) {
+  auto* columns = new QHBoxLayout(this);
+  auto* right = new QVBoxLayout;
+  panel_ = new Panel;
+  auto* top = new QVBoxLayout(panel_);
+  title_ = new TextLabel({type_size::kValue, true});
+  facts_ = new TextLabel({type_size::kLabel, false, true});
+  verdict_ = new TextLabel({type_size::kValue, true});
+  timeline_ = new SessionTimeline;
+  timeline_->setObjectName(QStringLiteral("session-timeline"));
+  transport_ = new TransportBar;
+  everywhere_ = tool(tr("ON ALL PAGES"), tr("Show the replay on all pages"), "replay-everywhere");
+  everywhere_->setCheckable(true);
+  auto* head = new QHBoxLayout;
+  auto* names = new QVBoxLayout;
+  names->addWidget(title_);
+  names->addWidget(facts_);
+  head->addLayout(names, 1);
+  head->addWidget(verdict_);
+  head->addWidget(everywhere_);
+  top->addLayout(head);
+  top->addWidget(timeline_, 1);
+  top->addWidget(transport_);
+  status_ = new TextLabel({type_size::kBody, true, false, true});
+  top->addWidget(status_);
+  right->addWidget(panel_, 60);
+  right->addWidget(makeBelow(), 40);
+  list_ = new SessionList(desk_);
+  columns->addWidget(list_, 24);
+  columns->addLayout(right, 76);
+  connectTransport();
+  refresh();
+}
+
+// Two sheets of one panel: marking, and what comes of the recording.
+QWidget* SessionsPage::makeBelow() {
+  below_ = new Panel;
+  auto* line = new QHBoxLayout(below_);
+  auto* choices = new QVBoxLayout;
+  auto* sheets = new QStackedWidget;
+  sheets->setObjectName(QStringLiteral("sheets"));
+  sheets->addWidget(makeMarks());
+  sheets->addWidget(makeResults());
+  std::vector<TouchButton*> buttons{tool(tr("MARK"), tr("Markers"), "sheet-mark"),
+                                    tool(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare")};
+  for (std::size_t k = 0; k < buttons.size(); ++k) {
+    buttons[k]->setCheckable(true);
+    choices->addWidget(buttons[k]);
+    connect(buttons[k], &TouchButton::clicked, this, [sheets, buttons, k] {
+      sheets->setCurrentIndex(static_cast<int>(k));
+      for (std::size_t i = 0; i < buttons.size(); ++i) buttons[i]->setChecked(i == k);
+    });
+  }
+  buttons.front()->setChecked(true);
+  choices->addStretch(1);
+  lines_.push_back(choices);
+  line->addLayout(choices);
+  line->addWidget(sheets, 1);
+  return below_;
+}
+
+QWidget* SessionsPage::makeMarks() {
+  auto* sheet = new QWidget;
+  auto* column = new QVBoxLayout(sheet);
+  column->setContentsMargins(0, 0, 0, 0);
+  auto* first = new QHBoxLayout;
+  lines_.push_back(first);
+  struct Button {
+    QString caption, spoken;
+    const char* name;
+    const char* label;
+    QKeySequence key;
+  };
+  const Button buttons[] = {
+      {tr("CHATTER"), tr("Mark a true alarm"), "mark-true", kLabelTrueAlarm, Qt::ALT | Qt::Key_1},
+      {tr("FALSE"), tr("Mark a false alarm"), "mark-false", kLabelFalseAlarm, Qt::ALT | Qt::Key_2},
+      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelHeard, Qt::ALT | Qt::Key_3},
+      {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
+  for (const Button& b : buttons) {
+    TouchButton* button = tool(b.caption, b.spoken, b.name);
+    button->setKey(b.key);
+    first->addWidget(button);
+    connect(button, &TouchButton::clicked, this, [this, label = b.label] { mark(label); });
+  }
+  note_ = new QLineEdit;
+  note_->setObjectName(QStringLiteral("mark-text"));
+  note_->setPlaceholderText(tr("Note"));
+  note_->setAccessibleName(tr("Note of the next marker"));
+  remove_ = tool(tr("REMOVE"), tr("Remove the chosen marker"), "mark-remove");
+  first->addWidget(note_, 1);
+  first->addWidget(remove_);
+  markerList_ = new QListView;
+  markerList_->setObjectName(QStringLiteral("marker-list"));
+  markerList_->setAccessibleName(tr("Markers"));
+  markerList_->setModel(&markers_);
+  markerList_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(markerList_, &QListView::clicked, this, [this](const QModelIndex& index) {
+    if (const Marker* marker = markers_.marker(index.row())) desk_->goTo(desk_->markerTime(*marker));
+  });
+  connect(remove_, &TouchButton::clicked, this, [this] {
+    const Marker* marker = markers_.marker(markerList_->currentIndex().row());
+    if (marker != nullptr) tell(desk_->removeMark(marker->number), tr("Marker removed"));
+  });
+  column->addLayout(first);
+  column->addWidget(markerList_, 1);
+  return sheet;
+}
+
+QWidget* SessionsPage::makeResults() {
+  auto* sheet = new QWidget;
+  auto* column = new QVBoxLayout(sheet);
+  column->setContentsMargins(0, 0, 0, 0);
+  run_ = tool(tr("ALL DETECTORS"), tr("Run every detector on this recording"), "session-run");
+  score_ = tool(tr("SCORE"), tr("Score this recording against its markers"), "session-score");
+  scoreAll_ = tool(tr("SCORE FOLDER"), tr("Score the whole folder"), "session-score-all");
+  cut_ = tool(tr("EXPORT"), tr("Export the selected span, or the whole"), "session-export");
+  pdf_ = tool(tr("REPORT"), tr("Write a report"), "session-report");
+  stop_ = tool(tr("STOP"), tr("Stop what is being worked on"), "session-stop");
+  tuned_ = tool(tr("FROM TUNE"), tr("Take what was changed on the Tune page"), "session-tuned");
+  settings_ = new QLineEdit;
+  settings_->setObjectName(QStringLiteral("session-settings"));
+  settings_->setPlaceholderText(QStringLiteral("energy-ratio.chatter=0.3"));
+  settings_->setAccessibleName(tr("What if: settings, KEY=VALUE, with spaces between them"));
+  auto* first = new QHBoxLayout;
+  for (TouchButton* button : {run_, score_, scoreAll_, cut_, pdf_}) first->addWidget(button);
+  first->addStretch(1);
+  auto* second = new QHBoxLayout;
+  lines_.push_back(first);
+  lines_.push_back(second);
+  second->addWidget(new TextLabel({type_size::kBody}, tr("What if")));
+  second->addWidget(settings_, 1);
+  second->addWidget(tuned_);
+  second->addWidget(stop_);
+  results_ = new TextLabel({type_size::kBody, false, false, true});
+  results_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(results_);
+  column->addLayout(first);
+  column->addLayout(second);
+  column->addWidget(scroll, 1);
+  connect(run_, &TouchButton::clicked, this,
+          [this] { desk_->runDetectors(settings_->text().split(u' ', Qt::SkipEmptyParts)); });
+  connect(settings_, &QLineEdit::returnPressed, run_, &TouchButton::click);
+  connect(tuned_, &TouchButton::clicked, this, [this] { settings_->setText(desk_->tunedSettings().join(u' ')); });
+  connect(score_, &TouchButton::clicked, this, [this] { desk_->score(false); });
+  connect(scoreAll_, &TouchButton::clicked, this, [this] { desk_->score(true); });
+  connect(cut_, &TouchButton::clicked, this, &SessionsPage::exportSpan);
+  connect(pdf_, &TouchButton::clicked, this, &SessionsPage::exportReport);
+  connect(stop_, &TouchButton::clicked, this, [this] { desk_->cancel(); });
+  return sheet;
+}
+
+void SessionsPage::connectTransport() {
+  if (desk_ == nullptr) return;
+  connect(transport_, &TransportBar::playAsked, this, [this] { desk_->play(); });
+  connect(transport_, &TransportBar::pauseAsked, this, [this] { desk_->pause(); });
+  connect(transport_, &TransportBar::toStartAsked, this, [this] { desk_->goTo(Seconds()); });
+  connect(transport_, &TransportBar::stepAsked, this, [this](int blocks) { desk_->step(blocks); });
+  connect(transport_, &TransportBar::paceAsked, this, [this](double times) { desk_->setPace(times); });
+  connect(transport_, &TransportBar::loopAsked, this, [this](bool on) {
+    if (!on) {
+      desk_->endLoop();
+    } else if (timeline_->hasSelection()) {
+      desk_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
+    } else {
+      status_->setText(tr("Drag over the picture first: the loop repeats the selected span"));
+    }
+  });
+  connect(timeline_, &SessionTimeline::wentTo, this, [this](double t) { desk_->goTo(Seconds(t)); });
+  connect(timeline_, &SessionTimeline::selected, this, [this] {
+    if (desk_->replay().looping) desk_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
+  });
+  connect(everywhere_, &TouchButton::clicked, this, [this] {
+    const bool on = everywhere_->isChecked();
+    tell(desk_->showEverywhere(on), on ? tr("Every page shows the replay; the touches below still go to the machine")
+                                       : tr("Every page shows the cut again"));
+  });
+}
+
+void SessionsPage::mark(const char* label) {
+  if (desk_ == nullptr || !desk_->replay().open) return;
+  const bool span = timeline_->hasSelection();
+  const Seconds here = desk_->replay().position;
+  const Status done = desk_->mark(span ? timeline_->selectedFrom() : here, span ? timeline_->selectedTo() : here,
+                                  QLatin1String(label), note_->text());
+  if (done) note_->clear();
+  tell(done, tr("Marked: %1").arg(markerText(label)));
+}
+
+void SessionsPage::tell(const Status& status, const QString& done) {
+  status_->setTone(status ? Tone::Normal : Tone::Onset);
+  status_->setText(status ? done : QString::fromStdString(status.error().line()));
+}
+
+QString SessionsPage::exportName(const QString& suffix) const {
+  const QFileInfo file(desk_->openedPath());
+  QString name = file.dir().filePath(file.completeBaseName() + suffix);
+  for (int k = 2; QFileInfo::exists(name); ++k) {
+    name = file.dir().filePath(QStringLiteral("%1-%2%3").arg(file.completeBaseName()).arg(k).arg(suffix));
+  }
+  return name;
+}
+
+void SessionsPage::exportSpan() {
+  const auto summary = desk_->summary();
+  if (!summary) return;
+  const bool span = timeline_->hasSelection();
+  desk_->exportSpan(span ? timeline_->selectedFrom() : Seconds(), span ? timeline_->selectedTo() : summary->length,
+                    exportName(QStringLiteral(".wav")));
+}
+
+void SessionsPage::exportReport() {
+  const auto summary = desk_->summary();
+  if (!summary || !report_) return;
+  const QString file = exportName(QStringLiteral(".pdf"));
+  tell(report_(*summary, file), tr("Written: %1").arg(file));
+}
+
+void SessionsPage::see(const Picture&) {
+  if (desk_ != nullptr && desk_->poll()) refresh();
+}
+
+void SessionsPage::refresh() {
+  const bool any = desk_ != nullptr;
+  if (any) {
+    markers_.show(*desk_);
+    timeline_->setSummary(desk_->summary());
+    timeline_->setTracks(desk_->tracks());
+    std::vector<SessionTimeline::Mark> marks;
+    for (const Marker& m : desk_->markers()) {
+      const Seconds begin = desk_->markerTime(m);
+      const QString text = m.note.empty() ? markerText(m.label) : QString::fromStdString(m.note);
+      marks.push_back({begin, begin + secondsBetween(m.begin, m.end), text, toneOf(m.label)});
+    }
+    timeline_->setMarks(std::move(marks));
+  }
+  list_->refresh();
+  const auto summary = any ? desk_->summary() : nullptr;
+  title_->setText(summary ? QFileInfo(QString::fromStdString(summary->file)).fileName() : tr("No recording is open"));
+  facts_->setText(summary ? tr("%1 · %2 · alarms: %3 · in chatter %4")
+                                .arg(QString::fromStdString(summary->kind), timeText(summary->length))
+                                .arg(summary->alarms)
+                                .arg(duration(summary->chatterTime))
+                          : QString());
+  const bool open = summary != nullptr;
+  for (TouchButton* button : {run_, score_, cut_, pdf_, everywhere_}) button->setEnabled(open);
+  for (const char* name : {"mark-true", "mark-false", "mark-heard", "mark-note"}) {
+    findChild<TouchButton*>(QLatin1String(name))->setEnabled(open && summary->session);
+  }
+  remove_->setEnabled(open && markers_.rowCount() > 0);
+  scoreAll_->setEnabled(any && !desk_->entries().empty());
+  if (any) showResults();
+}
+
+void SessionsPage::showResults() {
+  QStringList lines;
+  for (const DetectorTrack& track : desk_->tracks()) lines.push_back(trackText(track));
+  for (const ScoreLine& score : desk_->scores()) lines.push_back(scoreText(score));
+  results_->setText(lines.join(u'\n'));
+}
+
+void SessionsPage::display(const Picture&) {
+  if (desk_ == nullptr) return;
+  const ReplayState replay = desk_->replay();
+  transport_->display(replay);
+  timeline_->setReplay(replay);
+  everywhere_->setChecked(desk_->shownEverywhere());
+  tuned_->setEnabled(!desk_->tunedSettings().isEmpty());
+  const TaskState task = desk_->task();
+  stop_->setEnabled(task.running);
+  if (task.running || taskRan_) {
+    status_->setTone(!task.running && !task.problem.isEmpty() ? Tone::Onset : Tone::Normal);
+    status_->setText(taskText(task));
+  }
+  taskRan_ = task.running;
+  const Snapshot* shown = desk_->replayed();
+  const bool judged = shown != nullptr && shown->detectorCount > 0;
+  const Verdict* verdict = judged ? &shown->verdicts[static_cast<std::size_t>(shown->inCharge)] : nullptr;
+  verdict_->setText(verdict == nullptr ? QString() : verdict->valid ? stateText(verdict->state) : tr("no verdict"));
+  verdict_->setTone(verdict == nullptr || !verdict->alarming() ? Tone::Normal
+                    : verdict->state == CutState::Chatter      ? Tone::Chatter
+                                                               : Tone::Onset);
+}
+
+void SessionsPage::keep(QSettings& settings) const {
+  if (desk_ != nullptr) settings.setValue(QStringLiteral("folder"), desk_->folder());
+}
+
+void SessionsPage::restore(const QSettings& settings) {
+  const QString folder = settings.value(QStringLiteral("folder")).toString();
+  if (desk_ != nullptr && QFileInfo(folder).isDir()) desk_->setFolder(folder);
+}
+
+void SessionsPage::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  const int margin = theme.px(16), gap = theme.px(10);
+  layout()->setContentsMargins(margin, gap, margin, gap);
+  layout()->setSpacing(gap);
+  const int apart = std::max(theme.px(12), pixelsFor(kTouchGapMm, this));
+  for (QBoxLayout* line : lines_) line->setSpacing(apart);
+  markerList_->setFont(theme.font(type_size::kBody));
+  for (Panel* panel : {panel_, below_}) {
+    panel->layout()->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
+    panel->layout()->setSpacing(theme.px(6));
+  }
+  below_->layout()->setSpacing(apart);
+  for (QLineEdit* edit : {note_, settings_}) {
+    edit->setFont(theme.font(type_size::kBody));
+    edit->setFixedHeight(theme.px(48));
+  }
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,69 @@
+// Sessions: the recordings there are; one of them replayed by hand, marked by people, held against every detector on
+// one time axis, scored, and exported.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ui/models/session_desk.h"
+#include "ui/models/session_models.h"
+#include "ui/pages/page.h"
+
+class QBoxLayout;
+class QLineEdit;
+class QListView;
+
+namespace stillcut::ui {
+
+class Panel;
+class SessionList;
+class SessionTimeline;
+class TextLabel;
+class TouchButton;
+class TransportBar;
+
+class SessionsPage : public Page {
+  Q_OBJECT
+ public:
+  using ReportWriter = std::function<Status(const SessionSummary&, const QString& file)>;
+  // `desk` may be null: there are no recordings to work on here. It outlives the page.
+  SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* parent = nullptr);
+
+  void see(const Picture& picture) override;
+  void display(const Picture& picture) override;
+  void applyTheme(const Theme& theme) override;
+  void keep(QSettings& settings) const override;
+  void restore(const QSettings& settings) override;
+
+ private:
+  QWidget* makeBelow();
+  QWidget* makeMarks();
+  QWidget* makeResults();
+  void connectTransport();
+  void refresh();
+  void showResults();
+  void mark(const char* label);
+  void tell(const Status& status, const QString& done);
+  void exportSpan();
+  void exportReport();
+  QString exportName(const QString& suffix) const;
+
+  SessionDesk* desk_;
+  ReportWriter report_;
+  MarkerModel markers_;
+  Theme theme_;
+  bool taskRan_ = false;
+
+  SessionList* list_ = nullptr;
+  QListView* markerList_ = nullptr;
+  QLineEdit *note_ = nullptr, *settings_ = nullptr;
+  TouchButton *remove_ = nullptr, *run_ = nullptr, *tuned_ = nullptr, *score_ = nullptr, *scoreAll_ = nullptr,
+              *cut_ = nullptr, *pdf_ = nullptr, *everywhere_ = nullptr, *stop_ = nullptr;
+  TextLabel *title_ = nullptr, *facts_ = nullptr, *status_ = nullptr, *results_ = nullptr, *verdict_ = nullptr;
+  SessionTimeline* timeline_ = nullptr;
+  TransportBar* transport_ = nullptr;
+  Panel *panel_ = nullptr, *below_ = nullptr;
+  std::vector<QBoxLayout*> lines_;  // of touch targets
+};
+
+}  // namespace stillcut::ui

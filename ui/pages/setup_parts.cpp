@@ -1,0 +1,207 @@
+#include "ui/pages/setup_parts.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QTableView>
+#include <cmath>
+
+#include "ui/models/format.h"
+#include "ui/models/reason_text.h"
+#include "ui/models/say.h"
+#include "ui/plots/level_spectrum.h"
+#include "ui/widgets/settings_form.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString described(const std::vector<PartOption>& options, const std::string& id) {
+  for (const PartOption& option : options) {
+    if (option.id.toStdString() == id) return sayCore(option.description.toStdString());
+  }
+  return {};
+}
+
+QScrollArea* scrolled(QWidget* content) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(content);
+  column->addStretch(1);
+  scroll->setWidget(box);
+  return scroll;
+}
+
+double typed(const QLineEdit* edit) {
+  QString text = edit->text();
+  text.replace(u',', u'.').remove(QChar(0x2009));
+  bool isNumber = false;
+  const double value = text.toDouble(&isNumber);
+  return isNumber && std::isfinite(value) && value > 0.0 ? value : 0.0;
+}
+
+}  // namespace
+
+SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
+    : SetupTab(desk, draft, parent),
+      about_(new TextLabel({type_size::kBody, false, true, true})),
+      form_(new SettingsForm),
+      name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
+      speed_(makeEdit(tr("Programmed speed in rpm"), QStringLiteral("machine-speed"))),
+      feed_(makeEdit(tr("Programmed feed in mm per minute"), QStringLiteral("machine-feed"))),
+      allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
+                            QStringLiteral("machine-auto"))) {
+  auto* column = new QVBoxLayout(this);
+  auto* names = new QHBoxLayout;
+  names->addWidget(new TextLabel({type_size::kBody}, tr("Machine")));
+  names->addWidget(name_, 2);
+  names->addWidget(new TextLabel({type_size::kBody}, tr("Speed, rpm")));
+  names->addWidget(speed_, 1);
+  names->addWidget(new TextLabel({type_size::kBody}, tr("Feed, mm/min")));
+  names->addWidget(feed_, 1);
+  column->addLayout(names);
+  column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("LINK TO THE CONTROL")));
+  auto* choices = new QHBoxLayout;
+  for (const PartOption& option : desk.links()) {
+    TouchButton* button =
+        makeButton(option.id.toUpper(), sayCore(option.description.toStdString()), QStringLiteral("link-") + option.id);
+    button->setCheckable(true);
+    links_.push_back(button);
+    choices->addWidget(button);
+    connect(button, &TouchButton::clicked, this, [this, id = option.id] {
+      // A second touch takes it back: the program then only watches.
+      const bool again = draft_.profile().link.id == id.toStdString();
+      draft_.setLink(again ? QString() : id);
+      refresh();
+    });
+  }
+  choices->addStretch(1);
+  column->addLayout(choices);
+  column->addWidget(about_);
+  column->addWidget(scrolled(form_), 1);
+  allowAuto_->setCheckable(true);
+  column->addWidget(allowAuto_, 0, Qt::AlignLeft);
+  connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setLinkSetting);
+  connect(name_, &QLineEdit::editingFinished, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.cut.machine = name_->text().toStdString(); }); });
+  connect(speed_, &QLineEdit::editingFinished, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.cut.nominalSpeed = Rpm(typed(speed_)); }); });
+  connect(feed_, &QLineEdit::editingFinished, this, [this] {
+    draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = MetresPerSecond(typed(feed_) / 60e3); });
+  });
+  connect(allowAuto_, &TouchButton::clicked, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.allowAuto = allowAuto_->isChecked(); }); });
+  refresh();
+}
+
+void SetupMachine::refresh() {
+  const config::Profile& profile = draft_.profile();
+  for (TouchButton* button : links_) {
+    button->setChecked(button->objectName() == QStringLiteral("link-") + QString::fromStdString(profile.link.id));
+  }
+  about_->setText(profile.link.id.empty() ? draft_.missing(SetupDraft::Part::Machine)
+                                          : described(desk_.links(), profile.link.id));
+  form_->show(desk_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
+  allowAuto_->setChecked(profile.allowAuto);
+  const auto put = [](QLineEdit* edit, const QString& text) {
+    if (!edit->hasFocus()) edit->setText(text);
+  };
+  put(name_, QString::fromStdString(profile.cut.machine));
+  put(speed_, profile.cut.nominalSpeed.value > 0.0 ? number(profile.cut.nominalSpeed.value) : QString());
+  put(feed_, profile.cut.nominalFeed.value > 0.0 ? number(profile.cut.nominalFeed.value * 60e3) : QString());
+}
+
+SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
+    : SetupTab(desk, draft, parent),
+      about_(new TextLabel({type_size::kBody, false, true, true})),
+      state_(new TextLabel({type_size::kBody, true, false, true})),
+      form_(new SettingsForm),
+      channels_(draft),
+      table_(new QTableView),
+      live_(new LevelSpectrum) {
+  auto* columns = new QHBoxLayout(this);
+  auto* left = new QVBoxLayout;
+  left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
+  auto* choices = new QHBoxLayout;
+  for (const PartOption& option : desk.sources()) {
+    TouchButton* button = makeButton(option.id.toUpper(), sayCore(option.description.toStdString()),
+                                     QStringLiteral("source-") + option.id);
+    button->setCheckable(true);
+    sources_.push_back(button);
+    choices->addWidget(button);
+    connect(button, &TouchButton::clicked, this, [this, id = option.id] {
+      draft_.setSource(id);
+      refresh();
+    });
+  }
+  choices->addStretch(1);
+  left->addLayout(choices);
+  left->addWidget(about_);
+  left->addWidget(scrolled(form_), 2);
+  left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("CHANNELS")));
+  table_->setModel(&channels_);
+  table_->setObjectName(QStringLiteral("channels"));
+  table_->setAccessibleName(tr("Channels"));
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->setEditTriggers(QAbstractItemView::AllEditTriggers);
+  left->addWidget(table_, 3);
+  auto* buttons = new QHBoxLayout;
+  TouchButton* add = makeButton(tr("ADD CHANNEL"), tr("Add a channel"), QStringLiteral("channel-add"));
+  TouchButton* remove = makeButton(tr("REMOVE"), tr("Remove the chosen channel"), QStringLiteral("channel-remove"));
+  buttons->addWidget(add);
+  buttons->addWidget(remove);
+  buttons->addStretch(1);
+  left->addLayout(buttons);
+  connect(add, &TouchButton::clicked, &channels_, &ChannelModel::add);
+  connect(remove, &TouchButton::clicked, this, [this] { channels_.remove(table_->currentIndex().row()); });
+  connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setSourceSetting);
+  auto* right = new QVBoxLayout;
+  right->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("WHAT RUNS NOW")));
+  right->addWidget(state_);
+  right->addWidget(live_, 1);
+  columns->addLayout(left, 58);
+  columns->addLayout(right, 42);
+  refresh();
+}
+
+void SetupSensors::refresh() {
+  const config::Profile& profile = draft_.profile();
+  for (TouchButton* button : sources_) {
+    button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));
+  }
+  about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
+                                            : described(desk_.sources(), profile.source.id));
+  form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
+}
+
+void SetupSensors::display(const Picture& picture) {
+  live_->display(picture);
+  if (picture.snapshot == nullptr || picture.stale) {
+    state_->setTone(Tone::Normal);
+    state_->setText(tr("No samples come"));
+    return;
+  }
+  const Reason& reason = picture.verdict().reason;
+  const bool sick = reason.code == ReasonCode::InputDead || reason.code == ReasonCode::InputClipped ||
+                    reason.code == ReasonCode::InputNotFinite || reason.code == ReasonCode::InputGap;
+  state_->setTone(sick ? Tone::Onset : Tone::Normal);
+  state_->setText(
+      sick ? reasonText(reason)
+           : tr("Sensor in order: %1").arg(join(significant(picture.snapshot->vibrationRms), live_->unit())));
+}
+
+void SetupSensors::applyTheme(const Theme& theme) {
+  SetupTab::applyTheme(theme);
+  table_->setFont(theme.font(type_size::kBody));
+  table_->horizontalHeader()->setFont(theme.font(type_size::kLabel));
+  table_->verticalHeader()->setDefaultSectionSize(theme.px(46));
+}
+
+}  // namespace stillcut::ui

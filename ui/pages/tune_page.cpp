@@ -1,0 +1,290 @@
+#include "ui/pages/tune_page.h"
+
+#include <QHBoxLayout>
+#include <QListView>
+#include <QScrollArea>
+#include <QSettings>
+#include <QShortcut>
+#include <algorithm>
+
+#include "ui/models/format.h"
+#include "ui/models/live_numbers.h"
+#include "ui/models/reason_text.h"
+#include "ui/models/say.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/panel.h"
+#include "ui/widgets/param_row.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+constexpr int kInputsPerTick = 4;  // as many as one block takes
+
+TouchButton* tool(const QString& caption, const char* name, QWidget* parent) {
+  auto* button = new TouchButton(caption, TouchButton::Look::Plain, parent);
+  button->setObjectName(QLatin1String(name));
+  button->setBaseHeight(50);
+  return button;
+}
+
+}  // namespace
+
+TunePage::TunePage(Tuning* tuning, QWidget* parent)
+    : Page(parent), tuning_(tuning), theme_(makeTheme(ThemeKind::Light, 1.0)) {
+  build();
+  connect(&desk_, &TuneDesk::changed, this, [this] {
+    for (ParamRow* row : rows_) row->refresh();
+    refreshTools();
+  });
+  connect(&desk_.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
+  openRun();
+}
+
+void TunePage::build() {
+  auto* columns = new QHBoxLayout(this);
+  list_ = new QListView;
+  list_->setObjectName(QStringLiteral("tune-parts"));
+  list_->setAccessibleName(tr("Methods"));
+  list_->setModel(&parts_);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& index) { showPart(parts_.part(index.row())); });
+
+  auto* middle = new QVBoxLayout;
+  middle->addWidget(makeToolbar());
+  rowsPanel_ = new Panel;
+  auto* rowsColumn = new QVBoxLayout(rowsPanel_);
+  title_ = new TextLabel({type_size::kValue, true});
+  source_ = new TextLabel({type_size::kLabel, false, true, true});
+  scroll_ = new QScrollArea;
+  scroll_->setWidgetResizable(true);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  rowsBox_ = new QWidget;
+  rowsLayout_ = new QVBoxLayout(rowsBox_);
+  rowsLayout_->setContentsMargins(0, 0, 0, 0);
+  rowsLayout_->setSpacing(0);
+  rowsLayout_->addStretch(1);
+  scroll_->setWidget(rowsBox_);
+  rowsColumn->addWidget(title_);
+  rowsColumn->addWidget(source_);
+  rowsColumn->addWidget(scroll_, 1);
+  middle->addWidget(rowsPanel_, 1);
+
+  columns->addWidget(list_, 24);
+  columns->addLayout(middle, 50);
+  columns->addWidget(makeSide(), 26);
+}
+
+QWidget* TunePage::makeToolbar() {
+  auto* bar = new QWidget;
+  tools_ = new QHBoxLayout(bar);
+  tools_->setContentsMargins(0, 0, 0, 0);
+  undo_ = tool(tr("UNDO"), "tune-undo", bar);
+  redo_ = tool(tr("REDO"), "tune-redo", bar);
+  start_ = tool(tr("AS BEGUN"), "tune-start", bar);
+  reset_ = tool(tr("DEFAULTS"), "tune-reset", bar);
+  save_ = tool(tr("SAVE"), "tune-save", bar);
+  undo_->setKey(QKeySequence::Undo);
+  redo_->setKey(QKeySequence(Qt::CTRL | Qt::Key_Y));
+  save_->setKey(QKeySequence::Save);
+  connect(undo_, &TouchButton::clicked, &desk_.undoStack(), &QUndoStack::undo);
+  connect(redo_, &TouchButton::clicked, &desk_.undoStack(), &QUndoStack::redo);
+  connect(start_, &TouchButton::clicked, this, [this] {
+    if (params_.part() != nullptr) desk_.resetToStart(openParams());
+  });
+  connect(reset_, &TouchButton::clicked, this, [this] {
+    if (params_.part() != nullptr) desk_.resetToDefaults(openParams());
+  });
+  connect(save_, &TouchButton::clicked, this, &TunePage::save);
+  for (TouchButton* button : {undo_, redo_, start_, reset_, save_}) tools_->addWidget(button);
+  tools_->addStretch(1);
+  return bar;
+}
+
+QWidget* TunePage::makeSide() {
+  sidePanel_ = new Panel;
+  auto* column = new QVBoxLayout(sidePanel_);
+  auto* liveTitle = new TextLabel({type_size::kLabel, true, true}, tr("WHAT IT SEES NOW"));
+  live_ = new TextLabel({type_size::kValue, true, false, true});
+  numbers_ = new TextLabel({type_size::kBody, false, false, true});
+  auto* compareTitle = new TextLabel({type_size::kLabel, true, true}, tr("COMPARE"));
+  useA_ = tool(QStringLiteral("A"), "tune-a", sidePanel_);
+  useB_ = tool(QStringLiteral("B"), "tune-b", sidePanel_);
+  copy_ = tool(tr("A = B"), "tune-copy", sidePanel_);
+  useA_->setCheckable(true);
+  useB_->setCheckable(true);
+  useA_->setAccessibleName(tr("Use the values of side A"));
+  useB_->setAccessibleName(tr("Use the values of side B"));
+  copy_->setAccessibleName(tr("Make the other side like this one"));
+  useA_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
+  useB_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
+  connect(useA_, &TouchButton::clicked, this, [this] {
+    desk_.use(TuneDesk::A);
+    refreshTools();
+  });
+  connect(useB_, &TouchButton::clicked, this, [this] {
+    desk_.use(TuneDesk::B);
+    refreshTools();
+  });
+  connect(copy_, &TouchButton::clicked, &desk_, &TuneDesk::copyToOther);
+  sides_ = new QHBoxLayout;
+  for (TouchButton* button : {useA_, useB_, copy_}) sides_->addWidget(button);
+  differs_ = new TextLabel({type_size::kLabel, false, true, true});
+  tallyA_ = new TextLabel({type_size::kBody, false, false, true});
+  tallyB_ = new TextLabel({type_size::kBody, false, false, true});
+  note_ = new TextLabel({type_size::kBody, false, false, true});
+  column->addWidget(liveTitle);
+  column->addWidget(live_);
+  column->addWidget(numbers_);
+  column->addSpacing(10);
+  column->addWidget(compareTitle);
+  column->addLayout(sides_);
+  column->addWidget(differs_);
+  column->addWidget(tallyA_);
+  column->addWidget(tallyB_);
+  column->addStretch(1);
+  column->addWidget(note_);
+  return sidePanel_;
+}
+
+void TunePage::openRun() {
+  showPart(nullptr);
+  tally_.reset();
+  if (tuning_ == nullptr) {
+    title_->setText(tr("Nothing to tune: this session has no methods of its own"));
+    refreshTools();
+    return;
+  }
+  run_ = tuning_->tuningRun();
+  parts_.show(tuning_->tunableParts());
+  desk_.open(tuning_->startValues());
+  list_->setCurrentIndex(parts_.index(0));
+  refreshTools();
+}
+
+std::vector<const config::ParamDecl*> TunePage::openParams() const {
+  std::vector<const config::ParamDecl*> open;
+  for (int row = 0; row < params_.rowCount(); ++row) {
+    if (params_.view(row).locked.isEmpty()) open.push_back(&params_.decl(row));
+  }
+  return open;
+}
+
+void TunePage::showPart(const TunablePart* part) {
+  for (ParamRow* row : rows_) delete row;
+  rows_.clear();
+  params_.show(part);
+  title_->setText(part != nullptr ? sayCore(part->label.toStdString()) : QString());
+  source_->setText(part != nullptr ? part->source : QString());
+  source_->setVisible(!source_->text().isEmpty());
+  for (int k = 0; k < params_.rowCount(); ++k) {
+    auto* row = new ParamRow(params_, desk_, k);
+    row->applyTheme(theme_);
+    for (QWidget* child : row->findChildren<QWidget*>()) {
+      if (auto* themed = dynamic_cast<Themed*>(child)) themed->applyTheme(theme_);
+    }
+    rowsLayout_->insertWidget(k, row);
+    rows_.push_back(row);
+  }
+  scroll_->ensureVisible(0, 0);
+}
+
+void TunePage::refreshTools() {
+  const bool any = tuning_ != nullptr;
+  undo_->setEnabled(desk_.undoStack().canUndo());
+  redo_->setEnabled(desk_.undoStack().canRedo());
+  for (TouchButton* button : {reset_, start_, save_, useA_, useB_}) button->setEnabled(any);
+  useA_->setChecked(desk_.side() == TuneDesk::A);
+  useB_->setChecked(desk_.side() == TuneDesk::B);
+  const auto differences = desk_.differences();
+  copy_->setEnabled(any && !differences.empty());
+  copy_->setText(desk_.side() == TuneDesk::A ? tr("B = A") : tr("A = B"));
+  differs_->setText(differences.empty() ? tr("Both sides are alike. Take B, change something, and go to and fro.")
+                                        : tr("Values that differ: %1").arg(differences.size()));
+}
+
+void TunePage::see(const Picture& picture) {
+  if (tuning_ == nullptr) return;
+  if (tuning_->tuningRun() != run_) openRun();
+  if (picture.snapshot == nullptr) return;
+  tally_.see(*picture.snapshot, static_cast<std::size_t>(desk_.side()));
+  for (const OperatorInput& input : desk_.take(kInputsPerTick)) emit asked(input);
+}
+
+void TunePage::display(const Picture& picture) {
+  const bool running = picture.snapshot != nullptr && picture.snapshot->running && !picture.stale;
+  if (params_.setRunning(running)) {
+    for (ParamRow* row : rows_) row->refresh();
+  }
+  showLive(picture);
+  tallyA_->setText(QStringLiteral("A: ") + tallyText(tally_.side(0)));
+  tallyB_->setText(QStringLiteral("B: ") + tallyText(tally_.side(1)));
+}
+
+void TunePage::showLive(const Picture& picture) {
+  const TunablePart* part = params_.part();
+  live_->setTone(Tone::Normal);
+  if (part == nullptr || picture.snapshot == nullptr) {
+    live_->setText(tr("Nothing yet"));
+    numbers_->clear();
+    return;
+  }
+  if (part->role == TunablePart::Role::Strategy) {
+    live_->setText(part->running ? reasonText(picture.snapshot->request.reason) : tr("It does not run"));
+    numbers_->clear();
+    return;
+  }
+  const int index = part->detector >= 0                         ? part->detector
+                    : part->role == TunablePart::Role::Detector ? -1
+                                                                : picture.snapshot->inCharge;
+  if (index < 0 || index >= picture.snapshot->detectorCount) {
+    live_->setText(tr("It does not run"));
+    numbers_->clear();
+    return;
+  }
+  const Verdict& verdict = picture.snapshot->verdicts[static_cast<std::size_t>(index)];
+  live_->setText(verdict.valid ? stateText(verdict.state) : reasonText(verdict.reason));
+  if (verdict.alarming()) live_->setTone(verdict.state == CutState::Chatter ? Tone::Chatter : Tone::Onset);
+  QStringList lines;
+  for (int k = 0; k < part->indicators.size() && k < kMaxIndicators; ++k) {
+    const double value = verdict.indicators[static_cast<std::size_t>(k)];
+    lines.push_back(QStringLiteral("%1  %2").arg(indicatorText(part->indicators[k]), significant(value, 3)));
+  }
+  numbers_->setText(lines.join(u'\n'));
+}
+
+void TunePage::save() {
+  const Result<QString> kept = tuning_->saveValues(desk_.values());
+  note_->setTone(kept ? Tone::Normal : Tone::Onset);
+  note_->setText(kept ? tr("Kept in %1").arg(kept.value())
+                      : tr("Not kept: %1").arg(QString::fromStdString(kept.error().line())));
+}
+
+void TunePage::keep(QSettings& settings) const {
+  if (params_.part() != nullptr) settings.setValue(QStringLiteral("part"), params_.part()->id);
+}
+
+void TunePage::restore(const QSettings& settings) {
+  const int row = parts_.rowOf(settings.value(QStringLiteral("part")).toString());
+  if (row >= 0) list_->setCurrentIndex(parts_.index(row));
+}
+
+void TunePage::applyTheme(const Theme& theme) {
+  theme_ = theme;
+  const int margin = theme.px(16), gap = theme.px(10);
+  layout()->setContentsMargins(margin, gap, margin, gap);
+  layout()->setSpacing(gap);
+  list_->setFont(theme.font(type_size::kBody));
+  const int apart = std::max(theme.px(12), pixelsFor(kTouchGapMm, this));
+  for (QHBoxLayout* line : {tools_, sides_}) line->setSpacing(apart);
+  for (Panel* panel : {sidePanel_, rowsPanel_}) {
+    panel->layout()->setContentsMargins(theme.px(14), theme.px(10), theme.px(14), theme.px(10));
+    panel->layout()->setSpacing(theme.px(6));
+  }
+}
+
+}  // namespace stillcut::ui

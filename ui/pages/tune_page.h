@@ -1,0 +1,71 @@
+// Tune: every parameter of every method as a panel made from its declaration, live on the running cut or on a replay;
+// undo, A and B, reset, and keeping what was found. What the method sees now stands beside it.
+#pragma once
+
+#include <vector>
+
+#include "ui/models/compare_tally.h"
+#include "ui/models/param_model.h"
+#include "ui/models/tune_desk.h"
+#include "ui/models/tuning.h"
+#include "ui/pages/page.h"
+
+class QListView;
+class QScrollArea;
+class QHBoxLayout;
+class QVBoxLayout;
+
+namespace stillcut::ui {
+
+class Panel;
+class ParamRow;
+class TextLabel;
+class TouchButton;
+
+class TunePage : public Page {
+  Q_OBJECT
+ public:
+  // `tuning` may be null: there is nothing to tune, the page says so. It outlives the page.
+  explicit TunePage(Tuning* tuning, QWidget* parent = nullptr);
+
+  void see(const Picture& picture) override;
+  void display(const Picture& picture) override;
+  void applyTheme(const Theme& theme) override;
+  void keep(QSettings& settings) const override;
+  void restore(const QSettings& settings) override;
+
+  TuneDesk& desk() { return desk_; }
+
+ private:
+  void build();
+  QWidget* makeToolbar();
+  QWidget* makeSide();
+  void openRun();
+  void showPart(const TunablePart* part);
+  std::vector<const config::ParamDecl*> openParams() const;
+  void refreshTools();
+  void showLive(const Picture& picture);
+  void save();
+
+  Tuning* tuning_;
+  TuneDesk desk_;
+  ParamModel params_{desk_};
+  PartModel parts_;
+  CompareTally tally_;
+  Theme theme_;
+  std::uint32_t run_ = 0;
+
+  QListView* list_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  QWidget* rowsBox_ = nullptr;
+  QVBoxLayout* rowsLayout_ = nullptr;
+  QHBoxLayout *tools_ = nullptr, *sides_ = nullptr;
+  std::vector<ParamRow*> rows_;
+  TouchButton *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr, *start_ = nullptr, *save_ = nullptr;
+  TouchButton *useA_ = nullptr, *useB_ = nullptr, *copy_ = nullptr;
+  TextLabel *title_ = nullptr, *source_ = nullptr, *live_ = nullptr, *numbers_ = nullptr, *tallyA_ = nullptr,
+            *tallyB_ = nullptr, *note_ = nullptr, *differs_ = nullptr;
+  Panel *sidePanel_ = nullptr, *rowsPanel_ = nullptr;
+};
+
+}  // namespace stillcut::ui

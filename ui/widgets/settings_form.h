@@ -1,0 +1,43 @@
+// A form made from what a part asks for: text, numbers, switches and choices, one row each; what is wrong is told
+// beside the row. GUI thread.
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/config/part_settings.h"
+#include "ui/models/themed.h"
+
+class QVBoxLayout;
+
+namespace stillcut::ui {
+
+class SettingsForm : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  explicit SettingsForm(QWidget* parent = nullptr);
+
+  // `prefix`: of the editors' object names.
+  void show(const std::vector<config::AskedSetting>& asked, const std::map<std::string, std::string>& values,
+            const QString& prefix);
+  void applyTheme(const Theme& theme) override;
+
+ signals:
+  // An empty value: as the part has it.
+  void edited(const QString& key, const QString& value);
+
+ private:
+  QString valueOf(const config::AskedSetting& setting) const;
+  void showValue(const config::AskedSetting& setting);
+  QWidget* makeEditor(const config::AskedSetting& setting, const QString& value, const QString& name);
+
+  Theme theme_;
+  QVBoxLayout* rows_;
+  std::vector<config::AskedSetting> asked_;
+  std::map<std::string, std::string> values_;
+  QString prefix_;
+};
+
+}  // namespace stillcut::ui
