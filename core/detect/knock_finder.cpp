@@ -73,7 +73,7 @@ bool KnockFinder::isNews(double size, int angle) noexcept {
   return turns_ >= kTurnsKnown && size > kNews * known;
 }
 
-KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uint8_t> angle) noexcept {
+KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uint8_t> angle, double least) noexcept {
   KnockFacts facts;
   if (x.size() < 4 * kOrder || x.size() > rest_.size() || !predict(x)) return facts;
   const std::size_t count = x.size() - kOrder;
@@ -94,7 +94,7 @@ KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uin
   facts.kurtosis = fourths * static_cast<double>(count) / (squares * squares);
   const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(count / 2);
   std::nth_element(sorted_.begin(), middle, sorted_.begin() + static_cast<std::ptrdiff_t>(count));
-  const double limit = kOutlier / kMedianOfNormal * *middle;
+  const double limit = std::max(least, kOutlier / kMedianOfNormal * *middle);
   for (std::size_t n = 0; n < count; ++n) {
     const std::uint8_t at = angle[n + kOrder];
     if (at == kNoAngle) continue;

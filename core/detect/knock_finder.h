@@ -31,8 +31,8 @@ class KnockFinder {
 
   void prepare(int longestWindow);
   void reset() noexcept;
-  // A window without its mean, and the angle of every sample.
-  KnockFacts look(std::span<const double> x, std::span<const std::uint8_t> angle) noexcept;
+  // A window without its mean, the angle of every sample, and the least that counts as a knock.
+  KnockFacts look(std::span<const double> x, std::span<const std::uint8_t> angle, double least) noexcept;
 
  private:
   static constexpr int kOrder = 8;

@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kWindow = 0.1;  // s
 constexpr std::size_t kFewest = 256;
-constexpr int kFewestKnocks = 3;  // knocks in a window: one is a chip that hit the sensor
+constexpr double kLastBits = 4.0;  // steps of the converter: its last bit flips in silence
+constexpr int kFewestKnocks = 3;   // knocks in a window: one is a chip that hit the sensor
 constexpr double kKnockPart = 0.05;
 constexpr int kKnocksStay = 3;       // windows, however long: a machine gets a bump now and then
 constexpr double kKnocksGone = 1.0;  // s
@@ -79,6 +80,7 @@ void SensorCheck::begin() noexcept {
     c.length = window_ - window_ * i / (2 * channels_.size());
     c.sum = 0.0;
     c.run = c.singles = c.held = 0;
+    c.step = 0.0F;
   }
 }
 
@@ -94,6 +96,8 @@ void SensorCheck::countRuns(Channel& c, float value) noexcept {
     ++c.run;
     return;
   }
+  const float change = std::abs(value - c.last);
+  if (c.run > 0 && (c.step == 0.0F || change < c.step)) c.step = change;
   if (c.run == 1) ++c.singles;
   if (c.run > 1 && c.run <= kLongestHold) ++c.held;
   c.last = value;
@@ -150,8 +154,9 @@ void SensorCheck::look(int index, const CutGate& gate) noexcept {
   }
   const double mean = c.scale * c.sum / count;
   c.seconds += windowSeconds_;
-  const KnockFacts facts = c.knocks.look(x, std::span(c.angles).first(c.fill));
-  const bool knocks = facts.knocks >= kFewestKnocks && facts.part > kKnockPart;
+  const KnockFacts facts =
+      c.knocks.look(x, std::span(c.angles).first(c.fill), kLastBits * std::abs(c.scale) * static_cast<double>(c.step));
+  const bool knocks = gate.inCut() && facts.knocks >= kFewestKnocks && facts.part > kKnockPart;
   c.loose.see(knocks, kKnocksStay, windowsIn(kKnocksGone));
   const double air = gate.airFloor(index);
   const bool loud = air > 0.0 && gate.inCut() && squares > kLoud * air * count;

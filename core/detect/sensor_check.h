@@ -2,7 +2,7 @@
 // cannot be believed makes the verdicts invalid with a reason; it never reads as "stable".
 //
 // Every channel is looked at in windows of a tenth of a second, 256 samples at the least:
-//   loose mount      much of the energy lies in knocks at no fixed spindle angle (knock_finder.h),
+//   loose mount      in the cut, much of the energy lies in knocks at no fixed spindle angle (knock_finder.h),
 //                    three windows long
 //   broken cable     falls silent in the cut while another channel goes on (cable_watch.h)
 //   offset           the mean has left its place by more than anything the channel has shown, and more than gravity
@@ -54,6 +54,7 @@ class SensorCheck {
     double sum = 0.0;  // as delivered [SI]
     float last = 0.0F;
     int run = 0;                        // equal values in a row
+    float step = 0.0F;                  // least change from one value to the next; 0: none yet
     int singles = 0, held = 0;          // runs of one, runs of two to eight
     double place = 0.0, largest = 0.0;  // usual mean, and the largest magnitude shown [SI]
     double peak = 0.0;                  // of the window before

@@ -151,6 +151,15 @@ TEST_F(SensorCheckTest, ImpactsOfTheEdgesAreNoLooseSensor) {
   EXPECT_EQ(run(samples).first(ReasonCode::InputLoose), -1.0);
 }
 
+// Silence of eight bits: a last bit that flips now and then.
+TEST_F(SensorCheckTest, ACoarseConverterIsNoLooseSensor) {
+  Samples samples = cut(4.0);
+  for (auto& x : samples) {
+    for (float& v : x) v = std::round(v * 17.0F) / 17.0F;
+  }
+  EXPECT_EQ(run(samples).first(ReasonCode::InputLoose), -1.0);
+}
+
 TEST_F(SensorCheckTest, ACableThatBreaksInTheCutIsNoEndOfTheCut) {
   std::mt19937 engine(5);
   std::normal_distribution<float> noise(0.0F, 0.01F);
