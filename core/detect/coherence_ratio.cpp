@@ -73,19 +73,11 @@ CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) noexcept {
   run.out = ratio_.data();
   kernels_.sharpen(run);
   CoherencePeak found;
-  std::size_t line = 0;
-  double height = 0.0;
-  double free = 0.0;
-  for (std::size_t b = std::max(mask.first(), kSmooth); b <= mask.last() && b + kSmooth < bins_; ++b) {
-    if (!mask.free(b)) continue;
-    found.gammaMax = std::max(found.gammaMax, ratio_[b]);
-    const double size = cross_[b];
-    free += size;
-    if (size * ratio_[b] > height) {
-      height = size * ratio_[b];
-      line = b;
-    }
-  }
+  dsp::kernels::CrossScan scan{cross_.data(), ratio_.data(), mask.frees().data(), std::max(mask.first(), kSmooth),
+                               std::min(mask.last(), bins_ - kSmooth - 1)};
+  kernels_.scanCross(scan);
+  found.gammaMax = scan.largestRatio;
+  const std::size_t line = scan.place;
   if (line == 0 || line + kLobe >= bins_) return found;
   double lobe = 0.0;
   for (std::size_t b = line - std::min(line, kLobe); b <= line + kLobe; ++b) {
@@ -93,7 +85,7 @@ CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) noexcept {
   }
   const double shift = peakShift(cross_[line - 1], cross_[line], cross_[line + 1]);
   found.frequency = Hertz((static_cast<double>(line) + shift) * binWidth_);
-  found.purity = free > 0.0 ? lobe / free : 0.0;
+  found.purity = scan.freeSum > 0.0 ? lobe / scan.freeSum : 0.0;
   return found;
 }
 

@@ -44,9 +44,7 @@ LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& 
   dsp::kernels::LineScan scan{power.data(), mask.frees().data(), weight.data(), mask.first(), mask.last()};
   kernels.scanLines(scan);
   if (!(scan.top > 0.0)) return found;
-  for (std::size_t b = mask.first(); found.bin == 0; ++b) {  // a local maximum, not the flank of a harmonic
-    if (power[b] == scan.top && mask.free(b)) found.bin = b;
-  }
+  found.bin = scan.place;  // a local maximum, not the flank of a harmonic
   double line = 0.0;
   for (std::size_t b = found.bin - std::min(found.bin, kLobe); b <= std::min(found.bin + kLobe, mask.last()); ++b) {
     if (mask.free(b)) line += power[b];

@@ -181,6 +181,20 @@ struct LineScan {
   double freeSum = 0.0;    // between the harmonics
   double forcedSum = 0.0;  // weighted, on the harmonics
   double top = 0.0;        // largest free local maximum
+  std::size_t place = 0;   // its bin, the first of equals; 0: none
+};
+
+// Bins first .. last of a cross spectrum and its coherence ratio.
+struct CrossScan {
+  const double* cross = nullptr;
+  const double* ratio = nullptr;
+  const double* free = nullptr;
+  std::size_t first = 0;
+  std::size_t last = 0;
+  double freeSum = 0.0;       // of cross between the harmonics
+  double largestRatio = 0.0;  // there
+  double top = 0.0;           // largest product of both there
+  std::size_t place = 0;      // its bin, the first of equals; 0: none
 };
 
 struct Kernels {
@@ -205,6 +219,7 @@ struct Kernels {
   void (*squares)(const double* z, double* out, std::size_t n) noexcept = nullptr;
   void (*maskHarmonics)(const MaskRun&) noexcept = nullptr;
   void (*scanLines)(LineScan&) noexcept = nullptr;
+  void (*scanCross)(CrossScan&) noexcept = nullptr;
   void (*coherence)(const CoherenceRun&) noexcept = nullptr;
   void (*sharpen)(const SharpenRun&) noexcept = nullptr;
   void (*bank)(const BankRun&) noexcept = nullptr;

@@ -19,6 +19,7 @@ void addScaled(double scale, const double* a, double* out, std::size_t n) noexce
 void squares(const double* z, double* out, std::size_t n) noexcept;
 void maskHarmonics(const MaskRun& run) noexcept;
 void scanLines(LineScan& scan) noexcept;
+void scanCross(CrossScan& scan) noexcept;
 void coherence(const CoherenceRun& run) noexcept;
 void sharpen(const SharpenRun& run) noexcept;
 void bank(const BankRun& run) noexcept;

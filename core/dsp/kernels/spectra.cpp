@@ -37,6 +37,33 @@ STILLCUT_INLINE Lanes sharpened(const SharpenRun& run, const double* g) {
   return pick(high, e, all(run.factor) * e);
 }
 
+// The largest value of each lane and where it stood first.
+struct Tops {
+  Lanes value = all(0.0);
+  Lanes place = all(0.0);
+  STILLCUT_INLINE void see(Tops& t, Lanes value, Lanes place) {
+    const Choices more = t.value < value;
+    t.value = pick(more, value, t.value);
+    t.place = pick(more, place, t.place);
+  }
+};
+constexpr double kIndex[kLanes] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
+
+STILLCUT_INLINE void largest(const Tops& tops, double& top, std::size_t& place) {
+  double values[kLanes];
+  double places[kLanes];
+  store(values, tops.value);
+  store(places, tops.place);
+  top = 0.0;
+  place = 0;
+  for (std::size_t l = 0; l < kLanes; ++l) {
+    const auto here = static_cast<std::size_t>(places[l]);
+    if (!(top < values[l]) && !(top == values[l] && top > 0.0 && here < place)) continue;
+    top = values[l];
+    place = here;
+  }
+}
+
 }  // namespace
 
 void multiply(const double* __restrict a, const double* __restrict b, double* __restrict out, std::size_t n) noexcept {
@@ -64,7 +91,6 @@ void squares(const double* __restrict z, double* __restrict out, std::size_t n) 
 }
 
 void maskHarmonics(const MaskRun& run) noexcept {
-  constexpr double kIndex[kLanes] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0};
   const Lanes whole = all(6755399441055744.0);  // 1.5 * 2^52: adding it rounds to whole numbers
   const Lanes spacing = all(run.spacing);
   const Lanes perBin = all(1.0 / run.spacing);
@@ -89,7 +115,7 @@ void scanLines(LineScan& scan) noexcept {
   Lanes sum = zero;
   Lanes free = zero;
   Lanes forced = zero;
-  Lanes top = zero;
+  Tops tops;
   std::size_t b = scan.first;
   for (; b + kLanes <= scan.last + 1; b += kLanes) {
     const Lanes p = load(scan.power + b);
@@ -98,23 +124,48 @@ void scanLines(LineScan& scan) noexcept {
     free = free + f;
     forced = forced + (p - f) * load(scan.weight + b);
     const Choices below = (p < load(scan.power + b - 1)) | (p < load(scan.power + b + 1));
-    const Lanes line = pick(below, zero, f);
-    top = pick(top < line, line, top);
+    Tops::see(tops, pick(below, zero, f), load(kIndex) + all(static_cast<double>(b)));
   }
   scan.sum = total(sum);
   scan.freeSum = total(free);
   scan.forcedSum = total(forced);
-  scan.top = 0.0;
-  double tops[kLanes];
-  store(tops, top);
-  for (const double t : tops) scan.top = scan.top < t ? t : scan.top;
+  largest(tops, scan.top, scan.place);
   for (; b <= scan.last; ++b) {
     const double p = scan.power[b];
     const double f = scan.free[b] * p;
     scan.sum += p;
     scan.freeSum += f;
     scan.forcedSum += (p - f) * scan.weight[b];
-    if (p >= scan.power[b - 1] && p >= scan.power[b + 1] && f > scan.top) scan.top = f;
+    if (p < scan.power[b - 1] || p < scan.power[b + 1] || !(scan.top < f)) continue;
+    scan.top = f;
+    scan.place = b;
+  }
+}
+
+void scanCross(CrossScan& scan) noexcept {
+  Lanes free = all(0.0);
+  Lanes high = all(0.0);
+  Tops tops;
+  std::size_t b = scan.first;
+  for (; b + kLanes <= scan.last + 1; b += kLanes) {
+    const Lanes f = load(scan.free + b);
+    const Lanes size = f * load(scan.cross + b);
+    const Lanes ratio = f * load(scan.ratio + b);
+    free = free + size;
+    high = pick(high < ratio, ratio, high);
+    Tops::see(tops, size * ratio, load(kIndex) + all(static_cast<double>(b)));
+  }
+  scan.freeSum = total(free);
+  largest({high, high}, scan.largestRatio, scan.place);
+  largest(tops, scan.top, scan.place);
+  for (; b <= scan.last; ++b) {
+    const double size = scan.free[b] * scan.cross[b];
+    const double ratio = scan.free[b] * scan.ratio[b];
+    scan.freeSum += size;
+    if (scan.largestRatio < ratio) scan.largestRatio = ratio;
+    if (!(scan.top < size * ratio)) continue;
+    scan.top = size * ratio;
+    scan.place = b;
   }
 }
 

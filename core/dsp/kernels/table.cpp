@@ -18,6 +18,7 @@ void fill(Kernels& k) noexcept {
   k.squares = squares;
   k.maskHarmonics = maskHarmonics;
   k.scanLines = scanLines;
+  k.scanCross = scanCross;
   k.coherence = coherence;
   k.sharpen = sharpen;
   k.bank = bank;

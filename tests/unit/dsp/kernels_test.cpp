@@ -138,11 +138,18 @@ TEST(Kernels, SpectraAreTheSameWithEverySetAndCoherentWhereTheyShould) {
       k.coherence({x.data(), y.data(), lanes, part, true, row(2), row(3), row(4), row(5), row(6), row(7)});
     }
     k.sharpen({row(6), y.data(), kBins, 0.5, 0.4, 0.6, 0.7, row(8)});
-    for (const double v : {scan.sum, scan.freeSum, scan.forcedSum, scan.top}) rows.push_back(v);
+    CrossScan cross{row(7), row(6), row(1), 5, kBins - 3};
+    k.scanCross(cross);
+    for (const double v : {scan.sum, scan.freeSum, scan.forcedSum, scan.top, static_cast<double>(scan.place),
+                           cross.freeSum, cross.largestRatio, cross.top, static_cast<double>(cross.place)}) {
+      rows.push_back(v);
+    }
     return rows;
   });
   double sum = 0.0;
   double top = 0.0;
+  double place = 0.0;
+  CrossScan plain;
   for (std::size_t b = 0; b < kBins; ++b) {
     const double power = x[2 * b] * x[2 * b] + x[2 * b + 1] * x[2 * b + 1];
     EXPECT_NEAR(all[b], power, 1e-12) << b;
@@ -152,10 +159,26 @@ TEST(Kernels, SpectraAreTheSameWithEverySetAndCoherentWhereTheyShould) {
     EXPECT_EQ(all[lanes + b], free ? 1.0 : 0.0) << b;
     EXPECT_NEAR(all[6 * lanes + b], b == 40 ? 0.0 : 1.0, 1e-12) << b;  // the same segment twice
     if (b >= 5 && b <= kBins - 2) sum += power;
-    if (free && all[b] >= all[b - 1] && all[b] >= all[b + 1]) top = std::max(top, all[b]);
+    if (free && all[b] >= all[b - 1] && all[b] >= all[b + 1] && all[b] > top) {
+      top = all[b];
+      place = static_cast<double>(b);
+    }
+    if (!free || b > kBins - 3) continue;
+    const double ratio = all[6 * lanes + b];
+    const double size = all[7 * lanes + b];
+    plain.freeSum += size;
+    plain.largestRatio = std::max(plain.largestRatio, ratio);
+    if (size * ratio <= plain.top) continue;
+    plain.top = size * ratio;
+    plain.place = b;
   }
   EXPECT_NEAR(all[9 * lanes], sum, 1e-10);
   EXPECT_EQ(all[9 * lanes + 3], top);
+  EXPECT_EQ(all[9 * lanes + 4], place);
+  EXPECT_NEAR(all[9 * lanes + 5], plain.freeSum, 1e-10);
+  EXPECT_EQ(all[9 * lanes + 6], plain.largestRatio);
+  EXPECT_EQ(all[9 * lanes + 7], plain.top);
+  EXPECT_EQ(all[9 * lanes + 8], static_cast<double>(plain.place));
 }
 
 TEST(Kernels, TheBankIsButterworth) {
