@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/detect/line_phase.h"
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
@@ -29,6 +30,9 @@ constexpr double kSettleTurns = 8.0;
 constexpr double kSmallest = 0.14;   // amplitude ratio: a depth ramp shakes the modes by half of that
 constexpr double kModelTurns = 2.0;  // averaging of theta
 constexpr double kClearTurns = 8.0;
+constexpr double kSlowest = 0.5;  // of the told speed: as far as overrides go
+constexpr int kLookSteps = 2;     // half a turn
+constexpr double kMeanLooks = 10.0;
 constexpr double kEntryTurns = 12.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntrySeconds = 0.2;
 constexpr double kSameLine = 0.25;  // orders
@@ -57,7 +61,9 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   lambda_ = params.isAutomatic(kParLambda) ? 0.0 : params.real(kParLambda);
   most_ = static_cast<std::size_t>(std::max(setup.blockFrames, 1));
   thinned_.assign(setup.channels.size() * most_, 0.0);
-  rest_.assign(most_, 0.0);
+  rest_.assign(setup.channels.size() * most_, 0.0);
+  history_.prepare(static_cast<int>(setup.channels.size()),
+                   static_cast<int>(std::ceil((kLinePhaseTurns + 0.5) * rate_ / (kSlowest * nominal))));
   recursions_.prepare(static_cast<int>(setup.channels.size()), harmonics_,
                       {params.real(kParRv), params.real(kParRw), kStartVariance}, dsp::kernels::bestKernels());
   judge_.prepare(setup.teeth);
@@ -97,6 +103,9 @@ void ParametricDetector::reset() noexcept {
 
 void ParametricDetector::restart() noexcept {
   recursions_.reset();
+  history_.reset();
+  looks_ = 0.0;
+  sinceLook_ = kLookSteps;
   for (Channel& c : channels_) {
     for (auto& filter : c.lowPass) filter.reset();
     c.residualSum = c.inputSum = c.variance = c.power = c.root = c.density = c.severity = 0.0;
@@ -163,12 +172,14 @@ void ParametricDetector::processFrames(std::size_t from, std::size_t count) noex
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
     const double* x = thinned_.data() + i * most_ + from;
-    recursions_.process(static_cast<int>(i), x, rest_.data(), count, c.scale, c.thetaSum);
+    double* rest = rest_.data() + i * most_;
+    recursions_.process(static_cast<int>(i), x, rest, count, c.scale, c.thetaSum);
     for (std::size_t k = 0; k < count; ++k) {
-      c.residualSum += rest_[k] * rest_[k];
+      c.residualSum += rest[k] * rest[k];
       c.inputSum += x[k] * x[k];
     }
   }
+  history_.push(rest_.data(), static_cast<std::ptrdiff_t>(most_), count);
   recursions_.advance(count);
   inStep_ += static_cast<long>(count);
 }
@@ -241,6 +252,20 @@ bool ParametricDetector::fromEntry(const Channel& c) noexcept {
   return highTurns_ > std::max(kEntryTurns, kEntrySeconds * spindle_.value);
 }
 
+// The dominant root tells which line; its phase tells where it is. Over half a turn it also tells of the line's mirror
+// image about half a tooth passing, which beats with it: the mean over some turns is the stronger line's own.
+void ParametricDetector::follow(Hertz root) noexcept {
+  if (++sinceLook_ < kLookSteps) return;
+  sinceLook_ = 0;
+  const Hertz fine = linePhaseFrequency(history_.newest(static_cast<int>(leading_)), root, spindle_, Hertz(rate_));
+  const Hertz now = fine.value > 0.0 ? fine : root;
+  const bool same = looks_ > 0.0 && std::abs(now.value - line_.value) < 0.5 * spindle_.value;
+  if (same && !(fine.value > 0.0)) return;  // a root alone says less
+  looks_ = same ? std::min(looks_ + 1.0, kMeanLooks) : 1.0;
+  line_ = same ? line_ + (now - line_) * (1.0 / looks_) : now;
+  judge_.follow(line_, spindle_ * (fine.value > 0.0 ? 0.02 : 0.1));
+}
+
 void ParametricDetector::endStep(CutPhase phase) noexcept {
   const double turns = 1.0 / kStepsPerTurn;
   steadyTurns_ = phase == CutPhase::Steady ? steadyTurns_ + turns : 0.0;
@@ -263,7 +288,12 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
   clearTurns_ = something ? 0.0 : clearTurns_ + turns;
   const Evidence evidence{begins || entry, clearTurns_ < kClearTurns, worst};
   judge_.judge(evidence, phase, Seconds(static_cast<double>(inStep_) / rate_));
-  if (lead.root >= rootLimit_) judge_.follow(lead.frequency, spindle_ * 0.1);
+  if (!judge_.alarming()) {
+    looks_ = 0.0;
+    sinceLook_ = kLookSteps;
+  } else if (lead.root >= rootLimit_) {
+    follow(lead.frequency);
+  }
   inStep_ = 0;
 }
 

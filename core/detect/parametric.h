@@ -19,6 +19,9 @@
 // - A real root has no frequency: the dominant root is looked for among those that oscillate. Reflection is done where
 //   the model is read, four times a turn, not at every sample. It is read from theta averaged over two turns: at full
 //   chatter the paper's R_v, R_w forget within five samples, and single roots scatter from 0.86 to 1.
+// - Four coefficients among side lines and noise put the root beside the line (at the alarm c2: 1.3 %, c6: 2.8 %). The
+//   root says which line; its frequency in the verdict is refined by the phase of the residual (line_phase.h), where
+//   a line stands there. The indicator frequency_hz is the root's own, eq. 27.
 // - Threshold: the printed 6.678e4 m^2/s^4 is above what the paper's own figure 9 can reach. Growth of the residual's
 //   share of the variance above its learned floor decides (onset_test.h), while the model has a root near the unit
 //   circle (chips and knocks leave a broad residual).
@@ -32,6 +35,7 @@
 #include "core/detect/detector.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/parametric_model.h"
+#include "core/detect/spectral_frames.h"
 #include "core/dsp/butterworth.h"
 
 namespace stillcut::detect {
@@ -105,6 +109,7 @@ class ParametricDetector final : public Detector {
   void processFrames(std::size_t from, std::size_t count) noexcept;
   void endStep(CutPhase phase) noexcept;
   void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
+  void follow(Hertz root) noexcept;
   void readModel(std::size_t channel) noexcept;
   static double part(const Channel& c) noexcept;
   double severity(std::size_t channel) const noexcept;
@@ -115,7 +120,8 @@ class ParametricDetector final : public Detector {
   ParametricRecursions recursions_;
   std::vector<Channel> channels_;
   std::size_t most_ = 0;                // frames of the longest block
-  std::vector<double> thinned_, rest_;  // [channel * most + frame]; of one channel
+  std::vector<double> thinned_, rest_;  // [channel * most + frame]
+  FrameRing history_;                   // newest turns of the residual
   int harmonics_ = 1;
   int factor_ = 1;
   double rate_ = 0.0;  // after thinning
@@ -135,6 +141,9 @@ class ParametricDetector final : public Detector {
   double highTurns_ = 0.0;
   Hertz highLine_{};
   double clearTurns_ = 0.0;
+  int sinceLook_ = 0;        // steps, at the phase of the line
+  double looks_ = 0.0;       // in the mean of
+  Hertz line_{};             // ... its frequency
   std::size_t leading_ = 0;  // channel with the strongest evidence
 };
 

@@ -35,7 +35,8 @@ struct RealFft::Plan {
         in(fftw_alloc_real(static_cast<std::size_t>(n))),
         out(reinterpret_cast<std::complex<double>*>(fftw_alloc_complex(static_cast<std::size_t>(n / 2 + 1)))) {
     const std::lock_guard lock(plannerMutex());
-    plan = fftw_plan_dft_r2c_1d(n, in.get(), reinterpret_cast<fftw_complex*>(out.get()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+    plan = fftw_plan_dft_r2c_1d(n, in.get(), reinterpret_cast<fftw_complex*>(out.get()),
+                                FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     std::fill_n(in.get(), n, 0.0);
   }
   ~Plan() {

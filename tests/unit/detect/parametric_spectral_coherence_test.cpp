@@ -55,6 +55,7 @@ TEST(Three, AlarmWithin150MillisecondsOfTwentyPercent) {
         const RunResult r = run(recording, cut(c.teeth, c.rpm * (1.0 + error)), id);
         EXPECT_GE(r.firstAlarm, c.onePercent - 0.050);
         EXPECT_LE(r.firstAlarm, c.twentyPercent + 0.150);
+        EXPECT_NEAR(r.at(r.firstAlarm + 0.05).frequency.value, c.chatterHertz, 0.005 * c.chatterHertz);
         if (c.airFrom > 0.0) {
           EXPECT_LT(r.firstAlarmAfter(c.airFrom), 0.0);
         }

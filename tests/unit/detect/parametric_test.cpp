@@ -3,6 +3,7 @@
 #include <complex>
 #include <random>
 
+#include "core/detect/line_phase.h"
 #include "core/detect/parametric.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/unit/detect/signals.h"
@@ -161,6 +162,49 @@ TEST(Parametric, RootsAreTheEigenvaluesOfTheCompanionMatrix) {
     const double largest = std::max(std::abs(a), std::abs(b));
     EXPECT_NEAR(std::abs(dominantRoot(rootsOf(theta))), largest, 1e-6);
   }
+}
+
+TEST(Parametric, UnstableMeansARootOutsideTheUnitCircle) {
+  std::mt19937 engine(17);
+  std::uniform_real_distribution<double> size(0.3, 1.3);
+  std::uniform_real_distribution<double> angle(0.0, 3.1);
+  int out = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const std::complex<double> a = std::polar(size(engine), angle(engine));
+    const std::complex<double> b = std::polar(size(engine), angle(engine));
+    const bool expected = std::abs(a) > 1.0 || std::abs(b) > 1.0;
+    EXPECT_EQ(unstable(thetaOf({a, std::conj(a), b, std::conj(b)})), expected) << std::abs(a) << " " << std::abs(b);
+    out += expected ? 1 : 0;
+  }
+  EXPECT_GT(out, 50);
+  EXPECT_LT(out, 350);
+}
+
+TEST(LinePhase, FindsALineAmongItsSideLinesAndNoneInNoise) {
+  constexpr double kLineRate = 10000.0;
+  constexpr double kSpindle = 105.0;
+  constexpr double kLine = 806.0;
+  std::mt19937 engine(5);
+  std::normal_distribution<double> normal;
+  std::vector<double> line(static_cast<std::size_t>(3.2 * kLineRate / kSpindle));
+  std::vector<double> noise(line.size());
+  for (std::size_t k = 0; k < line.size(); ++k) {
+    const double t = kTwoPi * static_cast<double>(k) / kLineRate;
+    line[k] = std::sin(kLine * t) + 0.2 * normal(engine);
+    for (const int order : {-6, -3, -1, 1, 3, 6}) line[k] += 0.3 * std::sin((kLine + order * kSpindle) * t + order);
+    noise[k] = normal(engine);
+  }
+  for (const double rough : {kLine - 40.0, kLine, kLine + 40.0}) {
+    const Hertz found = linePhaseFrequency(line, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate));
+    EXPECT_NEAR(found.value, kLine, 0.002 * kLine) << rough;
+  }
+  int none = 0;
+  for (double rough = 400.0; rough < 4000.0; rough += 100.0) {
+    const Hertz found = linePhaseFrequency(noise, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate));
+    none += found.value > 0.0 ? 0 : 1;
+  }
+  EXPECT_GE(none, 30);
+  EXPECT_EQ(linePhaseFrequency(std::span(line).first(200), Hertz(kLine), Hertz(kSpindle), Hertz(kLineRate)).value, 0.0);
 }
 
 TEST(Parametric, UnstableRootsAreReflectedAndTheirFrequencyKept) {

@@ -54,7 +54,9 @@ TEST_P(Rates, EveryDetectorRunsThroughASpeedChangeWithoutAllocating) {
                     block.channel(c).begin());
       }
       const double t = static_cast<double>(from) / s.rate;
-      machine.actualSpeed = Rpm(options.rpm * (1.0 + 0.1 * std::clamp(5.0 * (t - 1.2), 0.0, 1.0)));
+      // A ramp, then leaps: half of it, half as much again, nothing.
+      const double leap = t < 1.36 ? 1.1 : t < 1.4 ? 0.5 : t < 1.44 ? 1.5 : t < 1.47 ? 0.0 : 1.0;
+      machine.actualSpeed = Rpm(options.rpm * (t < 1.2 ? 1.0 : std::min(1.0 + 0.5 * (t - 1.2), leap)));
       block.firstSample = Instant{} + toDuration(Seconds(t));
       const Verdict v = detector->process(conditioner.process(block, machine));
       ++block.sequence;

@@ -34,6 +34,13 @@ TEST(Fft, RefusesSizesThatWouldAllocateLater) {
   EXPECT_NO_THROW(fft.prepare(2 * 3 * 5 * 7));
   EXPECT_EQ(goodFftSize(1021), 1024);
   EXPECT_EQ(goodFftSize(2401), 2430);  // 2401 = 7^4 is odd
+  for (const int n : {2, 33, 1000, 2917, 8749, 11565, 40000}) {
+    const int fast = fastFftSize(n);
+    EXPECT_GE(fast, n);
+    EXPECT_LE(fast, n + n / 4 + 32);
+    EXPECT_EQ(goodFftSize(fast), fast);
+    EXPECT_NE(fast % 9, 0);
+  }
 }
 
 TEST(Fft, ParsevalHoldsForOddAndEvenSizes) {
