@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/analysis_table.h"
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "app/cli/reading_options.h"
@@ -88,45 +89,6 @@ std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed, cons
   return lines;
 }
 
-void printTable(const record::RecordingFormat& format, const std::vector<VerdictLog>& logs,
-                const std::vector<std::string>& remarks) {
-  std::printf("%s, %zu channel(s) at %.6g Hz, %.3f s\n", format.kind.c_str(), format.channels.size(), format.rate.value,
-              format.length().value);
-  for (const std::string& remark : remarks) std::printf("%s\n", remark.c_str());
-  std::printf("%-14s %7s %12s %12s %14s %12s %10s\n", "detector", "alarms", "first alarm", "in alarm", "in chatter",
-              "frequency", "worst ER");
-  for (const VerdictLog& log : logs) {
-    const VerdictLog::Summary s = log.summary();
-    if (s.alarms > 0) {
-      std::printf("%-14s %7d %10.3f s %10.3f s %12.3f s %9.1f Hz %10.2f\n", s.detector.c_str(), s.alarms,
-                  s.firstAlarm_s, s.alarmTime_s, s.chatterTime_s, s.frequency_Hz, s.worstSeverity);
-    } else {
-      std::printf("%-14s %7d %12s\n", s.detector.c_str(), 0, "-");
-    }
-    if (s.validTime_s <= 0.0 && !s.lastReason.empty()) {
-      std::printf("%-14s no valid verdict: %s\n", "", s.lastReason.c_str());
-    }
-  }
-}
-
-void printJson(const std::string& path, const record::RecordingFormat& format, const std::vector<VerdictLog>& logs,
-               const std::vector<std::string>& remarks) {
-  nlohmann::json object{{"recording", path},
-                        {"kind", format.kind},
-                        {"rate_hz", format.rate.value},
-                        {"channels", format.channels.size()},
-                        {"length_s", format.length().value},
-                        {"remarks", remarks},
-                        {"detectors", nlohmann::json::array()}};
-  for (const VerdictLog& log : logs) {
-    nlohmann::json row;
-    toJson(row, log.summary());
-    object["detectors"].push_back(row);
-  }
-  // A file name may hold bytes that are no UTF-8.
-  std::printf("%s\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-}
-
 // Both or neither.
 Status writeFiles(const AnalyzeOptions& given, const std::vector<VerdictLog>& logs,
                   const std::optional<SeriesLog>& series) {
@@ -151,27 +113,36 @@ int analyze(const AnalyzeOptions& given) {
   if (!built) return fail(built.error());
   Rig& rig = *built->rig;
 
+  auto truth = truthOf(given.recording);
+  if (!truth) return fail(truth.error());
   std::vector<detect::DetectorInfo> infos;
   for (const auto& detector : rig.chain().parts().detectors) infos.push_back(detector->describe());
   std::vector<VerdictLog> logs;
+  std::vector<AlarmList> alarms(infos.size());
   std::optional<SeriesLog> series;
+  std::optional<Instant> begin;
   rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
-    if (logs.empty()) {
-      for (const auto& info : infos) logs.emplace_back(info.id, in.block.firstSample);
-      if (!given.series.empty()) series.emplace(infos, in.block.firstSample);
+    if (!begin) {
+      begin = in.block.firstSample;
+      for (const auto& info : infos) logs.emplace_back(info.id, *begin);
+      if (!given.series.empty()) series.emplace(infos, *begin);
     }
-    for (std::size_t d = 0; d < logs.size(); ++d) logs[d].observe(out.verdicts[d]);
+    for (std::size_t d = 0; d < logs.size(); ++d) {
+      logs[d].observe(out.verdicts[d]);
+      alarms[d].observe(secondsBetween(*begin, out.verdicts[d].time), out.verdicts[d]);
+    }
     if (series) series->observe({out.verdicts.data(), logs.size()});
   });
   if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({"", fault, ""});
 
   if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
-  const auto said = remarks(rig.setup(), !options->log.empty(), logs);
-  if (given.json) {
-    printJson(given.recording, built->format, logs, said);
-  } else {
-    printTable(built->format, logs, said);
+  Analysis analysis{given.recording, built->format, remarks(rig.setup(), !options->log.empty(), logs), {}, {}, {}};
+  analysis.truth = std::move(truth).value();
+  for (std::size_t d = 0; d < logs.size(); ++d) {
+    analysis.detectors.push_back(logs[d].summary());
+    if (analysis.truth) analysis.scores.push_back(scoreAlarms(analysis.truth->spans, alarms[d].alarms()));
   }
+  given.json ? printJson(analysis) : printTable(analysis);
   return kExitDone;
 }
 

@@ -1,10 +1,14 @@
 #include "app/compose/verdict_log.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace stillcut::app {
 namespace {
+
+constexpr double kBandsPerNeper = 50.0;  // bands of 2 %
 
 bool differs(const Verdict& a, const Verdict& b) {
   return a.state != b.state || a.phase != b.phase || a.valid != b.valid || a.reason.code != b.reason.code ||
@@ -26,8 +30,11 @@ void VerdictLog::observe(const Verdict& verdict) {
     sums_.alarmTime_s += dt;
     if (verdict.state == CutState::Chatter) sums_.chatterTime_s += dt;
     sums_.worstSeverity = std::max(sums_.worstSeverity, verdict.severity.value);
-    sums_.frequency_Hz += verdict.frequency.value * verdict.severity.value;
-    weight_ += verdict.severity.value;
+    if (verdict.frequency.value > 0.0) {
+      Band& band = bands_[std::lround(kBandsPerNeper * std::log(verdict.frequency.value))];
+      band.weight += verdict.severity.value;
+      band.sum += verdict.severity.value * verdict.frequency.value;
+    }
   }
   if (!verdict.valid) sums_.lastReason = sentence(verdict.reason);
   if (!started_ || differs(last_, verdict)) changes_.push_back(verdict);
@@ -51,10 +58,27 @@ void VerdictLog::appendEvents(nlohmann::json& array) const {
   }
 }
 
+// A line that lies where two bands meet belongs to both.
+double VerdictLog::strongest() const {
+  double most = 0.0;
+  double frequency = 0.0;
+  for (auto band = bands_.begin(); band != bands_.end(); ++band) {
+    Band both = band->second;
+    if (const auto next = std::next(band); next != bands_.end() && next->first == band->first + 1) {
+      both.weight += next->second.weight;
+      both.sum += next->second.sum;
+    }
+    if (!(both.weight > most)) continue;
+    most = both.weight;
+    frequency = both.sum / both.weight;
+  }
+  return frequency;
+}
+
 VerdictLog::Summary VerdictLog::summary() const {
   Summary s = sums_;
   s.detector = detector_;
-  s.frequency_Hz = weight_ > 0.0 ? sums_.frequency_Hz / weight_ : 0.0;
+  s.frequency_Hz = strongest();
   s.spindle_Hz = spindleTime_ > 0.0 ? sums_.spindle_Hz / spindleTime_ : 0.0;
   return s;
 }

@@ -3,6 +3,7 @@
 // Thread: one; not the sample path.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ class VerdictLog {
     double alarmTime_s = 0.0;    // in onset or chatter
     double chatterTime_s = 0.0;
     double validTime_s = 0.0;
-    double frequency_Hz = 0.0;  // severity-weighted mean while alarming
+    double frequency_Hz = 0.0;  // of the line that alarms were about most, by severity: means of two lines are none
     double worstSeverity = 0.0;
     double spindle_Hz = 0.0;  // mean of the spindle frequency used where one was; 0: never one
     std::string lastReason;   // of the last invalid verdict
@@ -39,13 +40,19 @@ class VerdictLog {
   Summary summary() const;
 
  private:
+  struct Band {  // of frequency, as wide as one line
+    double weight = 0.0;
+    double sum = 0.0;
+  };
+  double strongest() const;
+
   std::string detector_;
   Instant begin_;
   bool started_ = false;
   Verdict last_;
   std::vector<Verdict> changes_;
   Summary sums_;
-  double weight_ = 0.0;
+  std::map<long, Band> bands_;
   double spindleTime_ = 0.0;  // [s]
 };
 

@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <sstream>
 
 #include "tests/component/cli/made_files.h"
@@ -65,6 +67,39 @@ TEST_F(Analyze, NamesTheChatterAndStaysQuietWithoutIt) {
   EXPECT_EQ(quiet["detectors"][0]["alarms"], 0);
   EXPECT_TRUE(quiet["detectors"][0]["first_alarm_s"].is_null());
   EXPECT_THAT(quiet["remarks"], testing::IsEmpty());
+}
+
+TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
+  std::vector<float> second = cutSignal(true);  // another sensor: later, with noise of its own
+  std::rotate(second.begin(), second.end() - 3, second.end());
+  std::mt19937 random(9);
+  std::normal_distribution<float> noise(0.0F, 2e-3F);
+  for (float& x : second) x += noise(random);
+  writeSound(folder_ / "cut.wav", {cutSignal(true), second});
+  EXPECT_TRUE(analyze("cut.wav", told())["truth"].is_null());
+  std::ofstream(folder_ / "TRUTH.csv") << "file,t0_s,t1_s,label\ncut.wav,0.2,1.1,stable\ncut.wav,1.3,2.5,chatter\n";
+  const json answer = analyze("cut.wav", told({"--detector", "all"}));
+  EXPECT_THAT(answer["truth"].get<std::string>(), testing::EndsWith("TRUTH.csv"));
+  ASSERT_EQ(answer["detectors"].size(), 4U);
+  for (const json& detector : answer["detectors"]) {
+    const json& score = detector["score"];
+    EXPECT_EQ(score["spans"], 1) << detector;
+    EXPECT_EQ(score["found"], 1) << detector;
+    EXPECT_EQ(score["false_alarms"], 0) << detector;
+    EXPECT_LT(score["delay_median_s"], 0.3) << detector;
+    EXPECT_NEAR(detector["frequency_hz"], kChatter, 0.02 * kChatter) << detector;
+  }
+  const Outcome table = runCli(folder_ / "", {"analyze", "cut.wav", "--teeth", "4", "--speed", "8500", "--quantity",
+                                              "acceleration", "--detector", "all"});
+  EXPECT_THAT(table.out, testing::HasSubstr("found      delay  false"));
+  // Every row ends where the heading does: a table, whatever stands in it.
+  std::istringstream lines(table.out);
+  std::string line;
+  std::vector<std::size_t> widths;
+  while (std::getline(lines, line)) {
+    if (line.starts_with("detector") || !widths.empty()) widths.push_back(line.size());
+  }
+  EXPECT_EQ(widths, std::vector<std::size_t>(5, widths.front()));
 }
 
 TEST_F(Analyze, EverySoundFormatKeepsItsRateAndItsChatter) {

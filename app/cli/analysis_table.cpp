@@ -1,0 +1,82 @@
+#include "app/cli/analysis_table.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace stillcut::app {
+namespace {
+
+std::string figure(double value, const char* format) {
+  if (!std::isfinite(value)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+void printScore(const AlarmScore& s) {
+  const std::string found = s.spans > 0 ? std::to_string(s.found) + "/" + std::to_string(s.spans) : "-";
+  std::printf(" %7s %10s %6d", found.c_str(), figure(s.delayQuantile(0.5), "%.3f s").c_str(), s.falseAlarms);
+}
+
+void printRow(const VerdictLog::Summary& s) {
+  if (s.alarms > 0) {
+    std::printf("%-14s %6d %12s %11s %11s %11s %9.2f", s.detector.c_str(), s.alarms,
+                figure(s.firstAlarm_s, "%.3f s").c_str(), figure(s.alarmTime_s, "%.3f s").c_str(),
+                figure(s.chatterTime_s, "%.3f s").c_str(), figure(s.frequency_Hz, "%.1f Hz").c_str(), s.worstSeverity);
+  } else {
+    std::printf("%-14s %6d %12s %11s %11s %11s %9s", s.detector.c_str(), 0, "-", "-", "-", "-", "-");
+  }
+}
+
+nlohmann::json scoreJson(const AlarmScore& s) {
+  const double delay = s.delayQuantile(0.5);
+  return {{"spans", s.spans},
+          {"found", s.found},
+          {"missed", s.missed()},
+          {"false_alarms", s.falseAlarms},
+          {"delay_median_s", std::isfinite(delay) ? nlohmann::json(delay) : nlohmann::json()}};
+}
+
+}  // namespace
+
+void printTable(const Analysis& a) {
+  std::printf("%s, %zu channel(s) at %.6g Hz, %.3f s\n", a.format.kind.c_str(), a.format.channels.size(),
+              a.format.rate.value, a.format.length().value);
+  for (const std::string& remark : a.remarks) std::printf("%s\n", remark.c_str());
+  if (a.truth) std::printf("truth from %s\n", a.truth->from.c_str());
+  std::printf("%-14s %6s %12s %11s %11s %11s %9s", "detector", "alarms", "first alarm", "in alarm", "in chatter",
+              "frequency", "worst ER");
+  if (a.truth) std::printf(" %7s %10s %6s", "found", "delay", "false");
+  std::printf("\n");
+  for (std::size_t d = 0; d < a.detectors.size(); ++d) {
+    const VerdictLog::Summary& s = a.detectors[d];
+    printRow(s);
+    if (a.truth) printScore(a.scores[d]);
+    std::printf("\n");
+    if (s.validTime_s <= 0.0 && !s.lastReason.empty()) {
+      std::printf("%-14s no valid verdict: %s\n", "", s.lastReason.c_str());
+    }
+  }
+}
+
+void printJson(const Analysis& a) {
+  nlohmann::json object{{"recording", a.recording},
+                        {"kind", a.format.kind},
+                        {"rate_hz", a.format.rate.value},
+                        {"channels", a.format.channels.size()},
+                        {"length_s", a.format.length().value},
+                        {"remarks", a.remarks},
+                        {"truth", a.truth ? nlohmann::json(a.truth->from) : nlohmann::json()},
+                        {"detectors", nlohmann::json::array()}};
+  for (std::size_t d = 0; d < a.detectors.size(); ++d) {
+    nlohmann::json row;
+    toJson(row, a.detectors[d]);
+    row["score"] = a.truth ? scoreJson(a.scores[d]) : nlohmann::json();
+    object["detectors"].push_back(row);
+  }
+  // A file name may hold bytes that are no UTF-8.
+  std::printf("%s\n", object.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+}  // namespace stillcut::app
