@@ -2845,8 +2845,8 @@
         <translation>down to</translation>
     </message>
     <message>
-        <source>removes</source>
-        <translation>removes</translation>
+        <source>removes %1</source>
+        <translation>removes %1</translation>
     </message>
 </context>
 <context>

@@ -97,10 +97,16 @@ QString cuttingSpeedText(MetresPerSecond v, UnitSystem units) {
   return join(number(v.value * 60.0), QStringLiteral("m/min"));
 }
 
+double removalIn(double cubicMetresPerSecond, UnitSystem units) {
+  return cubicMetresPerSecond * 60.0 / (units == UnitSystem::Inch ? kInch * kInch * kInch : 1e-6);
+}
+
+QString removalUnit(UnitSystem units) {
+  return units == UnitSystem::Inch ? QStringLiteral("in\u00b3/min") : QStringLiteral("cm\u00b3/min");
+}
+
 QString removalText(double cubicMetresPerSecond, UnitSystem units) {
-  const bool inch = units == UnitSystem::Inch;
-  const double perMinute = cubicMetresPerSecond * 60.0 / (inch ? kInch * kInch * kInch : 1e-6);
-  return join(significant(perMinute, 3), inch ? QStringLiteral("in\u00b3/min") : QStringLiteral("cm\u00b3/min"));
+  return join(significant(removalIn(cubicMetresPerSecond, units), 3), removalUnit(units));
 }
 
 QString clockTime(qint64 wallMs) {

@@ -23,7 +23,9 @@ QString depthText(Metres m, UnitSystem units);             // "1.15 mm", "0.0453
 QString feedText(MetresPerSecond feed, UnitSystem units);  // "1 370 mm/min", "53.9 in/min"
 QString feedUnit(UnitSystem units);
 double feedIn(MetresPerSecond feed, UnitSystem units);
-QString cuttingSpeedText(MetresPerSecond v, UnitSystem units);       // "323 m/min", "1 060 ft/min"
+QString cuttingSpeedText(MetresPerSecond v, UnitSystem units);  // "323 m/min", "1 060 ft/min"
+double removalIn(double cubicMetresPerSecond, UnitSystem units);
+QString removalUnit(UnitSystem units);
 QString removalText(double cubicMetresPerSecond, UnitSystem units);  // "14.2 cm3/min" with a true superscript
 QString clockTime(qint64 wallMs);                                    // "13:58:04", local time
 QString stopwatch(Seconds s);                                        // "00:12:40"

@@ -142,7 +142,7 @@ QVariant PocketTable::data(const QModelIndex& index, int role) const {
     case Limit:
       return depthText(p.limit, units_);
     case Removal:
-      return p.removal > 0.0 ? removalText(p.removal, units_) : number(std::nan(""));
+      return p.removal > 0.0 ? significant(removalIn(p.removal, units_), 3) : number(std::nan(""));
     case kColumns:
       break;
   }
@@ -159,7 +159,7 @@ QVariant PocketTable::headerData(int section, Qt::Orientation orientation, int r
     case Limit:
       return tr("down to");
     case Removal:
-      return tr("removes");
+      return tr("removes %1").arg(removalUnit(units_));
     case kColumns:
       break;
   }

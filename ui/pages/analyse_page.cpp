@@ -72,7 +72,7 @@ AnalysePage::AnalysePage(QWidget* parent)
 Panel* AnalysePage::panel(QWidget* inside) {
   auto* around = new Panel;
   auto* layout = new QVBoxLayout(around);
-  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setContentsMargins(4, 4, 4, 4);  // the round corners are the panel's
   layout->addWidget(inside);
   return around;
 }

@@ -113,6 +113,7 @@ void LobesPage::layOut() {
   pockets_->setSelectionMode(QAbstractItemView::SingleSelection);
   pockets_->verticalHeader()->hide();
   pockets_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  pockets_->horizontalHeader()->setSectionResizeMode(PocketTable::Speeds, QHeaderView::ResizeToContents);
   pockets_->setTabKeyNavigation(false);
   column->addWidget(pockets_, 1);
   grid_->addWidget(around, 0, 0);

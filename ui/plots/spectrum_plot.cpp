@@ -23,6 +23,7 @@ double amplitude(double level_dB) {
 SpectrumPlot::SpectrumPlot(AnalyseView& view, QWidget* parent)
     : QWidget(parent), view_(view), theme_(makeTheme(ThemeKind::Light, 1.0)) {
   setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);  // what lies behind would be painted with every picture
   setAccessibleName(tr("Spectrum"));
   setToolTip(tr("Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom."));
   connect(&view, &AnalyseView::changed, this, qOverload<>(&QWidget::update));
@@ -94,13 +95,16 @@ void SpectrumPlot::drawCurve(QPainter& p, const Levels& level_dB, const QPen& pe
     const double place = std::isfinite(level) ? range.place(linear ? amplitude(level) : level) : 0.0;
     line << QPointF(x, plot.bottom() + 1 - std::clamp(place, -0.05, 1.05) * plot.height());
   }
+  // Lines of one pixel are drawn directly, thicker ones as polygons at ten times the price: thick is two thin ones.
   p.setPen(pen);
   p.setBrush(Qt::NoBrush);
   p.drawPolyline(line);
+  if (pen.style() == Qt::SolidLine) p.drawPolyline(line.translated(0.0, 1.0));
 }
 
 void SpectrumPlot::paintEvent(QPaintEvent*) {
   QPainter p(this);
+  p.fillRect(rect(), theme_.colors.panel);
   p.setRenderHint(QPainter::Antialiasing);
   const QRect plot = plotRect();
   if (plot.width() < 40 || plot.height() < 20) return;
@@ -124,9 +128,9 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (spectrum_.known) {
     p.save();
     p.setClipRect(plot);
-    if (reference_) drawCurve(p, *reference_, QPen(theme_.colors.advice, theme_.px(1.5), Qt::DashLine));
-    if (spectrum_.hold) drawCurve(p, *spectrum_.hold, QPen(theme_.colors.faint, theme_.px(1)));
-    drawCurve(p, spectrum_.level_dB, QPen(theme_.colors.text, theme_.px(1.5)));
+    if (reference_) drawCurve(p, *reference_, QPen(theme_.colors.advice, 1, Qt::DashLine));
+    if (spectrum_.hold) drawCurve(p, *spectrum_.hold, QPen(theme_.colors.faint, 1));
+    drawCurve(p, spectrum_.level_dB, QPen(theme_.colors.text, 1));
     p.restore();
     drawMarks(p);
   }

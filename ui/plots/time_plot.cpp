@@ -30,6 +30,7 @@ QString clockText(qint64 wallMs, int decimals) {
 TimePlot::TimePlot(AnalyseView& view, const QString& title, QWidget* parent)
     : QWidget(parent), view_(view), title_(title), theme_(makeTheme(ThemeKind::Light, 1.0)) {
   setFocusPolicy(Qt::StrongFocus);
+  setAttribute(Qt::WA_OpaquePaintEvent);  // what lies behind would be painted with every picture
   setAccessibleName(title);
   connect(&view, &AnalyseView::changed, this, qOverload<>(&QWidget::update));
 }
@@ -67,6 +68,7 @@ double TimePlot::xOf(Instant t) const {
 
 void TimePlot::paintEvent(QPaintEvent*) {
   QPainter p(this);
+  p.fillRect(rect(), theme_.colors.panel);
   p.setRenderHint(QPainter::Antialiasing);
   const QRect plot = plotRect();
   if (plot.height() < 10 || plot.width() < 40) return;

@@ -1,5 +1,6 @@
 #include "ui/plots/track_plot.h"
 
+#include <QFontMetricsF>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -49,6 +50,7 @@ QSize TrackPlot::minimumSizeHint() const {
 void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
   if (history_ == nullptr || history_->tracks().empty()) return;
   const auto& tracks = history_->tracks();
+  clipped_ = false;
   const double height = plot.height() / static_cast<double>(tracks.size()), gap = theme().px(4);
   for (std::size_t k = 0; k < tracks.size(); ++k) {
     const QRectF row(plot.left(), plot.top() + height * static_cast<double>(k) + gap / 2, plot.width(), height - gap);
@@ -56,13 +58,28 @@ void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
     p.setClipRect(row);
     drawTrack(p, row, tracks[k]);
     p.restore();
-    p.setFont(theme().font(type_size::kTick, static_cast<int>(k) == inCharge_));
     p.setPen(theme().colors.text);
     const QString name = names_.value(static_cast<qsizetype>(k));
-    const double room = theme().px(66);
+    const double room = theme().px(68);
+    p.setFont(fitting(name, static_cast<int>(k) == inCharge_, room));
     p.drawText(QRectF(plot.left() - room - theme().px(4), row.top(), room, row.height()),
                Qt::AlignRight | Qt::AlignVCenter | Qt::TextWordWrap, name);
   }
+}
+
+// The largest type in which the longest word of the name fits; names wrap, words do not.
+QFont TrackPlot::fitting(const QString& name, bool bold, double room) {
+  const QStringList words = name.split(u' ');
+  QFont font;
+  double widest = 0.0;
+  for (double size = type_size::kTick; size > 9.0; size -= 0.5) {
+    font = theme().font(size, bold);
+    widest = 0.0;
+    for (const QString& word : words) widest = std::max(widest, QFontMetricsF(font).horizontalAdvance(word));
+    if (widest <= room) break;
+  }
+  clipped_ = clipped_ || widest > room;
+  return font;
 }
 
 void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const {
@@ -94,9 +111,10 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
     }
   }
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(theme().colors.text, theme().px(1.5)));
+  p.setPen(QPen(theme().colors.text, 1));  // thin lines are drawn directly, thick ones as polygons: see SpectrumPlot
   p.setBrush(Qt::NoBrush);
   p.drawPolyline(curve);
+  p.drawPolyline(curve.translated(0.0, 1.0));
 }
 
 }  // namespace stillcut::ui

@@ -16,17 +16,20 @@ class TrackPlot : public TimePlot {
 
   // Names in the order of the tracks; `inCharge` is set in bold.
   void display(const RunHistory* history, const QStringList& names, int inCharge);
+  bool clipped() const override { return clipped_; }
   QSize minimumSizeHint() const override;
 
  protected:
   void drawPlot(QPainter& p, const QRect& plot) override;
 
  private:
+  QFont fitting(const QString& name, bool bold, double room);
   void drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const;
 
   const RunHistory* history_ = nullptr;
   QStringList names_;
   int inCharge_ = 0;
+  bool clipped_ = false;
 };
 
 }  // namespace stillcut::ui

@@ -48,7 +48,6 @@ void Speaker::speak(Language language) {
   if (translator_) QCoreApplication::removeTranslator(translator_.get());
   translator_.reset();
   language_ = language;
-  if (language == Language::English) return;  // what the sources say
   auto translator = std::make_unique<QTranslator>();
   if (!translator->load(QStringLiteral(":/translations/stillcut_%1.qm").arg(languageCode(language)))) return;
   QCoreApplication::installTranslator(translator.get());
