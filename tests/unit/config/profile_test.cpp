@@ -162,7 +162,8 @@ TEST(ProfileVersion, OldParameterNamesAreReadInOldProfilesOnly) {
 // 100 mV/g into a converter whose full scale is 5 V: 50 g are full scale.
 TEST(Profile, AChannelIsToldByItsDataSheets) {
   const std::string sheet =
-      "version = 1\nmachine = 'm'\n[[channels]]\nname = 'x'\nquantity = 'acceleration'\nsensitivity_mv = 100\nvolts = 5\n"
+      "version = 1\nmachine = 'm'\n[[channels]]\nname = 'x'\nquantity = 'acceleration'\nsensitivity_mv = 100\nvolts = "
+      "5\n"
       "coupling = 'iepe'\nplace = 'spindle nose'\n[[channels]]\nname = 'mic'\nquantity = 'sound'\nsensitivity_mv = "
       "50\n";
   auto read = parseProfile(sheet, "p.toml", catalog());
@@ -175,10 +176,11 @@ TEST(Profile, AChannelIsToldByItsDataSheets) {
   EXPECT_EQ(again->cut.channels[0].place, "spindle nose");
   EXPECT_EQ(again->cut.channels[0].coupling, "iepe");
 
-  const std::pair<const char*, const char*> wrong[] = {{"sensitivity_mv = 0", "'sensitivity_mv' is zero"},
-                                                       {"sensitivity_mv = 1\nscale = 2", "'scale' is given beside"},
-                                                       {"sensitivity_mv = 1\nvolts = 0", "'volts' is zero"},
-                                                       {"coupling = 'usb'", "'coupling' is unknown: 'usb'"}};
+  const std::pair<const char*, const char*> wrong[] = {
+      {"sensitivity_mv = 0", "'channels.sensitivity_mv' is zero"},
+      {"sensitivity_mv = 1\nscale = 2", "'channels.scale' is given beside"},
+      {"sensitivity_mv = 1\nvolts = 0", "'channels.volts' is zero"},
+      {"coupling = 'usb'", "'channels.coupling' is unknown: 'usb'"}};
   for (const auto& [keys, what] : wrong) {
     const std::string line =
         lineOf(std::string("version = 1\nmachine = 'm'\n[[channels]]\nname = 'x'\nquantity = 'force'\n") + keys);
