@@ -10,6 +10,7 @@
 
 #include "core/cnc/emc_session.h"
 #include "core/cnc/emc_status.h"
+#include "core/cnc/link_trial.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
 
@@ -93,6 +94,19 @@ TEST_F(LinuxCncHalReal, OpensAndSaysThatTheMachineWatches) {
   const Status opened = link->open();
   ASSERT_TRUE(opened.ok()) << opened.error().line();
   EXPECT_TRUE(link->describe().machineWatchdog);
+}
+
+TEST_F(LinuxCncHalReal, TrialPassesAndMeasuresTheDelay) {
+  link_.reset();
+  const auto link = linkWithComponent();
+  LinkTrial trial(*link, clock_);
+  while (trial.next()) {
+    const TrialStep& step = trial.steps().back();
+    std::printf("%s: %s\n", step.what.c_str(), step.said.c_str());
+  }
+  EXPECT_TRUE(trial.passed());
+  EXPECT_GT(trial.look().value, 0.0);
+  EXPECT_LT(trial.look().value, 0.1);
 }
 
 TEST_F(LinuxCncHalReal, BothOverridesActWithoutControlAndGoBack) {

@@ -1,0 +1,48 @@
+// LinkTrial: tries a machine link step by step and says in plain words what came of each step. It only reads: a command
+// can come from the gate alone. The command line and a set-up page show the same sentences.
+// Thread: one that may wait: open() takes seconds at most, every other step bounded time.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/cnc/cnc_link.h"
+
+namespace stillcut::cnc {
+
+struct TrialStep {
+  std::string what;  // "Connect"
+  std::string said;  // one sentence
+  bool good = false;
+};
+
+class LinkTrial {
+ public:
+  // Both outlive the trial.
+  LinkTrial(CncLink& link, const Clock& clock) : link_(link), clock_(clock) {}
+
+  // Takes the next step; false: there is none, because all are done or one has failed.
+  bool next();
+  const std::vector<TrialStep>& steps() const { return steps_; }
+  bool passed() const;
+  // How long a look at the machine takes, and how old what it shows is; medians, 0 before they were measured.
+  Seconds look() const { return look_; }
+  Seconds age() const { return age_; }
+
+  static constexpr int kLooks = 60;
+  static constexpr std::size_t kSteps = 4;
+
+ private:
+  TrialStep connect();
+  TrialStep read();
+  TrialStep measure();
+  TrialStep safety() const;
+
+  CncLink& link_;
+  const Clock& clock_;
+  std::vector<TrialStep> steps_;
+  Seconds look_{}, age_{};
+};
+
+}  // namespace stillcut::cnc

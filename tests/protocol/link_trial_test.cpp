@@ -1,0 +1,100 @@
+// What a person is told of a link, step by step.
+#include "core/cnc/link_trial.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/support/virtual_clock.h"
+
+namespace stillcut::cnc {
+namespace {
+
+class Machine final : public CncLink {
+ public:
+  explicit Machine(test::VirtualClock& clock) : clock_(clock) {}
+  bool there = true, readable = true, watchdog = false;
+  int lostLooks = 0, closed = 0, moved = 0;
+
+  LinkInfo describe() const override {
+    LinkInfo info;
+    info.label = "Mill";
+    info.machineWatchdog = watchdog;
+    return info;
+  }
+  Status open() override { return there ? Status(Done{}) : Status(Error{"mill:1", "no answer", "is it on?"}); }
+  MachineState read(Instant) noexcept override {
+    MachineState m;
+    m.time = clock_.now();
+    clock_.advance(Seconds(readable ? 0.004 : 0.5));
+    m.valid = readable && (looks_++ == 0 || lostLooks-- <= 0);
+    m.programmedSpeed = Rpm(8000.0);
+    m.actualSpeed = Rpm(7200.0);
+    m.speedOverride = Ratio(0.9);
+    return m;
+  }
+  void apply(const OverrideCommand&, Instant) noexcept override { ++moved; }
+  void release(Instant) noexcept override {}
+  void close() noexcept override { ++closed; }
+
+ private:
+  test::VirtualClock& clock_;
+  int looks_ = 0;
+};
+
+struct Bench {
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  Machine machine{clock};
+  LinkTrial trial{machine, clock};
+  const TrialStep& run() {
+    while (trial.next()) {
+    }
+    return trial.steps().back();
+  }
+};
+
+TEST(LinkTrial, GoodLinkPassesEveryStepIsMeasuredAndNothingMoves) {
+  Bench b;
+  b.run();
+  ASSERT_EQ(b.trial.steps().size(), LinkTrial::kSteps);
+  EXPECT_TRUE(b.trial.passed());
+  EXPECT_NEAR(b.trial.look().value, 0.004, 1e-9);
+  EXPECT_NEAR(b.trial.age().value, 0.004, 1e-9);
+  EXPECT_EQ(b.trial.steps()[1].said,
+            "no program running; spindle 7200 rev/min, programmed 8000; overrides 90 % speed, 100 % feed");
+  EXPECT_EQ(b.machine.closed, 1);
+  EXPECT_EQ(b.machine.moved, 0);
+}
+
+TEST(LinkTrial, SaysWhetherTheMachineWatches) {
+  Bench without;
+  EXPECT_NE(without.run().said.find("no watchdog"), std::string::npos);
+  Bench with;
+  with.machine.watchdog = true;
+  EXPECT_NE(with.run().said.find("goes back by itself"), std::string::npos);
+}
+
+TEST(LinkTrial, StopsAtTheStepThatFailsAndSaysWhy) {
+  Bench absent;
+  absent.machine.there = false;
+  EXPECT_EQ(absent.run().said, "mill:1: no answer (is it on?)");
+  EXPECT_EQ(absent.trial.steps().size(), 1U);
+  EXPECT_FALSE(absent.trial.passed());
+  EXPECT_EQ(absent.machine.closed, 1);
+
+  Bench mute;
+  mute.machine.readable = false;
+  EXPECT_EQ(mute.run().what, "Read the machine");
+  EXPECT_FALSE(mute.trial.passed());
+}
+
+TEST(LinkTrial, LostLooksAreCountedAndTooManyFail) {
+  Bench b;
+  b.machine.lostLooks = 40;
+  const TrialStep& last = b.run();
+  EXPECT_FALSE(last.good);
+  EXPECT_NE(last.said.find("40 of 60 looks were lost"), std::string::npos) << last.said;
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
