@@ -40,6 +40,7 @@ void Session::start(const std::filesystem::path& flights) {
 }
 
 Status Session::stop() {
+  if (!rig_) return Done{};  // another session has taken it over
   const Status recorded = rig_->stop();
   const Status flown = flightLog_ ? flightLog_->finish() : Status(Done{});
   return recorded ? flown : recorded;
