@@ -1,17 +1,31 @@
-// stillcut-cli devices: the devices samples can come from and the machine links commands can go to, by their ids, and
-// what is plugged in, with its ranges.
+// stillcut-cli devices: the devices samples can come from and the machine links commands can go to, by their ids; finds
+// what is plugged in or reachable, and tries a link step by step. It moves nothing.
 
 #include <cstdio>
+#include <string>
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
 #include "app/io/alsa_driver.h"
+#include "app/io/find_machines.h"
 #include "app/io/iio_driver.h"
+#include "app/io/wires.h"
+#include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/daq/registry.h"
 
 namespace stillcut::app {
 namespace {
+
+constexpr Seconds kFindTime{0.5};
+
+struct DeviceOptions {
+  bool find = false, save = false;
+  std::vector<std::string> hosts, with;
+  std::string link, profile;
+};
 
 template <class Table>
 void print(const char* heading, const Table& table) {
@@ -30,17 +44,79 @@ void printFound(const char* heading, const std::vector<daq::PcmDevice>& devices)
   if (devices.empty()) std::printf("  none\n");
 }
 
+int find(const DeviceOptions& o) {
+  std::vector<std::string> hosts{"localhost"};
+  hosts.insert(hosts.end(), o.hosts.begin(), o.hosts.end());
+  const auto found = findMachines(hosts, kFindTime);
+  for (const FoundMachine& f : found) std::printf("%-20s %s\n", f.where.c_str(), f.what.c_str());
+  if (found.empty()) std::puts("nothing found");
+  return kExitDone;
+}
+
+// The profile with the link to try.
+Result<config::Profile> wanted(const DeviceOptions& o, const config::ParamCatalog& catalog) {
+  config::Profile profile;
+  if (!o.profile.empty()) {
+    auto loaded = config::loadProfile(o.profile, catalog, knownIds());
+    if (!loaded) return loaded.error();
+    profile = std::move(loaded).value();
+  }
+  if (!o.link.empty() && o.link != profile.link.id) profile.link = {};
+  if (!o.link.empty()) profile.link.id = o.link;
+  if (profile.link.id.empty()) return Error{o.profile, "'link.id' is missing", "name one with --try"};
+  for (const std::string& pair : o.with) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string::npos || equals == 0) return Error{"--with " + pair, "is not KEY=VALUE", ""};
+    profile.link.settings[pair.substr(0, equals)] = pair.substr(equals + 1);
+  }
+  return profile;
+}
+
+int tryLink(const DeviceOptions& o) {
+  if (o.save && o.profile.empty()) return fail({"--save", "needs --profile", "that is where it is saved"});
+  const config::ParamCatalog catalog = fullCatalog();
+  const auto profile = wanted(o, catalog);
+  if (!profile) return fail(profile.error());
+  const auto events = wireEvents();  // outlives the link and its wires
+  const SteadyClock clock;
+  auto link = cnc::makeLink(profile->link.id, linkRequest(*profile, o.profile, clock));
+  if (!link) return fail(link.error());
+  cnc::LinkTrial trial(**link, clock);
+  while (trial.next()) {
+    const cnc::TrialStep& step = trial.steps().back();
+    std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), step.said.c_str());
+    std::fflush(stdout);
+  }
+  if (!trial.passed()) return kExitDevice;
+  if (!o.save) return kExitDone;
+  if (const Status saved = config::saveProfile(*profile, catalog, o.profile); !saved) return fail(saved.error());
+  std::printf("saved in %s\n", o.profile.c_str());
+  return kExitDone;
+}
+
+int run(const DeviceOptions& o) {
+  if (!o.link.empty() || !o.profile.empty()) return tryLink(o);
+  if (o.find || !o.hosts.empty()) return find(o);
+  if (o.save || !o.with.empty()) return fail({o.save ? "--save" : "--with", "needs --try or --profile", ""});
+  print("sources", daq::sourceTable());
+  printFound("audio-class devices here", alsaDevices());
+  printFound("industrial I/O devices here", iioDevices("local:"));
+  print("links", cnc::linkTable());
+  return kExitDone;
+}
+
 }  // namespace
 
 void addDevices(CLI::App& app, int& exitCode) {
-  CLI::App* command = app.add_subcommand("devices", "List the devices and machine links a profile can name");
-  command->callback([&exitCode] {
-    print("sources", daq::sourceTable());
-    printFound("audio-class devices here", alsaDevices());
-    printFound("industrial I/O devices here", iioDevices("local:"));
-    print("links", cnc::linkTable());
-    exitCode = kExitDone;
-  });
+  auto o = std::make_shared<DeviceOptions>();
+  CLI::App* command = app.add_subcommand("devices", "List what a profile can name, find machines, try a link");
+  command->add_flag("--find", o->find, "Look for serial ports, and for machines on this computer");
+  command->add_option("--host", o->hosts, "Look on this host as well");
+  command->add_option("--try", o->link, "Try this link step by step; nothing moves");
+  command->add_option("--with", o->with, "A setting of the link, KEY=VALUE");
+  command->add_option("--profile", o->profile, "Try the link of this profile (.toml)");
+  command->add_flag("--save", o->save, "Write the link into the profile once it has passed");
+  command->callback([o, &exitCode] { exitCode = run(*o); });
 }
 
 }  // namespace stillcut::app

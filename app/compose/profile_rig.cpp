@@ -45,6 +45,19 @@ config::KnownIds knownIds() {
   return known;
 }
 
+cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock) {
+  cnc::LinkRequest request;
+  request.settings = profile.link.settings;
+  request.folder = std::filesystem::path(path).parent_path().string();
+  request.wires = makeWire;
+  request.buses = busMaker();
+  request.analog = makeComediOutput;
+  request.programmedSpeed = profile.cut.nominalSpeed;
+  request.programmedFeed = profile.cut.nominalFeed;
+  request.clock = &clock;
+  return request;
+}
+
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
                                       std::vector<config::AskedSetting>* asked) {
   if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
@@ -71,17 +84,9 @@ Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std:
   if (!device) return device.error();
   parts.device = std::move(device).value();
   if (profile.link.id.empty()) return parts;
-  cnc::LinkRequest request;
+  cnc::LinkRequest request = linkRequest(profile, path, *clock);
   request.scenario = simulated;
   request.port = port;
-  request.settings = profile.link.settings;
-  request.folder = std::filesystem::path(path).parent_path().string();
-  request.wires = makeWire;
-  request.buses = busMaker();
-  request.analog = makeComediOutput;
-  request.programmedSpeed = profile.cut.nominalSpeed;
-  request.programmedFeed = profile.cut.nominalFeed;
-  request.clock = clock.get();
   request.asked = asked;
   auto link = cnc::makeLink(profile.link.id, request);
   if (!link) return link.error();

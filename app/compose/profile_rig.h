@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/compose/rig.h"
+#include "core/cnc/registry.h"
 #include "core/config/part_settings.h"
 #include "core/config/profile.h"
 
@@ -22,6 +23,9 @@ struct ProfileParts {
 // `asked`, where given, is told of every setting the link asks for.
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
                                       std::vector<config::AskedSetting>* asked = nullptr);
+// What the profile's link is made from, on real wires; files that settings name are looked for beside `path`. `clock`
+// outlives the link.
+cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock);
 
 // The source "simulated" takes the setting `scenario`, a file; its machine is the link "simulated".
 // `fault`: as for Rig::build.

@@ -94,6 +94,17 @@ TEST_F(Commands, DevicesListsSourcesAndLinks) {
   EXPECT_THAT(list, testing::ContainsRegex("links\n  simulated +[A-Z]"));
 }
 
+TEST_F(Commands, DevicesTriesALinkStepByStep) {
+  const Outcome absent = runCli(folder_ / "", {"devices", "--try", "grbl", "--with", "device=no-such-port"});
+  EXPECT_EQ(absent.exitCode, 3);
+  EXPECT_THAT(absent.out, testing::StartsWith("no "));
+  EXPECT_THAT(absent.out, testing::HasSubstr("no-such-port"));
+  const Outcome unknown = runCli(folder_ / "", {"devices", "--try", "grlb"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.err, testing::HasSubstr("'grbl'"));
+  EXPECT_EQ(runCli(folder_ / "", {"devices", "--save"}).exitCode, 2);
+}
+
 TEST_F(Commands, InfoSaysWhatARecordingHolds) {
   writeSound(folder_ / "cut.wav", {cutSignal(true), cutSignal(false)}, SF_FORMAT_WAV | SF_FORMAT_PCM_24);
   const std::string text = run({"info", "cut.wav"});
