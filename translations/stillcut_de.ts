@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
     <name>Core</name>
@@ -267,7 +268,7 @@
         <translation>Kohärenz-Sollwert</translation>
     </message>
     <message>
-        <source>gamma_ref: coherence ratio that is chatter's</source>
+        <source>gamma_ref: coherence ratio that is chatter&apos;s</source>
         <translation>gamma_ref: Kohärenz, die Rattern bedeutet</translation>
     </message>
     <message>
@@ -443,7 +444,7 @@
         <translation>Zeit für den ganzen Bereich</translation>
     </message>
     <message>
-        <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
+        <source>At full output the whole range of an override takes this long (the paper&apos;s limit: a second)</source>
         <translation>Bei voller Ausgabe dauert der ganze Bereich eines Overrides so lange (Grenze der Arbeit: eine Sekunde)</translation>
     </message>
     <message>
@@ -563,7 +564,7 @@
         <translation>Größte Drehzahl</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
+        <source>Spindle speed is never driven above this: the machine&apos;s limit; auto: none</source>
         <translation>Die Drehzahl wird nie darüber gehoben: die Grenze der Maschine; automatisch: keine</translation>
     </message>
     <message>
@@ -587,7 +588,7 @@
         <translation>Größte Schnittgeschwindigkeit</translation>
     </message>
     <message>
-        <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
+        <source>The edge is never driven faster than this; needs the tool&apos;s diameter; auto: no such limit</source>
         <translation>Die Schneide läuft nie schneller; braucht den Werkzeugdurchmesser; automatisch: keine solche Grenze</translation>
     </message>
     <message>
@@ -847,7 +848,7 @@
         <translation>Schritt</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
         <translation>Adaptionsschritt mu; bei „normiert“ als Anteil des größten stabilen Schritts</translation>
     </message>
     <message>
@@ -971,7 +972,7 @@
         <translation>Messkarten, NI und viele andere: device, rate_hz, range, reference, inputs</translation>
     </message>
     <message>
-        <source>Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
+        <source>Accelerometers of Linux&apos; industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
         <translation>Beschleunigungssensoren der Linux-Industrie-E/A, hier oder über iiod: device, rate_hz, uri, inputs, trigger</translation>
     </message>
     <message>
@@ -1009,6 +1010,22 @@
     <message>
         <source>Active work-holder</source>
         <translation>Aktive Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>Emphasis</source>
+        <translation>Betonung</translation>
+    </message>
+    <message>
+        <source>How much more the error counts on the lines to quieten than elsewhere, as amplitudes; 1: no more</source>
+        <translation>Um wie viel mehr der Fehler auf den zu beruhigenden Linien zählt als sonst, als Amplitude; 1: nicht mehr</translation>
+    </message>
+    <message>
+        <source>Width of the emphasis</source>
+        <translation>Breite der Betonung</translation>
+    </message>
+    <message>
+        <source>Around each of the lines to quieten</source>
+        <translation>Um jede der zu beruhigenden Linien</translation>
     </message>
 </context>
 <context>
@@ -1231,7 +1248,7 @@
         <translation>verlangt {0.2}, die Grenzen erlauben {1.2}</translation>
     </message>
     <message>
-        <source>the machine's state is {0.2} s old</source>
+        <source>the machine&apos;s state is {0.2} s old</source>
         <translation>der Maschinenzustand ist {0.2} s alt</translation>
     </message>
     <message>
@@ -1283,7 +1300,7 @@
         <translation>etwas anderes steuert die Overrides</translation>
     </message>
     <message>
-        <source>the detector's verdict is not usable</source>
+        <source>the detector&apos;s verdict is not usable</source>
         <translation>das Urteil des Detektors ist nicht brauchbar</translation>
     </message>
     <message>
@@ -1355,7 +1372,7 @@
         <translation>Befugnis von {0.0} auf {1.0} geändert</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator's wish</source>
+        <source>back to 100 % at the operator&apos;s wish</source>
         <translation>auf Wunsch des Bedieners zurück auf 100 %</translation>
     </message>
     <message>
@@ -2686,7 +2703,7 @@
         <translation>Ruhige Bereiche in dieser Tiefe</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
+        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
         <translation>Einen Bereich wählen, um seine beste Drehzahl zu versuchen. In Klammern: außerhalb der Reichweite des Overrides.</translation>
     </message>
     <message>

@@ -1010,6 +1010,22 @@
         <source>Active work-holder</source>
         <translation>Active work-holder</translation>
     </message>
+    <message>
+        <source>Emphasis</source>
+        <translation>Emphasis</translation>
+    </message>
+    <message>
+        <source>How much more the error counts on the lines to quieten than elsewhere, as amplitudes; 1: no more</source>
+        <translation>How much more the error counts on the lines to quieten than elsewhere, as amplitudes; 1: no more</translation>
+    </message>
+    <message>
+        <source>Width of the emphasis</source>
+        <translation>Width of the emphasis</translation>
+    </message>
+    <message>
+        <source>Around each of the lines to quieten</source>
+        <translation>Around each of the lines to quieten</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -1,4 +1,5 @@
-<?xml version='1.0' encoding='utf-8'?>
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
 <TS version="2.1" language="zh_CN">
 <context>
     <name>Core</name>
@@ -267,7 +268,7 @@
         <translation>相干基准</translation>
     </message>
     <message>
-        <source>gamma_ref: coherence ratio that is chatter's</source>
+        <source>gamma_ref: coherence ratio that is chatter&apos;s</source>
         <translation>gamma_ref:表示颤振的相干比</translation>
     </message>
     <message>
@@ -443,7 +444,7 @@
         <translation>全程时间</translation>
     </message>
     <message>
-        <source>At full output the whole range of an override takes this long (the paper's limit: a second)</source>
+        <source>At full output the whole range of an override takes this long (the paper&apos;s limit: a second)</source>
         <translation>满输出时走完倍率全程所需时间(论文限值:一秒)</translation>
     </message>
     <message>
@@ -563,7 +564,7 @@
         <translation>最高转速</translation>
     </message>
     <message>
-        <source>Spindle speed is never driven above this: the machine's limit; auto: none</source>
+        <source>Spindle speed is never driven above this: the machine&apos;s limit; auto: none</source>
         <translation>转速不会高于此值:机床极限;自动:无</translation>
     </message>
     <message>
@@ -587,7 +588,7 @@
         <translation>最高切削速度</translation>
     </message>
     <message>
-        <source>The edge is never driven faster than this; needs the tool's diameter; auto: no such limit</source>
+        <source>The edge is never driven faster than this; needs the tool&apos;s diameter; auto: no such limit</source>
         <translation>切削刃不会快于此值;需要刀具直径;自动:无此限值</translation>
     </message>
     <message>
@@ -847,7 +848,7 @@
         <translation>步长</translation>
     </message>
     <message>
-        <source>Adaptation step mu; while 'normalised' is on, as a share of the largest stable step</source>
+        <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
         <translation>自适应步长 mu;归一化开启时为最大稳定步长的比例</translation>
     </message>
     <message>
@@ -971,7 +972,7 @@
         <translation>数据采集卡，NI 及许多其他型号：device、rate_hz、range、reference、inputs</translation>
     </message>
     <message>
-        <source>Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
+        <source>Accelerometers of Linux&apos; industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger</source>
         <translation>Linux 工业 I/O 加速度计，本机或经由 iiod：device、rate_hz、uri、inputs、trigger</translation>
     </message>
     <message>
@@ -1009,6 +1010,22 @@
     <message>
         <source>Active work-holder</source>
         <translation>主动夹具</translation>
+    </message>
+    <message>
+        <source>Emphasis</source>
+        <translation>强调</translation>
+    </message>
+    <message>
+        <source>How much more the error counts on the lines to quieten than elsewhere, as amplitudes; 1: no more</source>
+        <translation>误差在要抑制的谱线上比别处重要多少（幅值之比）；1：不更重要</translation>
+    </message>
+    <message>
+        <source>Width of the emphasis</source>
+        <translation>强调的宽度</translation>
+    </message>
+    <message>
+        <source>Around each of the lines to quieten</source>
+        <translation>在每条要抑制的谱线周围</translation>
     </message>
 </context>
 <context>
@@ -1231,7 +1248,7 @@
         <translation>请求 {0.2},限值允许 {1.2}</translation>
     </message>
     <message>
-        <source>the machine's state is {0.2} s old</source>
+        <source>the machine&apos;s state is {0.2} s old</source>
         <translation>机床状态已过去 {0.2} s</translation>
     </message>
     <message>
@@ -1283,7 +1300,7 @@
         <translation>倍率由其他程序控制</translation>
     </message>
     <message>
-        <source>the detector's verdict is not usable</source>
+        <source>the detector&apos;s verdict is not usable</source>
         <translation>检测器的结论不可用</translation>
     </message>
     <message>
@@ -1355,7 +1372,7 @@
         <translation>权限由 {0.0} 变为 {1.0}</translation>
     </message>
     <message>
-        <source>back to 100 % at the operator's wish</source>
+        <source>back to 100 % at the operator&apos;s wish</source>
         <translation>应操作者要求恢复 100 %</translation>
     </message>
     <message>
@@ -2686,7 +2703,7 @@
         <translation>此切深下的稳定区</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
+        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
         <translation>选择稳定区以试其最佳转速。括号内:超出倍率范围。</translation>
     </message>
     <message>

@@ -157,7 +157,7 @@ TEST_P(RtPath, TakesNoMemoryAndNoLockAndThrowsNothing) {
   // It was the whole path that was counted, and all that happens in a cut.
   EXPECT_EQ(tally.blocks, 500);
   EXPECT_GT(tally.entries, 0);
-  EXPECT_GT(tally.alarms, 0);
+  EXPECT_GT(tally.alarms + tally.sets, 0);  // a fuzzy law may act before there is an alarm
   EXPECT_GT(tally.columns, 100U);
   EXPECT_EQ(tally.dropped, 0U);
   if (GetParam() == control::kDefaultStrategy) {
