@@ -101,7 +101,7 @@ TEST_F(Commands, DevicesTriesALinkStepByStep) {
   EXPECT_THAT(absent.out, testing::HasSubstr("no-such-port"));
   const Outcome unknown = runCli(folder_ / "", {"devices", "--try", "grlb"});
   EXPECT_EQ(unknown.exitCode, 2);
-  EXPECT_THAT(unknown.err, testing::HasSubstr("'grbl'"));
+  EXPECT_THAT(unknown.err, testing::HasSubstr("grbl, modbus"));
   EXPECT_EQ(runCli(folder_ / "", {"devices", "--save"}).exitCode, 2);
 }
 
