@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::active {
 
 namespace {
@@ -23,6 +25,7 @@ double delayOf(const PathModel& model, ErrorWeighting weighting) {
 
 void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& model, Hertz rate) {
   options_ = options;
+  kernels_ = dsp::kernels::bestKernels();
   const auto taps = static_cast<std::size_t>(options.filter.taps);
   reference_.prepare(taps);
   filtered_.prepare(taps);
@@ -63,9 +66,9 @@ double FxlmsController::process(double error, double reference) STILLCUT_RT {
   filtered_.push(filtered);
   reference_.push(x);
   // Follows a rise at once, so that a step taken from it is never too large, and a fall slowly.
-  const double inFilter = dot(filtered_.data(), filtered_.data(), filtered_.size()) / options_.filter.taps;
+  const double inFilter = kernels_.tapSum(filtered_.data(), filtered_.data(), filtered_.size()) / options_.filter.taps;
   power_ = std::max(inFilter, power_ + forget_ * (filtered * filtered - power_));
-  wanted_ = dot(weights_.data(), reference_.data(), weights_.size());
+  wanted_ = kernels_.tapSum(weights_.data(), reference_.data(), weights_.size());
   return wanted_;
 }
 
@@ -81,7 +84,8 @@ void FxlmsController::written(double output) STILLCUT_RT {
     error = std::clamp(error_, -usual, usual);
     errorPower_ += forget_ * (error_ * error_ - errorPower_);
   }
-  steer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filtered_.data(), weights_.size());
+  kernels_.tapSteer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filtered_.data(),
+                    weights_.size());
   std::fill(weights_.begin() + options_.filter.taps, weights_.end(), 0.0);
 }
 

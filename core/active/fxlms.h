@@ -55,6 +55,7 @@ class FxlmsController {
 
  private:
   FxlmsOptions options_;
+  dsp::kernels::Kernels kernels_;
   std::vector<double> weights_;
   TapLine reference_, filtered_;
   PathFilter heard_, shaped_;  // s^ * y and s^ * x

@@ -1,8 +1,11 @@
 #include "core/active/path_filter.h"
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::active {
 
 void PathFilter::prepare(const PathModel& model) {
+  kernels_ = dsp::kernels::bestKernels();
   forward_ = model.forward;
   backward_ = model.backward;
   forward_.resize(wholeLanes(forward_.size()), 0.0);

@@ -229,6 +229,9 @@ struct Kernels {
   // sum weight (re^2 + im^2), whole lanes
   double (*weightedPower)(const double* re, const double* im, const double* weight,
                           std::size_t lanes) noexcept = nullptr;
+  // sum a b and a = keep a + step b, whole lanes
+  double (*tapSum)(const double* a, const double* b, std::size_t n) noexcept = nullptr;
+  void (*tapSteer)(double* a, double keep, double step, const double* b, std::size_t n) noexcept = nullptr;
 };
 
 }  // namespace stillcut::dsp::kernels

@@ -26,5 +26,7 @@ void bank(const BankRun& run) noexcept;
 void designBank(const BankDesign& design) noexcept;
 void operatorSums(const OperatorRun& run) noexcept;
 void separate(const SeparationRun& run) noexcept;
+double tapSum(const double* a, const double* b, std::size_t n) noexcept;
+void tapSteer(double* a, double keep, double step, const double* b, std::size_t n) noexcept;
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

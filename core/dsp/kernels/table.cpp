@@ -25,6 +25,8 @@ void fill(Kernels& k) noexcept {
   k.designBank = designBank;
   k.operatorSums = operatorSums;
   k.separate = separate;
+  k.tapSum = tapSum;
+  k.tapSteer = tapSteer;
 }
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -279,5 +279,24 @@ TEST(Kernels, SeparationGivesAmplitudeAndAngleAndKeepsWhatItCannotTell) {
   }
 }
 
+TEST(Kernels, SumsAndStepsOfAdaptiveFiltersAreThoseWrittenOut) {
+  for (const std::size_t n : {8U, 16U, 40U, 512U}) {
+    const Values a = noise(n, 1);
+    const Values b = noise(n, 2);
+    const Values all = sameWithEverySet([&](const Kernels& k) {
+      Values out = a;
+      k.tapSteer(out.data(), 0.99, -0.3, b.data(), n);
+      out.push_back(k.tapSum(a.data(), b.data(), n));
+      return out;
+    });
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      EXPECT_NEAR(all[k], 0.99 * a[k] - 0.3 * b[k], 1e-15) << k;
+      sum += a[k] * b[k];
+    }
+    EXPECT_NEAR(all[n], sum, 1e-12) << n;
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::dsp::kernels
