@@ -2861,10 +2861,6 @@
         <source>down to</source>
         <translation>bis</translation>
     </message>
-    <message>
-        <source>removes %1</source>
-        <translation>Abtrag %1</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>

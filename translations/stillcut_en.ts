@@ -2860,10 +2860,6 @@
         <source>down to</source>
         <translation>down to</translation>
     </message>
-    <message>
-        <source>removes %1</source>
-        <translation>removes %1</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>

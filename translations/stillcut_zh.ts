@@ -2861,10 +2861,6 @@
         <source>down to</source>
         <translation>可至</translation>
     </message>
-    <message>
-        <source>removes %1</source>
-        <translation>去除率 %1</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>

@@ -159,7 +159,7 @@ QVariant PocketTable::headerData(int section, Qt::Orientation orientation, int r
     case Limit:
       return tr("down to");
     case Removal:
-      return tr("removes %1").arg(removalUnit(units_));
+      return removalUnit(units_);
     case kColumns:
       break;
   }
