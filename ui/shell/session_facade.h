@@ -9,6 +9,7 @@
 #include "core/model/operator_input.h"
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
+#include "ui/models/active_desk.h"
 #include "ui/models/lobe_service.h"
 #include "ui/models/session_desk.h"
 #include "ui/models/session_info.h"
@@ -45,6 +46,8 @@ class SessionFacade {
   virtual SessionDesk* sessions() { return nullptr; }
   // Parts, profiles and tools; null: nothing can be set up here. As long-lived as the session.
   virtual SetupDesk* setup() { return nullptr; }
+  // The active work-holder; null: the machine has none. Another one with another generation().
+  virtual ActiveDesk* active() { return nullptr; }
   // Where window and pages keep what outlives a restart; empty: nothing is kept.
   virtual QString stateFolder() const { return {}; }
 };
