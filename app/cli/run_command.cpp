@@ -13,6 +13,7 @@
 #include "app/compose/flight_log.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/wires.h"
+#include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
 
 namespace stillcut::app {
@@ -83,6 +84,9 @@ int watch(Rig& rig, const RunOptions& options) {
   FlightLog flights(rig.flights(),
                     options.flights.empty() ? defaultFlightsFolder() : std::filesystem::path(options.flights));
   flights.start();
+  // A page that has to come back from the disk would keep the worker waiting.
+  if (!rt::lockMemory())
+    std::printf("memory is not locked: not permitted (the package's limits allow it to the group stillcut)\n");
   rig.start({});
   Console console(rig);
   rt::Wakeup never;  // only its time-out is used

@@ -1,9 +1,12 @@
 #include "core/active/lms.h"
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::active {
 
 void Lms::prepare(const LmsOptions& options) {
   options_ = options;
+  kernels_ = dsp::kernels::bestKernels();
   line_.prepare(static_cast<std::size_t>(options.taps));
   weights_.assign(line_.size(), 0.0);
 }
@@ -16,14 +19,14 @@ void Lms::reset() noexcept {
 double Lms::process(double x, double wanted) STILLCUT_RT {
   line_.push(x);
   const auto taps = static_cast<std::size_t>(options_.taps);
-  const double error = wanted - dot(weights_.data(), line_.data(), weights_.size());
+  const double error = wanted - kernels_.tapSum(weights_.data(), line_.data(), weights_.size());
   double step = options_.step;
   if (options_.normalised) {
-    double power = 0.0;
+    double power = 0.0;  // without the padding
     for (std::size_t k = 0; k < taps; ++k) power += line_.data()[k] * line_.data()[k];
     step = normalisedStep(options_.step, power);
   }
-  steer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), weights_.size());
+  kernels_.tapSteer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), weights_.size());
   std::fill(weights_.begin() + options_.taps, weights_.end(), 0.0);  // the padding learns nothing
   return error;
 }

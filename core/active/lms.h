@@ -9,6 +9,7 @@
 
 #include "core/active/tap_line.h"
 #include "core/base/realtime.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::active {
 
@@ -33,6 +34,7 @@ class Lms {
 
  private:
   LmsOptions options_;
+  dsp::kernels::Kernels kernels_;
   TapLine line_;
   std::vector<double> weights_;
 };

@@ -11,6 +11,7 @@
 #include "core/active/path_model.h"
 #include "core/active/tap_line.h"
 #include "core/base/realtime.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::active {
 
@@ -33,6 +34,7 @@ class PathIdentifier {
 
  private:
   IdentifierOptions options_;
+  dsp::kernels::Kernels kernels_;
   TapLine outputs_, predictions_;
   std::vector<double> forward_, backward_;  // padded
 };

@@ -1,10 +1,9 @@
-// The last values of a signal, newest first, always in one piece of memory; and the two sums that adaptive filters are
-// made of. Sums run in kLanes independent lanes, so that vector code adds in the same order as plain code.
+// The last values of a signal, newest first, always in one piece of memory, padded with zeros to
+// whole lanes for the sums of core/dsp/kernels.
 // Thread: one; everything but prepare() is real-time.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -14,22 +13,6 @@ inline constexpr std::size_t kLanes = 8;
 
 inline std::size_t wholeLanes(std::size_t taps) {
   return (taps + kLanes - 1) / kLanes * kLanes;
-}
-
-// sum a[k] b[k]; n is a multiple of kLanes.
-inline double dot(const double* a, const double* b, std::size_t n) noexcept {
-  std::array<double, kLanes> sum{};
-  for (std::size_t k = 0; k < n; k += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) sum[lane] += a[k + lane] * b[k + lane];
-  }
-  return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-}
-
-// a[k] = keep a[k] + step b[k]; n is a multiple of kLanes.
-inline void steer(double* a, double keep, double step, const double* b, std::size_t n) noexcept {
-  for (std::size_t k = 0; k < n; k += kLanes) {
-    for (std::size_t lane = 0; lane < kLanes; ++lane) a[k + lane] = keep * a[k + lane] + step * b[k + lane];
-  }
 }
 
 class TapLine {

@@ -71,11 +71,6 @@ void SimulatedMachine::enableOverrides(bool enabled) noexcept {
   port_->order(order_);
 }
 
-void SimulatedMachine::holdFeed(bool hold) noexcept {
-  order_.feedHold = hold;
-  port_->order(order_);
-}
-
 void SimulatedMachine::loseLink(bool lost) noexcept {
   linkUp_ = !lost;
   if (lost) post(Ratio(1.0), Ratio(1.0), order_.when);

@@ -1,6 +1,6 @@
 // SimulatedMachine: the control of the simulated mill. Commands go through a PlantPort to the plant that the simulated
 // source advances; they act after the scenario's override delay, on a spindle with inertia.
-// For tests it also plays the operator and the accidents: knobs, M49, feed hold, a link that is lost, another client.
+// For tests it also plays the operator and the accidents: knobs, M49, a link that is lost, another client.
 #pragma once
 
 #include <memory>
@@ -24,7 +24,6 @@ class SimulatedMachine final : public CncLink {
   // Link thread, at once. Ratios are those of the operator's own knobs.
   void turnKnobs(Ratio speed, Ratio feed) noexcept;
   void enableOverrides(bool enabled) noexcept;  // false: M49
-  void holdFeed(bool hold) noexcept;
   // Down: reads are invalid and commands are lost; the machine's watchdog restores 100 %.
   void loseLink(bool lost) noexcept;
   void giveControlAway(bool away) noexcept { controlOurs_ = !away; }

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <complex>
-#include <span>
 
 #include "core/base/units.h"
 
@@ -24,13 +22,5 @@ inline double wrapAngle(double a) {
 inline double wrapPhase(double a) {
   return std::remainder(a, kTwoPi);
 }
-
-// Complex amplitude a of the tone Re(a e^{j 2 pi f t}), t = 0 at the first sample, by a rotated sum over the span
-// (exact when the span holds whole periods).
-std::complex<double> toneAmplitude(std::span<const double> x, Hertz f, Hertz rate) noexcept;
-
-// Frequency of a tone near f from the phase it gains between two adjacent halves of the span; good while the true
-// frequency is within rate / span size of f.
-Hertz phaseDriftFrequency(std::span<const double> x, Hertz f, Hertz rate) noexcept;
 
 }  // namespace stillcut::dsp

@@ -69,12 +69,6 @@ std::string_view name(Expectation e) {
   return kExpectations[static_cast<std::size_t>(e)];
 }
 
-std::optional<Expectation> expectationFromName(std::string_view text) {
-  const auto it = std::find(kExpectations.begin(), kExpectations.end(), text);
-  if (it == kExpectations.end()) return std::nullopt;
-  return static_cast<Expectation>(it - kExpectations.begin());
-}
-
 MetresPerSecond Scenario::programmedFeed(Rpm at, double seconds, double path) const {
   const double perTooth = programme.feedPerToothOverTime.at(seconds, path, programme.feedPerTooth.value);
   return MetresPerSecond(perTooth * model.tool.teeth * at.value / 60.0);

@@ -23,7 +23,6 @@ namespace stillcut::milling {
 // What control within the override range can make of it, proved by the exact lobes.
 enum class Expectation { Stable, NoStableSpeed, Hold };
 std::string_view name(Expectation e);
-std::optional<Expectation> expectationFromName(std::string_view text);
 
 // Where the tool comes into or leaves the material: a time [s] or a place on the path [m].
 struct Passage {

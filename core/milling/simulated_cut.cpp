@@ -181,21 +181,12 @@ void SimulatedCut::disturb() noexcept {
   }
   if (p.randomForce > 0.0) {
     for (double& f : random_) f = p.randomForce * rmsPerDensity * noise_.normal();
-    cut_.setExternalForce(actuator_[0] + random_[0], actuator_[1] + random_[1]);
+    cut_.setExternalForce(random_[0], random_[1]);
   }
-}
-
-void SimulatedCut::setActuatorForce(double fx, double fy) noexcept {
-  actuator_ = {fx, fy};
-  cut_.setExternalForce(actuator_[0] + random_[0], actuator_[1] + random_[1]);
 }
 
 void SimulatedCut::setWorkHolder(double x, double y) noexcept {
   wanted_ = {x, y};
-}
-
-bool SimulatedCut::workHolderSaturated() const noexcept {
-  return std::any_of(holder_.begin(), holder_.end(), [](const WorkHolderAxis& axis) { return axis.saturated(); });
 }
 
 void SimulatedCut::moveWorkHolder() noexcept {

@@ -43,13 +43,10 @@ class SimulatedCut {
   void setOperatorKnobs(Ratio speed, Ratio feed) STILLCUT_RT;
   void setOverridesEnabled(bool enabled) noexcept { overridesEnabled_ = enabled; }  // false: as under M49
   void setFeedHold(bool hold) noexcept { feedHold_ = hold; }
-  // Force of an actuator on the tool [N], held until the next call.
-  void setActuatorForce(double fx, double fy) noexcept;
 
   // Strokes asked of the work-holder [m], as its converter holds them until the next call. With fill() called frame by
   // frame this is the loop of an active table: the command of one frame acts from that frame to the next.
   void setWorkHolder(double x, double y) noexcept;
-  bool workHolderSaturated() const noexcept;
 
   // With the flexure of a work-holder among the model's modes.
   const Scenario& scenario() const { return scenario_; }
@@ -93,9 +90,9 @@ class SimulatedCut {
 
   double modelSpeed_ = 0.0;  // [rad/s] the cut steps with
   double programmedRpm_ = 0.0, feed_ = 0.0, depth_ = 0.0, immersion_ = 0.0;
-  std::array<double, 2> actuator_{}, random_{};  // [N]
-  std::vector<WorkHolderAxis> holder_;           // none, or x and y
-  std::array<double, 2> wanted_{}, push_{};      // [m]; [N] on its flexure at the last reading
+  std::array<double, 2> random_{};           // [N]
+  std::vector<WorkHolderAxis> holder_;       // none, or x and y
+  std::array<double, 2> wanted_{}, push_{};  // [m]; [N] on its flexure at the last reading
   std::array<AngularWindow, 2> windows_{};
   int windowCount_ = -1;
   bool cutting_ = false, engagementSteady_ = true;

@@ -31,8 +31,4 @@ void SpindleDrive::advance(Seconds dt, double cuttingTorque) noexcept {
   omega_ = std::max(omega_, 1.0);
 }
 
-bool SpindleDrive::atSpeed() const {
-  return std::abs(omega_ - target_) <= 0.005 * std::abs(target_);
-}
-
 }  // namespace stillcut::milling

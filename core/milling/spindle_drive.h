@@ -29,7 +29,6 @@ class SpindleDrive {
   double radPerSecond() const { return omega_; }
   Rpm speed() const { return Rpm(omega_ * 60.0 / kTwoPi); }
   Rpm target() const { return Rpm(target_ * 60.0 / kTwoPi); }
-  bool atSpeed() const;                                                   // within 0.5 % of the target
   double torque() const { return torque_; }                               // of the motor [N m]
   double current() const { return torque_ / settings_.torquePerAmpere; }  // [A]
 

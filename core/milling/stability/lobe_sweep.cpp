@@ -147,16 +147,4 @@ Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::strin
   return speeds;
 }
 
-StabilityChart makeChart(const LobeSweep& sweep, std::span<const Metres> depths) {
-  StabilityChart chart;
-  chart.warnings = sweep.warnings;
-  chart.depths.assign(depths.begin(), depths.end());
-  chart.stable.reserve(sweep.speeds.size() * depths.size());
-  for (const SpeedLimits& limits : sweep.speeds) {
-    chart.speeds.push_back(limits.speed);
-    for (Metres depth : depths) chart.stable.push_back(limits.stableAt(depth) ? 1 : 0);
-  }
-  return chart;
-}
-
 }  // namespace stillcut::milling

@@ -42,15 +42,4 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
 // from, from + step, ... with `to` included where a step meets it to a millionth of a step.
 Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::string& where);
 
-struct StabilityChart {
-  std::vector<Rpm> speeds;
-  std::vector<Metres> depths;
-  std::vector<std::uint8_t> stable;   // [speed][depth], 1 stable; what was not searched is not called stable
-  std::vector<std::string> warnings;  // those of the sweep
-  bool at(std::size_t speed, std::size_t depth) const { return stable[speed * depths.size() + depth] != 0; }
-};
-
-// Every crossing of a full sweep (limits.firstOnly false) decides: islands are stable or not as they are.
-StabilityChart makeChart(const LobeSweep& sweep, std::span<const Metres> depths);
-
 }  // namespace stillcut::milling

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/dsp/kernels/choose.h"
 #include "tests/unit/active/plain.h"
 
 namespace stillcut::active {
@@ -21,15 +22,23 @@ TEST(TapLine, HoldsTheNewestValuesFirstHoweverLongItRuns) {
   }
 }
 
-TEST(TapLine, SumsAreSums) {
-  const auto a = whiteNoise(40, 2);
-  const auto b = whiteNoise(40, 3);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k] * b[k];
-  EXPECT_NEAR(dot(a.data(), b.data(), a.size()), sum, 1e-13);
-  std::vector<double> c = a;
-  steer(c.data(), 0.9, 0.1, b.data(), c.size());
-  for (std::size_t k = 0; k < c.size(); ++k) EXPECT_DOUBLE_EQ(c[k], 0.9 * a[k] + 0.1 * b[k]);
+// With every instruction set, and with the same bits: a replay on another processor is the same replay.
+TEST(TapLine, SumsAreSumsOnEveryInstructionSet) {
+  for (std::size_t n : {kLanes, 5 * kLanes}) {
+    const auto a = whiteNoise(n, 2);
+    const auto b = whiteNoise(n, 3);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k) sum += a[k] * b[k];
+    const auto baseline = dsp::kernels::kernelsOf(dsp::kernels::InstructionSet::Baseline);
+    for (const auto set : dsp::kernels::availableSets()) {
+      const auto kernels = dsp::kernels::kernelsOf(set);
+      EXPECT_NEAR(kernels.tapSum(a.data(), b.data(), n), sum, 1e-13);
+      EXPECT_EQ(kernels.tapSum(a.data(), b.data(), n), baseline.tapSum(a.data(), b.data(), n));
+      std::vector<double> c = a;
+      kernels.tapSteer(c.data(), 0.9, 0.1, b.data(), n);
+      for (std::size_t k = 0; k < n; ++k) EXPECT_DOUBLE_EQ(c[k], 0.9 * a[k] + 0.1 * b[k]);
+    }
+  }
 }
 
 }  // namespace

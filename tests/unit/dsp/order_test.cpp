@@ -3,12 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <vector>
 
 namespace stillcut::dsp {
 namespace {
-
-constexpr Hertz kRate{10000.0};
 
 TEST(Order, OffsetIsTheDistanceToTheNearestHarmonic) {
   EXPECT_NEAR(orderOffset(Hertz(198.5), Hertz(40.0 / 3.0)), -0.1125, 1e-9);
@@ -21,21 +18,32 @@ TEST(Order, AnglesWrap) {
   EXPECT_NEAR(wrapPhase(6.0), 6.0 - kTwoPi, 1e-12);
 }
 
-TEST(Tone, AmplitudeAndPhaseOverWholePeriods) {
-  std::vector<double> x(1000);
-  for (std::size_t n = 0; n < x.size(); ++n) {
-    x[n] = 3.0 * std::cos(kTwoPi * 200.0 * static_cast<double>(n) / kRate.value + 0.4) + 1.0;
+// Whatever the turn: a wrapped angle points the same way, lies in its range, and wrapping it again changes nothing.
+TEST(Order, WrappingKeepsTheDirection) {
+  for (int i = -4000; i <= 4000; ++i) {
+    const double a = 0.0137 * i;
+    const double angle = wrapAngle(a);
+    const double phase = wrapPhase(a);
+    EXPECT_GE(angle, 0.0);
+    EXPECT_LE(angle, kTwoPi);
+    EXPECT_LE(std::abs(phase), kTwoPi / 2.0 + 1e-12);
+    for (double wrapped : {angle, phase}) {
+      EXPECT_NEAR(std::cos(wrapped), std::cos(a), 1e-12) << a;
+      EXPECT_NEAR(std::sin(wrapped), std::sin(a), 1e-12) << a;
+    }
+    EXPECT_EQ(wrapPhase(phase), phase);
   }
-  const std::complex<double> a = toneAmplitude(x, Hertz(200.0), kRate);
-  EXPECT_NEAR(std::abs(a), 3.0, 1e-9);
-  EXPECT_NEAR(std::arg(a), 0.4, 1e-9);
 }
 
-TEST(Tone, PhaseDriftFindsTheTrueFrequency) {
-  std::vector<double> x(2000);
-  for (std::size_t n = 0; n < x.size(); ++n) x[n] = std::sin(kTwoPi * 901.3 * static_cast<double>(n) / kRate.value);
-  // 1.3 Hz off, span 0.2 s: the drift between the halves is a small part of a turn; the mirror term costs < 0.05 Hz.
-  EXPECT_NEAR(phaseDriftFrequency(x, Hertz(900.0), kRate).value, 901.3, 0.05);
+TEST(Order, TheOffsetIsNeverMoreThanHalfAndForgetsWholeOrders) {
+  const Hertz spindle{37.3};
+  for (int i = 1; i < 3000; ++i) {
+    const Hertz f(0.731 * i);
+    const double offset = orderOffset(f, spindle);
+    EXPECT_LE(std::abs(offset), 0.5);
+    EXPECT_NEAR(std::remainder((f / spindle) - offset, 1.0), 0.0, 1e-9);
+    EXPECT_NEAR(orderOffset(f + 7.0 * spindle, spindle), offset, 1e-9);
+  }
 }
 
 }  // namespace
