@@ -1,0 +1,238 @@
+// Which speed next, and whether an alarm is worth a move: over random cuts and verdicts.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "core/control/chatter_judge.h"
+#include "core/control/pocket_search.h"
+
+namespace stillcut::control {
+namespace {
+
+class Search : public testing::Test {
+ protected:
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  static CutSetup setupOf(int teeth) {
+    CutSetup setup;
+    setup.teeth = teeth;
+    return setup;
+  }
+  std::mt19937 random_{23};
+};
+
+// Wherever it sends the spindle: within reach, and not to a speed that was heard to chatter.
+TEST_F(Search, NeverGoesWhereItWasOrWhereNobodyReaches) {
+  int ends = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    PocketSearch search;
+    search.prepare(setupOf(1 + static_cast<int>(random_() % 6)));
+    SearchView view;
+    view.present = Rpm(between(3000.0, 15000.0));
+    view.reach = {view.present * between(0.5, 0.9), view.present * between(1.05, 1.5)};
+    const Hertz mode(between(300.0, 2500.0));
+    std::vector<Rpm> heard;
+    for (int step = 0; step < static_cast<int>(PocketSearch::kTried); ++step) {
+      view.chatter = mode * between(0.98, 1.05);
+      heard.push_back(view.present);
+      const NextSpeed next = search.next(view);
+      if (next.speed.value <= 0.0) {
+        EXPECT_EQ(next.reason.code, ReasonCode::TargetOutOfRange);
+        ++ends;
+        break;
+      }
+      ASSERT_TRUE(view.reach.contains(next.speed)) << next.speed.value;
+      EXPECT_EQ(next.reason.n[0], next.speed.value);
+      for (Rpm speed : heard) {
+        ASSERT_GE(std::abs((next.speed - speed).value), 0.0099 * next.speed.value) << trial << " " << step;
+      }
+      view.present = next.speed;
+    }
+  }
+  EXPECT_GT(ends, 100);
+}
+
+// The chatter frequency falls with the speed as a lobe's does; the sequence ends at the centre the sooner for it.
+TEST_F(Search, TwoSpeedsTellTheCentreOfAFallingFrequency) {
+  PocketSearch search;
+  search.prepare(setupOf(4));
+  const auto chatterAt = [](Rpm n) { return Hertz(900.0 + 0.01 * (n.value - 7000.0)); };
+  // The fixed point of n = 60 f(n) / (2 * 4).
+  const double centre = (900.0 - 70.0) * 7.5 / (1.0 - 0.075);
+  SearchView view{chatterAt(Rpm(8000.0)), Rpm(8000.0), {Rpm(5000.0), Rpm(9000.0)}};
+  const Rpm first = search.next(view).speed;
+  view.present = first;
+  view.chatter = chatterAt(first);
+  const double before = std::abs(first.value - centre);
+  const NextSpeed second = search.next(view);
+  if (second.reason.code == ReasonCode::CentreOfNextPocket) {
+    EXPECT_LT(std::abs(second.speed.value - centre), 0.2 * before);
+  }
+  EXPECT_LT(before, 0.02 * centre);
+}
+
+StableSpeeds lobesOf(const std::vector<std::pair<double, double>>& ranges) {
+  StableSpeeds known;
+  for (const auto& [from, to] : ranges) {
+    StableSpeeds::Range range;
+    range.from = Rpm(from);
+    range.to = Rpm(to);
+    range.best = Rpm(0.5 * (from + to));
+    known.ranges.push_back(range);
+  }
+  known.depth = Metres(2e-3);
+  known.deepestDepth = Metres(1e-3);
+  known.deepestSpeed = Rpm(7000.0);
+  return known;
+}
+
+TEST_F(Search, KnownLobesKeepItInsideAStableRange) {
+  for (int trial = 0; trial < 1000; ++trial) {
+    CutSetup setup = setupOf(4);
+    const double from = between(4000.0, 9000.0);
+    setup.stableSpeeds = lobesOf({{from, from + between(200.0, 1500.0)}});
+    PocketSearch search;
+    search.prepare(setup);
+    const SearchView view{Hertz(between(500.0, 1500.0)), Rpm(12000.0), {Rpm(3000.0), Rpm(13000.0)}};
+    const NextSpeed next = search.next(view);
+    ASSERT_EQ(next.reason.code, ReasonCode::PocketByLobes);
+    const auto& range = setup.stableSpeeds->ranges.front();
+    const Rpm room = (range.to - range.from) * 0.19;  // a fifth is kept on either side
+    EXPECT_GT(next.speed, range.from + room);
+    EXPECT_LT(next.speed, range.to - room);
+  }
+}
+
+TEST_F(Search, LobesWithoutAStableSpeedNameTheDepthThatWouldDo) {
+  CutSetup setup = setupOf(4);
+  setup.stableSpeeds = lobesOf({});
+  PocketSearch search;
+  search.prepare(setup);
+  const NextSpeed next = search.next({Hertz(937.0), Rpm(8500.0), {Rpm(5000.0), Rpm(10000.0)}});
+  EXPECT_EQ(next.speed.value, 0.0);
+  EXPECT_EQ(next.reason.code, ReasonCode::NoStableSpeed);
+  EXPECT_DOUBLE_EQ(next.reason.n[0], 2.0);
+  EXPECT_DOUBLE_EQ(next.reason.n[1], 1.0);
+  EXPECT_EQ(next.reason.n[2], 7000.0);
+}
+
+TEST_F(Search, OfTwoPocketsTheNearerOne) {
+  CutSetup setup = setupOf(4);
+  setup.stableSpeeds = lobesOf({{5000.0, 5600.0}, {7000.0, 7600.0}});
+  PocketSearch search;
+  search.prepare(setup);
+  const SearchView view{Hertz(937.0), Rpm(8500.0), {Rpm(4000.0), Rpm(10000.0)}};
+  EXPECT_GT(search.next(view).speed, Rpm(7000.0));
+  search.forget();
+  EXPECT_EQ(search.tried(), 0);
+}
+
+// Verdicts by the hundredth of a second.
+class Judge : public testing::Test {
+ protected:
+  static Verdict alarm(Hertz f, double severity, CutState state = CutState::Chatter) {
+    Verdict v;
+    v.valid = true;
+    v.state = state;
+    v.phase = CutPhase::Steady;
+    v.frequency = f;
+    v.severity = Ratio(severity);
+    return v;
+  }
+  void hear(const Verdict& v, double seconds, bool moved = false, double vibration = -1.0) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds * 100.0)); ++i) {
+      judge_.hear(v, Seconds(0.01), {Hertz(140.0), 4, moved}, vibration);
+    }
+  }
+  ChatterJudge judge_;
+};
+
+TEST_F(Judge, AnAlarmMustStandAtOneFrequencyForAMoment) {
+  hear(alarm(Hertz(937.0), 0.3), 0.04);
+  EXPECT_FALSE(judge_.confirmed());
+  hear(alarm(Hertz(937.0), 0.3), 0.04);
+  EXPECT_TRUE(judge_.confirmed());
+  EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
+}
+
+// f + k f_sp is the same chatter: a detector that names another member is not held against it.
+TEST_F(Judge, MembersOfOneFamilyCountAsOneFrequency) {
+  for (int i = 0; i < 20; ++i) hear(alarm(Hertz(937.0 + 140.0 * (i % 3)), 0.3), 0.01);
+  EXPECT_TRUE(judge_.confirmed());
+}
+
+TEST_F(Judge, AFrequencyThatJumpsAboutIsNoChatter) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(300.0, 3000.0);
+  int confirmed = 0;
+  for (int i = 0; i < 500; ++i) {
+    hear(alarm(Hertz(anywhere(random)), 0.3), 0.01);
+    confirmed += judge_.confirmed() ? 1 : 0;
+  }
+  EXPECT_LT(confirmed, 10);
+}
+
+TEST_F(Judge, InvalidQuietAndStandingSpindleAreNothing) {
+  Verdict invalid = alarm(Hertz(937.0), 0.3);
+  invalid.valid = false;
+  hear(invalid, 1.0);
+  EXPECT_FALSE(judge_.confirmed());
+  hear(alarm(Hertz(937.0), 0.3, CutState::Stable), 1.0);
+  EXPECT_FALSE(judge_.confirmed());
+  for (int i = 0; i < 100; ++i) judge_.hear(alarm(Hertz(937.0), 0.3), Seconds(0.01), {Hertz(0.0), 4, false});
+  EXPECT_FALSE(judge_.confirmed());
+}
+
+TEST_F(Judge, AGapEndsItASingleMissedVerdictDoesNot) {
+  hear(alarm(Hertz(937.0), 0.3), 0.1);
+  hear(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.03);
+  EXPECT_GT(judge_.frequency().value, 0.0);
+  hear(alarm(Hertz(937.0), 0.3), 0.02);
+  EXPECT_TRUE(judge_.confirmed());
+  hear(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.08);
+  EXPECT_EQ(judge_.frequency().value, 0.0);
+  EXPECT_FALSE(judge_.confirmed());
+}
+
+TEST_F(Judge, AfterAMoveWhatRingsDownIsNotChatter) {
+  for (int i = 0; i < 200; ++i) hear(alarm(Hertz(937.0), 0.6 * std::exp(-0.02 * i)), 0.01, true);
+  EXPECT_FALSE(judge_.confirmed());
+}
+
+TEST_F(Judge, AfterAMoveWhatGrowsIs) {
+  bool confirmed = false;
+  for (int i = 0; i < 100; ++i) {
+    hear(alarm(Hertz(937.0), 0.02 * std::exp(0.04 * i), CutState::Onset), 0.01, true);
+    confirmed = confirmed || judge_.confirmed();
+  }
+  EXPECT_TRUE(confirmed);
+}
+
+// A move has just put a tooth harmonic where the chatter was: a line on a harmonic is the cut's own.
+TEST_F(Judge, AfterAMoveALineOnAHarmonicIsTheCuts) {
+  hear(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, true);
+  EXPECT_FALSE(judge_.confirmed());
+  judge_.forget();
+  hear(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, false);
+  EXPECT_TRUE(judge_.confirmed());
+}
+
+TEST_F(Judge, StandingStillAsLoudAsBeforeTheMoveIsChatter) {
+  const Verdict calm = alarm(Hertz(0.0), 0.0, CutState::Stable);
+  hear(calm, 3.0, false, 1.0);
+  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
+  hear(calm, 0.2, true, 1.0);
+  hear(alarm(Hertz(937.0), 0.5, CutState::Onset), 1.5, true, 20.0);
+  EXPECT_TRUE(judge_.confirmed());
+}
+
+TEST_F(Judge, NumbersThatAreNoneChangeNothing) {
+  hear(alarm(Hertz(937.0), 0.3), 0.2);
+  judge_.hear(alarm(Hertz(937.0), std::nan("")), Seconds(std::nan("")), {Hertz(140.0), 4, false}, std::nan(""));
+  EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
+  EXPECT_TRUE(std::isfinite(judge_.level()));
+}
+
+}  // namespace
+}  // namespace stillcut::control

@@ -1,0 +1,242 @@
+// The watches of the sensor check, each by itself: hum, a doubled input, the rate, and the marks of past turns.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <vector>
+
+#include "core/detect/hum_watch.h"
+#include "core/detect/pair_watch.h"
+#include "core/detect/rate_watch.h"
+#include "core/detect/turn_marks.h"
+
+namespace stillcut::detect {
+namespace {
+
+using Signal = std::function<double(double)>;
+
+// The largest part that is ever called hum in `seconds` of a signal.
+double humIn(const Signal& signal, double seconds, double rate, Hertz spindle, Hertz* mains = nullptr) {
+  HumWatch watch;
+  watch.prepare(Hertz(rate));
+  double largest = 0.0;
+  std::vector<double> block(static_cast<std::size_t>(rate * 0.01));
+  std::size_t n = 0;
+  for (int i = 0; i < static_cast<int>(seconds * 100.0); ++i) {
+    for (double& x : block) x = signal(static_cast<double>(n++) / rate);
+    watch.push(block, spindle);
+    if (watch.part() > largest) {
+      largest = watch.part();
+      if (mains != nullptr) *mains = watch.mains();
+    }
+  }
+  return largest;
+}
+
+Signal tones(std::vector<std::pair<double, double>> lines) {
+  return [lines = std::move(lines)](double t) {
+    double x = 0.0;
+    for (const auto& [f, a] : lines) x += a * std::sin(kTwoPi * f * t + f);
+    return x;
+  };
+}
+
+TEST(HumWatch, FindsTheMainsOfEitherContinent) {
+  for (double hertz : {50.0, 60.0}) {
+    for (double off : {-0.05, 0.0, 0.05}) {  // grids keep within that
+      Hertz mains;
+      const double f = hertz + off;
+      EXPECT_GT(humIn(tones({{f, 1.0}, {3.0 * f, 0.3}}), 5.0, 25600.0, Hertz(141.7), &mains), 0.9) << f;
+      EXPECT_EQ(mains.value, hertz);
+    }
+  }
+}
+
+TEST(HumWatch, ItsPartIsThePowersPart) {
+  // 50 Hz with a tenth of the power beside a tone of the cut.
+  const double part = humIn(tones({{50.0, 1.0}, {730.0, 3.0}}), 5.0, 25600.0, Hertz(141.7));
+  EXPECT_NEAR(part, 0.1, 0.02);
+}
+
+TEST(HumWatch, ALineBesideTheMainsIsNotTheMains) {
+  for (double f : {48.5, 50.6, 51.0, 58.9, 61.2, 149.0}) {
+    EXPECT_LT(humIn(tones({{f, 1.0}}), 6.0, 25600.0, Hertz(141.7)), 0.05) << f;
+  }
+}
+
+TEST(HumWatch, ASpindleThatTurnsWithTheMainsIsNotHeldAgainstTheSensor) {
+  EXPECT_LT(humIn(tones({{50.0, 1.0}, {100.0, 0.5}}), 5.0, 25600.0, Hertz(50.0)), 1e-20);
+  EXPECT_LT(humIn(tones({{50.0, 1.0}}), 5.0, 25600.0, Hertz(25.0)), 1e-20);
+}
+
+TEST(HumWatch, NoiseHasNone) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise;
+  EXPECT_LT(humIn([&](double) { return noise(random); }, 10.0, 25600.0, Hertz(141.7)), 0.05);
+}
+
+CutSetup channelsOf(const std::vector<std::pair<const char*, SensorQuantity>>& axes) {
+  CutSetup setup;
+  setup.rate = Hertz(10000.0);
+  for (const auto& [axis, quantity] : axes) {
+    ChannelInfo info;
+    info.axis = axis;
+    info.quantity = quantity;
+    setup.channels.push_back(info);
+  }
+  return setup;
+}
+
+// Blocks of 100 frames for two seconds; channel c of instant n.
+template <class Value>
+void feed(PairWatch& watch, int channels, const Value& value) {
+  SampleBlock block;
+  block.allocate(channels, 100);
+  int n = 0;
+  for (int i = 0; i < 200; ++i) {
+    block.frames = 100;
+    for (int f = 0; f < 100; ++f, ++n) {
+      for (int c = 0; c < channels; ++c) block.channel(c)[static_cast<std::size_t>(f)] = value(c, n);
+    }
+    watch.push(block);
+  }
+}
+
+const auto kAcceleration = SensorQuantity::Acceleration;
+
+TEST(PairWatch, ADoubledInputIsFoundWhateverItsGainSignAndOffset) {
+  for (float gain : {1.0F, -1.0F, 0.37F}) {
+    std::mt19937 random(2);
+    std::normal_distribution<float> noise;
+    PairWatch watch;
+    watch.prepare(channelsOf({{"x", kAcceleration}, {"y", kAcceleration}}));
+    float last = 0.0F;
+    feed(watch, 2, [&](int c, int) {
+      if (c == 0) last = noise(random);
+      return c == 0 ? last : gain * last + 0.25F;
+    });
+    EXPECT_EQ(watch.twinOf(1), 0) << gain;
+    EXPECT_EQ(watch.twinOf(0), -1);
+  }
+}
+
+TEST(PairWatch, TwoSensorsOfOneMotionEachHaveTheirNoise) {
+  std::mt19937 random(3);
+  std::normal_distribution<float> noise;
+  PairWatch watch;
+  watch.prepare(channelsOf({{"x", kAcceleration}, {"y", kAcceleration}}));
+  feed(watch, 2, [&](int, int n) {
+    return std::sin(0.3F * static_cast<float>(n)) + 3e-4F * noise(random);  // 67 dB below
+  });
+  EXPECT_EQ(watch.twinOf(1), -1);
+}
+
+TEST(PairWatch, OnlyDifferentAxesOfOneQuantityAreCompared) {
+  for (const auto& setup : {channelsOf({{"x", kAcceleration}, {"x", kAcceleration}}),
+                            channelsOf({{"x", kAcceleration}, {"y", SensorQuantity::Force}}),
+                            channelsOf({{"x", kAcceleration}, {"", kAcceleration}})}) {
+    PairWatch watch;
+    watch.prepare(setup);
+    feed(watch, 2, [](int, int n) { return std::sin(0.3F * static_cast<float>(n)); });
+    EXPECT_EQ(watch.twinOf(1), -1);
+  }
+}
+
+TEST(PairWatch, EveryPairHasItsTurn) {
+  std::mt19937 random(4);
+  std::normal_distribution<float> noise;
+  PairWatch watch;
+  watch.prepare(channelsOf({{"x", kAcceleration}, {"y", kAcceleration}, {"z", kAcceleration}}));
+  float last = 0.0F;
+  feed(watch, 3, [&](int c, int) {
+    if (c == 1) last = noise(random);
+    return c == 0 ? noise(random) : 2.0F * last;
+  });
+  EXPECT_EQ(watch.twinOf(2), 1);
+  EXPECT_EQ(watch.twinOf(1), -1);
+}
+
+// Blocks stamped as by a device whose true rate differs from what was told, with jitter of the clock.
+RateWatch watched(double told, double trueRate, double jitter, double seconds, int gapAt = -1) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0.0, jitter);
+  RateWatch watch;
+  watch.prepare(Hertz(told));
+  SampleBlock block;
+  block.frames = 256;
+  double shift = 0.0;
+  for (int i = 0; i * 256.0 / trueRate < seconds; ++i) {
+    block.flags = i == gapAt ? kBlockGap : 0U;
+    if (i == gapAt) shift = 1.0;
+    const double at = 10.0 + shift + i * 256.0 / trueRate + (jitter > 0.0 ? noise(random) : 0.0);
+    block.firstSample = Instant{} + toDuration(Seconds(at));
+    watch.push(block);
+  }
+  return watch;
+}
+
+TEST(RateWatch, FindsTheTrueRate) {
+  for (double off : {-0.03, -0.001, 0.0, 0.002, 0.05}) {
+    const double rate = 25600.0 * (1.0 + off);
+    const RateWatch watch = watched(25600.0, rate, 1e-4, 5.0);
+    EXPECT_NEAR(watch.rate().value / rate, 1.0, 1e-4) << off;
+    EXPECT_EQ(watch.wrong(), std::abs(off) > 0.005) << off;
+  }
+}
+
+TEST(RateWatch, ItsDoubtIsTheScatterOfTheLine) {
+  const RateWatch watch = watched(25600.0, 25600.0, 2e-3, 5.0);
+  EXPECT_LT(std::abs(watch.rate().value - 25600.0), 5.0 * watch.sd().value);
+  // Of a slope through 500 stamps over 5 s: jitter / sqrt(n T^2 / 12).
+  EXPECT_NEAR(watch.sd().value, 25600.0 * 2e-3 / std::sqrt(500.0 * 25.0 / 12.0), 0.2);
+  EXPECT_LT(watched(25600.0, 25600.0, 2e-5, 5.0).sd().value, 0.1 * watch.sd().value);
+}
+
+TEST(RateWatch, ASecondIsNeededAndAGapBeginsAnew) {
+  EXPECT_EQ(watched(25600.0, 25600.0, 0.0, 0.9).rate().value, 0.0);
+  // A gap of a second in the midst is no slower rate.
+  const RateWatch watch = watched(25600.0, 25600.0, 0.0, 6.0, 200);
+  EXPECT_NEAR(watch.rate().value, 25600.0, 0.01);
+  EXPECT_FALSE(watch.wrong());
+}
+
+TEST(TurnMarks, OneTurnAgoIsWhereTheAngleWasOneTurnLess) {
+  TurnMarks marks;
+  const double framesPerTurn = 180.0;
+  for (int hop = 0; hop < 200; ++hop) {
+    marks.advance(kTwoPi / framesPerTurn, 22);
+    marks.endHop();
+  }
+  for (double turns : {0.5, 1.0, 2.0}) EXPECT_NEAR(marks.framesAgo(turns, -1.0), turns * framesPerTurn, 0.5);
+}
+
+// Speed that rises: a turn ago lies further back than the present speed would have it.
+TEST(TurnMarks, FollowAChangingSpeed) {
+  TurnMarks marks;
+  std::vector<double> angles{0.0};  // by frame
+  double step = 0.02;
+  for (int hop = 0; hop < 400; ++hop) {
+    const int frames = static_cast<int>(kTwoPi / step / kHopsPerTurn);
+    step *= 1.004;
+    marks.advance(step, frames);
+    for (int f = 0; f < frames; ++f) angles.push_back(angles.back() + step);
+    marks.endHop();
+  }
+  for (double turns : {1.0, 2.0}) {
+    const double wanted = angles.back() - kTwoPi * turns;
+    std::size_t frame = angles.size() - 1;
+    while (angles[frame] > wanted) --frame;
+    EXPECT_NEAR(marks.framesAgo(turns, -1.0), static_cast<double>(angles.size() - 1 - frame), 2.0) << turns;
+  }
+}
+
+TEST(TurnMarks, BeyondTheMarksIsWhatTheCallerSays) {
+  TurnMarks marks;
+  marks.advance(0.03, 25);
+  marks.endHop();
+  EXPECT_EQ(marks.framesAgo(50.0, 1234.0), 1234.0);
+}
+
+}  // namespace
+}  // namespace stillcut::detect
