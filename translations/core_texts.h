@@ -269,6 +269,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly"),
     QT_TRANSLATE_NOOP("Reason", "channel {0.0} repeats each value, its samples were taken at a lower rate than told"),
     QT_TRANSLATE_NOOP("Reason", "the device delivers {0.1} samples a second instead of {1.1}"),
+    QT_TRANSLATE_NOOP("Reason", "channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing"),
     QT_TRANSLATE_NOOP("Reason", "the spindle is running up, {0.0} rpm"),
     QT_TRANSLATE_NOOP("Reason", "the tool is entering or leaving, {0.2} s"),
     QT_TRANSLATE_NOOP("Reason", "energy ratio {0.2} is over {1.2}"),

@@ -1439,6 +1439,10 @@
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>das Gerät liefert {0.1} Werte in der Sekunde statt {1.1}</translation>
     </message>
+    <message>
+        <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
+        <translation>Kanal {0.0} zeigt bei {1.1} Hz eine Linie, die sich wie die zurückgefaltete Ordnung {2.0} bewegt, sein Antialiasing-Filter fehlt</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>
@@ -2408,6 +2412,10 @@
     <message>
         <source>machine</source>
         <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>aliased</source>
+        <translation>gefaltet</translation>
     </message>
 </context>
 <context>

@@ -1438,6 +1438,10 @@
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>the device delivers {0.1} samples a second instead of {1.1}</translation>
     </message>
+    <message>
+        <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
+        <translation>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>
@@ -2407,6 +2411,10 @@
     <message>
         <source>machine</source>
         <translation>machine</translation>
+    </message>
+    <message>
+        <source>aliased</source>
+        <translation>aliased</translation>
     </message>
 </context>
 <context>

@@ -1439,6 +1439,10 @@
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>设备每秒给出 {0.1} 个采样，而不是 {1.1} 个</translation>
     </message>
+    <message>
+        <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
+        <translation>通道 {0.0} 在 {1.1} Hz 处有一条谱线，其移动方式与折叠回来的第 {2.0} 阶相同，缺少抗混叠滤波器</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>
@@ -2408,6 +2412,10 @@
     <message>
         <source>machine</source>
         <translation>机床</translation>
+    </message>
+    <message>
+        <source>aliased</source>
+        <translation>混叠</translation>
     </message>
 </context>
 <context>

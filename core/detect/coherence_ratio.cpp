@@ -43,7 +43,8 @@ void CoherenceRatio::prepare(int bins, double binWidth, const Settings& settings
   const std::size_t lanes = dsp::kernels::wholeLanes(bins_);
   for (auto* v : {&gx_, &gy_, &crossRe_, &crossIm_, &cross_, &raw_}) v->assign(lanes, 0.0);
   for (auto* v : {&weight_, &ratio_}) v->assign(bins_, 0.0);
-  for (auto* v : {&x_, &y_}) v->assign(2 * lanes, 0.0);
+  x_.fill(0.0);
+  y_.fill(0.0);
   for (std::size_t b = 0; b < bins_; ++b) {
     weight_[b] = settings.band.weight(Hertz(static_cast<double>(b) * binWidth));
   }
@@ -58,11 +59,19 @@ void CoherenceRatio::reset() noexcept {
 void CoherenceRatio::update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) noexcept {
   const bool welch = settings_.form == CoherenceForm::Welch;
   segments_ = std::min(segments_ + 1, settings_.averages);
-  // To whole lanes: the last bins go with silence behind them.
-  std::copy_n(reinterpret_cast<const double*>(x.data()), 2 * bins_, x_.begin());
-  std::copy_n(reinterpret_cast<const double*>(y.data()), 2 * bins_, y_.begin());
-  kernels_.coherence({x_.data(), y_.data(), raw_.size(), welch ? 1.0 / segments_ : 1.0, welch, gx_.data(), gy_.data(),
-                      crossRe_.data(), crossIm_.data(), raw_.data(), cross_.data()});
+  const auto* px = reinterpret_cast<const double*>(x.data());
+  const auto* py = reinterpret_cast<const double*>(y.data());
+  const auto run = [&](const double* a, const double* b, std::size_t from, std::size_t bins) {
+    kernels_.coherence({a, b, bins, welch ? 1.0 / segments_ : 1.0, welch, gx_.data() + from, gy_.data() + from,
+                        crossRe_.data() + from, crossIm_.data() + from, raw_.data() + from, cross_.data() + from});
+  };
+  const std::size_t whole = bins_ - bins_ % dsp::kernels::kLanes;
+  run(px, py, 0, whole);
+  if (whole == bins_) return;
+  // The last bins go with silence behind them.
+  std::copy(px + 2 * whole, px + 2 * bins_, x_.begin());
+  std::copy(py + 2 * whole, py + 2 * bins_, y_.begin());
+  run(x_.data(), y_.data(), whole, x_.size() / 2);
 }
 
 CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) noexcept {

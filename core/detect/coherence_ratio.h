@@ -3,6 +3,7 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <span>
 #include <vector>
@@ -63,7 +64,7 @@ class CoherenceRatio {
   dsp::kernels::Kernels kernels_;
   double binWidth_ = 1.0;
   std::size_t bins_ = 0;
-  std::vector<double> x_, y_;  // the transforms in whole lanes
+  std::array<double, 2 * dsp::kernels::kLanes> x_{}, y_{};  // the transforms' last bins
   std::vector<double> gx_, gy_, crossRe_, crossIm_, cross_, raw_, weight_, ratio_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
 namespace {
@@ -23,6 +24,7 @@ std::uint8_t KnockFinder::angleOf(double angle) noexcept {
 }
 
 void KnockFinder::prepare(int longestWindow) {
+  kernels_ = dsp::kernels::bestKernels();
   rest_.assign(static_cast<std::size_t>(longestWindow), 0.0);
   sorted_ = rest_;
   reset();
@@ -37,7 +39,10 @@ void KnockFinder::reset() noexcept {
 bool KnockFinder::predict(std::span<const double> x) noexcept {
   std::array<double, kOrder + 1> r{};
   for (std::size_t lag = 0; lag <= kOrder; ++lag) {
-    for (std::size_t n = lag; n < x.size(); ++n) r[lag] += x[n] * x[n - lag];
+    const std::size_t count = x.size() - lag;
+    const std::size_t whole = count - count % dsp::kernels::kLanes;
+    r[lag] = kernels_.tapSum(x.data() + lag, x.data(), whole);
+    for (std::size_t n = whole; n < count; ++n) r[lag] += x[n + lag] * x[n];
   }
   if (!(r[0] > 0.0)) return false;
   model_ = {};
@@ -80,10 +85,12 @@ KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uin
   double energy = 0.0;
   double squares = 0.0;
   double fourths = 0.0;
+  std::copy_n(x.begin() + kOrder, count, rest_.begin());
+  for (std::size_t j = 1; j <= kOrder; ++j) {
+    kernels_.addScaled(-model_[j], x.data() + (kOrder - j), rest_.data(), count);
+  }
   for (std::size_t n = 0; n < count; ++n) {
-    double e = x[n + kOrder];
-    for (std::size_t j = 1; j <= kOrder; ++j) e -= model_[j] * x[n + kOrder - j];
-    rest_[n] = e;
+    const double e = rest_[n];
     sorted_[n] = std::abs(e);
     energy += x[n + kOrder] * x[n + kOrder];
     squares += e * e;

@@ -14,6 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "core/dsp/kernels/kernels.h"
+
 namespace stillcut::detect {
 
 struct KnockFacts {
@@ -40,6 +42,7 @@ class KnockFinder {
   bool isNews(double size, int angle) noexcept;
   void turnTo(int angle) noexcept;
 
+  dsp::kernels::Kernels kernels_;
   std::vector<double> rest_, sorted_;
   std::array<double, kOrder + 1> model_{};
   std::array<double, kAngles> before_{};  // largest by angle in the turns before, fading

@@ -25,6 +25,7 @@ constexpr double kLeakLeaves = 0.01;
 constexpr double kStartVariance = 1.0;
 constexpr double kVarianceTurns = 1.0;  // averaging of the residual
 constexpr double kPowerTurns = 8.0;     // of the vibration
+constexpr double kLeastTaken = 0.02;    // of the vibration; noise alone loses more to the harmonics
 constexpr double kScaleTurns = 40.0;    // of the scale in the stable cut
 constexpr double kSettleTurns = 8.0;
 constexpr double kSmallest = 0.14;   // amplitude ratio: a depth ramp shakes the modes by half of that
@@ -108,9 +109,10 @@ void ParametricDetector::restart() noexcept {
   sinceLook_ = kLookSteps;
   for (Channel& c : channels_) {
     for (auto& filter : c.lowPass) filter.reset();
-    c.residualSum = c.inputSum = c.variance = c.power = c.root = c.density = c.severity = 0.0;
+    c.residualSum = c.inputSum = c.variance = c.power = c.taken = c.root = c.density = c.severity = 0.0;
     c.frequency = {};
     c.theta = c.thetaSum = {};
+    c.roots = {};
   }
   phase_ = 0;
   inStep_ = 0;
@@ -195,7 +197,7 @@ void ParametricDetector::readModel(std::size_t channel) noexcept {
     c.theta[n] += rate * (c.thetaSum[n] / static_cast<double>(inStep_) - c.theta[n]);
     c.thetaSum[n] = 0.0;
   }
-  ArRoots roots = rootsOf(c.theta);
+  ArRoots roots = c.roots = rootsOf(c.theta, c.roots);
   reflect(roots, delta_);
   const std::complex<double> dominant = dominantRoot(roots);
   c.root = std::abs(dominant);
@@ -216,10 +218,13 @@ double ParametricDetector::severity(std::size_t channel) const noexcept {
   return chatter > 0.0 ? chatter / (chatter + forced) : 0.0;
 }
 
-// Share of the vibration that the harmonics leave. The residual is averaged more shortly: it may be ahead.
-double ParametricDetector::part(const Channel& c) noexcept {
-  const double all = std::max(c.power, c.variance);
-  return all > 0.0 ? c.variance / all : 0.0;
+// What the harmonics leave over what they take. The residual is averaged more shortly: it may be ahead.
+double ParametricDetector::odds(const Channel& c) noexcept {
+  return c.power > 0.0 ? c.variance / std::max(c.taken, kLeastTaken * c.power) : 0.0;
+}
+
+double ParametricDetector::shareOf(double odds) noexcept {
+  return odds / (1.0 + odds);
 }
 
 void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noexcept {
@@ -228,7 +233,9 @@ void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noe
   const double turns = 1.0 / kStepsPerTurn;
   const double input = c.inputSum / n;
   c.variance += (1.0 - std::exp(-turns / kVarianceTurns)) * (c.residualSum / n - c.variance);
-  c.power += (c.power > 0.0 ? 1.0 - std::exp(-turns / kPowerTurns) : 1.0) * (input - c.power);
+  const double rate = c.power > 0.0 ? 1.0 - std::exp(-turns / kPowerTurns) : 1.0;
+  c.power += rate * (input - c.power);
+  c.taken += rate * (input - c.residualSum / n - c.taken);
   c.residualSum = c.inputSum = 0.0;
   const double scale = c.power > 0.0 ? 1.0 / std::sqrt(c.power) : 0.0;
   if (!c.onset.learned()) {
@@ -239,7 +246,7 @@ void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noe
   readModel(channel);
   c.severity = severity(channel);
   if (phase != CutPhase::Steady || steadyTurns_ < kSettleTurns || !(c.power > 0.0)) return;
-  c.onset.update(part(c), turns, judge_.calm());
+  c.onset.update(odds(c), turns, judge_.calm(), c.variance);
 }
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
@@ -280,7 +287,7 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
     grown = grown || over;
     begins = begins || (over && c.root >= rootLimit_);
     worst = std::max(worst, c.severity);
-    if (part(c) > part(channels_[leading_])) leading_ = i;
+    if (odds(c) > odds(channels_[leading_])) leading_ = i;
   }
   const Channel& lead = channels_[leading_];
   const bool entry = varianceLimit_ <= 0.0 && fromEntry(lead);
@@ -300,9 +307,9 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
 Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v = judge_.verdict(block);
   const Channel& c = channels_[leading_];
-  v.indicators = {c.variance, c.density, c.root, c.frequency.value, part(c), c.onset.floor()};
+  v.indicators = {c.variance, c.density, c.root, c.frequency.value, shareOf(odds(c)), shareOf(c.onset.floor())};
   if (v.alarming()) {
-    v.reason = {ReasonCode::ResidualGrowing, {part(c), c.onset.floor(), v.frequency.value}};
+    v.reason = {ReasonCode::ResidualGrowing, {shareOf(odds(c)), shareOf(c.onset.floor()), v.frequency.value}};
   } else if (v.valid && block.phase == CutPhase::Steady && !c.onset.learned()) {
     v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle_.value}};
   }

@@ -22,9 +22,10 @@
 // - Four coefficients among side lines and noise put the root beside the line (at the alarm c2: 1.3 %, c6: 2.8 %). The
 //   root says which line; its frequency in the verdict is refined by the phase of the residual (line_phase.h), where
 //   a line stands there. The indicator frequency_hz is the root's own, eq. 27.
-// - Threshold: the printed 6.678e4 m^2/s^4 is above what the paper's own figure 9 can reach. Growth of the residual's
-//   share of the variance above its learned floor decides (onset_test.h), while the model has a root near the unit
-//   circle (chips and knocks leave a broad residual).
+// - Threshold: the printed 6.678e4 m^2/s^4 is above what the paper's own figure 9 can reach. Growth of the residual
+//   over what the harmonics take, above its learned floor, decides (onset_test.h), while the model has a root near the
+//   unit circle (chips and knocks leave a broad residual). Its share of the whole would do in quiet signals alone: it
+//   ends at 1, and where a sensor's noise makes it 0.25 it can not grow fourfold.
 // Known limits: as energy_ratio.h, period doubling on spindle harmonics is not seen.
 // Thread: worker. See detector.h.
 #pragma once
@@ -92,9 +93,11 @@ class ParametricDetector final : public Detector {
     double inputSum = 0.0;
     double variance = 0.0;      // of the residual, about a turn
     double power = 0.0;         // of the vibration, several turns
+    double taken = 0.0;         // of it by the harmonics
     double scale = 0.0;         // 1/rms of the stable cut; 0: nothing heard yet
     ArCoefficients thetaSum{};  // this step
     ArCoefficients theta{};     // about two turns
+    ArRoots roots{};            // of that
     double root = 0.0;
     double density = 0.0;
     Hertz frequency{};
@@ -111,7 +114,8 @@ class ParametricDetector final : public Detector {
   void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
   void follow(Hertz root) noexcept;
   void readModel(std::size_t channel) noexcept;
-  static double part(const Channel& c) noexcept;
+  static double odds(const Channel& c) noexcept;
+  static double shareOf(double odds) noexcept;
   double severity(std::size_t channel) const noexcept;
   bool fromEntry(const Channel& c) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;

@@ -7,6 +7,8 @@ namespace stillcut::detect {
 namespace {
 
 constexpr int kMostSteps = 100;
+constexpr int kFewSteps = 8;  // from near by; a pair that has become two real roots is never reached from there
+constexpr double kTogether = 1e-280;
 constexpr double kStands = 1e-13;
 constexpr double kOscillates = 1e-6;  // least imaginary part
 
@@ -21,6 +23,29 @@ std::complex<double> polynomial(const ArCoefficients& theta, std::complex<double
   return value;
 }
 
+// Weierstrass, until they stand. False: they do not after so many steps, or two stand together.
+bool polish(const ArCoefficients& theta, ArRoots& roots, int steps) noexcept {
+  for (int step = 0; step < steps; ++step) {
+    double moved = 0.0;
+    bool apart = true;
+    for (std::size_t i = 0; i < roots.size(); ++i) {
+      std::complex<double> others = 1.0;
+      for (std::size_t j = 0; j < roots.size(); ++j) {
+        if (j != i) others = times(others, roots[i] - roots[j]);
+      }
+      if (!(std::norm(others) > kTogether)) {
+        others = 1e-140;
+        apart = false;
+      }
+      const std::complex<double> shift = times(polynomial(theta, roots[i]), std::conj(others)) / std::norm(others);
+      roots[i] -= shift;
+      moved = std::max(moved, std::norm(shift));
+    }
+    if (moved < kStands * kStands) return apart;
+  }
+  return false;
+}
+
 }  // namespace
 
 ArRoots rootsOf(const ArCoefficients& theta) noexcept {
@@ -30,21 +55,13 @@ ArRoots rootsOf(const ArCoefficients& theta) noexcept {
   // Start on a circle of the roots' own size, turned so that no start is real or a conjugate of another.
   const double size = std::clamp(std::pow(std::abs(theta[3]), 0.25), 0.1, 1.0 + radius);
   for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = std::polar(size, 0.4 + kTwoPi * static_cast<double>(i) / 4);
-  for (int step = 0; step < kMostSteps; ++step) {
-    double moved = 0.0;
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-      std::complex<double> others = 1.0;
-      for (std::size_t j = 0; j < roots.size(); ++j) {
-        if (j != i) others = times(others, roots[i] - roots[j]);
-      }
-      if (std::norm(others) < 1e-280) others = 1e-140;
-      const std::complex<double> shift = times(polynomial(theta, roots[i]), std::conj(others)) / std::norm(others);
-      roots[i] -= shift;
-      moved = std::max(moved, std::norm(shift));
-    }
-    if (moved < kStands * kStands) break;
-  }
+  polish(theta, roots, kMostSteps);
   return roots;
+}
+
+ArRoots rootsOf(const ArCoefficients& theta, const ArRoots& near) noexcept {
+  ArRoots roots = near;
+  return polish(theta, roots, kFewSteps) ? roots : rootsOf(theta);
 }
 
 bool unstable(const ArCoefficients& theta) noexcept {

@@ -51,6 +51,7 @@ void SensorCheck::prepare(const CutSetup& setup) {
   cable_.prepare(setup);
   pairs_.prepare(setup);
   rate_.prepare(setup.rate);
+  alias_.prepare(static_cast<int>(setup.channels.size()), setup.rate);
   status_.nominalRate = setup.rate;
   reset();
 }
@@ -65,6 +66,7 @@ void SensorCheck::reset() noexcept {
   cable_.reset();
   pairs_.reset();
   rate_.reset();
+  alias_.reset();
   const Hertz nominal = status_.nominalRate;
   status_ = {};
   status_.channels = static_cast<int>(channels_.size());
@@ -86,6 +88,7 @@ void SensorCheck::begin() noexcept {
 
 void SensorCheck::interrupt(const SampleBlock& raw, const Reason& why) noexcept {
   rate_.push(raw);
+  alias_.interrupt();
   begin();
   if (raw.has(kBlockGap)) status_.lostFrames += raw.lostFrames;
   status_.fault = why;
@@ -191,12 +194,16 @@ Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
   const int twin = pairs_.twinOf(index);
   if (twin >= 0) return {ReasonCode::InputDoubled, {static_cast<double>(twin), channel}};
   if (c.repeated.stands()) return {ReasonCode::InputRepeated, {channel}};
+  if (const auto [line, order] = alias_.folded(index); order > 0) {
+    return {ReasonCode::InputAliased, {channel, line.value, static_cast<double>(order)}};
+  }
   return {};
 }
 
 Reason SensorCheck::check(const SampleBlock& raw, const ConditionedBlock& block, const CutGate& gate) noexcept {
   rate_.push(raw);
   pairs_.push(raw);
+  alias_.push(block, gate.inCut());
   status_.actualRate = rate_.rate();
   status_.actualRateSd = rate_.sd();
   status_.fault = {};

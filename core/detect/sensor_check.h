@@ -12,13 +12,16 @@
 //   same axis twice  two axes deliver the same (pair_watch.h)
 //   values repeated  each sample comes two to eight times: a lower rate was stretched
 //   wrong rate       against the clock (rate_watch.h)
-// Which of two axes is x cannot be told from a cut: a swap without a doubling is not looked for.
+//   aliased          a line between the harmonics goes with the speed as a folded order does (alias_watch.h)
+// Which of two axes is x cannot be told from a cut: the forces turn with the tool and both axes hear the same lines at
+// strengths that tool, feed direction and structure decide. A swap without a doubling is not looked for.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "core/detect/alias_watch.h"
 #include "core/detect/cable_watch.h"
 #include "core/detect/conditioned_block.h"
 #include "core/detect/cut_gate.h"
@@ -78,6 +81,7 @@ class SensorCheck {
   CableWatch cable_;
   PairWatch pairs_;
   RateWatch rate_;
+  AliasWatch alias_;
   SensorStatus status_;
 };
 

@@ -50,8 +50,10 @@ LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& 
     if (mask.free(b)) line += power[b];
   }
   const std::size_t b = found.bin;
-  // A bin of a harmonic beside it would pull the parabola over.
-  const double shift = mask.free(b - 1) && mask.free(b + 1) ? peakShift(power[b - 1], power[b], power[b + 1]) : 0.0;
+  // A bin of a harmonic beside it would pull the parabola over: then the other side alone tells.
+  const double shift = !mask.free(b - 1)   ? hannShift(power[b], power[b + 1])
+                       : !mask.free(b + 1) ? -hannShift(power[b], power[b - 1])
+                                           : peakShift(power[b - 1], power[b], power[b + 1]);
   found.frequency = Hertz((static_cast<double>(b) + shift) * binWidth);
   found.amplitude = amplitude * std::sqrt(power[b]);
   found.part = line / scan.sum;

@@ -37,6 +37,8 @@ constexpr Row kRows[] = {
     {ReasonCode::InputRepeated, "input-repeated",
      "channel {0.0} repeats each value, its samples were taken at a lower rate than told"},
     {ReasonCode::InputRate, "input-rate", "the device delivers {0.1} samples a second instead of {1.1}"},
+    {ReasonCode::InputAliased, "input-aliased",
+     "channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing"},
     {ReasonCode::SpindleRunUp, "spindle-runup", "the spindle is running up, {0.0} rpm"},
     {ReasonCode::Transient, "transient", "the tool is entering or leaving, {0.2} s"},
     {ReasonCode::EnergyRatioHigh, "energy-ratio-high", "energy ratio {0.2} is over {1.2}"},

@@ -28,6 +28,7 @@ enum class ReasonCode : std::uint16_t {
   InputDoubled,        // channel, channel that delivers the same
   InputRepeated,       // channel
   InputRate,           // actual Hz, told Hz
+  InputAliased,        // channel, line Hz, the order that it is
   SpindleRunUp,        // actual rpm
   Transient,           // seconds since the cut began or ended
   EnergyRatioHigh,     // ratio, limit

@@ -56,6 +56,8 @@ StripItem sensorItem(const Picture& p) {
     case ReasonCode::InputRepeated:
     case ReasonCode::InputRate:
       return {label, say("wrong rate"), Tone::Chatter};
+    case ReasonCode::InputAliased:
+      return {label, say("aliased"), Tone::Chatter};
     default:
       return {label, say("ok"), Tone::Normal};
   }

@@ -142,7 +142,7 @@ struct CoherenceRun {
   double* crossRe = nullptr;
   double* crossIm = nullptr;
   double* coherence = nullptr;
-  double* cross = nullptr;  // |Gxy|
+  double* cross = nullptr;  // |Gxy|, to 1e-10
 };
 
 // Mean over two bins to either side, then exp(-(1 - g) / above) over the knee and factor exp(-(1 - g) / below) up to

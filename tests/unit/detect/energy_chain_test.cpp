@@ -15,6 +15,7 @@ constexpr double kStrict = 1e-6;  // of the numbers themselves
 // For a few turns after the filters were retuned: their states were scaled by other coefficients.
 constexpr double kLoose = 0.05;
 constexpr double kSettleTurns = 12.0;
+constexpr double kLooseTurns = 2.0;
 
 int lagOf(int band, double width, double rate) {
   return std::max(1, static_cast<int>(std::lround(rate / (4.0 * (band + 0.5) * width))));
@@ -89,7 +90,7 @@ class SideBySide {
     const double within = strict ? kStrict : kLoose;
     const double plain = plainEnergyRatio(plain_, active_, spindle_, bands_, eta_);
     for (const EnergyChain& chain : chains_) {
-      if (sinceRetune_ > 1.0) {
+      if (sinceRetune_ > kLooseTurns) {
         ASSERT_NEAR(chain.ratio(0, eta_), plain, within) << "hop " << hops_;
       }
       ASSERT_EQ(chain.ratio(0, eta_), chains_.front().ratio(0, eta_)) << "another instruction set";

@@ -1,5 +1,6 @@
-// What the three detectors beside the default one promise alone: silent in the stable cut, in chatter within 150 ms of
-// the 20 % time, silent on stable and idle machines; contracts of the sample path.
+// What the three detectors beside the default one promise alone, on either channel and on both, told speed up to 3 %
+// off: silent in the stable cut, in chatter within 150 ms of the 20 % time. Silent on stable and idle machines;
+// contracts of the sample path.
 #include "core/detect/registry.h"
 #include "tests/support/path_counter.h"
 #include "tests/unit/detect/signals.h"
@@ -8,7 +9,7 @@ namespace stillcut::detect::testing {
 namespace {
 
 constexpr const char* kDetectors[] = {"parametric", "spectral", "coherence"};
-constexpr double kErrors[] = {0.0, -0.02, 0.02};
+constexpr double kErrors[] = {0.0, -0.03, -0.02, 0.02, 0.03};
 
 std::filesystem::path wav(const char* name) {
   return sharedDir() / "cases" / (std::string(name) + "_acc.wav");
@@ -21,16 +22,30 @@ RunOptions cut(int teeth, double rpm) {
   return o;
 }
 
+// Every detector on every set of channels that it can judge, with every error of the told speed.
+void forEachRun(const std::function<void(const char* id, double error, const std::vector<int>& channels)>& use) {
+  for (const char* id : kDetectors) {
+    for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {
+      if (!channels.empty() && id == std::string_view("coherence")) continue;
+      for (const double error : kErrors) {
+        SCOPED_TRACE(std::string(id) + " told speed off by " + std::to_string(error) + " channel " +
+                     (channels.empty() ? "x and y" : std::to_string(channels[0])));
+        use(id, error, channels);
+      }
+    }
+  }
+}
+
 TEST(Three, StableCutIsSilent) {
   STILLCUT_NEEDS(wav("c1_stable"));
   const Recording recording = readWav(wav("c1_stable"));
-  for (const char* id : kDetectors) {
-    for (const double error : kErrors) {
-      const RunResult r = run(recording, cut(2, 11000.0 * (1.0 + error)), id);
-      EXPECT_LT(r.firstAlarm, 0.0) << id << " " << error;
-      EXPECT_EQ(r.verdicts.back().state, CutState::Stable) << id;
-    }
-  }
+  forEachRun([&](const char* id, double error, const std::vector<int>& channels) {
+    RunOptions options = cut(2, 11000.0 * (1.0 + error));
+    options.channels = channels;
+    const RunResult r = run(recording, options, id);
+    EXPECT_LT(r.firstAlarm, 0.0);
+    EXPECT_EQ(r.verdicts.back().state, CutState::Stable);
+  });
 }
 
 struct Case {
@@ -49,24 +64,26 @@ TEST(Three, AlarmWithin150MillisecondsOfTwentyPercent) {
   for (const Case& c : kCases) {
     STILLCUT_NEEDS(wav(c.name));
     const Recording recording = readWav(wav(c.name));
-    for (const char* id : kDetectors) {
-      for (const double error : kErrors) {
-        SCOPED_TRACE(std::string(c.name) + " " + id + " told speed off by " + std::to_string(error));
-        const RunResult r = run(recording, cut(c.teeth, c.rpm * (1.0 + error)), id);
-        EXPECT_GE(r.firstAlarm, c.onePercent - 0.050);
-        EXPECT_LE(r.firstAlarm, c.twentyPercent + 0.150);
-        EXPECT_NEAR(r.at(r.firstAlarm + 0.05).frequency.value, c.chatterHertz, 0.005 * c.chatterHertz);
-        if (c.airFrom > 0.0) {
-          EXPECT_LT(r.firstAlarmAfter(c.airFrom), 0.0);
-        }
-        const Verdict& full = r.at(c.twentyPercent + 0.3);
-        EXPECT_EQ(full.state, CutState::Chatter);
-        EXPECT_EQ(full.kind, ChatterKind::Hopf);
-        EXPECT_GT(full.severity.value, 0.2);
-        EXPECT_GT(full.sinceOnset.value, 0.1);
-        EXPECT_NEAR(full.feedSinceOnset.value, 0.01 * full.sinceOnset.value, 4e-4);  // the runner feeds 10 mm/s
+    SCOPED_TRACE(c.name);
+    forEachRun([&](const char* id, double error, const std::vector<int>& channels) {
+      RunOptions options = cut(c.teeth, c.rpm * (1.0 + error));
+      options.channels = channels;
+      const RunResult r = run(recording, options, id);
+      EXPECT_GE(r.firstAlarm, c.onePercent - 0.050);
+      EXPECT_LE(r.firstAlarm, c.twentyPercent + 0.150);
+      EXPECT_NEAR(r.at(r.firstAlarm + 0.05).frequency.value, c.chatterHertz, 0.005 * c.chatterHertz);
+      if (c.airFrom > 0.0) {
+        EXPECT_LT(r.firstAlarmAfter(c.airFrom), 0.0);
       }
-    }
+      // 3 % low, the tracked speed of c6 may come to sit on the full chatter: 806 Hz is eight times 100.8 Hz.
+      if (std::abs(error) > 0.025) return;
+      const Verdict& full = r.at(c.twentyPercent + 0.3);
+      EXPECT_EQ(full.state, CutState::Chatter);
+      EXPECT_EQ(full.kind, ChatterKind::Hopf);
+      EXPECT_GT(full.severity.value, 0.2);
+      EXPECT_GT(full.sinceOnset.value, 0.1);
+      EXPECT_NEAR(full.feedSinceOnset.value, 0.01 * full.sinceOnset.value, 4e-4);  // the runner feeds 10 mm/s
+    });
   }
 }
 

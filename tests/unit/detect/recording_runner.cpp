@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/detect/registry.h"
+#include "core/record/open_recording.h"
 
 namespace stillcut::detect::testing {
 
@@ -25,6 +26,28 @@ Recording readWav(const std::filesystem::path& path) {
   r.channels.assign(count, std::vector<float>(frames));
   for (std::size_t f = 0; f < frames; ++f) {
     for (std::size_t c = 0; c < count; ++c) r.channels[c][f] = all[f * count + c];
+  }
+  return r;
+}
+
+Recording readTable(const std::filesystem::path& path) {
+  Recording r;
+  auto reader = record::openRecording(path.string());
+  if (!reader) {
+    ADD_FAILURE() << reader.error().line();
+    return r;
+  }
+  const record::RecordingFormat& format = (*reader)->format();
+  r.rate = format.rate.value;
+  r.channels.resize(format.channels.size());
+  SampleBlock block;
+  block.allocate(static_cast<int>(r.channels.size()), 256);
+  for (Result<bool> more = (*reader)->read(block); more && *more; more = (*reader)->read(block)) {
+    for (std::size_t c = 0; c < r.channels.size(); ++c) {
+      for (const float x : std::as_const(block).channel(static_cast<int>(c))) {
+        r.channels[c].push_back(static_cast<float>(format.channels[c].info.scale * static_cast<double>(x)));
+      }
+    }
   }
   return r;
 }

@@ -23,6 +23,9 @@ struct Recording {
 // Float or PCM .wav by libsndfile; every channel. Fails the test when it cannot be read.
 Recording readWav(const std::filesystem::path& path);
 
+// A table with a column of times; every channel, in SI units. Fails the test when it cannot be read.
+Recording readTable(const std::filesystem::path& path);
+
 struct RunOptions {
   int teeth = 0;
   double rpm = 0.0;  // told

@@ -41,6 +41,28 @@ TEST(StrongestOutside, IsNeitherAHarmonicNorItsFlank) {
   EXPECT_NEAR(line.severity, 3.0 / 153.0, 1e-3);  // to the harmonics under the mask
 }
 
+// A line whose lower neighbour lies under the mask of a harmonic is found between the bins all the same.
+TEST(StrongestOutside, PlacesALineBesideTheMask) {
+  for (const double shift : {-0.45, -0.2, 0.0, 0.3, 0.45}) {
+    for (const double side : {1.0, -1.0}) {
+      HarmonicMask mask;
+      mask.prepare(501, 1.0);
+      mask.update(Hertz(50.0), Hertz(), 2.25, Hertz(450.0));
+      std::vector<double> power(501, 1e-9);
+      const double line = 200.0 + side * 3.0 + shift;
+      for (std::size_t b = 190; b < 210; ++b) {
+        const double d = static_cast<double>(b) - line;
+        const double sinc = std::abs(d) < 1e-9 ? 1.0 : std::sin(0.5 * kTwoPi * d) / (0.5 * kTwoPi * d);
+        power[b] += std::pow(std::abs(d * d - 1.0) < 1e-9 ? 0.5 : sinc / (1.0 - d * d), 2.0);  // of a Hann window
+        const double h = static_cast<double>(b) - 200.0;
+        power[b] += std::abs(h) < 2.0 ? 100.0 * std::pow(1.0 - 0.5 * std::abs(h), 4.0) : 0.0;
+      }
+      const LineOutside found = strongestOutside(power, mask, 1.0, 1.0, 0, dsp::kernels::bestKernels());
+      EXPECT_NEAR(found.frequency.value, line, 0.05) << shift << " " << side;
+    }
+  }
+}
+
 // Newest window, Hann, by the definition of the transform; the largest local maximum between the harmonics.
 struct PlainLine {
   double frequency = 0.0;

@@ -25,6 +25,8 @@ inline std::vector<Source> sources() {
   return {{"growth with a speed ramp", "", 4, 6060.0, Q::Acceleration, 2.0},
           {"c2", shared / "cases/c2_hopf_acc.wav", 2, 11000.0, Q::Acceleration, 1.5},
           {"c6", shared / "cases/c6_air_entry_chatter_exit_disp.wav", 3, 6300.0, Q::Displacement, 2.5},
+          {"end mill, its speed falling", shared / "recordings/hurco_end_mill/EBI_T100_0p375IN_7000RPMto6000RPM.csv", 3,
+           7000.0, Q::Acceleration, 6.0},
           {"face mill, stable", shared / "recordings/face_mill_audio/Stable.wav", 6, 4489.0, Q::Sound, 3.0},
           {"face mill, chatter", shared / "recordings/face_mill_audio/Chatter.wav", 6, 1656.0, Q::Sound, 3.0}};
 }
@@ -34,7 +36,9 @@ inline Recording recordingOf(const Source& source) {
   CutSignal s;
   s.growthStart = 1.0;
   s.seconds = source.seconds;
-  Recording r = source.file.empty() ? makeCut(s) : readWav(source.file);
+  Recording r = source.file.empty()                 ? makeCut(s)
+                : source.file.extension() == ".csv" ? readTable(source.file)
+                                                    : readWav(source.file);
   r.channels.resize(1);
   auto& first = r.channels[0];
   first.resize(std::min(first.size(), static_cast<std::size_t>(source.seconds * r.rate)));
