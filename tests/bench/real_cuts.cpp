@@ -1,12 +1,19 @@
 #include "tests/bench/real_cuts.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
+
+#include "core/detect/conditioner.h"
+#include "core/detect/registry.h"
+#include "core/record/open_recording.h"
 
 namespace stillcut::bench {
 namespace {
 
 using std::filesystem::path;
+
+constexpr double kBlockSeconds = 0.005;
 
 // file,t0_s,t1_s,label,...: the first four cells never hold a comma.
 std::vector<TruthSegment> segmentsOf(const path& file) {
@@ -31,7 +38,82 @@ std::vector<TruthSegment> segmentsOf(const path& file) {
   return found;
 }
 
+std::vector<Tally> tallies(const std::vector<std::string>& wanted, const CutSetup& setup) {
+  config::ParamCatalog catalog;
+  catalog.add(detect::conditionerParams());
+  std::vector<Tally> all;
+  for (const detect::DetectorRow& row : detect::detectorTable()) {
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), row.id) == wanted.end()) continue;
+    Tally t;
+    t.detector = row.make();
+    t.id = row.id;
+    t.detector->prepare(setup, {});
+    all.push_back(std::move(t));
+  }
+  return all;
+}
+
+void count(Tally& t, const Verdict& v, const RealCut& cut, double time, double length) {
+  const TruthSegment* inside = nullptr;
+  for (const TruthSegment& s : cut.segments) {
+    if (time >= s.from && time <= s.to) inside = &s;
+  }
+  if (!v.valid) t.invalid += length;
+  if (inside != nullptr && inside->chatter()) {
+    if (!v.alarming()) return;
+    if (t.delay < 0.0) t.delay = time - inside->from;
+    t.alarm += length;
+    if (v.state == CutState::Chatter) t.chatter += length;
+    return;
+  }
+  // What is not labelled beside a chatter segment is neither: it begins and ends somewhere there.
+  const bool beside = std::any_of(cut.segments.begin(), cut.segments.end(), [&](const TruthSegment& s) {
+    return s.chatter() && time > s.from - 0.5 && time < s.to + 0.6;
+  });
+  if (!v.alarming() || (inside == nullptr && beside)) return;
+  t.falseAlarm += length;
+  const bool promised = inside == nullptr ? cut.segments.empty() : inside->silent();
+  if (promised) t.falseInSegment += length;
+  if (t.firstFalse < 0.0) t.firstFalse = time;
+}
+
 }  // namespace
+
+double chatterLength(const RealCut& cut) {
+  double sum = 0.0;
+  for (const TruthSegment& s : cut.segments) sum += s.chatter() ? s.to - s.from : 0.0;
+  return sum;
+}
+
+Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
+                                        const std::vector<std::string>& wanted) {
+  record::ReadOptions options;
+  options.quantity = cut.quantity;
+  options.channels = channels;
+  if (cut.rate > 0.0) options.rate = Hertz(cut.rate);
+  auto reader = record::openRecording(cut.file.string(), options);
+  if (!reader) return reader.error();
+  const record::RecordingFormat& format = (*reader)->format();
+  CutSetup setup;
+  setup.teeth = cut.teeth;
+  setup.nominalSpeed = Rpm(error <= -1.0 ? 0.0 : cut.rpm * (1.0 + error));
+  setup.rate = format.rate;
+  setup.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlockSeconds));
+  for (const record::RecordedChannel& c : format.channels) setup.channels.push_back(c.info);
+  detect::Conditioner conditioner;
+  conditioner.prepare(setup, {});
+  std::vector<Tally> all = tallies(wanted, setup);
+  SampleBlock block;
+  block.allocate(static_cast<int>(setup.channels.size()), setup.blockFrames);
+  for (;;) {
+    const Result<bool> more = (*reader)->read(block);
+    if (!more || !*more) break;
+    const detect::ConditionedBlock& conditioned = conditioner.process(block, {});
+    const double time = sinceEpoch(block.end()).value;
+    for (Tally& t : all) count(t, t.detector->process(conditioned), cut, time, block.frames / setup.rate.value);
+  }
+  return all;
+}
 
 std::vector<RealCut> realCuts(const path& recordings) {
   const path mill = recordings / "hurco_end_mill";

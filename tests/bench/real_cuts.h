@@ -3,9 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/detect/detector.h"
 #include "core/model/channel.h"
 
 namespace stillcut::bench {
@@ -14,6 +17,8 @@ struct TruthSegment {
   double from = 0.0, to = 0.0;  // s from the first sample
   std::string label;            // as TRUTH.csv has it
   bool chatter() const { return label == "chatter"; }
+  // Where nothing may alarm: not while the tool leaves or the spindle changes its speed.
+  bool silent() const { return label == "stable" || label == "idle" || label.starts_with("entry"); }
 };
 
 struct RealCut {
@@ -25,6 +30,24 @@ struct RealCut {
   std::vector<int> channels;
   std::vector<TruthSegment> segments;  // empty: silent from end to end
 };
+
+// What one detector did on one of them.
+struct Tally {
+  std::unique_ptr<detect::Detector> detector;
+  std::string id;
+  double delay = -1.0;                         // s, of the first alarm in the chatter segment; -1: no alarm
+  double alarm = 0.0, chatter = 0.0;           // s in alarm and in full chatter there
+  double falseAlarm = 0.0, firstFalse = -1.0;  // s in alarm outside, and where the first one began
+  double falseInSegment = 0.0;  // s of it in what is labelled stable, idle or entry, or anywhere if nothing is
+  double invalid = 0.0;
+};
+
+// Through the conditioner and every detector wanted (all where none is named), told speed off by `error` as a ratio;
+// -1: not told. channels: of the file; empty: all.
+Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
+                                        const std::vector<std::string>& wanted);
+// s, labelled chatter.
+double chatterLength(const RealCut& cut);
 
 // recordings: the folder that holds hurco_end_mill and so on.
 std::vector<RealCut> realCuts(const std::filesystem::path& recordings);
