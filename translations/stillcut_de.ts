@@ -2303,7 +2303,7 @@
     </message>
     <message>
         <source>limits of the machine</source>
-        <translation>Grenzen der Maschine</translation>
+        <translation>Grenzen</translation>
     </message>
     <message>
         <source>recording</source>
@@ -2716,7 +2716,7 @@
     </message>
     <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Mit dem Hammer messen (Einrichten) oder im Profil eine Modelldatei nennen; mehr braucht das Diagramm nicht.</translation>
+        <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Mit dem Hammer messen (Aufbau) oder im Profil eine Modelldatei nennen; mehr braucht das Diagramm nicht.</translation>
     </message>
     <message>
         <source>CANCEL</source>
@@ -2898,7 +2898,7 @@
     </message>
     <message>
         <source>14:03:20 or -12 s</source>
-        <translation>14:03:20 oder -12 s</translation>
+        <translation>14:03:20, -12 s</translation>
     </message>
     <message>
         <source>No cursor: click into a plot, with Shift for B</source>
@@ -2998,7 +2998,7 @@
     </message>
     <message>
         <source>as recorded</source>
-        <translation>wie aufgenommen</translation>
+        <translation>Aufnahme</translation>
     </message>
 </context>
 <context>
@@ -3045,7 +3045,7 @@
     </message>
     <message>
         <source>I HEAR IT</source>
-        <translation>ICH HÖRE ES</translation>
+        <translation>GEHÖRT</translation>
     </message>
     <message>
         <source>I hear it now</source>
@@ -3069,7 +3069,7 @@
     </message>
     <message>
         <source>REMOVE</source>
-        <translation>ENTFERNEN</translation>
+        <translation>WEG</translation>
     </message>
     <message>
         <source>Remove the chosen marker</source>
@@ -3230,7 +3230,7 @@
     </message>
     <message>
         <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
-        <translation>Oder diese Maschine Schritt für Schritt anschließen. Jeder Schritt sagt, was noch fehlt; nichts wird befohlen, bevor Auto gewählt ist.</translation>
+        <translation>Oder diese Maschine Schritt für Schritt anschließen. Jeder Schritt sagt, was noch fehlt; nichts wird befohlen, bevor Automatik gewählt ist.</translation>
     </message>
     <message>
         <source>1  MACHINE</source>
@@ -3277,7 +3277,7 @@
     </message>
     <message>
         <source>AUTO MAY BE CHOSEN</source>
-        <translation>AUTO IST WÄHLBAR</translation>
+        <translation>AUTOMATIK WÄHLBAR</translation>
     </message>
     <message>
         <source>Auto may be chosen on this machine</source>
@@ -3733,7 +3733,7 @@
     </message>
     <message>
         <source>PLAY</source>
-        <translation>ABSPIELEN</translation>
+        <translation>START</translation>
     </message>
     <message>
         <source>Play or pause</source>
@@ -3745,7 +3745,7 @@
     </message>
     <message>
         <source>LOOP</source>
-        <translation>SCHLEIFE</translation>
+        <translation>LOOP</translation>
     </message>
     <message>
         <source>Repeat the selected span</source>

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>Removes offset and drift below this frequency; auto: a quarter of the spindle frequency</source>
-        <translation>去除此频率以下的偏置和漂移;自动:主轴频率的四分之一</translation>
+        <translation>去除此频率以下的偏置和漂移；自动：主轴频率的四分之一</translation>
     </message>
     <message>
         <source>Doubt of the told speed</source>
@@ -17,7 +17,7 @@
     </message>
     <message>
         <source>How far the told spindle speed may be from the true one, as a ratio; searched at entry</source>
-        <translation>给定转速与真实转速的允许偏差(比值);切入时搜索</translation>
+        <translation>给定转速与真实转速的允许偏差（比值）；切入时搜索</translation>
     </message>
     <message>
         <source>Cut above air</source>
@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>Spindle harmonics of the periodic part (L, eq. 9); auto: 32 as the rate allows</source>
-        <translation>周期部分的主轴谐波数(L,式 9);自动:采样率允许时为 32</translation>
+        <translation>周期部分的主轴谐波数（L，式 9）；自动：采样率允许时为 32</translation>
     </message>
     <message>
         <source>NLMS step</source>
@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>mu of eq. 19; auto: a memory of two turns (paper: 0.5)</source>
-        <translation>式 19 的 mu;自动:两转的记忆(论文:0.5)</translation>
+        <translation>式 19 的 mu；自动：两转的记忆（论文：0.5）</translation>
     </message>
     <message>
         <source>NLMS leak</source>
@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>lambda of eq. 19; auto: leaves 1 % of a harmonic (paper: 0.9995)</source>
-        <translation>式 19 的 lambda;自动:保留谐波的 1 %(论文:0.9995)</translation>
+        <translation>式 19 的 lambda；自动：保留谐波的 1 %（论文：0.9995）</translation>
     </message>
     <message>
         <source>AR drift</source>
@@ -57,7 +57,7 @@
     </message>
     <message>
         <source>R_v of eq. 21, for a signal of unit variance</source>
-        <translation>式 21 的 R_v,针对单位方差信号</translation>
+        <translation>式 21 的 R_v，针对单位方差信号</translation>
     </message>
     <message>
         <source>AR noise</source>
@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>R_w of eq. 21, for a signal of unit variance</source>
-        <translation>式 21 的 R_w,针对单位方差信号</translation>
+        <translation>式 21 的 R_w，针对单位方差信号</translation>
     </message>
     <message>
         <source>Reflected distance</source>
@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>Least rate the method works at; auto: 10 kHz, as the paper</source>
-        <translation>方法的最低采样率;自动:10 kHz,同论文</translation>
+        <translation>方法的最低采样率；自动：10 kHz，同论文</translation>
     </message>
     <message>
         <source>Variance limit</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>Variance of the residual (squared unit of the sensor) that is an alarm; auto: growth above the learned floor</source>
-        <translation>触发报警的残差方差(传感器单位平方);自动:高于学习的本底</translation>
+        <translation>触发报警的残差方差（传感器单位平方）；自动：高于学习的本底</translation>
     </message>
     <message>
         <source>Root of an alarm</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned floor that makes an onset (onset_test.h)</source>
-        <translation>判为开始的增长对本底的对数似然比(onset_test.h)</translation>
+        <translation>判为开始的增长对本底的对数似然比（onset_test.h）</translation>
     </message>
     <message>
         <source>Chatter ratio</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Length of the spectrum; auto: 28 turns, at most 1.5 s (paper: 0.512 s)</source>
-        <translation>频谱长度;自动:28 转,最多 1.5 s(论文:0.512 s)</translation>
+        <translation>频谱长度；自动：28 转，最多 1.5 s（论文：0.512 s）</translation>
     </message>
     <message>
         <source>Spectra per window</source>
@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>Amplitude (unit of the sensor) of a line that is chatter; auto: growth above the learned floor</source>
-        <translation>判为颤振的谱线幅值(传感器单位);自动:高于学习的本底</translation>
+        <translation>判为颤振的谱线幅值（传感器单位）；自动：高于学习的本底</translation>
     </message>
     <message>
         <source>Mask</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>Half width of the mask on a harmonic, in bins</source>
-        <translation>谐波掩蔽的半宽(谱线数)</translation>
+        <translation>谐波掩蔽的半宽（谱线数）</translation>
     </message>
     <message>
         <source>Purity</source>
@@ -157,7 +157,7 @@
     </message>
     <message>
         <source>Spindle harmonics the Kalman filter removes (N, eq. 16); auto: 12 tooth passings, at least 32, as the sampling rate allows</source>
-        <translation>卡尔曼滤波去除的主轴谐波数(N,式 16);自动:12 次齿通,至少 32,视采样率而定</translation>
+        <translation>卡尔曼滤波去除的主轴谐波数（N，式 16）；自动：12 次齿通，至少 32，视采样率而定</translation>
     </message>
     <message>
         <source>Process noise ratio</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>Q/R of the Kalman filter (eq. 20); auto: a memory of two turns</source>
-        <translation>卡尔曼滤波的 Q/R(式 20);自动:两转的记忆</translation>
+        <translation>卡尔曼滤波的 Q/R（式 20）；自动：两转的记忆</translation>
     </message>
     <message>
         <source>Covariance</source>
@@ -173,7 +173,7 @@
     </message>
     <message>
         <source>Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from the first turn on and costs some twenty times as much</source>
-        <translation>卡尔曼滤波协方差:一开始即用稳态增益,或每个采样用式 20(从第一转起即正确,但代价约二十倍)</translation>
+        <translation>卡尔曼滤波协方差：一开始即用稳态增益，或每个采样用式 20（从第一转起即正确，但代价约二十倍）</translation>
     </message>
     <message>
         <source>settled</source>
@@ -185,7 +185,7 @@
     </message>
     <message>
         <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation>达到此能量比(式 28)即为完全颤振</translation>
+        <translation>达到此能量比（式 28）即为完全颤振</translation>
     </message>
     <message>
         <source>Smallest onset</source>
@@ -193,11 +193,11 @@
     </message>
     <message>
         <source>Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset</source>
-        <translation>非周期振动占全部振动(幅值)低于此值时增长不算开始</translation>
+        <translation>非周期振动占全部振动（幅值）低于此值时增长不算开始</translation>
     </message>
     <message>
         <source>Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut lasts e to this power turns, on average, without a false alarm</source>
-        <translation>判为开始的增长对噪声的对数似然比;稳定切削平均可转 e 的该次方转而无误报</translation>
+        <translation>判为开始的增长对噪声的对数似然比；稳定切削平均可转 e 的该次方转而无误报</translation>
     </message>
     <message>
         <source>Coherence</source>
@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>welch: averaged magnitude-squared coherence; paper: eq. 3-5 of one transform</source>
-        <translation>welch:平均的幅值平方相干;paper:单次变换的式 3-5</translation>
+        <translation>welch：平均的幅值平方相干；paper：单次变换的式 3-5</translation>
     </message>
     <message>
         <source>welch</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Weighting of the smoothed coherence; printed: eq. 3-17b as it stands</source>
-        <translation>平滑相干的加权;printed:按原样用式 3-17b</translation>
+        <translation>平滑相干的加权；printed：按原样用式 3-17b</translation>
     </message>
     <message>
         <source>monotone</source>
@@ -237,7 +237,7 @@
     </message>
     <message>
         <source>Length of one transform; auto: 12 turns, at most 1 s</source>
-        <translation>单次变换的长度;自动:12 转,最多 1 s</translation>
+        <translation>单次变换的长度；自动：12 转，最多 1 s</translation>
     </message>
     <message>
         <source>Averages</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>Memory of the averages, in segments (each overlaps the last by 7/8)</source>
-        <translation>平均的记忆,以分段计(相邻重叠 7/8)</translation>
+        <translation>平均的记忆，以分段计（相邻重叠 7/8）</translation>
     </message>
     <message>
         <source>Window from</source>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>Where the window of eq. 3-18 begins to rise (paper: 170 Hz); auto: no window</source>
-        <translation>式 3-18 窗口开始上升处(论文:170 Hz);自动:无窗口</translation>
+        <translation>式 3-18 窗口开始上升处（论文：170 Hz）；自动：无窗口</translation>
     </message>
     <message>
         <source>Window to</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>Where the window of eq. 3-18 has fallen (paper: 250 Hz); auto: no window</source>
-        <translation>式 3-18 窗口下降完毕处(论文:250 Hz);自动:无窗口</translation>
+        <translation>式 3-18 窗口下降完毕处（论文：250 Hz）；自动：无窗口</translation>
     </message>
     <message>
         <source>Coherence reference</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>gamma_ref: coherence ratio that is chatter&apos;s</source>
-        <translation>gamma_ref:表示颤振的相干比</translation>
+        <translation>gamma_ref：表示颤振的相干比</translation>
     </message>
     <message>
         <source>Energy reference</source>
@@ -277,7 +277,7 @@
     </message>
     <message>
         <source>E_ref (unit of the sensor) of eq. 3-21; auto: growth above the learned floor</source>
-        <translation>式 3-21 的 E_ref(传感器单位);自动:高于学习的本底</translation>
+        <translation>式 3-21 的 E_ref（传感器单位）；自动：高于学习的本底</translation>
     </message>
     <message>
         <source>Part of the cross spectrum between the harmonics that a chatter line holds at least</source>
@@ -345,7 +345,7 @@
     </message>
     <message>
         <source>Move at the onset of chatter, or only when it is full chatter</source>
-        <translation>在颤振开始时动作,或仅在完全颤振时动作</translation>
+        <translation>在颤振开始时动作，或仅在完全颤振时动作</translation>
     </message>
     <message>
         <source>onset</source>
@@ -361,7 +361,7 @@
     </message>
     <message>
         <source>Stay at the actual speed once chatter clears, for narrow lobes, instead of going on to the last target</source>
-        <translation>颤振消失后停在实际转速(适于窄稳定区),而不继续到最后目标</translation>
+        <translation>颤振消失后停在实际转速（适于窄稳定区），而不继续到最后目标</translation>
     </message>
     <message>
         <source>Step size</source>
@@ -401,7 +401,7 @@
     </message>
     <message>
         <source>Distance of neighbouring trials, in percent of the programmed speed</source>
-        <translation>相邻尝试的间距,占编程转速的百分比</translation>
+        <translation>相邻尝试的间距，占编程转速的百分比</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -409,7 +409,7 @@
     </message>
     <message>
         <source>Speeds to choose from: the nearest, only lower, only higher</source>
-        <translation>可选转速:最近、仅更低、仅更高</translation>
+        <translation>可选转速：最近、仅更低、仅更高</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>Fraction of a wave left between two cuts (nu of eq. 3)</source>
-        <translation>两次切削之间剩余的波数(式 3 的 nu)</translation>
+        <translation>两次切削之间剩余的波数（式 3 的 nu）</translation>
     </message>
     <message>
         <source>Control cycle</source>
@@ -445,11 +445,11 @@
     </message>
     <message>
         <source>At full output the whole range of an override takes this long (the paper&apos;s limit: a second)</source>
-        <translation>满输出时走完倍率全程所需时间(论文限值:一秒)</translation>
+        <translation>满输出时走完倍率全程所需时间（论文限值：一秒）</translation>
     </message>
     <message>
         <source>Coherence above which speed and feed fall (gamma_ref)</source>
-        <translation>超过此相干时转速和进给下降(gamma_ref)</translation>
+        <translation>超过此相干时转速和进给下降（gamma_ref）</translation>
     </message>
     <message>
         <source>Vibration over that of the stable cut above which speed and feed fall</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Vibration over that of the stable cut at which the feed goes to its lowest; at twice that the feed is held</source>
-        <translation>振动与稳定切削之比达此值时进给降至最低;两倍时进给保持</translation>
+        <translation>振动与稳定切削之比达此值时进给降至最低；两倍时进给保持</translation>
     </message>
     <message>
         <source>Highest overrides</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Share of the coherence error that the rules learn (w of eq. 3-32)</source>
-        <translation>规则学习的相干误差份额(式 3-32 的 w)</translation>
+        <translation>规则学习的相干误差份额（式 3-32 的 w）</translation>
     </message>
     <message>
         <source>Direct tuning</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>By coherence alone (eq. 3-37) or by coherence and energy (3-36)</source>
-        <translation>仅按相干(式 3-37)或按相干与能量(3-36)</translation>
+        <translation>仅按相干（式 3-37）或按相干与能量（3-36）</translation>
     </message>
     <message>
         <source>single</source>
@@ -509,7 +509,7 @@
     </message>
     <message>
         <source>Weight of the coherence error (w_gamma of eq. 3-34)</source>
-        <translation>相干误差权重(式 3-34 的 w_gamma)</translation>
+        <translation>相干误差权重（式 3-34 的 w_gamma）</translation>
     </message>
     <message>
         <source>Energy weight</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Weight of the energy error (w_E of eq. 3-35)</source>
-        <translation>能量误差权重(式 3-35 的 w_E)</translation>
+        <translation>能量误差权重（式 3-35 的 w_E）</translation>
     </message>
     <message>
         <source>Lowest speed override</source>
@@ -557,7 +557,7 @@
     </message>
     <message>
         <source>Spindle speed is never driven below this; auto: no such limit</source>
-        <translation>转速不会低于此值;自动:无此限值</translation>
+        <translation>转速不会低于此值；自动：无此限值</translation>
     </message>
     <message>
         <source>Highest speed</source>
@@ -565,7 +565,7 @@
     </message>
     <message>
         <source>Spindle speed is never driven above this: the machine&apos;s limit; auto: none</source>
-        <translation>转速不会高于此值:机床极限;自动:无</translation>
+        <translation>转速不会高于此值：机床极限；自动：无</translation>
     </message>
     <message>
         <source>Highest speed of the tool</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>What the maker allows the tool; auto: no such limit</source>
-        <translation>制造商允许的刀具转速;自动:无此限值</translation>
+        <translation>制造商允许的刀具转速；自动：无此限值</translation>
     </message>
     <message>
         <source>Highest speed of the holder</source>
@@ -581,7 +581,7 @@
     </message>
     <message>
         <source>What holder and balancing allow; auto: no such limit</source>
-        <translation>刀柄与动平衡允许的转速;自动:无此限值</translation>
+        <translation>刀柄与动平衡允许的转速；自动：无此限值</translation>
     </message>
     <message>
         <source>Highest cutting speed</source>
@@ -589,7 +589,7 @@
     </message>
     <message>
         <source>The edge is never driven faster than this; needs the tool&apos;s diameter; auto: no such limit</source>
-        <translation>切削刃不会快于此值;需要刀具直径;自动:无此限值</translation>
+        <translation>切削刃不会快于此值；需要刀具直径；自动：无此限值</translation>
     </message>
     <message>
         <source>Lowest feed</source>
@@ -597,7 +597,7 @@
     </message>
     <message>
         <source>Feed is never driven below this; auto: no such limit</source>
-        <translation>进给不会低于此值;自动:无此限值</translation>
+        <translation>进给不会低于此值；自动：无此限值</translation>
     </message>
     <message>
         <source>Highest feed</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>Feed is never driven above this; auto: no such limit</source>
-        <translation>进给不会高于此值;自动:无此限值</translation>
+        <translation>进给不会高于此值；自动：无此限值</translation>
     </message>
     <message>
         <source>Lowest feed per tooth</source>
@@ -613,7 +613,7 @@
     </message>
     <message>
         <source>Our overrides never lower the feed per tooth below this share of the programmed one: the edge would rub</source>
-        <translation>倍率不会使每齿进给低于编程值的此比例:否则刃口会摩擦</translation>
+        <translation>倍率不会使每齿进给低于编程值的此比例：否则刃口会摩擦</translation>
     </message>
     <message>
         <source>Highest feed per tooth</source>
@@ -629,7 +629,7 @@
     </message>
     <message>
         <source>Largest change of the speed override in one step of the gate, in percent of the programmed speed</source>
-        <translation>闸门每步转速倍率的最大变化,占编程转速的百分比</translation>
+        <translation>闸门每步转速倍率的最大变化，占编程转速的百分比</translation>
     </message>
     <message>
         <source>Speed change per second</source>
@@ -637,7 +637,7 @@
     </message>
     <message>
         <source>Fastest change of the speed override, in percent of the programmed speed per second</source>
-        <translation>转速倍率的最快变化,每秒占编程转速的百分比</translation>
+        <translation>转速倍率的最快变化，每秒占编程转速的百分比</translation>
     </message>
     <message>
         <source>Feed change per step</source>
@@ -645,7 +645,7 @@
     </message>
     <message>
         <source>Largest change of the feed override in one step of the gate, in percent of the programmed feed</source>
-        <translation>闸门每步进给倍率的最大变化,占编程进给的百分比</translation>
+        <translation>闸门每步进给倍率的最大变化，占编程进给的百分比</translation>
     </message>
     <message>
         <source>Feed change per second</source>
@@ -653,7 +653,7 @@
     </message>
     <message>
         <source>Fastest change of the feed override, in percent of the programmed feed per second</source>
-        <translation>进给倍率的最快变化,每秒占编程进给的百分比</translation>
+        <translation>进给倍率的最快变化，每秒占编程进给的百分比</translation>
     </message>
     <message>
         <source>Recovery rate</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>Rate of the way back toward 100 % when nothing chatters, as a share of the rate away from it</source>
-        <translation>无颤振时返回 100 % 的速率,占离开速率的比例</translation>
+        <translation>无颤振时返回 100 % 的速率，占离开速率的比例</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -693,7 +693,7 @@
     </message>
     <message>
         <source>Pause after the changes per minute are used up; the second time Auto falls back to Advise</source>
-        <translation>每分钟次数用尽后的暂停;第二次则由自动退回建议</translation>
+        <translation>每分钟次数用尽后的暂停；第二次则由自动退回建议</translation>
     </message>
     <message>
         <source>Speed tolerance</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>On bad input the overrides are held this long, then the programmed values come back</source>
-        <translation>输入不良时倍率保持此时间,然后恢复编程值</translation>
+        <translation>输入不良时倍率保持此时间，然后恢复编程值</translation>
     </message>
     <message>
         <source>Rest after release</source>
@@ -749,7 +749,7 @@
     </message>
     <message>
         <source>The override read back must agree with the command within this, or the machine is let go</source>
-        <translation>回读倍率须在此时间内与指令一致,否则放开机床</translation>
+        <translation>回读倍率须在此时间内与指令一致，否则放开机床</translation>
     </message>
     <message>
         <source>Time for the spindle to follow</source>
@@ -757,7 +757,7 @@
     </message>
     <message>
         <source>The spindle must reach the commanded speed within this, or the machine is let go</source>
-        <translation>主轴须在此时间内到达指令转速,否则放开机床</translation>
+        <translation>主轴须在此时间内到达指令转速，否则放开机床</translation>
     </message>
     <message>
         <source>Lease</source>
@@ -765,7 +765,7 @@
     </message>
     <message>
         <source>A command that is not renewed within this ends, and the programmed values come back</source>
-        <translation>指令在此时间内未续期即终止,恢复编程值</translation>
+        <translation>指令在此时间内未续期即终止，恢复编程值</translation>
     </message>
     <message>
         <source>Recording</source>
@@ -773,7 +773,7 @@
     </message>
     <message>
         <source>What is kept: everything, what surrounds events, or verdicts and indicators alone</source>
-        <translation>保存内容:全部、事件前后、或仅结论与指标</translation>
+        <translation>保存内容：全部、事件前后、或仅结论与指标</translation>
     </message>
     <message>
         <source>continuous</source>
@@ -793,7 +793,7 @@
     </message>
     <message>
         <source>Around events: how much is kept from before each</source>
-        <translation>事件前后:每个事件之前保留多少</translation>
+        <translation>事件前后：每个事件之前保留多少</translation>
     </message>
     <message>
         <source>Kept after an event</source>
@@ -801,7 +801,7 @@
     </message>
     <message>
         <source>Around events: how long recording goes on after the last</source>
-        <translation>事件前后:最后事件之后继续记录多久</translation>
+        <translation>事件前后：最后事件之后继续记录多久</translation>
     </message>
     <message>
         <source>Step of the history</source>
@@ -809,7 +809,7 @@
     </message>
     <message>
         <source>Features: one step is kept in so long, and every one with an event</source>
-        <translation>特征:每隔此时间保留一步,有事件的步全部保留</translation>
+        <translation>特征：每隔此时间保留一步，有事件的步全部保留</translation>
     </message>
     <message>
         <source>Length of the history</source>
@@ -817,7 +817,7 @@
     </message>
     <message>
         <source>Features: what is older goes</source>
-        <translation>特征:更早的删除</translation>
+        <translation>特征：更早的删除</translation>
     </message>
     <message>
         <source>Keep recordings for</source>
@@ -841,7 +841,7 @@
     </message>
     <message>
         <source>Length of the adaptive filter of each axis (Ford 2013 table 3: 35)</source>
-        <translation>每轴自适应滤波器长度(Ford 2013 表 3:35)</translation>
+        <translation>每轴自适应滤波器长度（Ford 2013 表 3:35）</translation>
     </message>
     <message>
         <source>Step</source>
@@ -849,7 +849,7 @@
     </message>
     <message>
         <source>Adaptation step mu; while &apos;normalised&apos; is on, as a share of the largest stable step</source>
-        <translation>自适应步长 mu;归一化开启时为最大稳定步长的比例</translation>
+        <translation>自适应步长 mu；归一化开启时为最大稳定步长的比例</translation>
     </message>
     <message>
         <source>Normalised</source>
@@ -865,7 +865,7 @@
     </message>
     <message>
         <source>Factor on the weights at each sample (gamma of eq. 2); 1 forgets nothing</source>
-        <translation>每个采样对权值的因子(式 2 的 gamma);1 为不遗忘</translation>
+        <translation>每个采样对权值的因子（式 2 的 gamma）；1 为不遗忘</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -873,7 +873,7 @@
     </message>
     <message>
         <source>What the filter works from: the error itself, or the disturbance as the model sees it</source>
-        <translation>滤波器的输入:误差本身,或模型所见的扰动</translation>
+        <translation>滤波器的输入：误差本身，或模型所见的扰动</translation>
     </message>
     <message>
         <source>error</source>
@@ -889,7 +889,7 @@
     </message>
     <message>
         <source>Length of each part of the recursive model from actuator to sensor (table 3: 35)</source>
-        <translation>执行器到传感器递归模型各部分的长度(表 3:35)</translation>
+        <translation>执行器到传感器递归模型各部分的长度（表 3:35）</translation>
     </message>
     <message>
         <source>Parametric</source>
@@ -909,7 +909,7 @@
     </message>
     <message>
         <source>Next stable pocket, checked</source>
-        <translation>下一稳定区(已核对)</translation>
+        <translation>下一稳定区（已核对）</translation>
     </message>
     <message>
         <source>Centre of the lobe</source>
@@ -933,35 +933,35 @@
     </message>
     <message>
         <source>Fuzzy, learning its rules</source>
-        <translation>模糊,自学习规则</translation>
+        <translation>模糊，自学习规则</translation>
     </message>
     <message>
         <source>Fuzzy, outputs tuned directly</source>
-        <translation>模糊,直接整定输出</translation>
+        <translation>模糊，直接整定输出</translation>
     </message>
     <message>
         <source>The control of the simulated mill; the only one that takes commands from a replay</source>
-        <translation>模拟铣床的控制;唯一接受回放指令者</translation>
+        <translation>模拟铣床的控制；唯一接受回放指令者</translation>
     </message>
     <message>
         <source>LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port</source>
-        <translation>LinuxCNC,经 linuxcncrsh 和 halrmt:host、port、hal_port</translation>
+        <translation>LinuxCNC，经 linuxcncrsh 和 halrmt：host、port、hal_port</translation>
     </message>
     <message>
         <source>GRBL 1.1 or grblHAL on a serial port or a host: device, baud; host, port</source>
-        <translation>GRBL 1.1 或 grblHAL,经串口或主机:device、baud;host、port</translation>
+        <translation>GRBL 1.1 或 grblHAL，经串口或主机：device、baud；host、port</translation>
     </message>
     <message>
         <source>A spindle drive or PLC by Modbus TCP or RTU: map, a file of registers</source>
-        <translation>经 Modbus TCP 或 RTU 的主轴驱动或 PLC:map,寄存器文件</translation>
+        <translation>经 Modbus TCP 或 RTU 的主轴驱动或 PLC：map，寄存器文件</translation>
     </message>
     <message>
         <source>Override voltages through a Comedi card: map, a file of calibration tables</source>
-        <translation>经 Comedi 卡的倍率电压:map,标定表文件</translation>
+        <translation>经 Comedi 卡的倍率电压：map，标定表文件</translation>
     </message>
     <message>
         <source>A simulated cut from a scenario file, in real time or as fast as possible</source>
-        <translation>来自场景文件的模拟切削,实时或尽快</translation>
+        <translation>来自场景文件的模拟切削，实时或尽快</translation>
     </message>
     <message>
         <source>Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs</source>
@@ -1074,7 +1074,7 @@
     </message>
     <message>
         <source>Energy ratio, chatter to all</source>
-        <translation>能量比,颤振占总量</translation>
+        <translation>能量比，颤振占总量</translation>
     </message>
     <message>
         <source>Spindle speed [rpm]</source>
@@ -1097,7 +1097,7 @@
     </message>
     <message>
         <source>still learning the noise, {0.1} s to go</source>
-        <translation>仍在学习噪声,还需 {0.1} s</translation>
+        <translation>仍在学习噪声，还需 {0.1} s</translation>
     </message>
     <message>
         <source>the spindle speed is not known</source>
@@ -1125,11 +1125,11 @@
     </message>
     <message>
         <source>the spindle is running up, {0.0} rpm</source>
-        <translation>主轴正在加速,{0.0} rpm</translation>
+        <translation>主轴正在加速，{0.0} rpm</translation>
     </message>
     <message>
         <source>the tool is entering or leaving, {0.2} s</source>
-        <translation>刀具正在切入或切出,{0.2} s</translation>
+        <translation>刀具正在切入或切出，{0.2} s</translation>
     </message>
     <message>
         <source>energy ratio {0.2} is over {1.2}</source>
@@ -1141,19 +1141,19 @@
     </message>
     <message>
         <source>a line at {2.1} Hz between the harmonics holds {0.3} of the vibration, over {1.3}</source>
-        <translation>谐波之间 {2.1} Hz 的谱线占振动的 {0.3},超过 {1.3}</translation>
+        <translation>谐波之间 {2.1} Hz 的谱线占振动的 {0.3}，超过 {1.3}</translation>
     </message>
     <message>
         <source>vibration that the harmonics leave, {0.3} of all, is over {1.3}, strongest at {2.1} Hz</source>
-        <translation>除去谐波后的振动占 {0.3},超过 {1.3},在 {2.1} Hz 最强</translation>
+        <translation>除去谐波后的振动占 {0.3}，超过 {1.3}，在 {2.1} Hz 最强</translation>
     </message>
     <message>
         <source>coherence ratio {0.2} is over {1.2} at {2.1} Hz and its energy grows</source>
-        <translation>{2.1} Hz 处相干比 {0.2} 超过 {1.2},且能量增长</translation>
+        <translation>{2.1} Hz 处相干比 {0.2} 超过 {1.2}，且能量增长</translation>
     </message>
     <message>
         <source>coherence needs two channels, there are {0.0}</source>
-        <translation>相干检测需要两个通道,现有 {0.0} 个</translation>
+        <translation>相干检测需要两个通道，现有 {0.0} 个</translation>
     </message>
     <message>
         <source>detector {0.0} failed</source>
@@ -1165,15 +1165,15 @@
     </message>
     <message>
         <source>{0.0} rpm puts {1.0} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation>{0.0} rpm 使两齿之间恰有 {1.0} 个 {2.0} Hz 颤振波,原为 {3.0} rpm</translation>
+        <translation>{0.0} rpm 使两齿之间恰有 {1.0} 个 {2.0} Hz 颤振波，原为 {3.0} rpm</translation>
     </message>
     <message>
         <source>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</source>
-        <translation>进给随之变为 {0.0} mm/min,使每齿仍切 {1.3} mm</translation>
+        <translation>进给随之变为 {0.0} mm/min，使每齿仍切 {1.3} mm</translation>
     </message>
     <message>
         <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation>{0.0} rpm 会有帮助,但倍率只能到 {1.0} 至 {2.0} rpm</translation>
+        <translation>{0.0} rpm 会有帮助，但倍率只能到 {1.0} 至 {2.0} rpm</translation>
     </message>
     <message>
         <source>monitoring only</source>
@@ -1193,39 +1193,39 @@
     </message>
     <message>
         <source>quiet, keeping {0.0} rpm</source>
-        <translation>已平稳,保持 {0.0} rpm</translation>
+        <translation>已平稳，保持 {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
-        <translation>两齿间 {1.0} 个波的 {0.0} rpm 可达,{2.0} rpm 不可达(颤振 {3.0} Hz)</translation>
+        <translation>两齿间 {1.0} 个波的 {0.0} rpm 可达，{2.0} rpm 不可达（颤振 {3.0} Hz）</translation>
     </message>
     <message>
         <source>{0.0} rpm puts {1.2} chatter waves of {2.0} Hz between two teeth, from {3.0} rpm</source>
-        <translation>{0.0} rpm 使两齿之间有 {1.2} 个 {2.0} Hz 颤振波,原为 {3.0} rpm</translation>
+        <translation>{0.0} rpm 使两齿之间有 {1.2} 个 {2.0} Hz 颤振波，原为 {3.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm brings a tooth harmonic closer to the chatter, {1.1} Hz apart, level {2.2} of its mean</source>
-        <translation>{0.0} rpm 使齿通谐波更接近颤振,相差 {1.1} Hz,水平为均值的 {2.2}</translation>
+        <translation>{0.0} rpm 使齿通谐波更接近颤振，相差 {1.1} Hz，水平为均值的 {2.2}</translation>
     </message>
     <message>
         <source>trying {0.0} rpm for less vibration, now {1.4}, best so far {2.4} at {3.0} rpm</source>
-        <translation>正在尝试 {0.0} rpm 以减小振动,现为 {1.4},迄今最好 {2.4}({3.0} rpm)</translation>
+        <translation>正在尝试 {0.0} rpm 以减小振动，现为 {1.4}，迄今最好 {2.4}({3.0} rpm)</translation>
     </message>
     <message>
         <source>{0.0} rpm vibrates least, {1.4}</source>
-        <translation>{0.0} rpm 振动最小,{1.4}</translation>
+        <translation>{0.0} rpm 振动最小，{1.4}</translation>
     </message>
     <message>
         <source>{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)</source>
-        <translation>{0.0} rpm 位于 {1.0} 与 {2.0} rpm 的稳定极限之间(颤振 {3.0} Hz)</translation>
+        <translation>{0.0} rpm 位于 {1.0} 与 {2.0} rpm 的稳定极限之间（颤振 {3.0} Hz）</translation>
     </message>
     <message>
         <source>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</source>
-        <translation>此切深下没有可达的稳定转速,{2.0} rpm 时 {1.2} mm 可稳定(颤振 {3.0} Hz)</translation>
+        <translation>此切深下没有可达的稳定转速，{2.0} rpm 时 {1.2} mm 可稳定（颤振 {3.0} Hz）</translation>
     </message>
     <message>
         <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation>已试 {0.0} 个转速均不平稳(颤振 {1.0} Hz),需要减小切深</translation>
+        <translation>已试 {0.0} 个转速均不平稳（颤振 {1.0} Hz），需要减小切深</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation>请求 {0.2},限值允许 {1.2}</translation>
+        <translation>请求 {0.2}，限值允许 {1.2}</translation>
     </message>
     <message>
         <source>the machine&apos;s state is {0.2} s old</source>
@@ -1265,11 +1265,11 @@
     </message>
     <message>
         <source>waiting for the spindle, {0.0} of {1.0} rpm</source>
-        <translation>等待主轴,{0.0} / {1.0} rpm</translation>
+        <translation>等待主轴，{0.0} / {1.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} changes in a minute, {1.0} allowed</source>
-        <translation>一分钟内 {0.0} 次变化,允许 {1.0} 次</translation>
+        <translation>一分钟内 {0.0} 次变化，允许 {1.0} 次</translation>
     </message>
     <message>
         <source>the programmed values are back in force</source>
@@ -1277,15 +1277,15 @@
     </message>
     <message>
         <source>no fresh command for {0.2} s, programmed values restored</source>
-        <translation>{0.2} s 没有新指令,已恢复编程值</translation>
+        <translation>{0.2} s 没有新指令，已恢复编程值</translation>
     </message>
     <message>
         <source>speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %</source>
-        <translation>转速 {0.1} %、进给 {1.1} %,连同旋钮 {2.1} % 与 {3.1} %</translation>
+        <translation>转速 {0.1} %、进给 {1.1} %，连同旋钮 {2.1} % 与 {3.1} %</translation>
     </message>
     <message>
         <source>speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %</source>
-        <translation>转速由 {0.1} % 变向 {1.1} %,进给由 {2.1} % 变向 {3.1} %</translation>
+        <translation>转速由 {0.1} % 变向 {1.1} %，进给由 {2.1} % 变向 {3.1} %</translation>
     </message>
     <message>
         <source>what the machine reports makes no sense</source>
@@ -1321,19 +1321,19 @@
     </message>
     <message>
         <source>the operator turns the knobs: speed {0.0} %, feed {1.0} %</source>
-        <translation>操作者正在调旋钮:转速 {0.0} %,进给 {1.0} %</translation>
+        <translation>操作者正在调旋钮：转速 {0.0} %，进给 {1.0} %</translation>
     </message>
     <message>
         <source>the spindle does not follow, {0.0} instead of {1.0} rpm</source>
-        <translation>主轴未跟随,{0.0} 而非 {1.0} rpm</translation>
+        <translation>主轴未跟随，{0.0} 而非 {1.0} rpm</translation>
     </message>
     <message>
         <source>the machine does not take the override, {0.1} % instead of {1.1} %</source>
-        <translation>机床未接受倍率,{0.1} % 而非 {1.1} %</translation>
+        <translation>机床未接受倍率，{0.1} % 而非 {1.1} %</translation>
     </message>
     <message>
         <source>the program went from {0.0} to {1.0} rpm, starting again from 100 %</source>
-        <translation>程序由 {0.0} 变为 {1.0} rpm,重新从 100 % 开始</translation>
+        <translation>程序由 {0.0} 变为 {1.0} rpm，重新从 100 % 开始</translation>
     </message>
     <message>
         <source>waiting {0.1} s before taking the overrides again</source>
@@ -1341,7 +1341,7 @@
     </message>
     <message>
         <source>too many changes, waiting {0.0} s</source>
-        <translation>变化过多,等待 {0.0} s</translation>
+        <translation>变化过多，等待 {0.0} s</translation>
     </message>
     <message>
         <source>Auto is not allowed in this set-up</source>
@@ -1349,7 +1349,7 @@
     </message>
     <message>
         <source>more than {0.0} changes in a minute again, advice only from now on</source>
-        <translation>一分钟内变化再次超过 {0.0} 次,此后仅建议</translation>
+        <translation>一分钟内变化再次超过 {0.0} 次，此后仅建议</translation>
     </message>
     <message>
         <source>the operator accepted {0.0} rpm and {1.0} mm/min</source>
@@ -1361,7 +1361,7 @@
     </message>
     <message>
         <source>chatter at {0.0} Hz, energy ratio {1.2}</source>
-        <translation>{0.0} Hz 颤振,能量比 {1.2}</translation>
+        <translation>{0.0} Hz 颤振，能量比 {1.2}</translation>
     </message>
     <message>
         <source>quiet again after {0.2} s and {1.1} mm of feed</source>
@@ -1393,15 +1393,15 @@
     </message>
     <message>
         <source>Auto is granted because this machine is simulated</source>
-        <translation>因为是模拟机床,允许自动</translation>
+        <translation>因为是模拟机床，允许自动</translation>
     </message>
     <message>
         <source>the strategy failed, monitoring only from now on</source>
-        <translation>策略失效,此后仅监测</translation>
+        <translation>策略失效，此后仅监测</translation>
     </message>
     <message>
         <source>the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch</source>
-        <translation>建议已变为 {0.0} rpm 和 {1.0} mm/min,需再次触按</translation>
+        <translation>建议已变为 {0.0} rpm 和 {1.0} mm/min，需再次触按</translation>
     </message>
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
@@ -1452,7 +1452,7 @@
     </message>
     <message>
         <source>page %1 of %2</source>
-        <translation>第 %1 页,共 %2 页</translation>
+        <translation>第 %1 页，共 %2 页</translation>
     </message>
     <message>
         <source>Alarms and what was done</source>
@@ -1460,7 +1460,7 @@
     </message>
     <message>
         <source>Before: highest until the first command. After: newest at the end of the alarm. Numbers are those in the plots.</source>
-        <translation>之前:首个指令前的最大值。之后:报警结束时的最新值。编号与图中一致。</translation>
+        <translation>之前：首个指令前的最大值。之后：报警结束时的最新值。编号与图中一致。</translation>
     </message>
     <message>
         <source>Events</source>
@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>Feed follows: %1</source>
-        <translation>进给随动:%1</translation>
+        <translation>进给随动：%1</translation>
     </message>
     <message>
         <source>The speed stays as it is</source>
@@ -1523,11 +1523,11 @@
     </message>
     <message>
         <source>ASKED FOR, NOT CONFIRMED BY THE MACHINE</source>
-        <translation>已请求,机床未确认</translation>
+        <translation>已请求，机床未确认</translation>
     </message>
     <message>
         <source>IN FORCE, HELD BY YOU</source>
-        <translation>已生效,由您保持</translation>
+        <translation>已生效，由您保持</translation>
     </message>
     <message>
         <source>IN FORCE</source>
@@ -1551,7 +1551,7 @@
     </message>
     <message>
         <source>Authority is off: Stillcut only watches</source>
-        <translation>权限已关闭:Stillcut 仅观察</translation>
+        <translation>权限已关闭：Stillcut 仅观察</translation>
     </message>
     <message>
         <source>There is no verdict to act on</source>
@@ -1567,7 +1567,7 @@
     </message>
     <message>
         <source>The machine does not answer; last values %1 old</source>
-        <translation>机床无应答;最近数值已过 %1</translation>
+        <translation>机床无应答；最近数值已过 %1</translation>
     </message>
     <message>
         <source>Values are %1 old</source>
@@ -1611,7 +1611,7 @@
     </message>
     <message>
         <source>Knobs %1, %2</source>
-        <translation>旋钮 %1,%2</translation>
+        <translation>旋钮 %1，%2</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -1667,7 +1667,7 @@
     </message>
     <message>
         <source>%1, %2 lost</source>
-        <translation>%1,丢失 %2</translation>
+        <translation>%1，丢失 %2</translation>
     </message>
     <message>
         <source>stopped</source>
@@ -1679,19 +1679,19 @@
     </message>
     <message>
         <source>%1, acting</source>
-        <translation>%1,处理中</translation>
+        <translation>%1，处理中</translation>
     </message>
     <message>
         <source>%1, not quieted</source>
-        <translation>%1,未平稳</translation>
+        <translation>%1，未平稳</translation>
     </message>
     <message>
         <source>%1, quiet after %2, %3 marked</source>
-        <translation>%1,%2 后平稳,振纹 %3</translation>
+        <translation>%1，%2 后平稳，振纹 %3</translation>
     </message>
     <message>
         <source>%1, %2 more time</source>
-        <translation>%1,多用 %2</translation>
+        <translation>%1，多用 %2</translation>
     </message>
     <message>
         <source>chatter %1</source>
@@ -1719,7 +1719,7 @@
     </message>
     <message>
         <source>speed %1, feed %2</source>
-        <translation>转速 %1,进给 %2</translation>
+        <translation>转速 %1，进给 %2</translation>
     </message>
     <message>
         <source>Stillcut is in command</source>
@@ -1727,7 +1727,7 @@
     </message>
     <message>
         <source>You are in command, Stillcut advises</source>
-        <translation>由您控制,Stillcut 建议</translation>
+        <translation>由您控制，Stillcut 建议</translation>
     </message>
     <message>
         <source>since %1</source>
@@ -1735,15 +1735,15 @@
     </message>
     <message>
         <source>%1, on this simulated machine</source>
-        <translation>%1,在此模拟机床上</translation>
+        <translation>%1，在此模拟机床上</translation>
     </message>
     <message>
         <source>as last heard, %1 ago</source>
-        <translation>最近消息,%1 前</translation>
+        <translation>最近消息，%1 前</translation>
     </message>
     <message>
         <source>held by you, %1</source>
-        <translation>由您保持,%1</translation>
+        <translation>由您保持，%1</translation>
     </message>
     <message>
         <source>NO CUT</source>
@@ -1807,7 +1807,7 @@
     </message>
     <message>
         <source>In chatter so far: %1, %2</source>
-        <translation>累计颤振:%1,%2</translation>
+        <translation>累计颤振：%1，%2</translation>
     </message>
     <message>
         <source>NO VERDICT</source>
@@ -1815,11 +1815,11 @@
     </message>
     <message>
         <source>The picture is stale: nothing new for %1</source>
-        <translation>画面已过时:%1 无新数据</translation>
+        <translation>画面已过时：%1 无新数据</translation>
     </message>
     <message>
         <source>Last verdict: %1 %2</source>
-        <translation>最近结论:%1 %2</translation>
+        <translation>最近结论：%1 %2</translation>
     </message>
     <message>
         <source>For %1</source>
@@ -1827,7 +1827,7 @@
     </message>
     <message>
         <source>For %1, %2 of feed</source>
-        <translation>已持续 %1,进给 %2</translation>
+        <translation>已持续 %1，进给 %2</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
@@ -1843,7 +1843,7 @@
     </message>
     <message>
         <source>Early warning: vibration begins to grow</source>
-        <translation>预警:振动开始增长</translation>
+        <translation>预警：振动开始增长</translation>
     </message>
     <message>
         <source>The cut is quiet</source>
@@ -1855,31 +1855,31 @@
     </message>
     <message>
         <source>Auto: Stillcut commanded the overrides</source>
-        <translation>自动:Stillcut 控制倍率</translation>
+        <translation>自动：Stillcut 控制倍率</translation>
     </message>
     <message>
         <source>Advise: Stillcut proposed</source>
-        <translation>建议:Stillcut 提出建议</translation>
+        <translation>建议：Stillcut 提出建议</translation>
     </message>
     <message>
         <source>Off: Stillcut watched</source>
-        <translation>关闭:Stillcut 仅观察</translation>
+        <translation>关闭：Stillcut 仅观察</translation>
     </message>
     <message>
         <source>no signal: check cable and supply</source>
-        <translation>无信号:检查电缆与供电</translation>
+        <translation>无信号：检查电缆与供电</translation>
     </message>
     <message>
         <source>clipped: lower the gain</source>
-        <translation>削波:降低增益</translation>
+        <translation>削波：降低增益</translation>
     </message>
     <message>
         <source>large constant part: check coupling</source>
-        <translation>直流分量大:检查耦合</translation>
+        <translation>直流分量大：检查耦合</translation>
     </message>
     <message>
         <source>far weaker than the others: loose?</source>
-        <translation>远弱于其他通道:松动?</translation>
+        <translation>远弱于其他通道：松动？</translation>
     </message>
     <message>
         <source>in order</source>
@@ -1903,7 +1903,7 @@
     </message>
     <message>
         <source> (simulated)</source>
-        <translation>(模拟)</translation>
+        <translation>（模拟）</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -1911,7 +1911,7 @@
     </message>
     <message>
         <source>, diameter </source>
-        <translation>,直径 </translation>
+        <translation>，直径 </translation>
     </message>
     <message>
         <source>Teeth</source>
@@ -1943,7 +1943,7 @@
     </message>
     <message>
         <source>%1 at %2 Hz</source>
-        <translation>%1,%2 Hz</translation>
+        <translation>%1，%2 Hz</translation>
     </message>
     <message>
         <source>Missing</source>
@@ -1963,7 +1963,7 @@
     </message>
     <message>
         <source>not closed: ends where it was cut off</source>
-        <translation>未正常关闭:在中断处结束</translation>
+        <translation>未正常关闭：在中断处结束</translation>
     </message>
     <message>
         <source>Recorded by</source>
@@ -1971,7 +1971,7 @@
     </message>
     <message>
         <source>This recording holds measurements only: nobody decided while it was made. Vibration and spectrogram are shown as they are.</source>
-        <translation>此记录仅含测量数据:记录时未做任何结论。振动与频谱图按原样显示。</translation>
+        <translation>此记录仅含测量数据：记录时未做任何结论。振动与频谱图按原样显示。</translation>
     </message>
     <message>
         <source>No chatter was found.</source>
@@ -1987,7 +1987,7 @@
     </message>
     <message>
         <source>, first at %1</source>
-        <translation>,首次在 %1</translation>
+        <translation>，首次在 %1</translation>
     </message>
     <message>
         <source>Hz</source>
@@ -1995,11 +1995,11 @@
     </message>
     <message>
         <source>; it lasted %1 in all</source>
-        <translation>;共持续 %1</translation>
+        <translation>；共持续 %1</translation>
     </message>
     <message>
         <source> and marked %1 of path</source>
-        <translation>,留下振纹 %1</translation>
+        <translation>，留下振纹 %1</translation>
     </message>
     <message>
         <source>The overrides were not touched.</source>
@@ -2007,11 +2007,11 @@
     </message>
     <message>
         <source>Stillcut moved speed and feed once; </source>
-        <translation>Stillcut 调整转速和进给一次;</translation>
+        <translation>Stillcut 调整转速和进给一次；</translation>
     </message>
     <message>
         <source>Stillcut moved speed and feed %1 times; </source>
-        <translation>Stillcut 调整转速和进给 %1 次;</translation>
+        <translation>Stillcut 调整转速和进给 %1 次；</translation>
     </message>
     <message>
         <source>the cut was quiet again.</source>
@@ -2099,7 +2099,7 @@
     </message>
     <message>
         <source> (assumed)</source>
-        <translation>(假定)</translation>
+        <translation>（假定）</translation>
     </message>
     <message>
         <source>Level</source>
@@ -2151,7 +2151,7 @@
     </message>
     <message>
         <source>too short for a spectrogram</source>
-        <translation>太短,无法作频谱图</translation>
+        <translation>太短，无法作频谱图</translation>
     </message>
     <message>
         <source>Not computed here</source>
@@ -2167,11 +2167,11 @@
     </message>
     <message>
         <source>STABLE, %1 deeper would be too deep</source>
-        <translation>稳定,再深 %1 即过深</translation>
+        <translation>稳定，再深 %1 即过深</translation>
     </message>
     <message>
         <source>CHATTER, %1 too deep</source>
-        <translation>颤振,过深 %1</translation>
+        <translation>颤振，过深 %1</translation>
     </message>
     <message>
         <source>limit %1</source>
@@ -2191,7 +2191,7 @@
     </message>
     <message>
         <source>, order %1</source>
-        <translation>,阶次 %1</translation>
+        <translation>，阶次 %1</translation>
     </message>
     <message>
         <source>fell silent</source>
@@ -2523,11 +2523,11 @@
     </message>
     <message>
         <source>Esc, now %1</source>
-        <translation>Esc,现为 %1</translation>
+        <translation>Esc，现为 %1</translation>
     </message>
     <message>
         <source>AUTO?</source>
-        <translation>自动?</translation>
+        <translation>自动？</translation>
     </message>
     <message>
         <source>touch again to confirm</source>
@@ -2539,7 +2539,7 @@
     </message>
     <message>
         <source>if Stillcut dies, its overrides stay</source>
-        <translation>若 Stillcut 失效,倍率将保留</translation>
+        <translation>若 Stillcut 失效，倍率将保留</translation>
     </message>
 </context>
 <context>
@@ -2581,7 +2581,7 @@
     </message>
     <message>
         <source>Theme, units, language (F11); next theme (F12)</source>
-        <translation>主题、单位、语言 (F11);下一主题 (F12)</translation>
+        <translation>主题、单位、语言（F11）；下一主题（F12）</translation>
     </message>
 </context>
 <context>
@@ -2592,7 +2592,7 @@
     </message>
     <message>
         <source>Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B.</source>
-        <translation>拖动:移动。滚轮:缩放。Ctrl 加拖动:放大所选段。单击:光标 A,按 Shift 为 B。</translation>
+        <translation>拖动：移动。滚轮：缩放。Ctrl 加拖动：放大所选段。单击：光标 A，按 Shift 为 B。</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
@@ -2653,7 +2653,7 @@
     </message>
     <message>
         <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation>拖动圆环或使用方向键:若以此转速和切深切削会怎样?</translation>
+        <translation>拖动圆环或使用方向键：若以此转速和切深切削会怎样？</translation>
     </message>
     <message>
         <source>spindle speed [rpm]</source>
@@ -2712,11 +2712,11 @@
     </message>
     <message>
         <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
-        <translation>选择稳定区以试其最佳转速。括号内:超出倍率范围。</translation>
+        <translation>选择稳定区以试其最佳转速。括号内：超出倍率范围。</translation>
     </message>
     <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation>此刀具的模态未知。请用锤击测量(设置)或在配置中指定模型文件;叶瓣图不需要其他数据。</translation>
+        <translation>此刀具的模态未知。请用锤击测量（设置）或在配置中指定模型文件；叶瓣图不需要其他数据。</translation>
     </message>
     <message>
         <source>CANCEL</source>
@@ -2724,11 +2724,11 @@
     </message>
     <message>
         <source>Computing; the diagram before stays until it is done</source>
-        <translation>计算中;完成前保留之前的图</translation>
+        <translation>计算中；完成前保留之前的图</translation>
     </message>
     <message>
         <source>%1. Left out: %2</source>
-        <translation>%1。未考虑:%2</translation>
+        <translation>%1。未考虑：%2</translation>
     </message>
     <message>
         <source>Cancelled</source>
@@ -2736,7 +2736,7 @@
     </message>
     <message>
         <source>Cannot be computed: %1</source>
-        <translation>无法计算:%1</translation>
+        <translation>无法计算：%1</translation>
     </message>
 </context>
 <context>
@@ -2754,7 +2754,7 @@
     </message>
     <message>
         <source>%1: programmed %2, override %3, actual %4 %5</source>
-        <translation>%1:编程 %2,倍率 %3,实际 %4 %5</translation>
+        <translation>%1：编程 %2，倍率 %3，实际 %4 %5</translation>
     </message>
     <message>
         <source>programmed</source>
@@ -2840,7 +2840,7 @@
     </message>
     <message>
         <source>%1   (A and B differ)</source>
-        <translation>%1   （A 与 B 不同）</translation>
+        <translation>%1 （A 与 B 不同）</translation>
     </message>
     <message>
         <source>Default: %1</source>
@@ -2890,7 +2890,7 @@
     </message>
     <message>
         <source>Choose a preset, or type a name and save what is on show</source>
-        <translation>选择预设,或输入名称保存当前显示</translation>
+        <translation>选择预设，或输入名称保存当前显示</translation>
     </message>
     <message>
         <source>Moment</source>
@@ -2902,11 +2902,11 @@
     </message>
     <message>
         <source>No cursor: click into a plot, with Shift for B</source>
-        <translation>无光标:单击图中放置,按 Shift 为 B</translation>
+        <translation>无光标：单击图中放置，按 Shift 为 B</translation>
     </message>
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
-        <translation>时刻无效:请写 14:03:20,或 -12 表示多少秒前</translation>
+        <translation>时刻无效：请写 14:03:20，或 -12 表示多少秒前</translation>
     </message>
 </context>
 <context>
@@ -2921,11 +2921,11 @@
     </message>
     <message>
         <source>Entry, 1 s</source>
-        <translation>切入,1 s</translation>
+        <translation>切入，1 s</translation>
     </message>
     <message>
         <source>2 min, max hold</source>
-        <translation>2 min,最大保持</translation>
+        <translation>2 min，最大保持</translation>
     </message>
 </context>
 <context>
@@ -3576,7 +3576,7 @@
     </message>
     <message>
         <source>X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis.</source>
-        <translation>X:坐标轴为 Hz、阶次或 rpm。Page Up、Page Down:坐标范围。</translation>
+        <translation>X：坐标轴为 Hz、阶次或 rpm。Page Up、Page Down：坐标范围。</translation>
     </message>
     <message>
         <source>no chatter</source>
@@ -3600,11 +3600,11 @@
     </message>
     <message>
         <source>%1, last 10 s</source>
-        <translation>%1,最近 10 s</translation>
+        <translation>%1，最近 10 s</translation>
     </message>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation>已过时:没有新数据</translation>
+        <translation>已过时：没有新数据</translation>
     </message>
     <message>
         <source>Waiting for the first samples</source>
@@ -3647,7 +3647,7 @@
     </message>
     <message>
         <source>Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom.</source>
-        <translation>单击:谐波光标。H:置于最强谱线。拖动:移动。滚轮:缩放。</translation>
+        <translation>单击：谐波光标。H：置于最强谱线。拖动：移动。滚轮：缩放。</translation>
     </message>
     <message>
         <source>SPECTRUM</source>
@@ -3655,7 +3655,7 @@
     </message>
     <message>
         <source>SPECTRUM AT A, %1</source>
-        <translation>光标 A 处频谱,%1</translation>
+        <translation>光标 A 处频谱，%1</translation>
     </message>
     <message>
         <source>SPECTRUM, NEWEST</source>
@@ -3663,7 +3663,7 @@
     </message>
     <message>
         <source>cursor: %1</source>
-        <translation>光标:%1</translation>
+        <translation>光标：%1</translation>
     </message>
     <message>
         <source>order</source>
@@ -3685,7 +3685,7 @@
     <name>stillcut::ui::TimePlot</name>
     <message>
         <source>STALE: nothing new arrives</source>
-        <translation>已过时:没有新数据</translation>
+        <translation>已过时：没有新数据</translation>
     </message>
 </context>
 <context>
@@ -3718,7 +3718,7 @@
     </message>
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
-        <translation>低:稳定。半高:开始。满高:颤振。阴影:无结论。曲线为第一指标。</translation>
+        <translation>低：稳定。半高：开始。满高：颤振。阴影：无结论。曲线为第一指标。</translation>
     </message>
 </context>
 <context>
