@@ -31,6 +31,10 @@ std::string channelNotes(const ExportPlan& plan, const std::vector<double>& full
     if (channel.quantityKnown) one["quantity"] = name(channel.info.quantity);
     if (const std::string unit = exportUnit(channel); !unit.empty()) one["unit"] = unit;
     if (!channel.info.axis.empty()) one["axis"] = channel.info.axis;
+    if (channel.info.sensitivity > 0.0) one["sensitivity_mv"] = channel.info.sensitivity;
+    if (channel.info.volts > 0.0) one["volts"] = channel.info.volts;
+    if (!channel.info.coupling.empty()) one["coupling"] = channel.info.coupling;
+    if (!channel.info.place.empty()) one["place"] = channel.info.place;
     notes[kKey].push_back(std::move(one));
   }
   return notes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -47,6 +51,10 @@ void applyChannelNotes(std::string_view comment, std::vector<RecordedChannel>& c
     if (const std::string name = textIn(all[c], "name"); !name.empty()) channel.info.name = name;
     channel.unit = textIn(all[c], "unit");
     channel.info.axis = textIn(all[c], "axis");
+    channel.info.sensitivity = numberIn(all[c], "sensitivity_mv");
+    channel.info.volts = numberIn(all[c], "volts");
+    channel.info.coupling = textIn(all[c], "coupling");
+    channel.info.place = textIn(all[c], "place");
     if (const auto quantity = sensorQuantityFromName(textIn(all[c], "quantity"))) {
       channel.info.quantity = *quantity;
       channel.quantityKnown = true;

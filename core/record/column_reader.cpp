@@ -19,36 +19,70 @@ class ColumnReader final : public RecordingReader {
 
   const RecordingFormat& format() const override { return format_; }
 
+  // Frames that hold no number on any channel are missing: that is how a gap is written where there are no times.
   Result<bool> read(SampleBlock& block) override {
-    const std::int64_t left = format_.frames - framesRead_;
-    if (left <= 0) return false;
-    block.frames = static_cast<int>(std::min<std::int64_t>(left, block.capacityFrames));
-    values_.resize(static_cast<std::size_t>(block.frames));
+    std::uint64_t lost = 0;
+    while (true) {
+      if (taken_ == held_) {
+        const std::int64_t left = format_.frames - framesRead_;
+        if (left <= 0) return ended();
+        if (const Status s = fetch(std::min<std::int64_t>(left, block.capacityFrames)); !s) return s.error();
+      }
+      if (!missing(taken_)) break;
+      ++taken_;
+      ++framesRead_;
+      ++lost;
+    }
+    std::size_t end = taken_ + 1;
+    while (end < held_ && end - taken_ < static_cast<std::size_t>(block.capacityFrames) && !missing(end)) ++end;
+    block.frames = static_cast<int>(end - taken_);
     for (std::size_t c = 0; c < columns_.size(); ++c) {
-      if (const Status s = columns_[c]->read(values_); !s) return s.error();
       if (const Status s = take(block, static_cast<int>(c)); !s) return s.error();
     }
     block.sequence = sequence_++;
     block.rate = format_.rate;
     block.firstSample = Instant(toDuration(Seconds(static_cast<double>(framesRead_) / format_.rate.value)));
-    block.lostFrames = 0;
+    block.lostFrames = lost;
+    block.flags = lost > 0 ? static_cast<std::uint32_t>(kBlockGap) : 0U;
     framesRead_ += block.frames;
-    block.flags = framesRead_ >= format_.frames ? static_cast<std::uint32_t>(kBlockEnd) : 0U;
+    taken_ = end;
+    if (framesRead_ >= format_.frames) block.flags |= kBlockEnd;
+    any_ = true;
     return true;
   }
 
  private:
+  Result<bool> ended() const {
+    if (!any_) return Error{path_, "none of its samples is a number", ""};
+    return false;
+  }
+  Status fetch(std::int64_t frames) {
+    held_ = static_cast<std::size_t>(frames);
+    taken_ = 0;
+    values_.resize(columns_.size());
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      values_[c].resize(held_);
+      if (const Status s = columns_[c]->read(values_[c]); !s) return s.error();
+    }
+    return Done{};
+  }
+  bool missing(std::size_t frame) const {
+    return std::all_of(values_.begin(), values_.end(),
+                       [frame](const std::vector<double>& v) { return std::isnan(v[frame]); });
+  }
   Status take(SampleBlock& block, int channel) const {
     constexpr double kLargest = std::numeric_limits<float>::max();
+    const std::vector<double>& values = values_[static_cast<std::size_t>(channel)];
     const std::span<float> to = block.channel(channel);
     for (std::size_t f = 0; f < to.size(); ++f) {
-      if (!(std::abs(values_[f]) <= kLargest)) {
+      const double value = values[taken_ + f];
+      if (!(std::abs(value) <= kLargest)) {
         const std::string what = "sample " + std::to_string(framesRead_ + static_cast<std::int64_t>(f)) + " of '" +
                                  format_.channels[static_cast<std::size_t>(channel)].info.name + "'";
-        if (std::isfinite(values_[f])) return Error{path_, what + " is too large for a sample", ""};
+        if (std::isfinite(value)) return Error{path_, what + " is too large for a sample", ""};
         return Error{path_, what + " is not a finite number", ""};
       }
-      to[f] = static_cast<float>(values_[f]);
+      to[f] = static_cast<float>(value);
     }
     return Done{};
   }
@@ -56,8 +90,11 @@ class ColumnReader final : public RecordingReader {
   std::string path_;
   RecordingFormat format_;
   std::vector<std::unique_ptr<Column>> columns_;
-  std::vector<double> values_;
-  std::int64_t framesRead_ = 0;
+  std::vector<std::vector<double>> values_;  // [channel], of the frames held
+  std::size_t held_ = 0;                     // frames
+  std::size_t taken_ = 0;                    // of them
+  std::int64_t framesRead_ = 0;              // missing ones included
+  bool any_ = false;
   std::uint64_t sequence_ = 0;
 };
 

@@ -45,10 +45,10 @@ Status checkGap(const SampleBlock& after, const std::string& to) {
 Status look(RecordingReader& reader, const std::string& to, ExportPlan& plan) {
   plan.peaks.assign(plan.channels.size(), 0.0);
   return forEachBlock(reader, [&](const SampleBlock& block) -> Status {
-    if (block.has(kBlockGap) && block.lostFrames > 0) {
+    if (block.has(kBlockGap)) {
       if (const Status s = checkGap(block, to); !s) return s.error();
       const auto lost = static_cast<std::int64_t>(block.lostFrames);
-      plan.gaps.emplace_back(plan.frames, lost);
+      plan.gaps.push_back({plan.frames, lost});
       plan.frames += lost;
     }
     plan.frames += block.frames;
@@ -62,15 +62,16 @@ Status look(RecordingReader& reader, const std::string& to, ExportPlan& plan) {
   });
 }
 
-Status fillGap(RecordingSink& sink, const SampleBlock& after, const std::string& to) {
+Status fillGap(RecordingSink& sink, const SampleBlock& after, GapStyle style, const std::string& to) {
   if (const Status s = checkGap(after, to); !s) return s.error();
-  SampleBlock zeros;
-  zeros.allocate(after.channels, kBlockFrames);
-  zeros.rate = after.rate;
+  SampleBlock filled;
+  filled.allocate(after.channels, kBlockFrames);
+  if (style == GapStyle::NotANumber) std::fill(filled.samples.begin(), filled.samples.end(), std::nanf(""));
+  filled.rate = after.rate;
   for (std::uint64_t left = after.lostFrames; left > 0;) {
-    zeros.frames = static_cast<int>(std::min<std::uint64_t>(left, kBlockFrames));
-    if (const Status s = sink.write(zeros); !s) return s.error();
-    left -= static_cast<std::uint64_t>(zeros.frames);
+    filled.frames = static_cast<int>(std::min<std::uint64_t>(left, kBlockFrames));
+    if (const Status s = sink.write(filled); !s) return s.error();
+    left -= static_cast<std::uint64_t>(filled.frames);
   }
   return Done{};
 }
@@ -92,17 +93,23 @@ Status convertRecording(const std::string& from, const std::string& to, const Re
   }
   Result<std::unique_ptr<RecordingSink>> sink = createSink(to, plan);
   if (!sink) return sink.error();
+  const GapStyle style = sinkGapStyle(to);
   std::int64_t frames = 0;
+  std::int64_t filled = 0;
+  std::vector<FilledGap> gaps;
   const Status copied = forEachBlock(**reader, [&](const SampleBlock& block) -> Status {
-    if (block.has(kBlockGap) && !sinkKeepsTimes(to)) {
-      if (const Status s = fillGap(**sink, block, to); !s) return s.error();
+    if (block.has(kBlockGap) && style != GapStyle::Times) {
+      if (const Status s = fillGap(**sink, block, style, to); !s) return s.error();
+      gaps.push_back({frames + filled, static_cast<std::int64_t>(block.lostFrames)});
+      filled += gaps.back().frames;
     }
     frames += block.frames;
     return (*sink)->write(block);
   });
   if (!copied) return copied.error();
   if (frames == 0) return Error{from, "the span holds no samples", ""};
-  return (*sink)->finish();
+  if (const Status s = (*sink)->finish(); !s) return s.error();
+  return style == GapStyle::Listed ? writeGapList(to, gaps, plan.rate) : Done{};
 }
 
 }  // namespace stillcut::record

@@ -11,7 +11,8 @@ namespace stillcut::record {
 
 // The suffix of `to` decides: .wav (32-bit float; RF64 above 4 GiB), .flac (24 bits), .csv (time and one column per
 // channel), .mat (MATLAB v5), .uff (58b) or .unv (58 in text), .h5 (plain HDF5). `to` appears only when it is complete.
-// A gap makes the times of a CSV jump; formats without times are filled with zeros there.
+// A gap makes the times of a CSV jump; .mat and .h5 hold NaN there, the others zeros and a list beside
+// them (gap_list.h).
 Status convertRecording(const std::string& from, const std::string& to, const ReadOptions& options = {},
                         const TimeSpan& span = {});
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/record/open_recording.h"
+#include "core/record/sensor_notes.h"
 
 namespace stillcut::record {
 namespace {
@@ -21,6 +22,7 @@ std::string channelLine(std::size_t index, const RecordedChannel& channel) {
   if (!channel.quantityKnown) line += " (assumed)";
   if (!channel.unit.empty()) line += ", in " + channel.unit;
   if (info.scale != 1.0) line += ", times " + number(info.scale) + " makes " + std::string(siUnit(info.quantity));
+  if (const std::string sensor = sensorText(info); !sensor.empty()) line += "; " + sensor;
   return line + "\n";
 }
 
@@ -138,7 +140,12 @@ std::string toJson(const RecordingDescription& description) {
                                 {"quantity", name(channel.info.quantity)},
                                 {"quantity_known", channel.quantityKnown},
                                 {"unit", channel.unit},
-                                {"scale", channel.info.scale}});
+                                {"scale", channel.info.scale},
+                                {"axis", channel.info.axis},
+                                {"sensitivity_mv", channel.info.sensitivity},
+                                {"volts", channel.info.volts},
+                                {"coupling", channel.info.coupling},
+                                {"place", channel.info.place}});
   }
   json["skipped"] = format.skipped;
   if (description.session) json["session"] = sessionJson(format, *description.session);

@@ -7,6 +7,7 @@
 
 #include "core/record/hdf5_arrays.h"
 #include "core/record/hdf5_file.h"
+#include "core/record/sensor_notes.h"
 #include "core/record/variable_channels.h"
 
 namespace stillcut::record {
@@ -55,6 +56,7 @@ FileArray describe(const std::shared_ptr<Hdf5Id>& file, const Hdf5Array& found, 
     array.quantity = textOf(dataset.get(), {"quantity"});
     array.axis = textOf(dataset.get(), {"axis"});
     array.scale = readNumber(dataset.get(), "scale");
+    readSensor(dataset.get(), array.sensor);
     array.unit = textOf(dataset.get(), {"unit", "units", "Unit", "Units", "unit_string"});
   }
   array.open = [file, found, where](int column) { return openHdf5Column(file, found, column, where); };

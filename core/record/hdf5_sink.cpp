@@ -4,6 +4,7 @@
 
 #include "core/record/hdf5_file.h"
 #include "core/record/recording_sink.h"
+#include "core/record/sensor_notes.h"
 
 namespace stillcut::record {
 namespace {
@@ -72,7 +73,7 @@ class Hdf5Sink final : public RecordingSink {
                       writeNumber(set.get(), "scale", channel.info.scale) &&
                       (!channel.quantityKnown ||
                        writeText(set.get(), "quantity", std::string(stillcut::name(channel.info.quantity)))) &&
-                      writeText(set.get(), "axis", channel.info.axis);
+                      writeText(set.get(), "axis", channel.info.axis) && writeSensor(set.get(), channel.info);
     sets_.push_back(std::move(set));
     return made;
   }
@@ -81,9 +82,9 @@ class Hdf5Sink final : public RecordingSink {
   Status writeGaps(const ExportPlan& plan) {
     if (plan.gaps.empty()) return Done{};
     std::vector<std::int64_t> pairs;
-    for (const auto& gap : plan.gaps) {
+    for (const FilledGap& gap : plan.gaps) {
       pairs.push_back(gap.first);
-      pairs.push_back(gap.second);
+      pairs.push_back(gap.frames);
     }
     const std::array<hsize_t, 2> shape{plan.gaps.size(), 2};
     const Hdf5Id space(H5Screate_simple(2, shape.data(), nullptr));

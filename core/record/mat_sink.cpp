@@ -108,8 +108,8 @@ class MatSink final : public RecordingSink {
     }
     if (!plan_.gaps.empty()) {
       std::vector<double> pairs;
-      for (const auto& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.first));
-      for (const auto& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.second));
+      for (const FilledGap& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.first));
+      for (const FilledGap& gap : plan_.gaps) pairs.push_back(static_cast<double>(gap.frames));
       out += numberMatrix("gaps", static_cast<std::uint32_t>(plan_.gaps.size()), pairs);
     }
     file_.writeAt(0, out);

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/record/hdf5_import.h"
-#include "core/record/hdf5_probe.h"
+#include "core/record/apart_reader.h"
+#include "core/record/gap_list.h"
 #include "core/record/mat_import.h"
 #include "core/record/session_reader.h"
 #include "core/record/text_reader.h"
@@ -55,6 +55,12 @@ Status checkFile(const std::string& path) {
   return Done{};
 }
 
+Result<std::unique_ptr<RecordingReader>> withGaps(Result<std::unique_ptr<RecordingReader>> opened,
+                                                  const std::string& name) {
+  if (!opened) return opened;
+  return openWithGaps(std::move(opened).value(), name);
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
@@ -67,15 +73,17 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (head.empty()) return Error{name, "the file is empty", ""};
   if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
-    const Result<bool> session = probeHdf5(name, inner, options);
-    if (!session) return session.error();
-    return *session ? openSession(name, options) : openHdf5(name, inner, options);
+    auto foreign = openApart(name, inner, options);
+    if (!foreign || *foreign) return foreign;
+    return openSession(name, options);
   }
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
   if (!inner.empty()) return Error{path, "only HDF5 and MATLAB files have places inside", ""};
   if (hasSuffix(name, ".mat")) return Error{name, "is no MATLAB file of version 5 to 7.3", "its header is missing"};
-  if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) return openWav(name, options);
-  if (uff::looksLikeUff(head)) return openUff(name, options);
+  if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) {
+    return withGaps(openWav(name, options), name);
+  }
+  if (uff::looksLikeUff(head)) return withGaps(openUff(name, options), name);
   return TextReader::open(name, options);
 }
 

@@ -10,19 +10,19 @@ namespace {
 struct SinkKind {
   std::string_view suffix;
   bool needsLook;
-  bool keepsTimes;
+  GapStyle gaps;
   Result<std::unique_ptr<RecordingSink>> (*create)(const std::string& path, const ExportPlan& plan);
 };
 
 constexpr std::array<SinkKind, 8> kSinks{{
-    {".wav", false, false, createSoundSink},
-    {".flac", true, false, createSoundSink},
-    {".csv", false, true, createCsvSink},
-    {".mat", true, false, createMatSink},
-    {".uff", true, false, createUffSink},
-    {".unv", true, false, createUffSink},
-    {".h5", true, false, createHdf5Sink},
-    {".hdf5", true, false, createHdf5Sink},
+    {".wav", false, GapStyle::Listed, createSoundSink},
+    {".flac", true, GapStyle::Listed, createSoundSink},
+    {".csv", false, GapStyle::Times, createCsvSink},
+    {".mat", true, GapStyle::NotANumber, createMatSink},
+    {".uff", true, GapStyle::Listed, createUffSink},
+    {".unv", true, GapStyle::Listed, createUffSink},
+    {".h5", true, GapStyle::NotANumber, createHdf5Sink},
+    {".hdf5", true, GapStyle::NotANumber, createHdf5Sink},
 }};
 
 const SinkKind* kindOf(const std::string& path) {
@@ -52,9 +52,9 @@ bool sinkNeedsLook(const std::string& path) {
   return kind != nullptr && kind->needsLook;
 }
 
-bool sinkKeepsTimes(const std::string& path) {
+GapStyle sinkGapStyle(const std::string& path) {
   const SinkKind* kind = kindOf(path);
-  return kind != nullptr && kind->keepsTimes;
+  return kind != nullptr ? kind->gaps : GapStyle::Times;
 }
 
 // A number that nobody has calibrated gets no unit.

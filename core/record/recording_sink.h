@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/record/gap_list.h"
 #include "core/record/recording_reader.h"
 
 namespace stillcut::record {
@@ -16,9 +17,9 @@ struct ExportPlan {
   std::vector<RecordedChannel> channels;
   Hertz rate{};
   // Found by reading the recording once; only where sinkNeedsLook() says so.
-  std::int64_t frames = 0;                                  // with gaps filled
-  std::vector<double> peaks;                                // largest magnitude of every channel [SI units]
-  std::vector<std::pair<std::int64_t, std::int64_t>> gaps;  // first filled frame and how many
+  std::int64_t frames = 0;    // with gaps filled
+  std::vector<double> peaks;  // largest magnitude of every channel [SI units]
+  std::vector<FilledGap> gaps;
 };
 
 class RecordingSink {
@@ -31,8 +32,12 @@ class RecordingSink {
 
 // By the suffix of `path`: .wav .flac .csv .mat .uff .unv .h5 .hdf5. An error names the suffixes there are.
 Result<std::unique_ptr<RecordingSink>> createSink(const std::string& path, const ExportPlan& plan);
-bool sinkNeedsLook(const std::string& path);   // frames, peaks and gaps must be known
-bool sinkKeepsTimes(const std::string& path);  // gaps stay gaps; otherwise they are filled with zeros
+bool sinkNeedsLook(const std::string& path);  // frames, peaks and gaps must be known
+
+// What becomes of a gap: the times jump; or it is filled with what is no number, or, where a format has no such thing,
+// with zeros and a list beside the file (gap_list.h).
+enum class GapStyle : std::uint8_t { Times, NotANumber, Listed };
+GapStyle sinkGapStyle(const std::string& path);
 
 // The sinks by themselves.
 Result<std::unique_ptr<RecordingSink>> createCsvSink(const std::string& path, const ExportPlan& plan);

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/record/journaled_driver.h"
+#include "core/record/sensor_notes.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_reader.h"
 #include "core/record/session_writer.h"
@@ -27,6 +28,7 @@ Result<RecordedChannel> readChannel(hid_t file, int index, const std::string& pa
   channel.info.quantity = *sensorQuantityFromName(*quantity);
   channel.info.scale = *scale;
   channel.quantityKnown = true;
+  readSensor(dataset.get(), channel.info);
   return channel;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/record/sensor_notes.h"
 #include "core/record/session_layout.h"
 
 namespace stillcut::record {
@@ -23,7 +24,7 @@ bool SampleWriter::create(hid_t file, int channel, const ChannelInfo& info) {
   const hid_t dataset = samples_.dataset();
   return writeText(dataset, "name", info.name) && writeText(dataset, "quantity", std::string(name(info.quantity))) &&
          writeText(dataset, "unit", std::string(siUnit(info.quantity))) && writeNumber(dataset, "scale", info.scale) &&
-         writeText(dataset, "axis", info.axis);
+         writeText(dataset, "axis", info.axis) && writeSensor(dataset, info);
 }
 
 void SampleWriter::add(std::span<const float> samples) {

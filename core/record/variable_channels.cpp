@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/record/sensor_notes.h"
 #include "core/record/unit_names.h"
 
 namespace stillcut::record {
@@ -101,6 +102,7 @@ RecordedChannel channelOf(const FileArray& array, int column) {
   const std::string name = array.columns == 1 ? array.name : array.name + " " + std::to_string(column);
   RecordedChannel channel = channelFromWords(name, array.unit);
   if (!array.axis.empty()) channel.info.axis = array.axis;
+  takeSensor(array.sensor, channel.info);
   if (const auto quantity = sensorQuantityFromName(array.quantity)) {
     if (channel.info.quantity != *quantity) channel.info.scale = 1.0;
     channel.info.quantity = *quantity;

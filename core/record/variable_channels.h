@@ -21,6 +21,7 @@ struct FileArray {
   int columns = 1;                   // the shorter side
   std::string unit, quantity, axis;  // empty: not said
   std::optional<double> scale;       // SI units per unit of the file, where the file says so
+  ChannelInfo sensor;                // what is told of it, see sensor_notes.h
   std::function<Result<std::unique_ptr<Column>>(int column)> open;
 };
 

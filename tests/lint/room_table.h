@@ -43,6 +43,7 @@ inline const std::vector<Room>& roomTable() {
        {"core/base", "core/model", "core/config", "ui/models", "ui/plots", "ui/widgets", "ui/pages", "ui/report"}},
       {"app/io", {"core/*"}},
       {"app/hal", {"core/base", "core/cnc"}},
+      {"app/reader", {"core/record"}},
       {"app/compose", {"core/*", "app/io"}},
       {"app/cli", {"core/*", "app/compose", "app/io"}},
       {"app/session", {"core/*", "ui/models", "ui/shell", "app/compose", "app/io"}},

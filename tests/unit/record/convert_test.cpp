@@ -4,6 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/record/gap_list.h"
 #include "core/record/open_recording.h"
 #include "core/record/session_writer.h"
 #include "tests/unit/record/step_samples.h"
@@ -49,10 +54,14 @@ TEST(Convert, CsvIsInSiUnitsAndKeepsGapsAndQuantities) {
   EXPECT_EQ(block.lostFrames, 2U);
 }
 
-TEST(Convert, WavFillsGapsWithZeros) {
+TEST(Convert, OtherProgramsFindZerosInTheGapsOfASoundFileAndAListBesideIt) {
   const TempFolder folder;
   const std::string to = folder / "out.wav";
   ASSERT_TRUE(convertRecording(folder.file("in.csv", kCut), to).ok());
+  std::ifstream list(gapListPath(to));
+  const std::string text{std::istreambuf_iterator<char>(list), {}};
+  EXPECT_EQ(text, "first_frame,frames,from_s,to_s\n3,2,0.003000000,0.005000000\n");
+  std::filesystem::remove(gapListPath(to));
   const SampleBlock block = readBlock(to);
   ASSERT_EQ(block.frames, 7);
   EXPECT_FLOAT_EQ(block.channel(0)[2], 5.0F * 9.80665F);

@@ -5,10 +5,12 @@
 #include <matio.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "core/record/convert_recording.h"
+#include "core/record/gap_list.h"
 #include "core/record/marker_span.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_writer.h"
@@ -89,18 +91,43 @@ INSTANTIATE_TEST_SUITE_P(Suffixes, ExportKinds,
 
 constexpr std::string_view kGapped = "t,a (g)\n0,1\n0.001,2\n0.002,3\n0.005,4\n0.006,5\n";
 
-TEST(Export, GapsAreFilledWithZerosAndListed) {
+// What is missing is missing in every format, and comes back as missing.
+TEST(Export, GapsStayGapsWhateverTheFormat) {
   const TempFolder folder;
   const std::string from = folder.file("in.csv", kGapped);
-  for (const char* name : {"x.mat", "x.uff", "x.unv", "x.flac", "x.h5"}) {
-    ASSERT_TRUE(convertRecording(from, folder / name).ok()) << name;
-    const WholeRecording all = readAll(folder / name);
-    ASSERT_EQ(all.error, "");
-    ASSERT_EQ(all.values.at(0).size(), 7U) << name;
-    EXPECT_NEAR(all.values[0][2], 3 * 9.80665, 1e-4) << name;
-    EXPECT_EQ(all.values[0][3], 0.0) << name;
-    EXPECT_NEAR(all.values[0][5], 4 * 9.80665, 1e-4) << name;
+  for (const char* name : {"x.csv", "x.mat", "x.uff", "x.unv", "x.flac", "x.wav", "x.h5"}) {
+    for (const int capacity : {1, 2, 64}) {
+      ASSERT_TRUE(convertRecording(from, folder / name).ok()) << name;
+      const auto reader = openRecording(folder / name);
+      ASSERT_TRUE(reader.ok()) << reader.error().line();
+      SampleBlock block;
+      block.allocate(1, capacity);
+      std::vector<double> values;
+      std::vector<std::uint64_t> lost;
+      double latest = 0.0;
+      bool ended = false;
+      while (true) {
+        const Result<bool> more = (*reader)->read(block);
+        ASSERT_TRUE(more.ok()) << more.error().line();
+        if (!*more) break;
+        EXPECT_EQ(block.has(kBlockGap), block.lostFrames > 0) << name;
+        for (const float v : block.channel(0)) {
+          values.push_back((*reader)->format().channels[0].info.scale * static_cast<double>(v) / 9.80665);
+        }
+        lost.resize(values.size());
+        lost[values.size() - static_cast<std::size_t>(block.frames)] = block.lostFrames;
+        latest = sinceEpoch(block.end()).value;
+        ended = block.has(kBlockEnd);
+      }
+      ASSERT_EQ(values.size(), 5U) << name;
+      for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(values[i], static_cast<double>(i + 1), 1e-4) << name;
+      EXPECT_EQ(lost, (std::vector<std::uint64_t>{0, 0, 0, 2, 0})) << name;
+      EXPECT_NEAR(latest, 0.007, 1e-9) << name;
+      EXPECT_TRUE(ended) << name;
+    }
   }
+  EXPECT_TRUE(std::filesystem::exists(gapListPath(folder / "x.wav")));
+  EXPECT_FALSE(std::filesystem::exists(gapListPath(folder / "x.mat")));
   mat_t* mat = Mat_Open((folder / "x.mat").c_str(), MAT_ACC_RDONLY);
   ASSERT_NE(mat, nullptr);
   matvar_t* gaps = Mat_VarRead(mat, "gaps");
@@ -108,7 +135,46 @@ TEST(Export, GapsAreFilledWithZerosAndListed) {
   EXPECT_EQ(static_cast<double*>(gaps->data)[0], 3.0);
   EXPECT_EQ(static_cast<double*>(gaps->data)[1], 2.0);
   Mat_VarFree(gaps);
+  matvar_t* a = Mat_VarRead(mat, "a");
+  ASSERT_NE(a, nullptr);
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_EQ(std::isnan(static_cast<double*>(a->data)[i]), i == 3 || i == 4) << i;
+  Mat_VarFree(a);
   Mat_Close(mat);
+}
+
+TEST(Export, AListOfGapsBelongsToItsFile) {
+  const TempFolder folder;
+  const std::string to = folder / "x.wav";
+  ASSERT_TRUE(convertRecording(folder.file("in.csv", kGapped), to).ok());
+  ASSERT_TRUE(convertRecording(folder.file("whole.csv", "t,a (g)\n0,1\n0.001,2\n0.002,3\n"), to).ok());
+  EXPECT_FALSE(std::filesystem::exists(gapListPath(to))) << "what replaced the gapped file has no gap";
+  for (const char* wrong : {"2,5", "x", "-1,1", "1,1\n1,1"}) {
+    std::ofstream(gapListPath(to)) << "first_frame,frames,from_s,to_s\n" << wrong << "\n";
+    EXPECT_THAT(readAll(to).error, HasSubstr("is no gap of the recording beside it")) << wrong;
+  }
+}
+
+TEST(Export, WhatIsToldOfASensorComesAlongWhereTheFormatHasAPlaceForIt) {
+  const TempFolder folder;
+  const std::string from = folder / "cut.h5";
+  auto writer = SessionWriter::create(from, {exampleSetup(), "", "0.1.0", false});
+  ASSERT_TRUE(writer.ok());
+  StepRecord step = exampleStep(1);
+  step.input.block.flags = 0;
+  step.input.block.lostFrames = 0;
+  ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  ASSERT_TRUE((*writer)->close().ok());
+  for (const char* name : {"x.h5", "x.wav", "x.flac"}) {
+    ASSERT_TRUE(convertRecording(from, folder / name).ok()) << name;
+    const WholeRecording all = readAll(folder / name);
+    ASSERT_EQ(all.error, "");
+    const ChannelInfo& told = all.format.channels.at(0).info;
+    EXPECT_EQ(told.sensitivity, 101.7) << name;
+    EXPECT_EQ(told.volts, 0.339) << name;
+    EXPECT_EQ(told.coupling, "iepe") << name;
+    EXPECT_EQ(told.place, exampleSetup().channels[0].place) << name;
+    EXPECT_EQ(all.format.channels.at(1).info.place, "") << name;
+  }
 }
 
 TEST(Export, SpansAcrossAGapKeepTheirTimes) {
@@ -116,9 +182,9 @@ TEST(Export, SpansAcrossAGapKeepTheirTimes) {
   const std::string from = folder.file("in.csv", kGapped);
   ASSERT_TRUE(convertRecording(from, folder / "x.wav", {}, {Seconds(0.002), Seconds(0.006)}).ok());
   const WholeRecording all = readAll(folder / "x.wav");
-  ASSERT_EQ(all.values.at(0).size(), 4U);
+  ASSERT_EQ(all.values.at(0).size(), 2U) << "two more are missing between them";
   EXPECT_NEAR(all.values[0][0], 3 * 9.80665, 1e-4);
-  EXPECT_NEAR(all.values[0][3], 4 * 9.80665, 1e-4);
+  EXPECT_NEAR(all.values[0][1], 4 * 9.80665, 1e-4);
   ASSERT_TRUE(convertRecording(from, folder / "y.wav", {}, {Seconds(0.004), std::nullopt}).ok());
   EXPECT_EQ(readAll(folder / "y.wav").values.at(0).size(), 2U) << "the gap before the span is no part of it";
 }

@@ -62,6 +62,22 @@ TEST_F(H5py, TheManualsScriptReadsASession) {
   EXPECT_THAT(ran.out, HasSubstr("marker 1.5 2.0 chatter Ada loud"));
 }
 
+// Without any program of ours: a recorder was killed, h5clear takes the dead writer's mark away, and h5py reads.
+TEST_F(H5py, H5clearIsEnoughAfterAKill) {
+  if (std::system("command -v h5clear >/dev/null") != 0) GTEST_SKIP() << "hdf5-tools is not installed";
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  const int added = recordUntilKilled(path, 900);
+  ASSERT_GT(added, 900);
+  ASSERT_NE(python("-c \"import h5py; h5py.File('" + path + "', 'r')\"").status, 0) << "it needs clearing";
+  ASSERT_EQ(std::system(("h5clear -s " + path).c_str()), 0);
+  const Ran ran = python("-c \"import h5py; f = h5py.File('" + path +
+                         "', 'r'); print('steps', len(f['steps/blocks']), f['samples/01'][1])\"");
+  ASSERT_EQ(ran.status, 0) << ran.out;
+  constexpr int kStepsPerSecond = 400;  // of exampleStep()
+  EXPECT_GE(std::atoi(ran.out.c_str() + std::string("steps ").size()), added - kStepsPerSecond) << ran.out;
+}
+
 TEST_F(H5py, ReadsASessionWhileItIsWritten) {
   const TempFolder folder;
   const std::string path = folder / "cut.h5";

@@ -98,17 +98,28 @@ TEST(Hdf5Import, LyingSizesAreRefused) {
   EXPECT_THAT(readAll(big).error, HasSubstr("pieces of more than 64 MB"));
 }
 
-TEST(Hdf5Import, SamplesThatAreNoNumbersAreNamed) {
+TEST(Hdf5Import, ASampleThatIsNoNumberIsAGapOnEveryChannelAndElseNamed) {
   const TempFolder folder;
   const std::string path = folder / "nan.h5";
-  std::vector<float> values = ramp(100);
-  values[42] = NAN;
-  {
+  const auto make = [&path](float first, float second) {
     Hdf5Maker file(path);
-    const Hdf5Id set = file.set("x", {100}, values);
-    writeNumber(set.get(), "fs", 100.0);
-  }
-  EXPECT_THAT(readAll(path).error, HasSubstr("sample 42 of 'x' is not a finite number"));
+    for (const auto& [name, value] : {std::pair("x", first), std::pair("y", second)}) {
+      std::vector<float> values = ramp(100);
+      values[42] = value;
+      const Hdf5Id set = file.set(name, {100}, values);
+      writeNumber(set.get(), "fs", 100.0);
+    }
+  };
+  ReadOptions options;
+  options.rate = Hertz(100.0);
+  make(NAN, NAN);
+  const WholeRecording gapped = readAll(path, options);
+  EXPECT_EQ(gapped.error, "");
+  EXPECT_EQ(gapped.values.at(0).size(), 99U);
+  make(NAN, 1.0F);
+  EXPECT_THAT(readAll(path, options).error, HasSubstr("sample 42 of 'x' is not a finite number"));
+  make(INFINITY, INFINITY);
+  EXPECT_THAT(readAll(path, options).error, HasSubstr("sample 42 of 'x' is not a finite number"));
 }
 
 }  // namespace

@@ -120,6 +120,14 @@ TEST(Session, TheHeaderComesBackEvenWithALargeConfiguration) {
   EXPECT_EQ(format.channels[1].info.name, "y");
   EXPECT_EQ(format.channels[1].info.scale, expected.channels[1].scale);
   EXPECT_EQ(format.channels[1].info.quantity, SensorQuantity::Acceleration);
+  for (std::size_t c = 0; c < 2; ++c) {
+    for (const ChannelInfo& info : {format.channels[c].info, format.setup->channels[c]}) {
+      EXPECT_EQ(info.sensitivity, expected.channels[c].sensitivity);
+      EXPECT_EQ(info.volts, expected.channels[c].volts);
+      EXPECT_EQ(info.coupling, expected.channels[c].coupling);
+      EXPECT_EQ(info.place, expected.channels[c].place);
+    }
+  }
 }
 
 TEST(Session, ReasonsAreReadByTheirIdentifiersNotTheirNumbers) {

@@ -144,8 +144,13 @@ CutSetup exampleSetup(int channels, int blockFrames) {
   setup.rate = Hertz(25600.0);
   setup.blockFrames = blockFrames;
   for (int c = 0; c < channels; ++c) {
+    // What a data sheet tells of the first; nobody has told anything of the second.
     setup.channels.push_back({c == 0 ? "x" : "y", SensorQuantity::Acceleration, 9.80665 / (c + 3), c == 0 ? "x" : "y"});
   }
+  setup.channels[0].sensitivity = 101.7;
+  setup.channels[0].volts = 0.339;
+  setup.channels[0].coupling = "iepe";
+  setup.channels[0].place = "spindle nose, \xC3\xBC";
   return setup;
 }
 

@@ -1,0 +1,12 @@
+// The other end of openApart(): what the program stillcut-reader does.
+#pragma once
+
+#include <string>
+
+namespace stillcut::record {
+
+// Serves the file over the socket `peer` until nobody asks any more. Kills the process when the library needs more
+// than a minute for an answer or four gigabytes of memory. `options`: JSON as apart_words.h has it.
+int serveApart(int peer, const std::string& path, const std::string& inner, const std::string& options);
+
+}  // namespace stillcut::record
