@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/compose/run_text.h"
+#include "app/compose/scenario_reader.h"
 #include "core/daq/replay_source.h"
 #include "core/record/open_recording.h"
 
@@ -31,11 +32,15 @@ class SessionStepSource final : public pipeline::StepSource {
   daq::ReplaySource& source_;
 };
 
+Result<std::unique_ptr<record::RecordingReader>> openAny(const std::string& path, const record::ReadOptions& read) {
+  return isScenarioFile(path) ? openScenario(path) : record::openRecording(path, read);
+}
+
 void controlBy(const ReplayHand& hand, const std::string& path, const record::ReadOptions& read,
                daq::ReplayOptions& replay) {
   replay.control = hand.control;
   replay.clock = hand.clock;
-  replay.reopen = [path, read] { return record::openRecording(path, read); };
+  replay.reopen = [path, read] { return openAny(path, read); };
 }
 
 // What filters and windows are sized for before the first block.
@@ -49,7 +54,7 @@ Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
 }  // namespace
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
-  auto reader = record::openRecording(path, options.read);
+  auto reader = openAny(path, options.read);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
 

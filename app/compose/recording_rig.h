@@ -35,6 +35,7 @@ struct RecordingRig {
   record::RecordingFormat format;
 };
 
+// `path`: any recording, or a scenario (.toml), whose cut is then simulated with nobody at the overrides.
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options);
 
 // A session, decided again: its own methods, parameters, limits and leave for Auto, its machine states and operator

@@ -1,0 +1,16 @@
+// A simulated cut as a recording: its samples and what the machine told, block by block, with nobody at the overrides.
+// So a scenario can be paced, paused, stepped and looped as anything that was recorded. Thread: one at a time; not
+// real-time.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/record/recording_reader.h"
+
+namespace stillcut::app {
+
+bool isScenarioFile(const std::string& path);  // by its suffix, .toml
+Result<std::unique_ptr<record::RecordingReader>> openScenario(const std::string& path);
+
+}  // namespace stillcut::app
