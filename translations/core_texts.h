@@ -253,6 +253,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "Data acquisition cards, NI and many others: device, rate_hz, range, reference, inputs"),
     QT_TRANSLATE_NOOP("Core", "Accelerometers of Linux' industrial I/O, here or through iiod: device, rate_hz, uri, inputs, trigger"),
     QT_TRANSLATE_NOOP("Core", "A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format"),
+    QT_TRANSLATE_NOOP("Core", "Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ..."),
     QT_TRANSLATE_NOOP("Core", "A bridge that sends the same over a socket: host, port, rate_hz, format"),
     QT_TRANSLATE_NOOP("Reason", "still learning the noise, {0.1} s to go"),
     QT_TRANSLATE_NOOP("Reason", "the spindle speed is not known"),

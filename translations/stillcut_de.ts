@@ -980,6 +980,10 @@
         <translation>Ein Mikrocontroller an einer seriellen Schnittstelle, binäre Rahmen oder Textzeilen: device, baud, rate_hz, format</translation>
     </message>
     <message>
+        <source>Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...</source>
+        <translation>Mehrere davon als eines, an der Uhr des ersten ausgerichtet: 1_id, 1_channels, 1_delay_ms, 2_id ...</translation>
+    </message>
+    <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>Eine Brücke, die dasselbe über einen Socket sendet: host, port, rate_hz, format</translation>
     </message>

@@ -979,6 +979,10 @@
         <translation>A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format</translation>
     </message>
     <message>
+        <source>Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...</source>
+        <translation>Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...</translation>
+    </message>
+    <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>A bridge that sends the same over a socket: host, port, rate_hz, format</translation>
     </message>

@@ -980,6 +980,10 @@
         <translation>串口上的微控制器，二进制帧或文本行：device、baud、rate_hz、format</translation>
     </message>
     <message>
+        <source>Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...</source>
+        <translation>将其中几个合为一个，以第一个设备的时钟对齐：1_id、1_channels、1_delay_ms、2_id ……</translation>
+    </message>
+    <message>
         <source>A bridge that sends the same over a socket: host, port, rate_hz, format</source>
         <translation>通过套接字发送相同数据的网桥：host、port、rate_hz、format</translation>
     </message>

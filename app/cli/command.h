@@ -27,6 +27,7 @@ void addLobes(CLI::App& app, int& exitCode);
 void addConvert(CLI::App& app, int& exitCode);
 void addDevices(CLI::App& app, int& exitCode);
 void addScore(CLI::App& app, int& exitCode);
+void addCalibrate(CLI::App& app, int& exitCode);
 void addParameters(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   addConvert(app, exitCode);
   addDevices(app, exitCode);
   addScore(app, exitCode);
+  addCalibrate(app, exitCode);
   addParameters(app, exitCode);
   try {
     app.parse(argc, argv);

@@ -98,6 +98,10 @@ int watch(Rig& rig, const RunOptions& options) {
   }
   const Status recorded = rig.stop();
   console.look();
+  for (const daq::AlignedClock& clock : rig.device().clocks()) {
+    std::printf("device of %d more channels: %.3f Hz by this computer's clock, aligned with a residual of %.1f us\n",
+                clock.channels, clock.rate.value, 1e6 * clock.residual.value);
+  }
   if (const Status written = flights.finish(); !written) fail(written.error());
   const std::string fault = rig.device().fault();
   if (!fault.empty()) fail({"", fault, ""});

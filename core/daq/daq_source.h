@@ -17,6 +17,13 @@ struct SourceFormat {
   std::vector<ChannelInfo> channels;
 };
 
+// How a device that was joined to another runs against this computer's clock.
+struct AlignedClock {
+  Hertz rate{};        // as its stamps have it
+  Seconds residual{};  // root mean square of what is left of them beside a straight line
+  int channels = 0;    // that are its
+};
+
 // Pull interface: the driver thread (rt::RealtimeThread run by pipeline) calls read() in a loop and pushes what it gets
 // into the ring. A source paces itself: read() returns when the block's last sample exists (live), or at once (files,
 // simulation as fast as possible).
@@ -34,6 +41,8 @@ class DaqSource {
   virtual std::string fault() const = 0;
   // True: a device measuring the machine as it is now. A source that does not say so drives simulated machines only.
   virtual bool live() const { return false; }
+  // Any thread, while it is read: the devices beside the first, where several are joined.
+  virtual std::vector<AlignedClock> clocks() const { return {}; }
 };
 
 }  // namespace stillcut::daq

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/config/part_settings.h"
+#include "core/daq/joined_parts.h"
 #include "core/daq/pcm_source.h"
 #include "core/daq/stream_decoder.h"
 #include "core/daq/stream_source.h"
@@ -144,7 +145,7 @@ Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
                  "libcomedi-dev");
 }
 
-constexpr std::array<SourceEntry, 6> kSources{{
+constexpr std::array<SourceEntry, 7> kSources{{
     {"simulated", "A simulated cut from a scenario file, in real time or as fast as possible", makeSimulated},
     {"alsa",
      "Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs",
@@ -154,6 +155,8 @@ constexpr std::array<SourceEntry, 6> kSources{{
      makeIio},
     {"serial", "A microcontroller on a serial port, binary frames or text lines: device, baud, rate_hz, format",
      makeSerial},
+    {"joined", "Several of these as one, aligned on the clock of the first: 1_id, 1_channels, 1_delay_ms, 2_id ...",
+     makeJoined},
     {"tcp", "A bridge that sends the same over a socket: host, port, rate_hz, format", makeTcp},
 }};
 

@@ -1,0 +1,99 @@
+// stillcut-cli calibrate [RECORDING] --level LEVEL: a calibrator's tone gives the sensitivity of a channel, from a
+// recording of it or straight from a profile's device, whose channel is then set right.
+
+#include <cmath>
+#include <cstdio>
+
+#include "app/cli/command.h"
+#include "app/cli/reading_options.h"
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
+#include "app/compose/tone_samples.h"
+#include "app/io/wires.h"
+#include "core/daq/calibrator.h"
+
+namespace stillcut::app {
+namespace {
+
+struct CalibrateOptions {
+  std::string recording, profile, level;
+  double frequency = 1000.0, seconds = 5.0;
+  bool save = false;
+  ReadingOptions reading;
+};
+
+Status checkOptions(const CalibrateOptions& o) {
+  if (o.recording.empty() == o.profile.empty()) {
+    return Error{"calibrate", o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
+                 "name a RECORDING of the tone, or --profile of the machine whose sensor is on the calibrator"};
+  }
+  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
+  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
+  return Done{};
+}
+
+void print(const daq::Calibration& found, const ChannelInfo& before, const ChannelInfo& now) {
+  std::printf("channel %s: a tone of %.2f Hz, %.6g rms of the input, %.1f %% of what is heard\n", before.name.c_str(),
+              found.frequency.value, found.rms, 100.0 * found.pure);
+  std::printf("scale %.6g +- %.2g %s per unit of the input", now.scale, found.scaleSd,
+              std::string(siUnit(now.quantity)).c_str());
+  if (now.sensitivity > 0.0) std::printf("; %.6g mV per unit of the data sheet", now.sensitivity);
+  std::printf(" (was %.6g: %+.2f %%)\n", before.scale, 100.0 * (now.scale / before.scale - 1.0));
+}
+
+int save(config::Profile profile, const config::ParamCatalog& catalog, const CalibrateOptions& o, int which,
+         const ChannelInfo& now) {
+  const auto channel = static_cast<std::size_t>(which);
+  if (channel >= profile.cut.channels.size()) {
+    return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
+  }
+  profile.cut.channels[channel] = now;
+  if (const Status saved = config::saveProfile(profile, catalog, o.profile); !saved) return fail(saved.error());
+  std::printf("saved in %s\n", o.profile.c_str());
+  return kExitDone;
+}
+
+int run(const CalibrateOptions& o) {
+  if (const Status usable = checkOptions(o); !usable) return fail(usable.error());
+  const auto reading = o.reading.understand();
+  if (!reading) return fail(reading.error());
+  if (reading->channels.size() > 1) return fail({"--channel", "one at a time", "the calibrator is on one sensor"});
+  const int channel = reading->channels.empty() ? 0 : reading->channels.front();
+  const config::ParamCatalog catalog = fullCatalog();
+  config::Profile profile;
+  if (!o.profile.empty()) {
+    auto loaded = config::loadProfile(o.profile, catalog, knownIds());
+    if (!loaded) return fail(loaded.error());
+    profile = std::move(loaded).value();
+  }
+  const auto events = wireEvents();  // outlives the source and its wires
+  SetUpFault fault = SetUpFault::Input;
+  auto heard = o.profile.empty() ? readTone(o.recording, *reading)
+                                 : listenToTone(profile, o.profile, channel, Seconds(o.seconds), fault);
+  if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
+  const auto level = daq::levelFrom(o.level, heard->channel.quantity);
+  if (!level) return fail(level.error());
+  const auto found = daq::calibrate(heard->samples, heard->rate, {Hertz(o.frequency), *level});
+  if (!found) return fail(found.error());
+  ChannelInfo now = heard->channel;
+  daq::applyCalibration(*found, now);
+  print(*found, heard->channel, now);
+  return o.save ? save(std::move(profile), catalog, o, channel, now) : kExitDone;
+}
+
+}  // namespace
+
+void addCalibrate(CLI::App& app, int& exitCode) {
+  auto o = std::make_shared<CalibrateOptions>();
+  CLI::App* command = app.add_subcommand("calibrate", "Find a sensor's sensitivity with a calibrator's tone");
+  command->add_option("RECORDING", o->recording, "Recording of the tone; left out: the device of --profile is heard");
+  command->add_option("--level", o->level, "Level of the calibrator, rms: \"94 dB\", \"1 g\", 10")->required();
+  command->add_option("--frequency", o->frequency, "Its frequency [Hz]")->capture_default_str();
+  command->add_option("--profile", o->profile, "Listen to the device of this profile (.toml)");
+  command->add_option("--seconds", o->seconds, "How long, from 2 to 60")->capture_default_str();
+  command->add_flag("--save", o->save, "Set the channel of the profile right");
+  o->reading.add(*command);
+  command->callback([o, &exitCode] { exitCode = run(*o); });
+}
+
+}  // namespace stillcut::app
