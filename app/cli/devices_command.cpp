@@ -44,6 +44,15 @@ void printFound(const char* heading, const std::vector<daq::PcmDevice>& devices)
   if (devices.empty()) std::printf("  none\n");
 }
 
+void printPorts() {
+  std::printf("serial ports here, for the source 'serial' (any other path can be named)\n");
+  const auto ports = serialPorts();
+  for (const SerialPort& p : ports) {
+    std::printf("  %-14s %s: 1200 to 12000000 baud\n", p.device.c_str(), p.label.c_str());
+  }
+  if (ports.empty()) std::printf("  none\n");
+}
+
 int find(const DeviceOptions& o) {
   std::vector<std::string> hosts{"localhost"};
   hosts.insert(hosts.end(), o.hosts.begin(), o.hosts.end());
@@ -101,6 +110,7 @@ int run(const DeviceOptions& o) {
   print("sources", daq::sourceTable());
   printFound("audio-class devices here", alsaDevices());
   printFound("industrial I/O devices here", iioDevices("local:"));
+  printPorts();
   print("links", cnc::linkTable());
   return kExitDone;
 }

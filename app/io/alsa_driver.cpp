@@ -57,6 +57,10 @@ std::pair<unsigned, unsigned> channelsOf(snd_pcm_hw_params_t* hw) {
   return {least, most};
 }
 
+// alsa-lib would print its own lines beside ours.
+void sayNothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/, const char* /*format*/,
+                ...) {}  // NOLINT(cert-dcl50-cpp): the library's signature
+
 class AlsaDriver final : public daq::PcmDriver {
  public:
   AlsaDriver() = default;
@@ -66,6 +70,7 @@ class AlsaDriver final : public daq::PcmDriver {
 
   Result<daq::PcmFormat> open(const daq::PcmRequest& request) override {
     close();
+    ::snd_lib_error_set_handler(sayNothing);
     const int opened = ::snd_pcm_open(&pcm_, request.device.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
     if (opened < 0) {
       pcm_ = nullptr;

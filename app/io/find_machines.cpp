@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -26,14 +27,9 @@ constexpr std::array<Service, 3> kServices{{{5007, "linuxcncrsh: the link 'linux
                                             {502, "a Modbus server: the link 'modbus', with a map of its registers"}}};
 
 void addSerialPorts(std::vector<FoundMachine>& found) {
-  std::error_code none;
-  std::vector<std::string> ports;
-  for (const auto& entry : fs::directory_iterator("/dev", none)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("ttyUSB") || name.starts_with("ttyACM")) ports.push_back(entry.path().string());
+  for (SerialPort& port : serialPorts()) {
+    found.push_back({std::move(port.device), "a serial port: the links 'grbl' and 'modbus'"});
   }
-  std::sort(ports.begin(), ports.end());
-  for (std::string& port : ports) found.push_back({std::move(port), "a serial port: the links 'grbl' and 'modbus'"});
 }
 
 struct Knock {
@@ -44,7 +40,35 @@ struct Knock {
   bool open = false;
 };
 
+// The first line of a file the kernel keeps; empty: there is none.
+std::string lineOf(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
 }  // namespace
+
+std::vector<SerialPort> serialPorts(const std::string& devices, const std::string& classes) {
+  std::error_code none;
+  std::vector<SerialPort> ports;
+  for (const auto& entry : fs::directory_iterator(devices, none)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("ttyUSB") && !name.starts_with("ttyACM")) continue;
+    // The interface's folder lies in that of its USB device, or one deeper.
+    fs::path usb = fs::canonical(fs::path(classes) / name / "device", none);
+    std::string label;
+    for (int up = 0; up < 3 && !usb.empty() && label.empty(); ++up, usb = usb.parent_path()) {
+      const std::string maker = lineOf(usb / "manufacturer");
+      const std::string product = lineOf(usb / "product");
+      label = maker + (maker.empty() || product.empty() ? "" : " ") + product;
+    }
+    ports.push_back({entry.path().string(), label});
+  }
+  std::sort(ports.begin(), ports.end(), [](const SerialPort& a, const SerialPort& b) { return a.device < b.device; });
+  return ports;
+}
 
 std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost) {
   std::vector<FoundMachine> found;

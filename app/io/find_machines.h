@@ -10,6 +10,13 @@
 
 namespace stillcut::app {
 
+struct SerialPort {
+  std::string device;  // "/dev/ttyACM0"
+  std::string label;   // maker and product of its USB device; empty: not told
+};
+// USB serial ports, by name. The folders are the kernel's; tests have their own.
+std::vector<SerialPort> serialPorts(const std::string& devices = "/dev", const std::string& classes = "/sys/class/tty");
+
 struct FoundMachine {
   std::string where;  // "/dev/ttyUSB0", "localhost:5007"
   std::string what;   // one sentence for a person

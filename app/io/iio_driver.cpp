@@ -146,7 +146,7 @@ class IioDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> configure(const daq::PcmRequest& request) {
     const std::string where = "device '" + request.device + "'";
     iio_device* device = ::iio_context_find_device(context_, request.device.c_str());
-    if (device == nullptr) return Error{where, "is not at " + uri_, "there are: " + deviceNames()};
+    if (device == nullptr) return Error{where, "is not at " + uri_, "there are: " + namesOfAll(false)};
     const std::vector<iio_channel*> all = inputsOf(device);
     if (static_cast<int>(all.size()) < request.channels) {
       return Error{where, "has no input " + std::to_string(request.channels - 1) + " ('inputs')",
@@ -194,17 +194,18 @@ class IioDriver final : public daq::PcmDriver {
     if (trigger_.empty()) return Done{};
     const iio_device* trigger = ::iio_context_find_device(context_, trigger_.c_str());
     if (trigger == nullptr || !::iio_device_is_trigger(trigger)) {
-      return Error{"", "there is no trigger '" + trigger_ + "' at " + uri_, "there are: " + deviceNames()};
+      return Error{"", "there is no trigger '" + trigger_ + "' at " + uri_, "there are: " + namesOfAll(true)};
     }
     const int set = ::iio_device_set_trigger(device, trigger);
     if (set < 0) return Error{"", "does not take the trigger '" + trigger_ + "'", reasonOf(-set)};
     return Done{};
   }
 
-  std::string deviceNames() const {
+  std::string namesOfAll(bool triggers) const {
     std::string names;
     for (unsigned i = 0; i < ::iio_context_get_devices_count(context_); ++i) {
       const iio_device* device = ::iio_context_get_device(context_, i);
+      if (::iio_device_is_trigger(device) != triggers) continue;
       const char* name = ::iio_device_get_name(device);
       names += (names.empty() ? "" : ", ") + std::string(name != nullptr ? name : ::iio_device_get_id(device));
     }

@@ -40,6 +40,8 @@ class FakeIiod {
   bool good() const { return good_; }
 
   std::atomic<double> rate{25600.0};
+  std::atomic<bool> triggered{false};  // streams only with its trigger "timer" set
+  std::atomic<bool> hasTrigger{false};
   std::atomic<int> hangUpAfter{-1};  // buffers; then the streaming connection is cut, once
 
  private:
@@ -91,7 +93,8 @@ class FakeIiod {
     }
     return xml +
            "<attribute name=\"sampling_frequency\" /><attribute name=\"sampling_frequency_available\" />"
-           "</device></context>";
+           "</device><device id=\"trigger0\" name=\"timer\"><attribute name=\"sampling_frequency\" /></device>"
+           "<device id=\"iio:device1\" name=\"temperature\"></device></context>";
   }
 
   void serve(int client) {
@@ -133,6 +136,11 @@ class FakeIiod {
         const double wanted = std::atof(value.c_str());
         if (wanted == 12800.0 || wanted == 25600.0) rate = wanted;
         send(client, std::to_string(value.size()) + "\n");
+      } else if (line.starts_with("SETTRIG")) {
+        hasTrigger = line.ends_with(" trigger0");
+        send(client, "0\n");
+      } else if (line.starts_with("OPEN") && triggered && !hasTrigger) {
+        send(client, "-22\n");
       } else if (line.starts_with("OPEN")) {
         mask = static_cast<unsigned>(std::strtoul(line.substr(line.rfind(' ')).c_str(), nullptr, 16));
         send(client, "0\n");

@@ -1,31 +1,25 @@
-// Sources on real wires: a pty as the serial port, a socket, and PulseAudio null sinks through ALSA's pulse plugin,
-// which stand in for audio-class devices. Waits are in real time, and each is bounded.
+// Sources on real wires: a pty as the serial port, a socket, libiio's network protocol. Waits are in real time, and
+// each is bounded.
 #include <gtest/gtest.h>
 #include <pty.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string>
 #include <thread>
 #include <vector>
 
-#ifdef STILLCUT_ALSA
-#include <alsa/asoundlib.h>
-#endif
-
-#include "app/io/alsa_driver.h"
 #include "app/io/comedi_driver.h"
+#include "app/io/find_machines.h"
 #include "app/io/iio_driver.h"
-#include "app/io/wires.h"
 #include "core/daq/binary_frames.h"
 #include "core/daq/registry.h"
 #include "tests/protocol/fake_iiod.h"
+#include "tests/protocol/source_request.h"
 
 namespace stillcut::daq {
 namespace {
@@ -83,16 +77,6 @@ class Sender {
   std::atomic<bool> stopped_{false};
   std::thread thread_;
 };
-
-SourceRequest requestOn(const Clock& clock, std::map<std::string, std::string> settings) {
-  SourceRequest request;
-  request.channels.resize(1);
-  request.wires = app::makeWire;
-  request.pcm = app::makeAlsaDriver;
-  request.clock = &clock;
-  request.settings = std::move(settings);
-  return request;
-}
 
 TEST(SerialSource, ReadsAPortThroughSplitLostAndDamagedBytes) {
   int master = -1;
@@ -152,139 +136,27 @@ TEST(SerialSource, APortThatIsNotThereIsOneLine) {
   EXPECT_EQ(opened.error().line(), "source 'serial' at /dev/no-such-port: cannot be opened (is it there, and free?)");
 }
 
-#ifdef STILLCUT_ALSA
-// A PulseAudio server of this test's own with one null sink; what is played to it is heard at its monitor.
-class PulseTest : public ::testing::Test {
- protected:
-  static constexpr int kRate = 96000;
-  static constexpr int kChannels = 4;
-
-  void SetUp() override {
-    if (std::system("command -v pulseaudio >/dev/null") != 0) GTEST_SKIP() << "pulseaudio is not installed";
-    if (std::system("ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1") != 0) {
-      GTEST_SKIP() << "libasound2-plugins is not installed";
-    }
-    char folder[] = "/tmp/stillcut-pulse-XXXXXX";
-    ASSERT_NE(::mkdtemp(folder), nullptr);
-    folder_ = folder;
-    const std::string socket = (folder_ / "socket").string();
-    std::ofstream(folder_ / "alsa.conf") << "</usr/share/alsa/alsa.conf>\n"
-                                         << "pcm.heard { type pulse server \"unix:" << socket
-                                         << "\" device \"null4.monitor\" }\n"
-                                         << "pcm.played { type pulse server \"unix:" << socket
-                                         << "\" device \"null4\" }\n";
-    ::setenv("ALSA_CONFIG_PATH", (folder_ / "alsa.conf").c_str(), 1);
-    ::setenv("XDG_RUNTIME_DIR", folder, 1);
-    ::setenv("HOME", folder, 1);
-    pid_ = ::fork();
-    if (pid_ == 0) {
-      const std::string listen = "--load=module-native-protocol-unix auth-anonymous=1 socket=" + socket;
-      const std::string sink = "--load=module-null-sink sink_name=null4 format=s32le rate=" + std::to_string(kRate) +
-                               " channels=" + std::to_string(kChannels) +
-                               " channel_map=front-left,front-right,rear-left,rear-right";
-      ::execlp("pulseaudio", "pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--log-target=null",
-               listen.c_str(), sink.c_str(), static_cast<char*>(nullptr));
-      ::_exit(127);
-    }
-    for (int i = 0; i < 100 && !fs::exists(socket); ++i) ::usleep(50000);
-    if (!fs::exists(socket)) GTEST_SKIP() << "pulseaudio does not start here";
-  }
-  void TearDown() override {
-    if (pid_ > 0) {
-      ::kill(pid_, SIGTERM);
-      ::waitpid(pid_, nullptr, 0);
-    }
-    if (!folder_.empty()) fs::remove_all(folder_);
-  }
-
-  fs::path folder_;
-  pid_t pid_ = -1;
-};
-
-// Plays frame n of channel c as (n * 4 + c) in the upper 24 bits, until it is destroyed.
-class Player {
- public:
-  Player() : thread_([this] { run(); }) {}
-  ~Player() {
-    stopped_ = true;
-    thread_.join();
-  }
-  Player(const Player&) = delete;
-  Player& operator=(const Player&) = delete;
-  std::string problem;
-
- private:
-  void run() {
-    snd_pcm_t* pcm = nullptr;
-    if (::snd_pcm_open(&pcm, "played", SND_PCM_STREAM_PLAYBACK, 0) < 0) {
-      problem = "cannot play";
-      return;
-    }
-    ::snd_pcm_set_params(pcm, SND_PCM_FORMAT_S32_LE, SND_PCM_ACCESS_RW_INTERLEAVED, 4, 96000, 0, 200000);
-    std::vector<std::int32_t> out(4 * 960);
-    for (std::uint32_t n = 1; !stopped_;) {
-      for (std::size_t f = 0; f < 960; ++f, ++n) {
-        for (std::uint32_t c = 0; c < 4; ++c) out[4 * f + c] = static_cast<std::int32_t>(((n * 4 + c) & 0x7FFFFF) << 8);
-      }
-      if (::snd_pcm_writei(pcm, out.data(), 960) < 0) ::snd_pcm_prepare(pcm);
-    }
-    ::snd_pcm_close(pcm);
-  }
-  std::atomic<bool> stopped_{false};
-  std::thread thread_;
-};
-
-TEST_F(PulseTest, TwentyFourBitsArriveInOrderOnTheirOwnChannels) {
-  SteadyClock clock;
-  SourceRequest request = requestOn(clock, {{"device", "heard"}, {"rate_hz", "96000"}, {"inputs", "0,1,2,3"}});
-  request.channels.resize(kChannels);
-  auto source = makeSource("alsa", request);
-  ASSERT_TRUE(source) << source.error().line();
-  const auto format = (*source)->open();
-  ASSERT_TRUE(format) << format.error().line();
-  const Player player;
-  SampleBlock block;
-  block.allocate(kChannels, format->blockFrames);
-  std::int64_t expected = -1;
-  long counted = 0;
-  Instant first{};
-  const Instant end = clock.now() + std::chrono::seconds(15);
-  while (counted < 2L * kRate && clock.now() < end) {
-    ASSERT_TRUE((*source)->read(block));
-    ASSERT_EQ(block.frames, format->blockFrames);
-    for (int f = 0; f < block.frames; ++f) {
-      const auto at = static_cast<std::size_t>(f);
-      const auto value = static_cast<std::int64_t>(block.channel(0)[at] * 8388608.0F);
-      if (value == 0 && expected < 0) continue;  // not yet playing
-      if (expected >= 0) {
-        ASSERT_EQ(value, expected) << counted;
-      }
-      for (std::size_t c = 1; c < kChannels; ++c) {
-        ASSERT_EQ(static_cast<std::int64_t>(block.channel(static_cast<int>(c))[at] * 8388608.0F),
-                  value + static_cast<std::int64_t>(c))
-            << c << " at " << f << " of " << counted << ": " << block.channel(1)[at] * 8388608.0F << " "
-            << block.channel(2)[at] * 8388608.0F << " " << block.channel(3)[at] * 8388608.0F;
-      }
-      expected = (value + 4) & 0x7FFFFF;
-      if (counted++ == 0) first = block.firstSample;
-    }
-  }
-  EXPECT_EQ(player.problem, "");
-  ASSERT_GE(counted, 2L * kRate);
-  EXPECT_NEAR(secondsBetween(first, block.end()).value, static_cast<double>(counted) / kRate, 0.05);
+// The kernel's folders, as they are with two adapters plugged in and a port of the board.
+TEST(SerialSource, PortsAreListedWithTheirMakers) {
+  char folder[] = "/tmp/stillcut-ports-XXXXXX";
+  ASSERT_NE(::mkdtemp(folder), nullptr);
+  const fs::path root = folder;
+  fs::create_directories(root / "dev");
+  for (const char* name : {"ttyUSB1", "ttyACM0", "ttyS0", "null"}) std::ofstream(root / "dev" / name) << "";
+  const fs::path usb = root / "usb/1-1";
+  fs::create_directories(usb / "1-1:1.0/tty");
+  fs::create_directories(root / "class/ttyACM0");
+  fs::create_directory_symlink(usb / "1-1:1.0", root / "class/ttyACM0/device");
+  std::ofstream(usb / "manufacturer") << "Raspberry Pi\n";
+  std::ofstream(usb / "product") << "Pico\n";
+  const auto ports = app::serialPorts((root / "dev").string(), (root / "class").string());
+  ASSERT_EQ(ports.size(), 2U);
+  EXPECT_EQ(ports[0].device, (root / "dev/ttyACM0").string());
+  EXPECT_EQ(ports[0].label, "Raspberry Pi Pico");
+  EXPECT_EQ(ports[1].device, (root / "dev/ttyUSB1").string());
+  EXPECT_EQ(ports[1].label, "");
+  fs::remove_all(root);
 }
-
-TEST_F(PulseTest, ARateOrAChannelThatIsNotThereIsOneLine) {
-  SteadyClock clock;
-  auto source = makeSource("alsa", requestOn(clock, {{"device", "heard"}, {"inputs", "31"}, {"bits", "16"}}));
-  ASSERT_TRUE(source) << source.error().line();
-  auto absent = makeSource("alsa", requestOn(clock, {{"device", "hw:77"}}));
-  ASSERT_TRUE(absent);
-  const auto opened = (*absent)->open();
-  ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().line().find("'device' = 'hw:77': cannot be opened"), std::string::npos);
-}
-#endif
 
 TEST(ComediSource, ACardThatIsNotThereIsOneLine) {
   if (!app::makeComediDriver(0, 0)) GTEST_SKIP() << "this build has no Comedi";
@@ -351,8 +223,27 @@ TEST_F(IioTest, StreamsWhatTheServerSendsAndComesBackAfterItHangsUp) {
   EXPECT_EQ(gaps, 1);
 }
 
+// A device that samples only when its trigger says so: without one the line says what it may need, with it it streams.
+TEST_F(IioTest, StreamsAtItsTriggersPace) {
+  server_.triggered = true;
+  EXPECT_NE(problemOf({}).find("some devices need a 'trigger'"), std::string::npos) << problemOf({});
+  EXPECT_EQ(problemOf({{"trigger", "clock"}}),
+            "source 'iio' device 'adxl': there is no trigger 'clock' at ip:127.0.0.1 (there are: timer)");
+  EXPECT_NE(problemOf({{"trigger", "temperature"}}).find("there is no trigger 'temperature'"), std::string::npos);
+  auto source = make({{"trigger", "timer"}});
+  ASSERT_TRUE(source) << source.error().line();
+  const auto format = (*source)->open();
+  ASSERT_TRUE(format) << format.error().line();
+  EXPECT_TRUE(server_.hasTrigger);
+  SampleBlock block;
+  block.allocate(2, format->blockFrames);
+  ASSERT_TRUE((*source)->read(block));
+  EXPECT_EQ(block.frames, format->blockFrames);
+}
+
 TEST_F(IioTest, WhatIsNotThereIsOneLineWithWhatIs) {
-  EXPECT_EQ(problemOf({{"device", "adis"}}), "source 'iio' device 'adis': is not at ip:127.0.0.1 (there are: adxl)");
+  EXPECT_EQ(problemOf({{"device", "adis"}}),
+            "source 'iio' device 'adis': is not at ip:127.0.0.1 (there are: adxl, temperature)");
   EXPECT_EQ(problemOf({{"inputs", "0,5"}}),
             "source 'iio' device 'adxl': has no input 5 ('inputs') (it has, from 0: accel_x, accel_y, accel_z)");
   const std::string rate = problemOf({{"rate_hz", "8000"}});

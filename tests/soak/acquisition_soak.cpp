@@ -6,21 +6,13 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <thread>
 
 #include "app/compose/scenario_rig.h"
+#include "tests/soak/resident.h"
 
 namespace stillcut::app {
 namespace {
-
-double residentMegabytes() {
-  std::ifstream status("/proc/self/statm");
-  double all = 0.0;
-  double resident = 0.0;
-  status >> all >> resident;
-  return resident * 4096.0 / 1e6;
-}
 
 int run(double seconds) {
   auto loaded = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/production-stable.toml");
@@ -40,10 +32,10 @@ int run(double seconds) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (const Snapshot* s = built->rig->read()) last = *s;
     if (early == 0.0 && sinceEpoch(last.time).value > 0.0 && static_cast<double>(last.health.blocks) > seconds * 10.0) {
-      early = residentMegabytes();
+      early = testing::residentMegabytes();
     }
   }
-  const double late = residentMegabytes();
+  const double late = testing::residentMegabytes();
   const Status stopped = built->rig->stop();
   std::printf("%llu blocks, %llu dropped, %llu gaps, %llu overruns; %.3f Hz against the clock (sd %.3f)\n",
               static_cast<unsigned long long>(last.health.blocks),
@@ -54,8 +46,7 @@ int run(double seconds) {
               last.health.worstProcessing.value * 1e3, last.health.blockLength.value * 1e3,
               last.sensors.fault.code == ReasonCode::None ? "sound" : sentence(last.sensors.fault).c_str(), early,
               late);
-  const bool flat = late < std::max(1.05 * early, early + 8.0);
-  return stopped && last.health.droppedBlocks == 0 && last.health.gaps == 0 && flat ? 0 : 1;
+  return stopped && last.health.droppedBlocks == 0 && last.health.gaps == 0 && testing::flat(early, late) ? 0 : 1;
 }
 
 }  // namespace

@@ -1,0 +1,164 @@
+// PulseAudio null sinks through ALSA's pulse plugin, which stand in for audio-class devices. Waits are in real time,
+// and each is bounded.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <map>
+#include <span>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tests/protocol/source_request.h"
+#include "tests/support/null_sink.h"
+
+namespace stillcut::daq {
+namespace {
+
+class PulseTest : public ::testing::Test {
+ protected:
+  static constexpr int kRate = 96000;
+  static constexpr int kChannels = 4;
+
+  void SetUp() override {
+    const std::string missing = sink_.start(kRate, kChannels, "front-left,front-right,rear-left,rear-right");
+    if (!missing.empty()) GTEST_SKIP() << missing;
+  }
+  Result<std::unique_ptr<DaqSource>> heard(std::map<std::string, std::string> settings, std::size_t channels) {
+    settings.emplace("device", "heard");
+    SourceRequest request = requestOn(clock_, std::move(settings));
+    request.channels.resize(channels);
+    return makeSource("alsa", request);
+  }
+  testing::NullSink sink_;
+  SteadyClock clock_;
+};
+
+// Plays frame n of channel c as (n * 4 + c) in the upper 24 bits.
+class Counter {
+ public:
+  void operator()(std::span<std::int32_t> out) {
+    for (std::size_t f = 0; f < out.size() / 4; ++f, ++frame_) {
+      for (std::uint32_t c = 0; c < 4; ++c)
+        out[4 * f + c] = static_cast<std::int32_t>(((frame_ * 4 + c) & 0x7FFFFF) << 8);
+    }
+  }
+
+ private:
+  std::uint32_t frame_ = 1;
+};
+
+TEST_F(PulseTest, TwentyFourBitsArriveInOrderOnTheirOwnChannels) {
+  auto source = heard({{"rate_hz", "96000"}, {"inputs", "0,1,2,3"}}, kChannels);
+  ASSERT_TRUE(source) << source.error().line();
+  const auto format = (*source)->open();
+  ASSERT_TRUE(format) << format.error().line();
+  const testing::NullSinkPlayer player(kRate, kChannels, Counter());
+  SampleBlock block;
+  block.allocate(kChannels, format->blockFrames);
+  std::int64_t expected = -1;
+  long counted = 0;
+  Instant first{};
+  const Instant end = clock_.now() + std::chrono::seconds(15);
+  while (counted < 2L * kRate && clock_.now() < end) {
+    ASSERT_TRUE((*source)->read(block));
+    ASSERT_EQ(block.frames, format->blockFrames);
+    for (int f = 0; f < block.frames; ++f) {
+      const auto at = static_cast<std::size_t>(f);
+      const auto value = static_cast<std::int64_t>(block.channel(0)[at] * 8388608.0F);
+      if (value == 0 && expected < 0) continue;  // not yet playing
+      if (expected >= 0) {
+        ASSERT_EQ(value, expected) << counted;
+      }
+      for (std::size_t c = 1; c < kChannels; ++c) {
+        ASSERT_EQ(static_cast<std::int64_t>(block.channel(static_cast<int>(c))[at] * 8388608.0F),
+                  value + static_cast<std::int64_t>(c))
+            << c << " at " << f << " of " << counted << ": " << block.channel(1)[at] * 8388608.0F << " "
+            << block.channel(2)[at] * 8388608.0F << " " << block.channel(3)[at] * 8388608.0F;
+      }
+      expected = (value + 4) & 0x7FFFFF;
+      if (counted++ == 0) first = block.firstSample;
+    }
+  }
+  EXPECT_TRUE(player.couldPlay());
+  ASSERT_GE(counted, 2L * kRate);
+  EXPECT_NEAR(secondsBetween(first, block.end()).value, static_cast<double>(counted) / kRate, 0.05);
+}
+
+// Channels are the inputs that the profile names, in its order: a wrong one would show here as another number.
+TEST_F(PulseTest, AnInputIsTheOneThatWasAskedFor) {
+  auto source = heard({{"rate_hz", "96000"}, {"inputs", "3,1"}}, 2);
+  ASSERT_TRUE(source) << source.error().line();
+  const auto format = (*source)->open();
+  ASSERT_TRUE(format) << format.error().line();
+  const testing::NullSinkPlayer player(kRate, kChannels, Counter());
+  SampleBlock block;
+  block.allocate(2, format->blockFrames);
+  long counted = 0;
+  const Instant end = clock_.now() + std::chrono::seconds(15);
+  while (counted < kRate / 4 && clock_.now() < end) {
+    ASSERT_TRUE((*source)->read(block));
+    for (std::size_t f = 0; f < static_cast<std::size_t>(block.frames); ++f) {
+      const auto first = static_cast<std::int64_t>(block.channel(0)[f] * 8388608.0F);
+      if (first == 0) continue;  // not yet playing
+      ASSERT_EQ(first % 4, 3);
+      ASSERT_EQ(static_cast<std::int64_t>(block.channel(1)[f] * 8388608.0F), first - 2);
+      ++counted;
+    }
+  }
+  EXPECT_GE(counted, kRate / 4);
+}
+
+// The cable is pulled in the middle and put back: the stream goes on by itself, with a gap as long as it was out.
+TEST_F(PulseTest, ADeviceThatGoesAndComesBackIsTakenUpAgainWithAGap) {
+  auto source = heard({{"rate_hz", "96000"}}, 1);
+  ASSERT_TRUE(source) << source.error().line();
+  const auto format = (*source)->open();
+  ASSERT_TRUE(format) << format.error().line();
+  SampleBlock block;
+  block.allocate(1, format->blockFrames);
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE((*source)->read(block));
+  std::atomic<bool> plugged{false};
+  std::thread cable([this, &plugged] {
+    sink_.unplug();
+    ::usleep(300'000);
+    EXPECT_EQ(sink_.plug(), "");
+    plugged = true;
+  });
+  Instant before = block.end();
+  bool gap = false;
+  for (const Instant end = clock_.now() + std::chrono::seconds(15); !gap && clock_.now() < end;) {
+    if (!(*source)->read(block)) break;
+    gap = block.has(kBlockGap);
+    if (gap) {
+      EXPECT_GT(block.lostFrames, static_cast<std::uint64_t>(kRate / 10));
+      EXPECT_NEAR(secondsBetween(before, block.firstSample).value, static_cast<double>(block.lostFrames) / kRate, 1e-3);
+    }
+    before = block.end();
+  }
+  EXPECT_TRUE(gap);
+  EXPECT_TRUE(plugged);
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE((*source)->read(block));
+  cable.join();
+}
+
+TEST_F(PulseTest, WhatTheDeviceDoesNotHaveIsOneLine) {
+  for (const auto& [settings, line] : std::vector<std::pair<std::map<std::string, std::string>, std::string>>{
+           {{{"device", "hw:77"}}, "'device' = 'hw:77': cannot be opened"},
+           {{{"inputs", "31"}, {"bits", "8"}}, "'bits'"},
+           {{{"rate_hz", "4000"}}, "'rate_hz'"}}) {
+    auto source = heard(settings, 1);
+    std::string said = source ? "" : source.error().line();
+    if (source) {
+      const auto opened = (*source)->open();
+      said = opened ? "it opened" : opened.error().line();
+    }
+    EXPECT_NE(said.find(line), std::string::npos) << said;
+    EXPECT_EQ(said.find('\n'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::daq

@@ -1,0 +1,62 @@
+// A PulseAudio server of the test's own with one null sink, reached through ALSA's pulse plugin: what is played to the
+// ALSA device "played" is heard, bit by bit, at "heard". It stands in for an audio-class device.
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <thread>
+
+namespace stillcut::testing {
+
+class NullSink {
+ public:
+  NullSink() = default;
+  ~NullSink();
+  NullSink(const NullSink&) = delete;
+  NullSink& operator=(const NullSink&) = delete;
+
+  // Empty: it runs, and this process' ALSA knows its two devices. Else why it cannot run here, one line.
+  // channelMap: as PulseAudio spells it; what is heard is mixed where it is not the one that ALSA asks for.
+  std::string start(int rate, int channels, const std::string& channelMap = {});
+  // As if the cable were pulled, and put back.
+  void unplug();
+  std::string plug();
+
+ private:
+  std::filesystem::path folder_;
+  int rate_ = 0;
+  int channels_ = 0;
+  std::string map_;
+  pid_t server_ = -1;
+};
+
+// Plays interleaved 32-bit frames until it is destroyed. fill: one call after the other, on the player's own thread.
+class NullSinkPlayer {
+ public:
+  using Fill = std::function<void(std::span<std::int32_t> interleaved)>;
+  NullSinkPlayer(int rate, int channels, Fill fill);
+  ~NullSinkPlayer();
+  NullSinkPlayer(const NullSinkPlayer&) = delete;
+  NullSinkPlayer& operator=(const NullSinkPlayer&) = delete;
+
+  bool couldPlay() const { return !refused_; }
+  // Times it was too late itself, so that silence was played in between.
+  int underruns() const { return underruns_; }
+
+ private:
+  void run(int rate, int channels);
+
+  Fill fill_;
+  std::atomic<bool> stopped_{false};
+  std::atomic<bool> refused_{false};
+  std::atomic<int> underruns_{0};
+  std::thread thread_;
+};
+
+}  // namespace stillcut::testing
