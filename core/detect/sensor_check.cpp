@@ -127,6 +127,8 @@ void SensorCheck::watchMean(Channel& c, double mean, double peak) noexcept {
   if (c.seconds < kLearnPlace) {
     c.largest = std::max(c.largest, peak);
     c.place += (mean - c.place) * windowSeconds_ / std::max(windowSeconds_, c.seconds);
+    // No accelerometer rests further from zero than gravity turned over: that is no place to learn.
+    if (c.quantity == SensorQuantity::Acceleration && std::abs(c.place) > kGravityTurned) c.place = 0.0;
     return;
   }
   const double away = std::abs(mean - c.place);

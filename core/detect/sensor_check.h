@@ -6,7 +6,8 @@
 //                    three windows long
 //   broken cable     falls silent in the cut while another channel goes on (cable_watch.h)
 //   offset           the mean has left its place by more than anything the channel has shown, and more than gravity
-//                    can turn: a sensor of what changes (acceleration, velocity, sound) has lost its bias
+//                    can turn: a sensor of what changes (acceleration, velocity, sound) has lost its bias. An
+//                    accelerometer that starts that far from zero is off from its first second on
 //   mains hum        more than half of what is there (hum_watch.h)
 //   noise            white and loud, with no structure in it: no cut is
 //   same axis twice  two axes deliver the same (pair_watch.h)

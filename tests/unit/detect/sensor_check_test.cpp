@@ -180,6 +180,17 @@ TEST_F(SensorCheckTest, ALostBiasIsAnOffsetAndGravityIsNot) {
   EXPECT_TRUE(faulty(0, [](float x, std::size_t) { return x + 9.81F; }).faults.empty());
 }
 
+TEST_F(SensorCheckTest, AnOffsetThatIsThereFromTheStartIsOneAndABiasWithinGravityIsNot) {
+  Samples off = cut(4.0);
+  for (float& v : off[1]) v -= 60.0F;
+  const Run r = run(off);
+  EXPECT_GT(r.first(ReasonCode::InputOffset), 0.9);
+  EXPECT_LT(r.first(ReasonCode::InputOffset), 2.0);
+  Samples biased = cut(4.0);
+  for (float& v : biased[1]) v -= 15.0F;
+  EXPECT_TRUE(run(biased).faults.empty());
+}
+
 TEST_F(SensorCheckTest, MainsHumIsFoundAndASpindleAtFiftyHertzIsNot) {
   const auto hum = [](float x, std::size_t f) {
     const double t = static_cast<double>(f) / kRate;
