@@ -27,7 +27,7 @@ void onSignal(int /*number*/) {
 }
 
 struct RunOptions {
-  std::string profile, record, job, flights;
+  std::string profile, record, job, flights, operatorName;
   double seconds = 0.0;
 };
 
@@ -112,8 +112,9 @@ int watch(Rig& rig, const RunOptions& options) {
 int run(const RunOptions& options) {
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
   const config::ParamCatalog catalog = fullCatalog();
-  const auto profile = config::loadProfile(options.profile, catalog, knownIds());
+  auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());
+  if (!options.operatorName.empty()) profile->operatorName = options.operatorName;
   const auto events = wireEvents();  // outlives the rig and its wires
   SetUpFault fault = SetUpFault::Input;
   auto rig = buildProfileRig(*profile, options.profile, &fault);
@@ -144,6 +145,7 @@ void addRun(CLI::App& app, int& exitCode) {
   command->add_option("--profile", o->profile, "Profile of the machine (.toml)")->required();
   command->add_option("--record", o->record, "Record to FILE.h5, or into a FOLDER as the parameters record.* say");
   command->add_option("--job", o->job, "Name of the job, for the names of files in a FOLDER");
+  command->add_option("--operator", o->operatorName, "Who signs markers; left out: as the profile says");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
   command->callback([o, &exitCode] { exitCode = run(*o); });

@@ -108,6 +108,7 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.setup.stableSpeeds = std::move(known).value();
   spec.params = profile.params;
   spec.autoAllowed = profile.allowAuto;
+  spec.operatorName = profile.operatorName;
   spec.methods.detectors = {profile.detector};
   if (!profile.fallback.empty() && profile.fallback != profile.detector) {
     spec.methods.detectors.push_back(profile.fallback);

@@ -155,6 +155,7 @@ record::SessionHeader Rig::sessionHeader(const std::string& origin) const {
   header.setup = spec_.setup;
   header.configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
   header.programVersion = STILLCUT_VERSION;
+  if (!spec_.operatorName.empty()) header.operatorName = spec_.operatorName;
   header.simulated = spec_.link && spec_.link->describe().simulated;
   return header;
 }

@@ -32,6 +32,7 @@ struct RigSpec {
   CutSetup setup;                               // rate, channels and block size are overwritten by the source's format
   config::ParamSet params;
   bool autoAllowed = false;  // Auto may be chosen at all
+  std::string operatorName;  // signs what is touched during the cut; empty: "operator"
   Methods methods;
   bool watched = false;        // a screen reads snapshots
   bool deterministic = false;  // advance() and runToEnd() instead of start()

@@ -133,6 +133,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   }
   Profile profile;
   profile.cut = cutFrom(root);
+  profile.operatorName = root.textOr("operator", "");
   readModel(root.tableOr("cut"), profile);
   profile.source = partFrom(root.tableOr("source"), known.sources);
   profile.link = partFrom(root.tableOr("link"), known.links);
@@ -230,6 +231,7 @@ std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
   TomlWriter out;
   out.integer("version", kProfileVersion);
   out.text("machine", profile.cut.machine);
+  if (!profile.operatorName.empty()) out.text("operator", profile.operatorName);
   writeCut(out, profile);
   writePart(out, "source", profile.source);
   writePart(out, "link", profile.link);

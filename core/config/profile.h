@@ -3,6 +3,7 @@
 //
 //   version = 1
 //   machine = "Mill 3"
+//   operator = "Ada"                                     signs the markers that are touched during the cut
 //   [tool]       label, teeth, diameter_mm
 //   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
 //                model, depth_mm                         file of the cut's modes and material, and its depth: where
@@ -46,6 +47,7 @@ struct Profile {
   CutSetup cut;       // rate and blockFrames are the source's affair and not part of a profile
   std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
   Metres depth{};     // of the cut; 0: unknown
+  std::string operatorName;  // empty: not told
   PartChoice source;
   PartChoice link;
   std::string detector = "energy-ratio";  // in charge
