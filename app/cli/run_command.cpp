@@ -88,6 +88,9 @@ int watch(Rig& rig, const RunOptions& options) {
   if (!rt::lockMemory())
     std::printf("memory is not locked: not permitted (the package's limits allow it to the group stillcut)\n");
   rig.start({});
+  if (rig.device().live() && rig.engine()->workerScheduling() != rt::Scheduling::Fifo) {
+    std::puts("at ordinary priority: real-time priority is for members of the group stillcut");
+  }
   Console console(rig);
   rt::Wakeup never;  // only its time-out is used
   while (interrupted == 0 && !rig.finished()) {

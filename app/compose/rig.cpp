@@ -204,7 +204,18 @@ bool Rig::send(const OperatorInput& input) {
   return inputs_.push(input);
 }
 
-void Rig::start(const pipeline::EngineOptions& options) {
+// What is measured now cannot be measured again: it goes before everything else on this computer, where that is allowed
+// (packaging/system/stillcut-limits.conf), and a computer that stands still for a moment loses nothing.
+pipeline::EngineOptions Rig::liveOptions(pipeline::EngineOptions options) const {
+  constexpr double kBehind = 2.0;  // s that the worker may fall behind before blocks are dropped
+  options.worker.scheduling = rt::Scheduling::Fifo;
+  options.ringBlocks =
+      std::max(options.ringBlocks, static_cast<int>(kBehind * format_.rate.value / format_.blockFrames));
+  return options;
+}
+
+void Rig::start(const pipeline::EngineOptions& asked) {
+  const pipeline::EngineOptions options = spec_.device->live() ? liveOptions(asked) : asked;
   if (recorder_) recorder_->startThread();
   engine_ = std::make_unique<pipeline::Engine>(
       pipeline::EngineParts{*spec_.steps, format_, *loop_, linkRunner_.get(), steadyClock_}, options);

@@ -97,6 +97,7 @@ class Rig {
   Status prepare(SetUpFault& fault);
   Status open();
   void makeLoop();
+  pipeline::EngineOptions liveOptions(pipeline::EngineOptions options) const;
   record::SessionHeader sessionHeader(const std::string& origin) const;
   void tapInto(std::unique_ptr<record::Recorder> recorder);
 

@@ -141,7 +141,8 @@ class AlsaDriver final : public daq::PcmDriver {
     format.sampleBytes = kind->bytes;
     auto period = static_cast<snd_pcm_uframes_t>(request.periodFrames);
     ::snd_pcm_hw_params_set_period_size_near(pcm_, hw, &period, nullptr);
-    snd_pcm_uframes_t buffer = std::max<snd_pcm_uframes_t>(rate / 2, 4 * period);
+    // As much as it has, up to two seconds: it is read a period at a time all the same.
+    snd_pcm_uframes_t buffer = std::max<snd_pcm_uframes_t>(2 * rate, 4 * period);
     ::snd_pcm_hw_params_set_buffer_size_near(pcm_, hw, &buffer);
     const int set = ::snd_pcm_hw_params(pcm_, hw);
     if (set < 0) return Error{where, "does not take these settings together", ::snd_strerror(set)};

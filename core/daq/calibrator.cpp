@@ -83,11 +83,12 @@ double findFrequency(std::span<const float> x, double mean, double rate, double 
   return 0.5 * (low + high);
 }
 
-// A sine never reaches further than it swings; one that is cut off does, by 1.7 % when a fiftieth of it is gone.
-bool cutOff(std::span<const float> x, double mean, double rms) {
+// A sine never swings further than it reaches; one that is cut off does, by 1.7 % when a fiftieth of it is gone. Where
+// few samples make a turn, the nearest may miss the top by half a step.
+bool cutOff(std::span<const float> x, double mean, double rms, double radPerSample) {
   const auto [least, greatest] = std::minmax_element(x.begin(), x.end());
   const double reach = std::min(static_cast<double>(*greatest) - mean, mean - static_cast<double>(*least));
-  return std::numbers::sqrt2 * rms > kBeyond * reach;
+  return std::numbers::sqrt2 * rms * std::cos(0.5 * radPerSample) > kBeyond * reach;
 }
 
 }  // namespace
@@ -148,7 +149,7 @@ Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const 
                  "does the calibrator run, on this channel, and is the machine quiet?"};
   }
   for (const double level : levels) found.rms += level / count;
-  if (cutOff(samples, mean, found.rms))
+  if (cutOff(samples, mean, found.rms, turn))
     return Error{where, "the tone is cut off at the input's limit", "set its gain lower"};
   double squares = 0.0;
   for (const double level : levels) squares += (level - found.rms) * (level - found.rms);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/daq/joined_source.h"
+#include "core/model/sensor_status.h"
 
 namespace stillcut::daq {
 namespace {

@@ -24,8 +24,9 @@ void Engine::start() {
   rt::ThreadRequest request = options_.worker;
   request.name = "worker";
   workerThread_ = std::make_unique<rt::RealtimeThread>(request, [this](std::stop_token stop) { worker(stop); });
-  driverThread_ = std::make_unique<rt::RealtimeThread>(rt::ThreadRequest{.name = "driver"},
-                                                       [this](std::stop_token stop) { driver(stop); });
+  request.name = "driver";  // samples first: a late decision can be waited for, a lost sample cannot
+  ++request.priority;
+  driverThread_ = std::make_unique<rt::RealtimeThread>(request, [this](std::stop_token stop) { driver(stop); });
 }
 
 void Engine::stop() {

@@ -22,7 +22,7 @@ namespace stillcut::pipeline {
 struct EngineOptions {
   int ringBlocks = 64;  // how far the worker may fall behind before blocks are dropped
   Seconds linkPeriod{0.005};
-  rt::ThreadRequest worker;  // scheduling asked for
+  rt::ThreadRequest worker;  // scheduling asked for; the driver has one priority more
 };
 
 struct EngineParts {

@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import subprocess
+import wave
 
 MODE = "[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\ndirection = [1.0, 0.0]\n"
 CASE = ("[tool]\nteeth = 4\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\nside = \"up\"\n"
@@ -49,6 +50,14 @@ def forces(feed_mm_min, rate=10000, speed=6000.0, teeth=2, depth=3e-3):
     return "\n".join(rows) + "\n"
 
 
+def tone(path, rate=8000):
+    """Three seconds of a calibrator's 1 kHz, a tenth of full scale."""
+    values = (round(3276.8 * math.sin(2000.0 * math.pi * (i + 0.5) / rate)) for i in range(3 * rate))
+    with wave.open(path, "wb") as file:
+        file.setparams((1, 2, rate, 0, "NONE", ""))
+        file.writeframes(b"".join(value.to_bytes(2, "little", signed=True) for value in values))
+
+
 def block_after(text, heading, begin):
     """The indented block below a heading that begins with the given text."""
     part = text.split("\n" + heading + "\n", 1)
@@ -84,6 +93,7 @@ def lay_out(top, programs, folder):
     write(folder, "f300.csv", forces(300.0))
     write(folder, "f900.csv", forces(900.0))
     write(folder, "CASE.json", CASE_JSON)
+    tone(os.path.join(folder, "tone.wav"))
     write(folder, "mine.toml", "[energy-ratio]\nchatter = 0.3\n")
     copy("scenarios/air-cut.toml", "S.toml")
     copy("resources/profiles/simulated.toml", "P.toml", "PROFILE.toml")

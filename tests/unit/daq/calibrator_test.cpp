@@ -49,6 +49,12 @@ TEST(Calibrator, ALowShakerOnAShortRecordingIsFoundAsWell) {
   EXPECT_NEAR(found->scale, 100.0, 0.05);
 }
 
+TEST(Calibrator, SamplesThatAllMissTheTopAreNoLimit) {
+  const auto found = calibrate(heard(0.1, 3200.0), kRate, {Hertz(3200.0), 1.0});  // eight to a turn
+  ASSERT_TRUE(found) << found.error().line();
+  EXPECT_NEAR(found->scale, 10.0, 0.01);
+}
+
 TEST(Calibrator, SaysWhatIsWrong) {
   EXPECT_EQ(lineOf(heard(0.02, 1000.0, 0.0, 0.0, 1.5)), "calibrator: too short (two seconds of the tone are needed)");
   EXPECT_EQ(lineOf(std::vector<float>(80000, 0.25F)), "calibrator: nothing is heard (is the sensor connected?)");
