@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace stillcut::app {
@@ -14,9 +15,16 @@ std::string figure(double value, const char* format) {
   return text;
 }
 
-void printScore(const AlarmScore& s) {
+// Of what the alarms named, relative; not a number: no alarm, or nobody has said where the chatter was.
+double frequencyError(const RecordedTruth& truth, const VerdictLog::Summary& s) {
+  return truth.chatter && s.alarms > 0 ? s.frequency_Hz / truth.chatter->value - 1.0
+                                       : std::numeric_limits<double>::quiet_NaN();
+}
+
+void printScore(const AlarmScore& s, double error) {
   const std::string found = s.spans > 0 ? std::to_string(s.found) + "/" + std::to_string(s.spans) : "-";
-  std::printf(" %7s %10s %6d", found.c_str(), figure(s.delayQuantile(0.5), "%.3f s").c_str(), s.falseAlarms);
+  std::printf(" %7s %10s %9s %6d", found.c_str(), figure(s.delayQuantile(0.5), "%.3f s").c_str(),
+              figure(100.0 * error, "%+.2f %%").c_str(), s.falseAlarms);
 }
 
 void printRow(const VerdictLog::Summary& s) {
@@ -29,13 +37,14 @@ void printRow(const VerdictLog::Summary& s) {
   }
 }
 
-nlohmann::json scoreJson(const AlarmScore& s) {
+nlohmann::json scoreJson(const AlarmScore& s, double error) {
   const double delay = s.delayQuantile(0.5);
   return {{"spans", s.spans},
           {"found", s.found},
           {"missed", s.missed()},
           {"false_alarms", s.falseAlarms},
-          {"delay_median_s", std::isfinite(delay) ? nlohmann::json(delay) : nlohmann::json()}};
+          {"delay_median_s", std::isfinite(delay) ? nlohmann::json(delay) : nlohmann::json()},
+          {"frequency_error", std::isfinite(error) ? nlohmann::json(error) : nlohmann::json()}};
 }
 
 }  // namespace
@@ -47,12 +56,12 @@ void printTable(const Analysis& a) {
   if (a.truth) std::printf("truth from %s\n", a.truth->from.c_str());
   std::printf("%-14s %6s %12s %11s %11s %11s %9s", "detector", "alarms", "first alarm", "in alarm", "in chatter",
               "frequency", "worst ER");
-  if (a.truth) std::printf(" %7s %10s %6s", "found", "delay", "false");
+  if (a.truth) std::printf(" %7s %10s %9s %6s", "found", "delay", "f error", "false");
   std::printf("\n");
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     const VerdictLog::Summary& s = a.detectors[d];
     printRow(s);
-    if (a.truth) printScore(a.scores[d]);
+    if (a.truth) printScore(a.scores[d], frequencyError(*a.truth, s));
     std::printf("\n");
     if (s.validTime_s <= 0.0 && !s.lastReason.empty()) {
       std::printf("%-14s no valid verdict: %s\n", "", s.lastReason.c_str());
@@ -72,7 +81,7 @@ void printJson(const Analysis& a) {
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     nlohmann::json row;
     toJson(row, a.detectors[d]);
-    row["score"] = a.truth ? scoreJson(a.scores[d]) : nlohmann::json();
+    row["score"] = a.truth ? scoreJson(a.scores[d], frequencyError(*a.truth, a.detectors[d])) : nlohmann::json();
     object["detectors"].push_back(row);
   }
   // A file name may hold bytes that are no UTF-8.

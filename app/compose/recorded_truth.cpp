@@ -130,6 +130,7 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
     return found != about.end() && found->is_number() ? found->get<double>() : kNever;
   };
   truth.spans = spansOfRatio(times, ratios, {Seconds(number("onset_1pct_s")), Seconds(number("onset_20pct_s"))});
+  if (const double hz = number("chatter_hz_at_onset"); hz > 0.0) truth.chatter = Hertz(hz);
   truth.teeth = static_cast<int>(about.value("teeth", 0));
   truth.speed = Rpm(about.value("spindle_rpm", 0.0));
   const bool displacement = recording.stem().string().ends_with("_disp");
@@ -182,14 +183,15 @@ Result<std::optional<RecordedTruth>> fromSession(const std::string& path) {
   }
   const auto known = [&counts](const std::string& name) {
     for (const auto& [key, value] : counts.value().truthValues) {
-      if (key == name) return Seconds(value);
+      if (key == name) return value;
     }
-    return Seconds(kNever);
+    return kNever;
   };
   if (truth.spans.empty()) {
-    truth.spans = spansOfRatio(times, ratios, {known("onset_1pct_s"), known("onset_20pct_s")});
+    truth.spans = spansOfRatio(times, ratios, {Seconds(known("onset_1pct_s")), Seconds(known("onset_20pct_s"))});
   }
   if (truth.spans.empty()) return std::optional<RecordedTruth>();
+  if (const double hz = known("chatter_hz"); hz > 0.0) truth.chatter = Hertz(hz);
   return std::optional(std::move(truth));
 }
 

@@ -21,6 +21,7 @@ struct RecordedTruth {
   Rpm speed{};       // 0: not said
   std::optional<SensorQuantity> quantity;
   std::optional<double> scale;
+  std::optional<Hertz> chatter;  // its frequency at the onset
 };
 
 // Empty: nobody has said anything about it. Error: what is said cannot be read.

@@ -91,7 +91,7 @@ TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
   }
   const Outcome table = runCli(folder_ / "", {"analyze", "cut.wav", "--teeth", "4", "--speed", "8500", "--quantity",
                                               "acceleration", "--detector", "all"});
-  EXPECT_THAT(table.out, testing::HasSubstr("found      delay  false"));
+  EXPECT_THAT(table.out, testing::HasSubstr("found      delay   f error  false"));
   // Every row ends where the heading does: a table, whatever stands in it.
   std::istringstream lines(table.out);
   std::string line;
@@ -100,6 +100,30 @@ TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
     if (line.starts_with("detector") || !widths.empty()) widths.push_back(line.size());
   }
   EXPECT_EQ(widths, std::vector<std::size_t>(5, widths.front()));
+}
+
+// A simulated case beside its truth: delay, frequency error and false alarms of every detector side by side.
+TEST_F(Analyze, ScoresTheFrequencyOfACaseAsWell) {
+  std::vector<float> second = cutSignal(true);
+  std::rotate(second.begin(), second.end() - 3, second.end());
+  writeSound(folder_ / "case_acc.wav", {cutSignal(true), second});
+  std::ofstream truth(folder_ / "case_truth.csv");
+  truth << "t_s,ratio_chatter_to_forced\n";
+  for (int i = 0; i < 250; ++i) truth << 0.01 * i << "," << (0.01 * i < kOnset ? 0.0 : 1.0) << "\n";
+  truth.close();
+  const json about{{"teeth", 4},
+                   {"spindle_rpm", 8500.0},
+                   {"onset_1pct_s", kOnset},
+                   {"onset_20pct_s", kOnset},
+                   {"chatter_hz_at_onset", kChatter}};
+  std::ofstream(folder_ / "case.json") << about;
+  const json answer = analyze("case_acc.wav", told({"--detector", "all"}));
+  ASSERT_EQ(answer["detectors"].size(), 4U);
+  for (const json& detector : answer["detectors"]) {
+    const double error = detector["frequency_hz"].get<double>() / kChatter - 1.0;
+    EXPECT_NEAR(detector["score"]["frequency_error"], error, 1e-9) << detector;
+    EXPECT_LT(std::abs(error), 0.02) << detector;
+  }
 }
 
 TEST_F(Analyze, EverySoundFormatKeepsItsRateAndItsChatter) {
