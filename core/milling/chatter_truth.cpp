@@ -17,6 +17,8 @@ constexpr double kSureGrowth = 1.0;  // e-folds; a stable cut's disturbance may 
 constexpr double kLeastGain = 0.3;
 constexpr double kNoiseGain = 2.449;   // of white noise: the root of 1 + 4 + 1
 constexpr double kUsualMemory = 0.5;   // [s]
+constexpr double kMeanTurns = 2.0;     // the teeth's load makes a slow spindle's speed ripple by some percent
+constexpr double kFlicker = 0.05;      // [s]; slow growth is measured below zero for so long at most
 constexpr double kLeastForced = 0.05;  // of the strongest forced vibration so far: a cut that fades out
 
 // `least`: what counts as forced in any case.
@@ -75,6 +77,7 @@ void ChatterTruth::add(const TruthSample& s) noexcept {
   }
   pastAt_ = (pastAt_ + 1) % length;
   ++seen_;
+  meanHz_ += (s.spindleHz - meanHz_) / std::min(static_cast<double>(seen_), kMeanTurns * perRev_);
   if (seen_ <= length) raw = sum = 0.0;
   chatter_.put(windowAt_, raw);
   total_.put(windowAt_, total);
@@ -133,7 +136,7 @@ void ChatterTruth::count(const TruthSample& s, bool settled) noexcept {
 }
 
 void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noexcept {
-  const double rate = perRev_ * s.spindleHz;
+  const double rate = perRev_ * meanHz_;
   if (settled && counted_ >= (sustained_ ? kOverRatio : kEventRatio)) {
     if (aboveSince_ < 0.0) aboveSince_ = middle;
     // Full chatter is sure; it may lock and hide before six revolutions are over.
@@ -158,7 +161,7 @@ void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noe
 }
 
 void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
-  const double rate = perRev_ * s.spindleHz;
+  const double rate = perRev_ * meanHz_;
   const double middle = s.time - 0.5 * static_cast<double>(window_) / rate;
   totalRms_ = total_.rms();
   const bool settled = s.time >= unsteadyUntil_;
@@ -170,17 +173,18 @@ void ChatterTruth::note(const TruthSample& s, double raw) noexcept {
   if (s.time - lastLog_ >= 0.001 && log_.size() < log_.capacity()) {
     lastLog_ = s.time;
     log_.push_back({static_cast<float>(middle), static_cast<float>(raw), static_cast<float>(totalRms_),
-                    static_cast<float>(s.spindleHz), static_cast<float>(s.path),
+                    static_cast<float>(meanHz_), static_cast<float>(s.path),
                     static_cast<float>(repeats_ ? departed() : ratio_), settled && s.cutting && s.growth > 0.0,
                     repeats_});
   }
 }
 
 double ChatterTruth::ratioAt(const LogEntry& e, Hertz chatter) const {
-  if (e.repeats) return static_cast<double>(e.ratio);
   const double total = static_cast<double>(e.forcedAndChatterRms);
   const double part = static_cast<double>(e.chatterRms) / gain(chatter.value, static_cast<double>(e.spindleHz));
-  return ratioOf(std::min(part, total), total, 0.0);
+  const double differing = ratioOf(std::min(part, total), total, 0.0);
+  // What does not repeat is chatter also where most of it does.
+  return e.repeats ? std::max(static_cast<double>(e.ratio), differing) : differing;
 }
 
 ChatterOnset ChatterTruth::onset() const {
@@ -191,10 +195,18 @@ ChatterOnset ChatterTruth::onset() const {
   // near a spindle harmonic the one divisor for all times makes much of little.
   const auto lastBelow = [&](double mark) {
     double from = eventTime_;
+    double unstable = eventTime_;
     for (auto it = log_.rbegin(); it != log_.rend(); ++it) {
-      if (static_cast<double>(it->time) > eventTime_ + 0.02) continue;
-      if (!it->unstable || ratioAt(*it, chatter) < mark || static_cast<double>(it->ratio) < 0.5 * mark) break;
-      from = static_cast<double>(it->time);
+      const auto time = static_cast<double>(it->time);
+      if (time > eventTime_ + 0.02) continue;
+      if (!it->unstable) {
+        if (unstable - time > kFlicker) break;
+        continue;
+      }
+      unstable = time;
+      const bool far = !it->repeats && static_cast<double>(it->ratio) < 0.5 * mark;
+      if (far || ratioAt(*it, chatter) < mark) break;
+      from = time;
     }
     return from;
   };

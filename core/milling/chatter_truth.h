@@ -137,6 +137,7 @@ class ChatterTruth {
   // Difference and departure around the first chatter.
   std::vector<double> difference_, departures_;
   std::size_t differenceAt_ = 0;
+  double meanHz_ = 0.0;  // of the spindle
   bool frozen_ = false;
   double freezeAt_ = -1.0, differenceRate_ = 0.0, eventTime_ = -1.0;
   bool eventFlips_ = false, differenceShows_ = true;

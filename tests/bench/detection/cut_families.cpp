@@ -279,7 +279,32 @@ Orders forcedResonance(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 15> kFamilies{{
+// One to six teeth, rates from 5 to 102 kHz, noise from 1 to 10 % of the stable vibration, blocks from 1 to 100 ms.
+Orders varied(int seeds) {
+  constexpr std::array<double, 4> kRates{5120.0, 12800.0, 51200.0, 102400.0};
+  constexpr std::array<double, 3> kNoises{0.01, 0.03, 0.1};
+  constexpr std::array<double, 4> kBlocks{0.001, 0.005, 0.02, 0.1};
+  Orders orders;
+  for (int seed = 1; seed <= 4 * seeds; ++seed) {
+    const auto i = static_cast<std::size_t>(seed);
+    Scenario s = scattered(kFast[i % kFast.size()], 1400 + i);
+    const double told = static_cast<double>(s.model.tool.teeth) * s.programme.speed.value;
+    s.model.tool.teeth = 1 + seed % 6;
+    s.model.tool.runout.resize(static_cast<std::size_t>(s.model.tool.teeth));
+    s.programme.speed = Rpm(told / std::max(2, s.model.tool.teeth));  // teeth pass as often as they did
+    s.rate = Hertz(kRates[i % kRates.size()]);
+    const auto limit = limitOf(s);
+    if (!limit) continue;
+    planDepth(s, kPlan, 0.5 * limit->depth.value, 1.3 * limit->depth.value);
+    orders.push_back(order("varied", s, AlarmRule::Sharp));
+    orders.back().name += "-Z" + std::to_string(s.model.tool.teeth);
+    orders.back().noise = kNoises[i % kNoises.size()];
+    orders.back().block = kBlocks[(i / 2) % kBlocks.size()];
+  }
+  return orders;
+}
+
+constexpr std::array<CutFamily, 16> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -295,6 +320,7 @@ constexpr std::array<CutFamily, 15> kFamilies{{
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},
     {"forced resonance", "no chatter", forcedResonance},
+    {"varied", "teeth, rate, noise and length of the blocks", varied},
 }};
 
 }  // namespace

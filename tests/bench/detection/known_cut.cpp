@@ -146,6 +146,7 @@ KnownCut simulate(const SimulationOrder& order) {
   cut.recording.rate = order.scenario.rate.value;
   cut.recording.channels.assign(order.scenario.sensors.size(), {});
   cut.machineStep = kBlock / cut.recording.rate;
+  if (order.block > 0.0) cut.blockFrames = std::max(1, static_cast<int>(order.block * cut.recording.rate));
   SampleBlock block;
   block.allocate(static_cast<int>(order.scenario.sensors.size()), kBlock);
   while (plant.fill(block)) {

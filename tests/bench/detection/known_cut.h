@@ -41,6 +41,7 @@ struct KnownCut {
   double silentFrom = kNever;         // s: out of the material for good
   std::vector<MachineState> machine;  // read-back, one per `machineStep`; empty: there is none
   double machineStep = 0.0;           // s
+  int blockFrames = 64;               // that a detector is given at once
 };
 
 // Reads one of the reference cuts in ../shared/cases (`name`.json, `name`_acc.wav).
@@ -54,6 +55,7 @@ struct SimulationOrder {
   AlarmRule rule = AlarmRule::Sharp;
   double quietFrom = 0.0, quietTo = 0.0;  // s: a stretch of stable cut, to which the sensor's noise is scaled
   double noise = 0.02;                    // rms of it over the rms of that stretch
+  double block = 0.0;                     // s, of the blocks that a detector is given; 0: 64 frames
   bool machineTells = false;
   bool recovers = false;
   bool doubling = false;  // period doubling at constant speed with whole samples from tooth to tooth

@@ -37,6 +37,7 @@ Score score(const KnownCut& cut, const Trial& trial) {
   options.rpm = cut.rpm * (1.0 + trial.speedError);
   options.quantity = cut.quantity;
   options.channels = trial.channels;
+  options.blockFrames = cut.blockFrames;
   if (!cut.machine.empty()) {
     options.machine = [&](double t) {
       const auto i = static_cast<std::size_t>(std::max(0.0, t / cut.machineStep - 0.5));
@@ -57,7 +58,8 @@ Score score(const KnownCut& cut, const Trial& trial) {
   }
   s.missed = !s.alarmed;
   if (!s.alarmed) return s;
-  const Window window = windowFor(cut, trial.detector);
+  Window window = windowFor(cut, trial.detector);
+  window.to += cut.blockFrames / cut.recording.rate;  // a verdict speaks of a whole block
   s.after1 = s.alarm - cut.at1;
   s.after20 = s.alarm - cut.at20;
   s.early = s.alarm < window.from;

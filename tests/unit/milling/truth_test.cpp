@@ -115,6 +115,33 @@ Scenario noisyCut(double depth) {
   return s;
 }
 
+// A slow spindle whose speed ripples with its teeth, chatter that grows by e in 0.2 s, and a growth that is measured
+// below zero for a moment: neither the ripple nor the moment moves what the truth says.
+TEST(Truth, RippleOfTheSpeedAndAFlickerOfTheGrowthMoveNothing) {
+  constexpr int kSamples = 512;
+  constexpr double kSpindle = 13.3, kChatter = 190.0, kConstant = 0.2, kBegins = 1.0, kFirst = 0.002;
+  ChatterTruth truth({kSamples, 1, kSpindle, 1.1 * kSpindle, 4.0, 0.1, 400.0});
+  double time = 0.0;
+  for (int i = 0; time < 3.0; ++i) {
+    const double angle = kTwoPi * i / kSamples;
+    TruthSample s;
+    s.spindleHz = kSpindle * (1.0 + 0.03 * std::cos(4.0 * angle));
+    time += 1.0 / (kSamples * s.spindleHz);
+    s.time = time;
+    const double grown = std::min(1.0, kFirst * std::exp((time - kBegins) / kConstant));
+    s.forced = {std::cos(4.0 * angle), 0.0};
+    s.acceleration = {s.forced[0] + (time > kBegins ? grown * std::cos(kTwoPi * kChatter * time) : 0.0), 0.0};
+    s.growth = time > 0.5 && !(time > 1.6 && time < 1.61) ? 5.0 : -1.0;
+    s.cutting = true;
+    truth.add(s);
+  }
+  const ChatterOnset onset = truth.onset();
+  constexpr double kTurn = 1.1 / kSpindle;  // the second difference over a revolution is centred that much earlier
+  EXPECT_NEAR(onset.at1, kBegins + kConstant * std::log(0.01 / kFirst), kTurn);
+  EXPECT_NEAR(onset.at20, kBegins + kConstant * std::log(0.2 / kFirst), kTurn);
+  EXPECT_NEAR(truth.chatterFrequency().value, kChatter, 0.003 * kChatter);
+}
+
 TEST(Truth, ShakingAStableCutIsNotChatter) {
   Scenario s = noisyCut(1e-3);
   s.programme.randomForce = 1.0;
