@@ -22,6 +22,7 @@ class SessionStepSource final : public pipeline::StepSource {
     const StepInput* recorded = source_.recordedStep();
     step.machine = recorded != nullptr ? recorded->machine : MachineState{};
     step.machine.time += source_.shift();
+    step.machine.link.shift(source_.shift());
     step.inputCount = recorded != nullptr ? recorded->inputCount : 0;
     if (recorded != nullptr) step.inputs = recorded->inputs;
     return true;

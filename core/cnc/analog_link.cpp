@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/cnc/move_order.h"
+
 namespace stillcut::cnc {
 
 AnalogLink::AnalogLink(AnalogMap map, std::unique_ptr<AnalogOutput> output, Rpm programmedSpeed,
@@ -55,10 +57,9 @@ bool AnalogLink::writeBoth(double speed, double feed) noexcept {
   const double speedUnit = map_.speed && map_.speed->absolute ? programmedSpeed_.value : 100.0;
   const auto writeSpeed = [&] { return writeOne(*output_, map_.speed, speed * speedUnit); };
   const auto writeFeed = [&] { return writeOne(*output_, map_.feed, feed * 100.0); };
-  // A feed that falls goes before the speed, one that rises after it.
-  const bool feedFirst = feed < feed_.value;
-  const bool first = feedFirst ? writeFeed() : writeSpeed();
-  const bool second = feedFirst ? writeSpeed() : writeFeed();
+  const bool feedGoesFirst = feedFirst(feed, feed_.value);
+  const bool first = feedGoesFirst ? writeFeed() : writeSpeed();
+  const bool second = feedGoesFirst ? writeSpeed() : writeFeed();
   working_ = first && second;
   if (working_) {
     speed_ = Ratio(map_.speed ? speed : 1.0);
@@ -70,6 +71,7 @@ bool AnalogLink::writeBoth(double speed, double feed) noexcept {
 MachineState AnalogLink::read(Instant now) noexcept {
   MachineState m;
   m.time = now;
+  m.link.acknowledged = taken_;
   m.linkUp = m.valid = opened_ && working_;
   if (!m.valid) return m;
   m.programRunning = true;  // nobody tells; the cut gate knows from the samples
@@ -83,7 +85,7 @@ MachineState AnalogLink::read(Instant now) noexcept {
 
 void AnalogLink::apply(const OverrideCommand& command, Instant now) noexcept {
   if (command.kind() == CommandKind::Release) return release(now);
-  if (opened_) writeBoth(command.speed().value, command.feed().value);
+  if (opened_ && writeBoth(command.speed().value, command.feed().value)) taken_ = now;
 }
 
 void AnalogLink::release(Instant /*now*/) noexcept {

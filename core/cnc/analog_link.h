@@ -46,6 +46,7 @@ class AnalogLink final : public CncLink {
   Rpm programmedSpeed_;
   MetresPerSecond programmedFeed_;
   Ratio speed_{1.0}, feed_{1.0};  // last written
+  Instant taken_{};               // the card took them
   bool opened_ = false, working_ = false;
 };
 

@@ -36,6 +36,8 @@ class EmcHand {
   virtual bool watchdog() const noexcept = 0;
   // From an order to its acknowledgement; 0: none yet.
   virtual Seconds roundTrip() const noexcept = 0;
+  // When an order was acknowledged last; 0: never.
+  virtual Instant acknowledged() const noexcept = 0;
   virtual void wait(Duration atMost) noexcept = 0;
   virtual void close() noexcept = 0;
   virtual std::string_view address() const noexcept = 0;

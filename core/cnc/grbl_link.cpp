@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/cnc/move_order.h"
+
 namespace stillcut::cnc {
 namespace {
 
@@ -84,6 +86,7 @@ void GrblLink::listen(Instant now) noexcept {
           break;
         case GrblLine::Words:
           wordsKnown_ = true;
+          toldWords_ = now;
           break;
         case GrblLine::Welcome:  // it has restarted: overrides are back at 100 %
           speed_.lost();
@@ -102,13 +105,14 @@ void GrblLink::listen(Instant now) noexcept {
 
 void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
   const bool askedSinceMove = waiting_ && asked_ >= moved_;
-  waiting_ = false;
+  if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(askedAt_, std::max(now, clock_.now())));
   missed_ = 0;
   ever_ = true;
   heard_ = now;
   report_ = report;
   if (!report.speedOverride) return;
   shownSinceMove_ = true;
+  shownAt_ = now;
   speed_.seen(*report.speedOverride, now);
   feed_.seen(*report.feedOverride, now);
   if (askedSinceMove) {  // what this does not show was lost on the way
@@ -122,6 +126,7 @@ void GrblLink::ask(Instant now) noexcept {
   if (waiting_ && ++missed_ > kMostMissed) return drop(now);
   waiting_ = true;
   asked_ = now;
+  askedAt_ = std::max(now, clock_.now());
   const bool words = settings_.askWords && now - askedWords_ > kWordsEvery;
   if (words) askedWords_ = now;
   if (!wire_->write(words ? "?$G\n" : "?")) drop(now);
@@ -134,8 +139,10 @@ void GrblLink::moveOverrides(Instant now) noexcept {
     speed_.refused();
     feed_.refused();
   }
-  move(feed_, kGrblFeedBytes, now);
+  const bool feedGoesFirst = feedFirst(feed_.target(), feed_.shown());
+  if (feedGoesFirst) move(feed_, kGrblFeedBytes, now);
   move(speed_, kGrblSpindleBytes, now);
+  if (!feedGoesFirst) move(feed_, kGrblFeedBytes, now);
 }
 
 void GrblLink::move(SharedKnob& knob, unsigned char firstByte, Instant now) noexcept {
@@ -169,6 +176,10 @@ MachineState GrblLink::state(Instant now) const noexcept {
   MachineState m;
   m.time = heard_;
   m.linkUp = ever_ && wire_->state() == WireState::Open;
+  m.link.overrides = shownAt_;
+  m.link.speed = m.link.feed = heard_;
+  m.link.program = settings_.askWords ? std::min(heard_, toldWords_) : heard_;
+  m.link.roundTrip = roundTrip_.typical();
   const GrblReport& r = report_;
   m.valid =
       m.linkUp && now - heard_ <= kFresh && speed_.known() && r.feed && r.speed && (wordsKnown_ || !settings_.askWords);

@@ -15,6 +15,7 @@
 
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
+#include "core/cnc/delay_gauge.h"
 #include "core/cnc/grbl_status.h"
 #include "core/cnc/line_splitter.h"
 #include "core/cnc/shared_knob.h"
@@ -64,7 +65,9 @@ class GrblLink final : public CncLink {
   bool shownSinceMove_ = true;  // "Ov:" has come since the last step
   bool waiting_ = false;        // for a report
   int missed_ = 0;
-  Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{};
+  Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{}, shownAt_{}, toldWords_{};
+  Instant askedAt_{};  // by the clock, for the round trip
+  DelayGauge roundTrip_;
   bool ever_ = false;
 };
 

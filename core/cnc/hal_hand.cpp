@@ -74,7 +74,10 @@ void HalHand::listen(Instant now) noexcept {
       if (!report) return;
       report_ = *report;
       heard_ = true;
-      if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(sentAt_, std::max(now, clock_.now())));
+      if (!std::exchange(waiting_, false)) return;
+      const Instant answered = std::max(now, clock_.now());
+      roundTrip_.take(secondsBetween(sentAt_, answered));
+      if (last_.hold) acknowledged_ = answered;
     });
     if (n < bytes.size()) break;
   }

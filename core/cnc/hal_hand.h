@@ -29,6 +29,7 @@ class HalHand final : public EmcHand {
   // Of what has been heard last: it outlives a connection that is closed between open() and the link thread.
   bool watchdog() const noexcept override { return report_.watchdogMs > 0; }
   Seconds roundTrip() const noexcept override { return roundTrip_.typical(); }
+  Instant acknowledged() const noexcept override { return acknowledged_; }
   void wait(Duration atMost) noexcept override { channel_->wait(atMost); }
   void close() noexcept override;
   std::string_view address() const noexcept override { return channel_->address(); }
@@ -55,7 +56,7 @@ class HalHand final : public EmcHand {
   DelayGauge roundTrip_;
   bool heard_ = false;  // on this connection
   bool waiting_ = false;
-  Instant asked_{}, nextTry_{}, sentAt_{};
+  Instant asked_{}, nextTry_{}, sentAt_{}, acknowledged_{};
 };
 
 }  // namespace stillcut::cnc

@@ -27,16 +27,18 @@ constexpr std::array<std::string_view, 6> kPins{"get pinval spindle.0.speed-in",
                                                 "get pinval motion.current-vel", "get pinval motion.adaptive-feed"};
 
 // Asks each request once, as far as the answers come within `wait` each.
-template <std::size_t N>
+template <std::size_t N, class Answered>
 void goRound(EmcSession& session, const std::array<std::string_view, N>& requests, std::size_t& next, EmcStatus& status,
-             Instant now, Duration wait) noexcept {
+             Instant now, Duration wait, const Clock& clock, Answered&& answered) noexcept {
   const auto take = [&](std::string_view line) { status.take(line, now); };
   session.pump(now, take);
   for (std::size_t i = 0; i < N && session.idle(); ++i) {
+    const Instant asked = clock.now();
     if (!session.ask(requests[next], now)) return;
     next = (next + 1) % N;
     session.wait(wait);
     session.pump(now, take);
+    if (session.idle()) answered(secondsBetween(asked, clock.now()));
   }
 }
 
@@ -106,10 +108,10 @@ Error LinuxCncLink::handFault() const {
 
 void LinuxCncLink::watchMachine(Instant now) noexcept {
   if (!hand_->speaking()) {
-    goRound(watch_, kWatched, nextWatch_, status_, now, kWait);
+    goRound(watch_, kWatched, nextWatch_, status_, now, kWait, clock_, [&](Seconds s) { look_.take(s); });
     handsTurn_ = true;
   }
-  goRound(hal_, kPins, nextHal_, status_, now, kWait);
+  goRound(hal_, kPins, nextHal_, status_, now, kWait, clock_, [](Seconds) {});
   if (watch_.standing() != EmcSession::Standing::Ready) {
     knobs_.speed.lost();
     knobs_.feed.lost();
@@ -139,6 +141,12 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   const bool all = s.feedOverride.ever && s.spindleOverride.ever && s.program.ever && s.speedWord.ever &&
                    s.machineOn.ever && s.actualSpeed.ever && s.commandedSpeed.ever && s.atSpeed.ever;
   m.time = std::min(told);
+  m.link.acknowledged = hand_->acknowledged();
+  m.link.overrides = std::min({s.feedOverride.when, s.spindleOverride.when, s.commandedSpeed.when});
+  m.link.speed = std::min(s.actualSpeed.when, s.atSpeed.when);
+  m.link.feed = s.currentFeed.when;
+  m.link.program = std::min({s.program.when, s.speedWord.when, s.machineOn.when});
+  m.link.roundTrip = hand_->roundTrip().value > 0.0 ? hand_->roundTrip() : look_.typical();
   m.linkUp = watch_.standing() == EmcSession::Standing::Ready && hal_.standing() == EmcSession::Standing::Ready;
   m.valid = m.linkUp && all && now - m.time <= kFresh;
   if (!m.valid) return m;

@@ -3,9 +3,10 @@
 //   watch     overrides, program, S and F words, machine on
 //   hal       spindle.0.speed-in, speed-out, at-speed; motion.current-vel, feed-hold, adaptive-feed
 //   hand      RshHand (an override's ACK takes 100 ms, a get 0.05 ms) or HalHand
-// At most one request to linuxcncrsh is under way at any time: it serves each client on a thread of its own and may
-// take requests apart in memory that they share: with two links at once under load the machine was seen to go down. The
-// cause was not traced, so this keeps clear of it.
+// At most one request to linuxcncrsh is under way at any time: it serves each client on a thread of its own and splits
+// all requests with strtok, whose place is shared (emcrsh.cc), so that two at once read each other's words: with two
+// links under load the machine was seen to go down. On SIGTERM it frees what its client threads still read, and may
+// hang: nothing here waits for it longer than kReleaseTime.
 // An ACK is not believed: under M49 and M51 P0 a set is acknowledged and even read back, and only speed-out tells.
 // Thread: as CncLink says. A tick waits for replies at most kWait; release() at most kReleaseTime.
 #pragma once
@@ -17,6 +18,7 @@
 #include <string>
 
 #include "core/cnc/cnc_link.h"
+#include "core/cnc/delay_gauge.h"
 #include "core/cnc/emc_hand.h"
 #include "core/cnc/emc_session.h"
 #include "core/cnc/emc_status.h"
@@ -73,6 +75,7 @@ class LinuxCncLink final : public CncLink {
   // The watch has had its round since the hand spoke: commands that come with every tick must not keep it from looking.
   bool handsTurn_ = false;
   std::size_t nextWatch_ = 0, nextHal_ = 0;
+  DelayGauge look_;                  // of a get
   std::optional<Instant> mismatch_;  // since when the read-back and the spindle disagree
   bool locked_ = false;              // M49, M51 P0
 };

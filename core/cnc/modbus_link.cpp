@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/cnc/move_order.h"
+
 namespace stillcut::cnc {
 namespace {
 
@@ -110,12 +112,15 @@ void ModbusLink::takeReply(Instant now) noexcept {
     return;
   }
   failures_ = 0;
+  const Instant answered = std::max(now, clock_.now());
+  roundTrip_.take(secondsBetween(askedAt_, answered));
   if (what == Underway::Read) {
     seen_[which_].words = reply->words;
     seen_[which_].when = now;
     seen_[which_].ever = true;
   } else {
     orders_[which_].written = writing_;
+    if (static_cast<MachineOrder>(which_) != MachineOrder::Heartbeat) acknowledged_ = answered;
   }
 }
 
@@ -128,6 +133,7 @@ bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
   which_ = static_cast<std::size_t>(which);
   underway_ = Underway::Write;
   o.when = now;
+  askedAt_ = std::max(now, clock_.now());
   touched_ = true;
   if (bus_->write(r->table, r->address, r->words, *words)) return true;
   broke(now);
@@ -136,11 +142,9 @@ bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
 
 bool ModbusLink::writeNext(Instant now) noexcept {
   if (!inCommand_ && !touched_) return false;
-  // A feed that falls goes before the speed, one that rises after it.
   const Order& feed = order(MachineOrder::FeedOverride);
-  const bool feedFirst = feed.written.value_or(feed.wanted) >= feed.wanted;
   std::array<MachineOrder, 3> sequence = kStanding;
-  if (!feedFirst) std::swap(sequence[1], sequence[2]);
+  if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
   for (const MachineOrder o : sequence) {
     if (!map_.at(o) || order(o).written == order(o).wanted) continue;
     if (isFlag(o) && !inCommand_ && !home()) continue;  // control is given back last
@@ -168,6 +172,7 @@ bool ModbusLink::readNext(Instant now) noexcept {
   seen_[oldest].due = now + toDuration(r.period);
   which_ = oldest;
   underway_ = Underway::Read;
+  askedAt_ = std::max(now, clock_.now());
   if (bus_->read(r.table, r.address, r.words)) return true;
   broke(now);
   return false;
@@ -176,6 +181,16 @@ bool ModbusLink::readNext(Instant now) noexcept {
 MachineState ModbusLink::read(Instant now) noexcept {
   pump(now);
   return state(now);
+}
+
+Instant ModbusLink::readAt(std::initializer_list<MachineSignal> signals) const noexcept {
+  std::optional<Instant> oldest;
+  for (const MachineSignal s : signals) {
+    if (!map_.at(s)) continue;
+    const Instant when = seen_[static_cast<std::size_t>(s)].when;
+    oldest = std::min(oldest.value_or(when), when);
+  }
+  return oldest.value_or(Instant{});
 }
 
 double ModbusLink::number(MachineSignal s, double otherwise) const noexcept {
@@ -201,6 +216,14 @@ MachineState ModbusLink::state(Instant now) const noexcept {
     m.time = std::min(m.time, seen_[i].when);
   }
   m.linkUp = any;
+  m.link.acknowledged = acknowledged_;
+  const bool believed = (map_.at(MachineOrder::SpeedOverride) && !map_.at(MachineSignal::SpeedOverride)) ||
+                        (map_.at(MachineOrder::FeedOverride) && !map_.at(MachineSignal::FeedOverride));
+  if (!believed) m.link.overrides = readAt({MachineSignal::SpeedOverride, MachineSignal::FeedOverride});
+  m.link.speed = readAt({MachineSignal::ActualSpeed, MachineSignal::AtSpeed});
+  m.link.feed = readAt({MachineSignal::ActualFeed});
+  m.link.program = readAt({MachineSignal::ProgrammedSpeed, MachineSignal::Running, MachineSignal::FeedHold});
+  m.link.roundTrip = roundTrip_.typical();
   m.valid = any && fresh;
   if (!m.valid) return m;
   m.programmedSpeed = Rpm(number(MachineSignal::ProgrammedSpeed, 0.0));

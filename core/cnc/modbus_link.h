@@ -9,10 +9,12 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 
 #include "core/cnc/cnc_link.h"
+#include "core/cnc/delay_gauge.h"
 #include "core/cnc/register_bus.h"
 #include "core/cnc/register_map.h"
 
@@ -57,6 +59,8 @@ class ModbusLink final : public CncLink {
   void broke(Instant now) noexcept;
   bool home() const noexcept;
   MachineState state(Instant now) const noexcept;
+  // When the oldest of these was read; 0: none is in the map, or not all have been.
+  Instant readAt(std::initializer_list<MachineSignal> signals) const noexcept;
   double number(MachineSignal s, double otherwise) const noexcept;
   bool flag(MachineSignal s, bool otherwise) const noexcept;
   Order& order(MachineOrder o) { return orders_[static_cast<std::size_t>(o)]; }
@@ -73,7 +77,9 @@ class ModbusLink final : public CncLink {
   bool inCommand_ = false;
   bool touched_ = false;  // something of ours may stand in the machine
   int failures_ = 0;      // in a row
-  Instant nextTry_{};
+  Instant nextTry_{}, acknowledged_{};
+  Instant askedAt_{};  // by the clock, for the round trip
+  DelayGauge roundTrip_;
 };
 
 }  // namespace stillcut::cnc

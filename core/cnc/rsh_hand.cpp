@@ -87,8 +87,10 @@ void RshHand::reply(std::string_view line, EmcKnobs& knobs, EmcStatus& status, I
       break;
     case Asked::Speed:
     case Asked::Feed:
-      if (!no) roundTrip_.take(secondsBetween(setAt_, std::max(now, clock_.now())));
-      if (no) {
+      if (!no) {
+        acknowledged_ = std::max(now, clock_.now());
+        roundTrip_.take(secondsBetween(setAt_, acknowledged_));
+      } else {
         // Not in control, or the machine is off: "get enable" tells which before anything is sent again.
         knobs.speed.refused();
         knobs.feed.refused();

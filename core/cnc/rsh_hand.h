@@ -27,6 +27,7 @@ class RshHand final : public EmcHand {
   bool heard() const noexcept override { return up(); }
   bool watchdog() const noexcept override { return false; }
   Seconds roundTrip() const noexcept override { return roundTrip_.typical(); }
+  Instant acknowledged() const noexcept override { return acknowledged_; }
   void wait(Duration atMost) noexcept override { session_.wait(atMost); }
   void close() noexcept override { session_.close(); }
   std::string_view address() const noexcept override { return session_.address(); }
@@ -43,7 +44,7 @@ class RshHand final : public EmcHand {
   std::string enable_;
   const Clock& clock_;
   DelayGauge roundTrip_;
-  Instant setAt_{};
+  Instant setAt_{}, acknowledged_{};
   bool inControl_ = false;  // as far as we know
   bool waitModeSet_ = false;
   std::optional<Instant> lostAt_;  // another client took it

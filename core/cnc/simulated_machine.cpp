@@ -36,6 +36,8 @@ MachineState SimulatedMachine::read(Instant) noexcept {
   lastTime_ = state->time;
   MachineState seen = *state;
   seen.controlOurs = controlOurs_;
+  seen.link.acknowledged = order_.when;  // a port takes an order at once
+  seen.link.overrides = seen.link.speed = seen.link.feed = seen.link.program = seen.time;
   return seen;
 }
 

@@ -101,7 +101,8 @@ Aim Extremum::law(const RuleView& view) noexcept {
     sincePeriod_ = period_.value;
   }
   sincePeriod_ += view.dt.value;
-  if (sincePeriod_ < period_.value) return {{}, reason_};
+  // A step whose effect has not come says nothing of the next: a slow machine is stepped slower.
+  if (sincePeriod_ < std::max(period_.value, view.effect.value)) return {{}, reason_};
   sincePeriod_ = 0.0;
 
   const double root = std::sqrt(std::max(0.0, view.level));

@@ -97,6 +97,7 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   view.present = present;
   view.programmed = m.programmedSpeed * m.operatorSpeed.value;
   view.level = input.perturbation >= 0.0 ? input.perturbation : input.verdict.severity.value;
+  view.effect = m.link.effect;
   view.vibration = std::isfinite(input.vibration) ? input.vibration : -1.0;
   view.perturbation = std::isfinite(input.perturbation) ? input.perturbation : -1.0;
   view.reach = reachableSpeeds(limits_, m);

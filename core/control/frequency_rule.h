@@ -24,6 +24,7 @@ struct RuleView {
   Rpm present{};               // measured, or commanded where the machine does not measure
   Rpm programmed{};            // times the operator's knob
   double level = 0.0;          // perturbation power, any unit (StrategyInput::perturbation, else the severity)
+  Seconds effect{};            // from an order to the overrides in force; 0: unknown
   double vibration = -1.0;     // StrategyInput::vibration
   double perturbation = -1.0;  // StrategyInput::perturbation
   config::SpeedRange reach;

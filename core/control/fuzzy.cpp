@@ -91,7 +91,8 @@ OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
     programmed_ = programmed;
   }
   gather(input);
-  if (elapsed_ >= options_.cycle) {
+  // A move whose effect has not come yet would be judged by the cut before it: a slow machine has a longer cycle.
+  if (elapsed_ >= std::max(options_.cycle, input.machine.link.effect.value)) {
     cycle(input);
     elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
     coherenceKnown_ = false;

@@ -8,6 +8,26 @@
 
 namespace stillcut {
 
+// What the link knows of itself: when each part was last heard, and the delays it has measured. Times are stream time,
+// 0: never. A machine that takes its overrides unseen (analog) leaves `overrides` at never.
+struct LinkTimes {
+  Instant ordered{};       // the newest order that differs from the one before
+  Instant acknowledged{};  // the newest order that was
+  Instant overrides{};     // read back: what is in force
+  Instant speed{};         // actual speed, at speed
+  Instant feed{};
+  Instant program{};    // running, hold, S and F words
+  Seconds roundTrip{};  // from a request to its answer; a median, 0: not measured
+  Seconds effect{};     // from an order to overrides that show it; a median, 0: none was seen yet
+
+  // Onto another stream's time; never stays never.
+  void shift(Duration by) {
+    for (Instant* t : {&ordered, &acknowledged, &overrides, &speed, &feed, &program}) {
+      if (*t != Instant{}) *t += by;
+    }
+  }
+};
+
 struct MachineState {
   Instant time{};      // when it was read, stream time
   bool valid = false;  // false: nothing was ever read, or what was read made no sense
@@ -28,6 +48,7 @@ struct MachineState {
   // CommandRecord::engagement: the link has let go of this one and all before it, and obeys none of them again. 0:
   // none.
   std::uint64_t endedEngagement = 0;
+  LinkTimes link;
 
   Rpm targetSpeed() const { return programmedSpeed * speedOverride.value; }
 };

@@ -8,9 +8,11 @@ void LinkRunner::tick(Instant now) noexcept {
     const auto newest = commands_.latest();
     switch (lease_.poll(newest ? &*newest : nullptr, now)) {
       case safety::LinkAction::Apply:
+        effect_.ordered(newest->speed(), newest->feed(), now);
         link_.apply(*newest, now);
         break;
       case safety::LinkAction::Release:
+        effect_.ordered(Ratio(1.0), Ratio(1.0), now);
         link_.release(now);
         break;
       case safety::LinkAction::Nothing:
@@ -20,7 +22,20 @@ void LinkRunner::tick(Instant now) noexcept {
   }
   MachineState state = link_.read(now);
   state.endedEngagement = lease_.endedEngagement();
+  measure(state);
   states_.post(state);
+}
+
+void LinkRunner::measure(MachineState& state) noexcept {
+  const bool steady = state.valid && state.overridesEnabled && state.controlOurs && !state.feedHold;
+  if (!steady) {
+    effect_.forget();
+  } else if (state.link.overrides != Instant{} && state.operatorSpeed.value > 0.0 && state.operatorFeed.value > 0.0) {
+    effect_.shown(Ratio(state.speedOverride / state.operatorSpeed), Ratio(state.feedOverride / state.operatorFeed),
+                  state.link.overrides);
+  }
+  state.link.ordered = effect_.newest();
+  state.link.effect = effect_.typical();
 }
 
 void LinkRunner::finish() noexcept {

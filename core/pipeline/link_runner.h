@@ -1,7 +1,7 @@
 // LinkRunner: hop 6, everything the link thread does in one tick: take the newest command, check its lease, send it,
-// read the machine back. The lease is measured on the link thread's own clock, so that a worker that stalls or dies
-// cannot keep an override in force.
-// Thread: link thread only (or the one thread of a deterministic run).
+// read the machine back, and measure how long orders take to act. The lease is measured on the link thread's own clock,
+// so that a worker that stalls or dies cannot keep an override in force. Thread: link thread only (or the one thread of
+// a deterministic run).
 #pragma once
 
 #include <atomic>
@@ -9,6 +9,7 @@
 
 #include "core/base/time.h"
 #include "core/cnc/cnc_link.h"
+#include "core/cnc/effect_gauge.h"
 #include "core/model/machine_state.h"
 #include "core/model/override_command.h"
 #include "core/rt/mailbox.h"
@@ -33,10 +34,13 @@ class LinkRunner {
   std::uint64_t leasesExpired() const { return leasesExpired_.load(std::memory_order_relaxed); }
 
  private:
+  void measure(MachineState& state) noexcept;
+
   cnc::CncLink& link_;
   rt::Mailbox<OverrideCommand>& commands_;
   rt::Mailbox<MachineState>& states_;
   safety::LeaseWatch lease_;
+  cnc::EffectGauge effect_;
   Instant lastTick_{};
   bool finished_ = false;
   std::atomic<std::uint64_t> leasesExpired_{0};

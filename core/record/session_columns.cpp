@@ -26,7 +26,7 @@ std::span<const Column> columnsOf<BlockRow>() {
 
 template <>
 std::span<const Column> columnsOf<MachineRow>() {
-  static constexpr std::array<Column, 17> kColumns{
+  static constexpr std::array<Column, 25> kColumns{
       {{"time_ns", offsetof(MachineRow, time), T::I64},
        {"valid", offsetof(MachineRow, valid), T::U8},
        {"link_up", offsetof(MachineRow, linkUp), T::U8},
@@ -43,7 +43,15 @@ std::span<const Column> columnsOf<MachineRow>() {
        {"feed_override", offsetof(MachineRow, feedOverride), T::F64},
        {"actual_speed_rpm", offsetof(MachineRow, actualSpeed), T::F64},
        {"actual_feed_m_s", offsetof(MachineRow, actualFeed), T::F64},
-       {"ended_engagement", offsetof(MachineRow, endedEngagement), T::U64}}};
+       {"ended_engagement", offsetof(MachineRow, endedEngagement), T::U64},
+       {"ordered_ns", offsetof(MachineRow, ordered), T::I64, 1, true},
+       {"acknowledged_ns", offsetof(MachineRow, acknowledged), T::I64, 1, true},
+       {"overrides_read_ns", offsetof(MachineRow, overridesRead), T::I64, 1, true},
+       {"speed_read_ns", offsetof(MachineRow, speedRead), T::I64, 1, true},
+       {"feed_read_ns", offsetof(MachineRow, feedRead), T::I64, 1, true},
+       {"program_read_ns", offsetof(MachineRow, programRead), T::I64, 1, true},
+       {"round_trip_s", offsetof(MachineRow, roundTrip), T::F64, 1, true},
+       {"effect_delay_s", offsetof(MachineRow, effectDelay), T::F64, 1, true}}};
   return kColumns;
 }
 

@@ -7,7 +7,7 @@ namespace stillcut::record {
 namespace {
 
 // A field added to the model must be added to its row as well, or a replay would differ from the cut.
-static_assert(sizeof(MachineState) == 88 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
+static_assert(sizeof(MachineState) == 152 && sizeof(Verdict) == 176 && sizeof(OverrideRequest) == 72 &&
                   sizeof(CommandRecord) == 96 && sizeof(Event) == 64 && sizeof(OperatorInput) == 24,
               "record the new field in session_rows, raise kSessionVersion, then change this line");
 
@@ -106,7 +106,15 @@ MachineRow toRow(const MachineState& m) {
           m.feedOverride.value,
           m.actualSpeed.value,
           m.actualFeed.value,
-          m.endedEngagement};
+          m.endedEngagement,
+          toNs(m.link.ordered),
+          toNs(m.link.acknowledged),
+          toNs(m.link.overrides),
+          toNs(m.link.speed),
+          toNs(m.link.feed),
+          toNs(m.link.program),
+          m.link.roundTrip.value,
+          m.link.effect.value};
 }
 
 void fromRow(const MachineRow& row, MachineState& m) {
@@ -127,6 +135,14 @@ void fromRow(const MachineRow& row, MachineState& m) {
   m.actualSpeed = Rpm(row.actualSpeed);
   m.actualFeed = MetresPerSecond(row.actualFeed);
   m.endedEngagement = row.endedEngagement;
+  m.link.ordered = instantFromNs(row.ordered);
+  m.link.acknowledged = instantFromNs(row.acknowledged);
+  m.link.overrides = instantFromNs(row.overridesRead);
+  m.link.speed = instantFromNs(row.speedRead);
+  m.link.feed = instantFromNs(row.feedRead);
+  m.link.program = instantFromNs(row.programRead);
+  m.link.roundTrip = Seconds(row.roundTrip);
+  m.link.effect = Seconds(row.effectDelay);
 }
 
 DecisionRow toRow(const StepOutput& o) {

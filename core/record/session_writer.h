@@ -15,7 +15,7 @@
 
 namespace stillcut::record {
 
-inline constexpr int kSessionVersion = 5;        // an input may set a parameter
+inline constexpr int kSessionVersion = 6;        // the machine link's own times
 inline constexpr int kOldestSessionVersion = 2;  // without markers, segments and pyramid
 
 struct SessionHeader {

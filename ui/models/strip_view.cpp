@@ -24,7 +24,10 @@ StripItem linkItem(const Picture& p) {
   const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time) + (p.stale ? p.age : Seconds());
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
   if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
-  return {label, duration(age), age.value > 1.0 ? Tone::Onset : Tone::Normal};
+  const Tone tone = age.value > 1.0 ? Tone::Onset : Tone::Normal;
+  const Seconds effect = p.snapshot->machine.link.effect;
+  if (!(effect.value > 0.0)) return {label, duration(age), tone};
+  return {label, say("%1 old, acts in %2").arg(duration(age), duration(effect)), tone};
 }
 
 StripItem sensorItem(const Picture& p) {

@@ -120,6 +120,21 @@ TEST_P(FuzzyTest, OneCycleMovesNoFurtherThanItsStep) {
   }
 }
 
+TEST_P(FuzzyTest, MovesNoOftenerThanTheMachineActs) {
+  in_.machine.link.effect = Seconds(0.6);
+  run(2.0, 0.01, 2.0);
+  int moves = 0;
+  double last = 800.0;
+  for (int i = 0; i < 300; ++i) {  // 3 s: twelve cycles of 0.25 s, five of the machine
+    const OverrideRequest r = run(0.01, 0.9, 8.0);
+    const double now = r.kind == RequestKind::Set ? r.speed.value : 800.0;
+    moves += std::abs(now - last) > 1e-9 ? 1 : 0;
+    last = now;
+  }
+  EXPECT_GE(moves, 3);
+  EXPECT_LE(moves, 5);
+}
+
 TEST_P(FuzzyTest, TheSpeedDoesNotClimbBackWhileTheAlarmIsFresh) {
   run(2.0, 0.01, 2.0);
   const double low = run(2.0, 0.9, 8.0).speed.value;

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <optional>
 
 #include "tests/component/scripted_parts.h"
@@ -83,6 +84,71 @@ TEST_F(LinkRunnerTest, TheEndOfTheRunReleases) {
   tickUntil(20.0);
   runner_.reset();
   EXPECT_EQ(link_.released(), 1);
+}
+
+// A machine whose overrides follow 80 ms late.
+class LateLink final : public cnc::CncLink {
+ public:
+  static constexpr double kLate_s = 0.080;
+  cnc::LinkInfo describe() const override { return {.id = "late", .label = "Late"}; }
+  Status open() override { return Done{}; }
+  MachineState read(Instant now) noexcept override {
+    while (!orders_.empty() && secondsBetween(orders_.front().time, now).value >= kLate_s) {
+      inForce_ = orders_.front();
+      orders_.pop_front();
+    }
+    MachineState m;
+    m.time = now;
+    m.valid = m.linkUp = true;
+    m.speedOverride = inForce_.speed;
+    m.feedOverride = inForce_.feed;
+    if (tells) m.link.overrides = now;
+    return m;
+  }
+  void apply(const OverrideCommand& command, Instant now) noexcept override {
+    orders_.push_back(command.record());
+    orders_.back().time = now;
+  }
+  void release(Instant now) noexcept override {
+    orders_.emplace_back();
+    orders_.back().time = now;
+  }
+
+  bool tells = true;
+
+ private:
+  std::deque<CommandRecord> orders_;
+  CommandRecord inForce_;
+};
+
+// While the gate's ramp goes from 100 % to its target.
+Seconds measuredEffect(bool tells) {
+  LateLink late;
+  late.tells = tells;
+  rt::Mailbox<OverrideCommand> commands;
+  rt::Mailbox<MachineState> states;
+  LinkRunner runner(late, commands, states);
+  safety::testing::GateHarness harness;
+  harness.verdict.state = CutState::Chatter;
+  harness.authority(Authority::Auto);
+  harness.ask(9500.0, 950.0);
+  const Duration tick = toDuration(Seconds(0.005));
+  Instant now{};
+  for (int i = 0; i < 400; ++i, now += tick) {
+    if (i % 2 == 0) {  // a block is two ticks long
+      if (const auto step = harness.step(); step.command) commands.post(*step.command);
+    }
+    runner.tick(now);
+  }
+  return states.latest()->link.effect;
+}
+
+TEST(LinkRunnerMeasures, HowLongOrdersTakeToAct) {
+  EXPECT_NEAR(measuredEffect(true).value, LateLink::kLate_s, 0.005);  // looked at every 5 ms
+}
+
+TEST(LinkRunnerMeasures, NothingWhereTheMachineTellsNothing) {
+  EXPECT_EQ(measuredEffect(false).value, 0.0);
 }
 
 TEST_F(LinkRunnerTest, TheEndOfAnIdleRunSendsNothing) {

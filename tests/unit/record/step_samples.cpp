@@ -59,6 +59,8 @@ MachineState machine(Numbers& n) {
   m.actualSpeed = Rpm(n.real());
   m.actualFeed = MetresPerSecond(n.real());
   m.endedEngagement = n.bits();
+  m.link = {n.instant(), n.instant(), n.instant(),       n.instant(),
+            n.instant(), n.instant(), Seconds(n.real()), Seconds(n.real())};
   return m;
 }
 
@@ -192,7 +194,9 @@ std::vector<std::uint64_t> bitsOf(const StepInput& input) {
   const MachineState& m = input.machine;
   bits << m.time << m.valid << m.linkUp << m.programRunning << m.feedHold << m.atSpeed << m.overridesEnabled
        << m.controlOurs << m.programmedSpeed << m.programmedFeed << m.operatorSpeed << m.operatorFeed << m.speedOverride
-       << m.feedOverride << m.actualSpeed << m.actualFeed << m.endedEngagement << input.inputCount;
+       << m.feedOverride << m.actualSpeed << m.actualFeed << m.endedEngagement << m.link.ordered << m.link.acknowledged
+       << m.link.overrides << m.link.speed << m.link.feed << m.link.program << m.link.roundTrip << m.link.effect
+       << input.inputCount;
   for (const OperatorInput& i : input.inputs) bits << i.action << i.authority;
   return bits.take();
 }
