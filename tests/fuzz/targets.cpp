@@ -13,6 +13,7 @@
 #include "core/cnc/analog_map.h"
 #include "core/cnc/emc_status.h"
 #include "core/cnc/grbl_status.h"
+#include "core/cnc/hal_words.h"
 #include "core/cnc/line_splitter.h"
 #include "core/cnc/register_map.h"
 #include "core/config/profile.h"
@@ -135,6 +136,60 @@ void hearMachine(std::string_view bytes) {
   });
 }
 
+// What stillcut-hal and the link say to each other: what was understood is said and understood the same again.
+void hearHal(std::string_view bytes) {
+  cnc::LineSplitter splitter;
+  std::array<char, cnc::kHalLine> text{};
+  const auto bare = [](std::string_view line) { return line.substr(0, line.find_first_of("\r\n")); };
+  splitter.feed(bytes, [&](std::string_view line) {
+    if (const auto request = cnc::readHalRequest(line)) {
+      const auto again = cnc::readHalRequest(bare(cnc::writeHalRequest(*request, text)));
+      if (!again || again->hold != request->hold || again->speed != request->speed || again->feed != request->feed ||
+          again->homeSpeed != request->homeSpeed || again->homeFeed != request->homeFeed ||
+          std::abs(again->adaptiveFeed - request->adaptiveFeed) > 1e-3) {
+        broken("a request that is said otherwise than it was understood");
+      }
+    }
+    if (const auto report = cnc::readHalReport(line)) {
+      const auto again = cnc::readHalReport(bare(cnc::writeHalReport(*report, text)));
+      if (!again || again->standing != report->standing || again->speed != report->speed ||
+          again->feed != report->feed || again->watchdogMs != report->watchdogMs) {
+        broken("a report that is said otherwise than it was understood");
+      }
+    }
+  });
+}
+
+// Words of a Modbus register in every form a map can give it: the number they mean is written back as the same words.
+void readRegisters(std::string_view bytes) {
+  constexpr std::array<double, 6> kScales{1.0, 0.1, 0.01, -0.5, 800.0, 1e-3};
+  constexpr std::array<double, 3> kOffsets{0.0, -100.0, 4000.0};
+  constexpr std::size_t kEach = 8;
+  for (std::size_t at = 0; at + kEach <= bytes.size(); at += kEach) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned>(static_cast<unsigned char>(bytes[at + i])); };
+    cnc::Register r;
+    r.words = 1 + static_cast<int>(byte(0) & 1U);
+    r.highWordFirst = (byte(0) & 2U) != 0;
+    r.isSigned = (byte(0) & 4U) != 0;
+    r.bit = static_cast<int>(byte(1) % 17U) - 1;
+    r.scale = kScales[byte(2) % kScales.size()];
+    r.offset = kOffsets[byte(3) % kOffsets.size()];
+    cnc::RegisterWords words{};
+    for (int w = 0; w < r.words; ++w) {
+      const std::size_t from = 4 + 2 * static_cast<std::size_t>(w);
+      words[static_cast<std::size_t>(w)] = static_cast<std::uint16_t>(byte(from) << 8U | byte(from + 1));
+    }
+    [[maybe_unused]] const bool flag = r.flag(words);
+    const double value = r.decode(words);
+    if (!std::isfinite(value)) broken("a register that is no number");
+    const auto back = r.encode(value);
+    if (!back) broken("a register's own value does not fit into it");
+    for (std::size_t w = 0; w < static_cast<std::size_t>(r.words); ++w) {
+      if ((*back)[w] != words[w]) broken("a register is written back otherwise than it was read");
+    }
+  }
+}
+
 const char* const kWav = ".wav";
 const char* const kFlac = ".flac";
 const char* const kCsv = ".csv";
@@ -142,7 +197,7 @@ const char* const kUff = ".uff";
 const char* const kMat = ".mat";
 const char* const kHdf5 = ".h5";
 
-constexpr std::array<Target, 10> kTargets{{
+constexpr std::array<Target, 12> kTargets{{
     {"wav", ".wav", readRecording<kWav>},
     {"flac", ".flac", readRecording<kFlac>},
     {"text", ".csv", readRecording<kCsv>},
@@ -153,6 +208,8 @@ constexpr std::array<Target, 10> kTargets{{
     {"toml", ".toml", readToml},
     {"json", ".json", readJson},
     {"machine", ".txt", hearMachine},
+    {"hal", ".txt", hearHal},
+    {"registers", ".bin", readRegisters},
 }};
 
 }  // namespace
