@@ -1,6 +1,7 @@
 // stillcut-cli devices: the devices samples can come from and the machine links commands can go to, by their ids; finds
 // what is plugged in or reachable, and tries a link step by step. It moves nothing.
 
+#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -84,7 +85,7 @@ Result<config::Profile> wanted(const DeviceOptions& o, const config::ParamCatalo
 int tryLink(const DeviceOptions& o) {
   if (o.save && o.profile.empty()) return fail({"--save", "needs --profile", "that is where it is saved"});
   const config::ParamCatalog catalog = fullCatalog();
-  const auto profile = wanted(o, catalog);
+  auto profile = wanted(o, catalog);
   if (!profile) return fail(profile.error());
   const auto events = wireEvents();  // outlives the link and its wires
   const SteadyClock clock;
@@ -97,8 +98,13 @@ int tryLink(const DeviceOptions& o) {
     std::fflush(stdout);
   }
   if (!trial.passed()) return kExitDevice;
+  std::string& saved = profile->link.settings[std::string(cnc::kSavedDelay)];
+  if (!saved.empty()) std::printf("     a look took %s ms when this was saved\n", saved.c_str());
   if (!o.save) return kExitDone;
-  if (const Status saved = config::saveProfile(*profile, catalog, o.profile); !saved) return fail(saved.error());
+  std::array<char, 32> delay{};
+  std::snprintf(delay.data(), delay.size(), "%.2f", 1e3 * trial.look().value);
+  saved = delay.data();
+  if (const Status written = config::saveProfile(*profile, catalog, o.profile); !written) return fail(written.error());
   std::printf("saved in %s\n", o.profile.c_str());
   return kExitDone;
 }

@@ -1,13 +1,11 @@
 #include "app/session/machine_trial.h"
 
-#include <chrono>
 #include <cmath>
-#include <memory>
-#include <thread>
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/base/time.h"
+#include "core/cnc/link_trial.h"
 #include "core/model/sample_block.h"
 
 namespace stillcut::app {
@@ -16,8 +14,7 @@ namespace {
 using State = ui::TrialStep::State;
 using What = ui::TrialStep::What;
 
-constexpr int kBlocks = 20;                          // of samples, to see a level
-constexpr auto kPatience = std::chrono::seconds(3);  // for the machine's first answer
+constexpr int kBlocks = 20;  // of samples, to see a level
 
 QString text(const std::string& s) {
   return QString::fromStdString(s);
@@ -49,23 +46,6 @@ Result<QString> listen(daq::DaqSource& device, const daq::SourceFormat& format) 
   return levels.join(QStringLiteral(", "));
 }
 
-// The first valid state.
-Result<QString> ask(cnc::CncLink& link) {
-  const SteadyClock clock;
-  const auto until = std::chrono::steady_clock::now() + kPatience;
-  while (std::chrono::steady_clock::now() < until) {
-    const MachineState state = link.read(clock.now());
-    if (state.valid) {
-      return QStringLiteral("%1 rpm programmed, %2 rpm now, watchdog: %3")
-          .arg(state.programmedSpeed.value, 0, 'f', 0)
-          .arg(state.actualSpeed.value, 0, 'f', 0)
-          .arg(link.describe().machineWatchdog ? QStringLiteral("yes") : QStringLiteral("no"));
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return Error{"machine", "does not answer", "is its control running, and the address right?"};
-}
-
 class Steps {
  public:
   Steps() {
@@ -74,7 +54,8 @@ class Steps {
     }
   }
   void good(What what, const QString& detail) { set(what, State::Good, detail); }
-  void bad(What what, const Error& error) { set(what, State::Bad, text(error.line())); }
+  void bad(What what, const Error& error) { bad(what, text(error.line())); }
+  void bad(What what, const QString& detail) { set(what, State::Bad, detail); }
   void leaveOut(What what) {
     std::erase_if(steps_, [what](const ui::TrialStep& step) { return step.what == what; });
   }
@@ -90,6 +71,22 @@ class Steps {
   }
   std::vector<ui::TrialStep> steps_;
 };
+
+// The same steps and sentences as on the command line: the first is the link's, what follows the machine's.
+void tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
+  cnc::LinkTrial trial(link, clock);
+  QStringList said;
+  while (trial.next()) {
+    const cnc::TrialStep& step = trial.steps().back();
+    const What what = trial.steps().size() == 1 ? What::Link : What::Machine;
+    if (!step.good) return steps.bad(what, text(step.said));
+    if (what == What::Link) {
+      steps.good(what, text(step.said));
+    } else {
+      steps.good(what, (said << text(step.said)).join(QStringLiteral("\n")));
+    }
+  }
+}
 
 }  // namespace
 
@@ -121,17 +118,7 @@ std::vector<ui::TrialStep> tryProfile(const config::Profile& profile, const std:
     return steps.take();
   }
   if (!parts->link) return steps.take();
-  if (const Status opened = parts->link->open(); !opened) {
-    steps.bad(What::Link, opened.error());
-    return steps.take();
-  }
-  const auto label = parts->link->describe().label;
-  steps.good(What::Link, text(std::string(label)));
-  if (const auto answer = ask(*parts->link); answer) {
-    steps.good(What::Machine, *answer);
-  } else {
-    steps.bad(What::Machine, answer.error());
-  }
+  tryLink(*parts->link, *parts->clock, steps);
   return steps.take();
 }
 

@@ -10,6 +10,7 @@
 #include "core/cnc/modbus_link.h"
 #include "core/cnc/register_map.h"
 #include "core/cnc/simulated_machine.h"
+#include "core/cnc/wire_number.h"
 #include "core/config/part_settings.h"
 
 namespace stillcut::cnc {
@@ -130,7 +131,14 @@ std::span<const LinkEntry> linkTable() {
 Result<std::unique_ptr<CncLink>> makeLink(std::string_view id, const LinkRequest& request) {
   std::string known;
   for (const LinkEntry& e : kLinks) {
-    if (e.id == id) return e.make(request);
+    if (e.id == id) {
+      LinkRequest its = request;
+      if (const auto delay = its.settings.extract(std::string(kSavedDelay)); !delay.empty()) {
+        const auto ms = wireNumber(delay.mapped());
+        if (!ms || *ms < 0.0) return Error{"link '" + std::string(id) + "'", "'delay_ms' is no delay", delay.mapped()};
+      }
+      return e.make(its);
+    }
     known += (known.empty() ? "" : ", ") + std::string(e.id);
   }
   return Error{"link", "'" + std::string(id) + "' is not known", "known: " + known};

@@ -41,6 +41,10 @@ struct LinkEntry {
   Result<std::unique_ptr<CncLink>> (*make)(const LinkRequest& request);
 };
 
+// The setting every link may have: how long a look at the machine took when the link was tried and saved, ms. For the
+// next trial to compare with; a link measures anew.
+inline constexpr std::string_view kSavedDelay = "delay_ms";
+
 std::span<const LinkEntry> linkTable();
 // Unknown id: an error that names the known ones.
 Result<std::unique_ptr<CncLink>> makeLink(std::string_view id, const LinkRequest& request);
