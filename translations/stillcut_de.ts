@@ -2421,6 +2421,10 @@
         <source>aliased</source>
         <translation>gefaltet</translation>
     </message>
+    <message>
+        <source>%1 old, acts in %2</source>
+        <translation>%1 alt, wirkt nach %2</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2544,6 +2548,10 @@
     <message>
         <source>if Stillcut dies, its overrides stay</source>
         <translation>fällt Stillcut aus, bleiben die Overrides</translation>
+    </message>
+    <message>
+        <source>F3, no watchdog</source>
+        <translation>F3, ohne Watchdog</translation>
     </message>
 </context>
 <context>

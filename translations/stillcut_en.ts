@@ -2420,6 +2420,10 @@
         <source>aliased</source>
         <translation>aliased</translation>
     </message>
+    <message>
+        <source>%1 old, acts in %2</source>
+        <translation>%1 old, acts in %2</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2543,6 +2547,10 @@
     <message>
         <source>if Stillcut dies, its overrides stay</source>
         <translation>if Stillcut dies, its overrides stay</translation>
+    </message>
+    <message>
+        <source>F3, no watchdog</source>
+        <translation>F3, no watchdog</translation>
     </message>
 </context>
 <context>

@@ -2421,6 +2421,10 @@
         <source>aliased</source>
         <translation>混叠</translation>
     </message>
+    <message>
+        <source>%1 old, acts in %2</source>
+        <translation>%1 前的数据，%2 后生效</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2544,6 +2548,10 @@
     <message>
         <source>if Stillcut dies, its overrides stay</source>
         <translation>若 Stillcut 失效，倍率将保留</translation>
+    </message>
+    <message>
+        <source>F3, no watchdog</source>
+        <translation>F3，无看门狗</translation>
     </message>
 </context>
 <context>
