@@ -183,9 +183,9 @@ MachineState ModbusLink::read(Instant now) noexcept {
   return state(now);
 }
 
-Instant ModbusLink::readAt(std::initializer_list<MachineSignal> signals) const noexcept {
+Instant ModbusLink::readAt(std::initializer_list<MachineSignal> of) const noexcept {
   std::optional<Instant> oldest;
-  for (const MachineSignal s : signals) {
+  for (const MachineSignal s : of) {
     if (!map_.at(s)) continue;
     const Instant when = seen_[static_cast<std::size_t>(s)].when;
     oldest = std::min(oldest.value_or(when), when);

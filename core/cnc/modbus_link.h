@@ -60,7 +60,7 @@ class ModbusLink final : public CncLink {
   bool home() const noexcept;
   MachineState state(Instant now) const noexcept;
   // When the oldest of these was read; 0: none is in the map, or not all have been.
-  Instant readAt(std::initializer_list<MachineSignal> signals) const noexcept;
+  Instant readAt(std::initializer_list<MachineSignal> of) const noexcept;
   double number(MachineSignal s, double otherwise) const noexcept;
   bool flag(MachineSignal s, bool otherwise) const noexcept;
   Order& order(MachineOrder o) { return orders_[static_cast<std::size_t>(o)]; }

@@ -2,6 +2,7 @@
 #include "core/cnc/analog_link.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
 #include <array>
 #include <map>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
 
 namespace stillcut::cnc {
@@ -118,6 +120,50 @@ TEST(Analog, HoldsTheProgrammedValuesFromOpenToTheEnd) {
   }
   EXPECT_NEAR(card.volts[0], 5.0 * 50.0 / 70.0, 1e-9);
   EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+}
+
+// A card whose channels outlive the program that wrote them.
+class LastingOutput final : public AnalogOutput {
+ public:
+  explicit LastingOutput(double* volts) : volts_(volts) {}
+  Status open(const AnalogDevice& /*device*/) override { return Done{}; }
+  bool write(int channel, double volts) noexcept override {
+    volts_[channel] = volts;
+    return true;
+  }
+
+ private:
+  double* volts_;
+};
+
+TEST(Analog, KilledProgramLeavesItsVoltagesAndTheNextStartBringsTheProgrammedOnes) {
+  constexpr std::size_t kSize = 2 * sizeof(double);
+  void* const shared = ::mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(shared, MAP_FAILED);
+  auto* const volts = static_cast<double*>(shared);
+  const auto makeLink = [&] {
+    return std::make_unique<AnalogLink>(mapOf("analog-hand-terminal.toml"), std::make_unique<LastingOutput>(volts),
+                                        Rpm(8000.0), fromMmPerMin(1000.0));
+  };
+  const double programmed = 5.0 * 50.0 / 70.0;
+  {
+    const testing::Commander killed([&]() -> std::unique_ptr<CncLink> {
+      auto link = makeLink();
+      if (!link->open()) return nullptr;
+      return link;
+    });
+    ASSERT_TRUE(killed.took());
+  }  // killed
+  EXPECT_NEAR(volts[0], 5.0 * 40.0 / 70.0, 0.01);
+  EXPECT_NEAR(volts[1], 4.5, 0.01);
+  {
+    const auto link = makeLink();
+    EXPECT_FALSE(link->describe().machineWatchdog);
+    EXPECT_TRUE(link->open().ok());
+    EXPECT_NEAR(volts[0], programmed, 1e-9);
+    EXPECT_NEAR(volts[1], 5.0, 1e-9);
+  }
+  ::munmap(shared, kSize);
 }
 
 TEST(Analog, AbsoluteSpeedIsInRevolutions) {

@@ -49,12 +49,14 @@ class Commander {
       within(Seconds(60.0), [&] {
         const MachineState m = link->read(clock.now());
         link->apply(command, clock.now());
-        return !told && m.valid && std::abs(m.speedOverride.value - 0.9) < 1e-6 &&
-               std::abs(m.feedOverride.value - 0.9) < 1e-6;
+        return !told && m.valid && std::abs(m.speedOverride.value - 0.9) < kNear &&
+               std::abs(m.feedOverride.value - 0.9) < kNear;
       });
       told = ::write(pipe_[1], "k", 1) == 1;
     }
   }
+
+  static constexpr double kNear = 0.002;  // the gate's own command is as near
 
   std::array<int, 2> pipe_{};
   pid_t child_ = -1;

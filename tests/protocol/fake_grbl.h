@@ -18,6 +18,7 @@ class FakeGrbl final : public Peer {
   std::string extra;     // further fields, as grblHAL has them
   bool ignores = false;  // real-time bytes are lost on the way
   int reports = 0;
+  std::string moved;  // 'f' or 's' for each step that was taken
 
   void take(std::string_view bytes, Instant, const Answer& answer) override {
     // Everything of one write falls into one loop of the controller: equal bytes count once.
@@ -39,6 +40,7 @@ class FakeGrbl final : public Peer {
     const bool isFeed = byte < 0x95;
     if (byte >= 0x95 && byte < 0x99) return;  // rapids
     const int by = kBy[static_cast<std::size_t>(byte - (isFeed ? 0x90 : 0x99)) % 5];
+    moved += isFeed ? 'f' : 's';
     int& value = isFeed ? feed : spindle;
     value = by == 0 ? 100 : std::clamp(value + by, 10, 200);
     changed_ = true;

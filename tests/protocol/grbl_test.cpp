@@ -113,6 +113,29 @@ TEST(Grbl, CommandStepsBothOverridesThereAndReleaseBack) {
   EXPECT_EQ(b.grbl.feed, 100);
 }
 
+TEST(Grbl, FeedFallsBeforeSpeedAndRisesAfterIt) {
+  Bench b;
+  b.run(1.0);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  ASSERT_EQ(b.grbl.moved, "fs");
+  b.grbl.moved.clear();
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.moved, "sf");
+}
+
+// Orders with every tick: each replaces what has not been sent, and no step is sent before the one before it has shown.
+TEST(Grbl, LatestWinsAndNothingQueuesUp) {
+  Bench b;
+  b.run(1.0);
+  for (const double percent : {80.0, 105.0, 85.0, 95.0}) b.link->apply(b.gate.set(percent), b.clock.now());
+  const std::size_t atOnce = b.grbl.moved.size();
+  EXPECT_LE(atOnce, 2U);  // one step of each knob is under way, whatever was asked since
+  b.run(2.0);
+  EXPECT_EQ(b.grbl.spindle, 95);
+  EXPECT_EQ(b.grbl.feed, 95);
+}
+
 TEST(Grbl, OperatorsKnobIsTheBaseOfOurs) {
   Bench b;
   b.grbl.spindle = 120;
@@ -137,11 +160,13 @@ TEST(Grbl, LostBytesAreSentAgain) {
   EXPECT_EQ(b.grbl.feed, 90);
 }
 
-TEST(Grbl, HoldAndAlarmAreSaid) {
+TEST(Grbl, HoldAbortAndAlarmAreSaid) {
   Bench b;
   b.run(0.5);
   b.grbl.state = "Hold:0";
   EXPECT_TRUE(b.run(0.1).feedHold);
+  b.grbl.state = "Idle";  // the program was aborted
+  EXPECT_FALSE(b.run(0.1).programRunning);
   b.grbl.state = "Alarm";
   const MachineState m = b.run(0.1);
   EXPECT_TRUE(m.valid);

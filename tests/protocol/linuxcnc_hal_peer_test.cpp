@@ -152,7 +152,7 @@ TEST_F(LinuxCncHalReal, ZKilledComponentIsHomeWithinTheLease) {
     link_->apply(command, clock_.now());
     return at(m, 0.9);
   }));
-  const pid_t component = peer_->component();
+  const pid_t component = peer_->process("stillcut-hal");
   ASSERT_GT(component, 0);
   expectHomeWithinTheLease("stillcut-hal was killed", [&] { ::kill(component, SIGKILL); });
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid && !m.controlOurs; }, 2.0));

@@ -87,12 +87,12 @@ void LinuxCncPeer::addComponent() {
 #endif
 }
 
-pid_t LinuxCncPeer::component() const {
+pid_t LinuxCncPeer::process(const std::string& wanted) const {
   std::error_code gone;
   for (const auto& entry : fs::directory_iterator("/proc", gone)) {
     std::ifstream comm(entry.path() / "comm");
     std::string name;
-    if (!std::getline(comm, name) || name != "stillcut-hal") continue;
+    if (!std::getline(comm, name) || name != wanted) continue;
     const auto pid = static_cast<pid_t>(std::stol(entry.path().filename().string()));
     if (::getsid(pid) == machine_) return pid;  // ours, and nobody else's
   }
@@ -136,27 +136,37 @@ void LinuxCncPeer::start() {
   if (!answers(kHalPort, 500)) why_ = "halrmt does not start here";
 }
 
-void LinuxCncPeer::end() {
+bool LinuxCncPeer::end() {
   if (hal_ > 0) {
     ::kill(hal_, SIGKILL);
     ::waitpid(hal_, nullptr, 0);
     hal_ = -1;
   }
-  if (machine_ <= 0) return;
+  if (machine_ <= 0) return true;
   // The whole group: its script then cleans up after the servers that have gone.
   ::kill(-machine_, SIGTERM);
   const auto wire = wireTo(kPort);
   for (int i = 0; i < 500; ++i) {
     if (::waitpid(machine_, nullptr, WNOHANG) == machine_) {
       machine_ = -1;
-      return;
+      return true;
     }
     wire->wait(kStep);
   }
   ::kill(-machine_, SIGKILL);
   ::waitpid(machine_, nullptr, 0);
   machine_ = -1;
-  why_ = "LinuxCNC does not end by itself here";
+  cleanUp();
+  why_ = "LinuxCNC had to be killed";
+  return false;
+}
+
+// As LinuxCNC's own script does it, which was killed before it could.
+void LinuxCncPeer::cleanUp() const {
+  const pid_t cleaner = spawn({"halrun", "-U"}, "cleaner.log");
+  ::waitpid(cleaner, nullptr, 0);
+  std::error_code ignored;
+  fs::remove("/tmp/linuxcnc.lock", ignored);
 }
 
 std::string LinuxCncPeer::talk(const std::vector<std::string>& requests) {

@@ -25,19 +25,21 @@ class LinuxCncPeer {
   bool ok() const { return why_.empty(); }
   const std::string& why() const { return why_; }
   void start();
-  void end();
+  // Asks it to end, as a person would; false: it had to be killed after 10 s. What it left behind is cleaned up.
+  bool end();
 
   // A program of one's own, into the machine's folder.
   void write(const std::string& program, const std::string& text) const;
   // Machine on and homed, `program` of its folder running from the beginning, overrides at 100 %.
   void run(const std::string& program);
-  // The process of the machine's stillcut-hal; -1: none.
-  pid_t component() const;
+  // The process of that name ("stillcut-hal", "linuxcncrsh") that the machine has started; -1: none.
+  pid_t process(const std::string& name) const;
   // Requests to linuxcncrsh as another client sends them; the replies.
   static std::string talk(const std::vector<std::string>& requests);
 
  private:
   void addComponent();
+  void cleanUp() const;
   pid_t spawn(const std::vector<std::string>& words, const char* log) const;
 
   std::filesystem::path folder_;

@@ -2,10 +2,13 @@
 // wait for it in real time, and each wait is bounded.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <thread>
 
+#include "core/cnc/linuxcnc_link.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
 
@@ -78,6 +81,20 @@ TEST_F(LinuxCncReal, AbortedProgramIsNotRunning) {
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid && !m.programRunning; }));
 }
 
+TEST_F(LinuxCncReal, HungServerIsDownAndWhatWasOursIsBroughtBackOnceItGoesOn) {
+  apply(90.0);
+  ASSERT_TRUE(until([](const MachineState& m) { return at(m, 0.9); }));
+  const pid_t server = peer_->process("linuxcncrsh");
+  ASSERT_GT(server, 0);
+  ::kill(server, SIGSTOP);
+  EXPECT_TRUE(until([](const MachineState& m) { return !m.valid; }, 2.0));
+  const Instant began = clock_.now();
+  link_->release(clock_.now());  // bounded, though nobody answers
+  EXPECT_LT(secondsBetween(began, clock_.now()).value, toSeconds(LinuxCncLink::kReleaseTime).value + 1.0);
+  ::kill(server, SIGCONT);
+  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }));
+}
+
 // What peers.md says of this machine, and why it needs a watchdog of its own: the override stays.
 TEST_F(LinuxCncReal, KilledProgramLeavesTheOverrideAndTheNextStartSeesIt) {
   link_.reset();  // one client at a time: see linuxcnc_link.h
@@ -88,6 +105,29 @@ TEST_F(LinuxCncReal, KilledProgramLeavesTheOverrideAndTheNextStartSeesIt) {
   link_ = linkToLinuxCnc();
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid && std::abs(m.speedOverride.value - 0.9) < 1e-6; }));
   EXPECT_FALSE(link_->describe().machineWatchdog);
+}
+
+// Told to end with our link open, and started anew: its overrides are at 100 % then, and nothing of ours is believed to
+// stand there. The last one: a machine that had to be killed (see linuxcnc_link.h) does not start again here.
+TEST_F(LinuxCncReal, RestartedMachineIsFoundAgain) {
+  apply(90.0);
+  ASSERT_TRUE(until([](const MachineState& m) { return at(m, 0.9); }));
+  std::atomic<bool> ended{false};
+  bool byItself = false;
+  std::thread ending([&] {
+    byItself = peer_->end();
+    ended = true;
+  });
+  EXPECT_TRUE(until([&](const MachineState& m) { return ended && !m.valid && !m.linkUp; }, 15.0));
+  ending.join();
+  link_->release(clock_.now());
+  if (!byItself) GTEST_SKIP() << peer_->why() << ": that our link was down in time is seen, its return is not";
+  peer_->start();
+  ASSERT_TRUE(peer_->ok()) << peer_->why();
+  peer_->run("long.ngc");
+  EXPECT_TRUE(until([](const MachineState& m) { return cutting(m) && at(m, 1.0); }))
+      << "up " << seen_.linkUp << ", valid " << seen_.valid << ", program " << seen_.programRunning << ", speed "
+      << seen_.actualSpeed.value << ", overrides " << seen_.speedOverride.value << " " << seen_.feedOverride.value;
 }
 
 }  // namespace

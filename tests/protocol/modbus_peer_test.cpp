@@ -1,12 +1,10 @@
 // The Modbus link through Qt SerialBus against a real server (pymodbus), over TCP and over RTU on a pty pair. They wait
 // for it in real time, and each wait is bounded.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <QCoreApplication>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -18,39 +16,15 @@
 #include "app/io/wires.h"
 #include "core/cnc/modbus_link.h"
 #include "tests/protocol/bounded_wait.h"
+#include "tests/protocol/child.h"
+#include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
 
 namespace stillcut::cnc {
 namespace {
 
+using testing::Child;
 namespace fs = std::filesystem;
-
-// A child process that ends with its owner.
-class Child {
- public:
-  explicit Child(std::vector<std::string> words) : pid_(::fork()) {
-    if (pid_ != 0) return;
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& w : words) arguments.push_back(w.data());
-    arguments.push_back(nullptr);
-    ::execvp(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  ~Child() { kill(); }
-  Child(const Child&) = delete;
-  Child& operator=(const Child&) = delete;
-  void kill() {
-    if (pid_ > 0) {
-      ::kill(pid_, SIGKILL);
-      ::waitpid(pid_, nullptr, 0);
-    }
-    pid_ = -1;
-  }
-
- private:
-  pid_t pid_;
-};
 
 constexpr const char* kScript = STILLCUT_SOURCE_DIR "/tests/protocol/modbus_peer.py";
 constexpr int kPort = 15020;
@@ -117,6 +91,22 @@ TEST_F(ModbusReal, TcpServerThatDiesIsDownAndOneThatComesBackIsTakenUp) {
   EXPECT_TRUE(until([](const MachineState& m) { return m.valid; }));
 }
 
+// SIGKILL: nothing is said any more, and the machine's own watchdog of 0.2 s brings it back.
+TEST_F(ModbusReal, KilledProgramIsTheMachinesOwnWayHome) {
+  const Child server({"/usr/bin/python3", kScript, "tcp", "15023"});
+  const auto toServer = [](BusAddress& bus) { bus.wire = {.host = "127.0.0.1", .port = 15023, .device = {}}; };
+  connect(toServer);
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid; }));
+  const testing::Commander killed([&] {
+    connect(toServer);
+    return std::move(link_);
+  });
+  ASSERT_TRUE(killed.took());
+  ASSERT_TRUE(until([](const MachineState& m) { return std::abs(m.speedOverride.value - 0.9) < 1e-9; }));
+  killed.signal(SIGKILL);
+  EXPECT_TRUE(until([](const MachineState& m) { return std::abs(m.speedOverride.value - 1.0) < 1e-9; }));
+}
+
 TEST_F(ModbusReal, WrongUnitIsSilenceAndSaidOnce) {
   const Child server({"/usr/bin/python3", kScript, "tcp", "15022"});
   connect([](BusAddress& bus) {
@@ -130,17 +120,14 @@ TEST_F(ModbusReal, WrongUnitIsSilenceAndSaidOnce) {
 
 TEST_F(ModbusReal, RtuOverASerialPairReadsMovesAndBringsBack) {
   if (std::system("command -v socat >/dev/null") != 0) GTEST_SKIP() << "socat is not installed";
-  std::string folder = (fs::temp_directory_path() / "stillcut-rtu-XXXXXX").string();
-  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
-  const std::string ours = folder + "/a";
-  const std::string theirs = folder + "/b";
+  const testing::TemporaryFolder folder;
+  const std::string ours = folder.file("a");
+  const std::string theirs = folder.file("b");
   const Child pair({"socat", "PTY,raw,echo=0,link=" + ours, "PTY,raw,echo=0,link=" + theirs});
   ASSERT_TRUE(testing::within(Seconds(5.0), [&] { return fs::exists(ours) && fs::exists(theirs); }));
   const Child server({"/usr/bin/python3", kScript, "rtu", theirs});
   connect([&](BusAddress& bus) { bus.wire = {.host = {}, .port = 0, .device = ours, .baud = 115200}; });
   readsMovesAndBringsBack();
-  link_.reset();
-  fs::remove_all(folder);
 }
 
 }  // namespace

@@ -19,8 +19,10 @@ using testing::CommandMaker;
 struct FakePlc {
   std::map<std::pair<RegisterTable, int>, std::uint16_t> words;
   bool refuses = false;  // exception replies
-  bool silent = false;   // no reply at all
-  bool gone = false;     // no connection
+  bool lies = false;     // acknowledges and does nothing
+  bool running = true;
+  bool silent = false;  // no reply at all
+  bool gone = false;    // no connection
   int operatorKnob = 100;
   int writes = 0;
   Instant lastBeat{};
@@ -36,7 +38,7 @@ struct FakePlc {
     const auto speed = static_cast<std::uint32_t>(std::lround(80000.0 * operatorKnob / 100.0 * factor()));
     words[{RegisterTable::Input, 10}] = static_cast<std::uint16_t>(speed >> 16U);
     words[{RegisterTable::Input, 11}] = static_cast<std::uint16_t>(speed);
-    words[{RegisterTable::Input, 0}] = 1U << 4U;
+    words[{RegisterTable::Input, 0}] = running ? 1U << 4U : 0;
   }
 };
 
@@ -56,7 +58,7 @@ class FakeBus final : public RegisterBus {
   }
   bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept override {
     ++plc_.writes;
-    if (!plc_.refuses && !plc_.silent) {
+    if (!plc_.refuses && !plc_.silent && !plc_.lies) {
       for (int i = 0; i < count; ++i) plc_.words[{table, first + i}] = words[static_cast<std::size_t>(i)];
       if (first == 102) plc_.lastBeat = clock_.now();
     }
@@ -183,6 +185,52 @@ TEST(Modbus, CommandActsWhileTheHeartbeatBeatsAndReleaseBringsBack) {
   EXPECT_EQ(b.plc.holding(100), 1000);
   EXPECT_EQ(b.plc.holding(101), 1000);
   EXPECT_EQ((b.plc.words[{RegisterTable::Coil, 7}]), 0);
+}
+
+// The read-back tells it, which is what the gate goes by.
+TEST(Modbus, AcknowledgedWithoutEffectIsReadBackAsNone) {
+  Bench b;
+  b.run(0.2);
+  b.plc.lies = true;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(0.5);
+  EXPECT_GT(m.link.acknowledged, Instant{});
+  EXPECT_EQ(m.speedOverride.value, 1.0);
+  EXPECT_NEAR(m.actualSpeed.value, 8000.0, 0.1);
+}
+
+TEST(Modbus, AbortedProgramIsNotRunning) {
+  Bench b;
+  EXPECT_TRUE(b.run(0.2).programRunning);
+  b.plc.running = false;
+  EXPECT_FALSE(b.run(0.2).programRunning);
+}
+
+// Its own watchdog has brought it back meanwhile, and what we had ordered before is not ordered again.
+TEST(Modbus, RestartedMachineIsReadAnewAndHome) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.plc.gone = true;
+  EXPECT_FALSE(b.run(0.5).linkUp);
+  b.link->release(b.clock.now());  // the lease ran out meanwhile
+  b.plc.words.clear();
+  b.plc.gone = false;
+  const MachineState m = b.run(1.5);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.speedOverride.value, 1.0);
+}
+
+TEST(Modbus, LatestWinsAndNothingQueuesUp) {
+  Bench b;
+  b.run(0.2);
+  const int before = b.plc.writes;
+  for (const double percent : {80.0, 105.0, 85.0, 95.0}) b.link->apply(b.gate.set(percent), b.clock.now());
+  b.run(1.0);
+  EXPECT_EQ(b.plc.holding(100), 950);
+  // Control, two overrides a command at most, and the heartbeat every 50 ms.
+  EXPECT_LE(b.plc.writes - before, 1 + 2 * 4 + 21);
 }
 
 TEST(Modbus, OperatorsKnobIsTheMachinesAffair) {
