@@ -215,8 +215,10 @@ void GrblLink::release(Instant now) noexcept {
   if (speed_.home() && feed_.home()) return;
   speed_.letGo();
   feed_.letGo();
-  // Counted, not only timed: a clock that stands still must not hold the program's end.
-  for (Duration left = kReleaseTime; left > Duration::zero() && !(speed_.home() && feed_.home()); left -= kWait) {
+  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
+  const Instant end = clock_.now() + kReleaseTime;
+  const auto goesOn = [&] { return clock_.now() < end && !(speed_.home() && feed_.home()); };
+  for (Duration left = kReleaseTime; left > Duration::zero() && goesOn(); left -= kWait) {
     read(now);
     now = std::max(now, clock_.now());
   }

@@ -197,8 +197,9 @@ void LinuxCncLink::release(Instant now) noexcept {
   knobs_.speed.letGo();
   knobs_.feed.letGo();
   knobs_.adaptiveFeed = Ratio(1.0);
-  // Counted, not only timed: a clock that stands still must not hold the program's end.
-  for (Duration left = kReleaseTime; left > Duration::zero(); left -= kWait) {
+  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
+  const Instant end = clock_.now() + kReleaseTime;
+  for (Duration left = kReleaseTime; left > Duration::zero() && clock_.now() < end; left -= kWait) {
     if (hand_->done(knobs_)) return;
     watchMachine(now);
     command(now);

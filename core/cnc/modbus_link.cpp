@@ -263,8 +263,9 @@ void ModbusLink::release(Instant now) noexcept {
   inCommand_ = false;
   order(MachineOrder::Control).wanted = 0.0;
   order(MachineOrder::SpeedOverride).wanted = order(MachineOrder::FeedOverride).wanted = 100.0;
-  // Counted, not only timed: a clock that stands still must not hold the program's end.
-  for (Duration left = kReleaseTime; left > Duration::zero() && touched_; left -= kWait) {
+  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
+  const Instant end = clock_.now() + kReleaseTime;
+  for (Duration left = kReleaseTime; left > Duration::zero() && touched_ && clock_.now() < end; left -= kWait) {
     pump(now);
     bus_->wait(kWait);
     now = std::max(now, clock_.now());
