@@ -12,6 +12,10 @@ constexpr double kSamePlace = 0.125;
 constexpr double kSmallestMove = 0.01;
 // Distance kept from a stability limit, as a share of the stable range.
 constexpr double kInside = 0.2;
+// A quarter of a wave too many between two teeth is where Liao 1996 would go by choice: the reach may end there.
+constexpr double kQuarterWave = 0.25;
+// Where two speeds point at each other the next lies at least this share of their distance from each.
+constexpr double kBetween = 0.1;
 // How much of a step of the rule the next one may repeat: at 0.85 what is left of the way is seven steps.
 constexpr double kSteepest = 0.85;
 
@@ -54,10 +58,17 @@ void PocketSearch::remember(const SearchView& view) STILLCUT_RT {
   }
 }
 
-bool PocketSearch::wasTried(Rpm speed, int waves) const STILLCUT_RT {
-  const double near = std::max(kSmallestMove, kSamePlace / (waves + 1)) * speed.value;
+bool PocketSearch::triedWithin(Rpm speed, double share) const STILLCUT_RT {
   return std::any_of(failure_.begin(), failure_.begin() + static_cast<std::ptrdiff_t>(tried_),
-                     [&](const Failure& f) { return std::abs((f.speed - speed).value) < near; });
+                     [&](const Failure& f) { return std::abs((f.speed - speed).value) < share * speed.value; });
+}
+
+bool PocketSearch::wasHeard(Rpm speed) const STILLCUT_RT {
+  return triedWithin(speed, kSmallestMove);
+}
+
+bool PocketSearch::wasTried(Rpm speed, int waves) const STILLCUT_RT {
+  return triedWithin(speed, std::max(kSmallestMove, kSamePlace / (waves + 1)));
 }
 
 NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
@@ -82,26 +93,56 @@ NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
   return best;
 }
 
-// Where the rule's own sequence of speeds ends, from its last two members; before that, its next one.
-Rpm PocketSearch::centreOf(const SearchView& view, int waves) const STILLCUT_RT {
+// Another speed that chattered with as many waves, on the side to which the present one points, and which points back:
+// the nearest; nullptr: none.
+const PocketSearch::Failure* PocketSearch::across(const SearchView& view, int waves) const STILLCUT_RT {
+  const double way = (speedForWaves(view.chatter, teeth_, waves) - view.present).value;
+  const Failure* nearest = nullptr;
+  for (std::size_t i = 0; i + 1 < tried_; ++i) {
+    const Failure& f = failure_[i];
+    const double distance = (f.speed - view.present).value;
+    const double back = (speedForWaves(f.chatter, teeth_, waves) - f.speed).value;
+    if (wavesBetweenTeeth(f.chatter, teeth_, f.speed) != waves || distance * way <= 0.0 || back * way >= 0.0) continue;
+    if (nearest == nullptr || std::abs(distance) < std::abs((nearest->speed - view.present).value)) nearest = &f;
+  }
+  return nearest;
+}
+
+// Where the rule points at a pocket's centre. Two speeds that point at each other have it between them (two modes, or a
+// step that went too far): regula falsi. Two that point the same way give where the rule's own sequence ends. One
+// gives its next member.
+PocketSearch::Centre PocketSearch::centreOf(const SearchView& view, int waves) const STILLCUT_RT {
   const Rpm next = speedForWaves(view.chatter, teeth_, waves);
-  if (tried_ < 2) return next;
+  if (const Failure* other = across(view, waves)) {
+    const double way = (next - view.present).value;
+    const double back = (speedForWaves(other->chatter, teeth_, waves) - other->speed).value;
+    const double share = std::clamp(way / (way - back), kBetween, 1.0 - kBetween);
+    return {view.present + (other->speed - view.present) * share, true};
+  }
+  if (tried_ < 2) return {next, false};
   const Failure& before = failure_[tried_ - 2];
-  if (wavesBetweenTeeth(before.chatter, teeth_, before.speed) != waves) return next;
+  if (wavesBetweenTeeth(before.chatter, teeth_, before.speed) != waves) return {next, false};
   const Rpm predicted = speedForWaves(before.chatter, teeth_, waves);
   const double repeats = (predicted - next) / (before.speed - view.present);
-  if (!(repeats > 0.0) || repeats > kSteepest) return next;
+  if (!(repeats > 0.0) || repeats > kSteepest) return {next, false};
   const double halfway = 0.5 * view.present.value / (waves + 1);  // to the neighbouring pocket
   const double step = (next - view.present).value / (1.0 - repeats);
-  return view.present + Rpm(std::clamp(step, -halfway, halfway));
+  return {view.present + Rpm(std::clamp(step, -halfway, halfway)), false};
 }
 
 NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
   const int here = wavesBetweenTeeth(view.chatter, teeth_, view.present);
-  const Rpm first = centreOf(view, here);
+  const Centre centre = centreOf(view, here);
+  const Rpm first = centre.speed;
   const auto waves = static_cast<double>(here);
-  if (view.reach.contains(first) && !wasTried(first, here)) {
+  if (view.reach.contains(first) && (centre.between ? !wasHeard(first) : !wasTried(first, here))) {
     return {first, {ReasonCode::CentreOfNextPocket, {first.value, waves, view.chatter.value, view.present.value}}};
+  }
+  // A pocket reaches beyond its centre, and its edge is nearer than the next one.
+  const Rpm edge = view.reach.high;
+  const double left = view.chatter / toothPassing(edge, teeth_) - waves;
+  if (first > edge && left <= kQuarterWave && !wasTried(edge, here)) {
+    return {edge, {ReasonCode::NextPocketInRange, {edge.value, waves, first.value, view.chatter.value}}};
   }
   NextSpeed best{{}, {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value}}};
   for (std::size_t i = tried_; i-- > 0;) {

@@ -1,7 +1,8 @@
 // PocketSearch: which speed to try next. First the lobes, where they are known: the stable range nearest to where the
 // frequency rule points. Without lobes, or where a speed that they promised was heard to chatter: the rule itself
-// (van Dijk 2010 eq. 29, 30) and then its neighbouring pockets, nearest first, for every frequency heard so far;
-// never again near a speed that has been tried.
+// (van Dijk 2010 eq. 29, 30), or as far up toward it as the override reaches where that leaves a quarter wave at most;
+// then its neighbouring pockets, nearest first, for every frequency heard so far; never again near a speed that has
+// been tried, unless two that were tried point at each other: then the pocket lies between them.
 // Chatter's frequency falls with the speed, so that eq. 30 with the frequency of the old speed stops short of the
 // pocket's centre. Its repetition is a fixed-point iteration, n -> 60 f_c(n) / (p Z), whose fixed point is the centre
 // for every member f_c + k f_tp of the family; two of its members give the rest by Aitken's extrapolation.
@@ -47,10 +48,18 @@ class PocketSearch {
   };
 
   void remember(const SearchView& view) STILLCUT_RT;
-  bool wasTried(Rpm speed, int waves) const STILLCUT_RT;
+  struct Centre {
+    Rpm speed{};
+    bool between = false;  // two speeds that have been tried
+  };
+
+  bool triedWithin(Rpm speed, double share) const STILLCUT_RT;
+  bool wasHeard(Rpm speed) const STILLCUT_RT;             // this very speed
+  bool wasTried(Rpm speed, int waves) const STILLCUT_RT;  // the same place of the same pocket
   NextSpeed fromLobes(const SearchView& view) const STILLCUT_RT;
   NextSpeed fromRule(const SearchView& view) const STILLCUT_RT;
-  Rpm centreOf(const SearchView& view, int waves) const STILLCUT_RT;
+  const Failure* across(const SearchView& view, int waves) const STILLCUT_RT;
+  Centre centreOf(const SearchView& view, int waves) const STILLCUT_RT;
 
   int teeth_ = 0;
   bool lobesKnown_ = false;

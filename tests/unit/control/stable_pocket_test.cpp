@@ -112,10 +112,11 @@ TEST_F(StablePocketTest, AStandingAlarmAsLoudAsTheChatterWasIsChatter) {
   in_.vibration = 6000.0;  // grown to its end: it neither grows nor falls
   chatter(1010.0, 0.12, CutState::Onset);
   run(4.0);
-  EXPECT_EQ(targets_.size(), 2u);
+  const std::size_t moved = targets_.size();
+  EXPECT_GE(moved, 2u);
   in_.vibration = 300.0;  // the same line in a cut that is quiet again: left alone
   run(10.0);
-  EXPECT_EQ(targets_.size(), 2u);
+  EXPECT_EQ(targets_.size(), moved);
 }
 
 TEST_F(StablePocketTest, LoudChatterWithoutALineThatStandsIsChatter) {
@@ -153,13 +154,41 @@ TEST_F(StablePocketTest, TwoSpeedsTellWhereThePocketsCentreIs) {
   EXPECT_EQ(second.reason.n[1], 3.0);
 }
 
-TEST_F(StablePocketTest, FrequenciesOfTwoModesAreNotExtrapolated) {
+// Another mode at each side, and each points at the other: what is stable lies between them, if anything is.
+TEST_F(StablePocketTest, BetweenTheFrequenciesOfTwoModesItInterpolates) {
   PocketSearch search;
   search.prepare(setup_);
   const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
   search.next({Hertz(167.9), Rpm(949.0), reach});
-  const NextSpeed second = search.next({Hertz(176.0), Rpm(840.0), reach});  // rises as the speed falls: another mode
-  EXPECT_NEAR(second.speed.value, 60.0 * 176.0 / 12.0, 0.1);
+  const NextSpeed second = search.next({Hertz(176.0), Rpm(840.0), reach});  // rises as the speed falls
+  // 109.5 rev/min down from the one, 40 up from the other.
+  EXPECT_NEAR(second.speed.value, 840.0 + 109.0 * 40.0 / 149.5, 0.1);
+}
+
+// A random tool with modes at 1205 and 1288 Hz, stable at 8854 to 9373 rpm: the second step goes too far.
+TEST_F(StablePocketTest, AStepTooFarIsTakenBackHalfway) {
+  PocketSearch search;
+  search.prepare(setup_);
+  const config::SpeedRange reach{Rpm(6000.0), Rpm(14400.0)};
+  const Rpm first = search.next({Hertz(1275.0), Rpm(11998.0), reach}).speed;
+  const Rpm second = search.next({Hertz(1179.0), first, reach}).speed;
+  ASSERT_LT(second, Rpm(8854.0));
+  const Rpm third = search.next({Hertz(1395.0), second, reach}).speed;
+  EXPECT_GT(third, Rpm(8854.0));
+  EXPECT_LT(third, Rpm(9373.0));
+}
+
+// Chatter at 444 Hz from 5224 rpm wants 6660 rpm; the override ends at 6269.
+TEST_F(StablePocketTest, TheEdgeOfTheReachIsTakenWhereAQuarterWaveIsLeft) {
+  PocketSearch search;
+  search.prepare(setup_);
+  const config::SpeedRange reach{Rpm(2612.0), Rpm(6269.0)};
+  EXPECT_EQ(search.next({Hertz(444.0), Rpm(5224.0), reach}).speed, Rpm(6269.0));
+  EXPECT_EQ(search.next({Hertz(460.0), Rpm(6269.0), reach}).reason.n[1], 2.0);  // chatters there too: the next pocket
+  PocketSearch other;
+  other.prepare(setup_);
+  const config::SpeedRange narrow{Rpm(2612.0), Rpm(5600.0)};
+  EXPECT_EQ(other.next({Hertz(500.0), Rpm(5224.0), narrow}).speed, Rpm(3750.0));  // a third of a wave
 }
 
 TEST_F(StablePocketTest, AnOnsetThatGrowsAfterTheMoveIsChatter) {
