@@ -1,5 +1,6 @@
 #include "tests/support/closed_loop/random_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -92,7 +93,7 @@ milling::Scenario around(const milling::CutModel& model, Rpm speed, double depth
                       {kDeepFrom, kDeepAt, stable, depth, milling::RampShape::Smoothstep}};
   p.entry = milling::Passage{milling::Along::Time, 0.05};
   p.randomForce = 2e-3;
-  p.unevenness = 0.005;
+  p.unevenness = 1.85e-5;  // 0.5 % of the force up to the 70 kHz of the simulation
   s.sensors = {accelerometer("x", model.modes.size()), accelerometer("y", model.modes.size())};
   return s;
 }
@@ -124,6 +125,9 @@ std::optional<RandomTool> draw(Dice& dice, const std::string& name) {
   const auto known = app::stableSpeeds(tool.scenario);
   if (!known) return std::nullopt;
   tool.known = *known;
+  for (const StableSpeeds::Range& r : known->ranges) {
+    tool.widest = std::max(tool.widest, (r.to - r.from) / r.to);
+  }
   tool.scenario.expect = known->ranges.empty() ? milling::Expectation::NoStableSpeed : milling::Expectation::Stable;
   return tool;
 }

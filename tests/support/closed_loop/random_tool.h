@@ -15,7 +15,11 @@ struct RandomTool {
   double timesLimit = 0.0;     // depth over the limit at the programmed speed
   double waves = 0.0;          // between two teeth at the programmed speed, first mode
   StableSpeeds known;          // what a strategy is told where the modes are known
+  double widest = 0.0;         // of its stable ranges, as a share of the speed
 };
+
+// Narrower than what the gate takes for "at speed" (gate.speed-tolerance): no spindle can be asked to find it.
+inline constexpr double kNarrow = 0.02;
 
 // Whether its final depth is stable at `speed` by the exact lobes: what the simulation's own truth, which compares one
 // turn with the next, cannot see where chatter locks onto the spindle's harmonics.
