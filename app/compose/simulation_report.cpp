@@ -121,6 +121,7 @@ void RunHistory::observe(const StepInput& input, const StepOutput& output, const
         c.kind == CommandKind::Set && (std::abs(c.speed.value - 1.0) > kMoved || std::abs(c.feed.value - 1.0) > kMoved);
   }
   points_.push_back(p);
+  onset_ = plant.truth().onset().at20;
   if (!p.cutting) return;
   lastMachine_ = input.machine;
   nominalFeed_ = input.machine.programmedFeed;
@@ -131,11 +132,10 @@ SimulationReport report(const RunHistory& controlled, const RunHistory& alone, c
   SimulationReport r;
   r.scenario = plant.scenario().name;
   r.outcome = outcomeOf(controlled);
-  const double onset = plant.truth().onset().at20;
   const double alarm = firstTime(controlled.points(), &Point::alarming, 0.0);
   const double command = std::isnan(alarm) ? kNone : firstTime(controlled.points(), &Point::commandMoves, alarm);
   const double quiet = std::isnan(command) ? kNone : quietTime(controlled.points(), command);
-  r.alarmDelay = alarm - onset;
+  r.alarmDelay = alarm - alone.onset();
   r.commandDelay = command - alarm;
   r.quietDelay = quiet - command;
   r.marked = plant.truth().marked().value * 1e3;

@@ -3,6 +3,7 @@
 // Thread: one; not the sample path.
 #pragma once
 
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -32,18 +33,22 @@ class RunHistory {
   const MachineState& lastMachine() const { return lastMachine_; }
   ReasonCode lastRequestReason() const { return lastRequest_; }
   MetresPerSecond nominalFeed() const { return nominalFeed_; }
+  double onset() const { return onset_; }  // [s] chatter is 20 % of the vibration, by truth; NaN: never
 
  private:
   std::vector<Point> points_;
   MachineState lastMachine_;
   ReasonCode lastRequest_ = ReasonCode::None;
   MetresPerSecond nominalFeed_{};
+  double onset_ = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct SimulationReport {
   std::string scenario, strategy;
-  std::string outcome;        // stable, no-stable-speed, hold, chatter
-  double alarmDelay = 0.0;    // [s] from the true 20 % onset to the first alarm; NaN: none
+  std::string outcome;  // stable, no-stable-speed, hold, chatter
+  // [s] from the true 20 % onset of the cut left alone, which is the same cut until the first command, to the first
+  // alarm; NaN: none of the two. Negative: the alarm came before.
+  double alarmDelay = 0.0;
   double commandDelay = 0.0;  // [s] from the alarm to the first command that moves
   double quietDelay = 0.0;    // [s] from that command to the end of the true chatter
   double marked = 0.0;        // [mm] of path cut in true chatter

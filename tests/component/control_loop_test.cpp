@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "app/compose/known_lobes.h"
 #include "tests/component/demo_cut.h"
 #include "tests/support/closed_loop/loop_run.h"
 #include "tests/support/closed_loop/random_tool.h"
@@ -91,6 +92,30 @@ TEST(VanDijkRamp, ExtremumSeekEndsQuieterThanLobeCenter) {
   EXPECT_EQ(center.outcome, "stable");
   EXPECT_EQ(seek.outcome, "stable");
   EXPECT_LT(seek.finalRatio, 0.99 * center.finalRatio);
+}
+
+// Liao 1996, eq. 3 on the same ramp: the law reaches what it reaches. Its quarter wave puts the speed where 3 mm are
+// unstable by the lobes, and the only other quarter wave lies out of the override's reach.
+TEST(VanDijkRamp, TheQuarterWaveLiesOutsideTheStablePocket) {
+  const milling::Scenario cut = scenarioNamed("van-dijk-ramp");
+  const auto known = app::stableSpeeds(cut);
+  ASSERT_TRUE(known.has_value());
+  LoopOptions options;
+  options.ideal = true;
+  options.strategy = "quarter-phase";
+  LoopRun run(cut, options);
+  int asked = 0;
+  while (run.advance()) {
+    const OverrideRequest& r = run.last().output.request;
+    // The first answer: later ones are to what that move has made of the cut.
+    if (r.reason.code != ReasonCode::QuarterWave || ++asked > 1) continue;
+    const double waves = 60.0 * r.reason.n[2] / (r.speed.value * cut.model.tool.teeth);
+    EXPECT_NEAR(waves - std::floor(waves), 0.25, 1e-6);
+    for (const StableSpeeds::Range& range : known->ranges) {
+      EXPECT_FALSE(r.speed > range.from && r.speed < range.to) << r.speed.value;
+    }
+  }
+  EXPECT_GT(asked, 0);
 }
 
 // The default strategy by the truth in place of a detector: what it makes of each scenario is its own doing.

@@ -18,7 +18,7 @@ extern char** environ;
 namespace stillcut::cli_test {
 namespace {
 
-constexpr int kPatience = 120'000;  // [ms], far beyond any of these runs: only a program that hangs meets it
+constexpr int kPatience = 240'000;  // [ms], far beyond any of these runs: only a program that hangs meets it
 
 std::string contentOf(const std::string& path) {
   std::ifstream in(path, std::ios::binary);

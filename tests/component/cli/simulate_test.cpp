@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -67,6 +68,45 @@ TEST_F(Simulate, EveryStrategyOfTheTableRuns) {
     EXPECT_EQ(simulate({"--strategy", id})["strategy"], id);
   }
 }
+
+// The default strategy with the program's own detectors on the scenarios that come with the program.
+struct Ending {
+  const char* scenario;
+  const char* outcome;
+  int mostChanges;
+  double mostMarked;  // [mm] of path in true chatter; negative: any
+};
+
+class ScenarioEnds : public Simulate, public testing::WithParamInterface<Ending> {};
+
+TEST_P(ScenarioEnds, AsItExpects) {
+  const Ending& expected = GetParam();
+  const std::string path = STILLCUT_SOURCE_DIR "/resources/scenarios/" + std::string(expected.scenario) + ".toml";
+  const json answer = json::parse(run({"simulate", path, "--strategy", "stable-pocket", "--json"}), nullptr, false);
+  EXPECT_EQ(answer["outcome"], expected.outcome);
+  EXPECT_LE(answer["speed_changes"], expected.mostChanges);
+  if (expected.mostMarked >= 0.0) {
+    EXPECT_LE(answer["marked_mm"], expected.mostMarked);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ScenarioEnds,
+    testing::Values(
+        // The depth goes on rising after the move, and the tool leaves the cut: neither is a reason to move again.
+        Ending{"demo", "stable", 1, 1.0}, Ending{"van-dijk-ramp", "stable", 3, 60.0},
+        Ending{"caliskan-2", "stable", 3, 20.0}, Ending{"liao-1", "stable", 3, -1.0},
+        Ending{"liao-2", "stable", 3, -1.0}, Ending{"xu-steel", "stable", 3, -1.0},
+        Ending{"xu-aluminium", "stable", 3, -1.0}, Ending{"xu-thin-wall-single", "stable", 3, -1.0},
+        // Three speeds are tried and the programmed one comes back.
+        Ending{"caliskan-3", "no-stable-speed", 4, -1.0},
+        // A sensor that rattles in its mount is no chatter, and nothing is moved on its word.
+        Ending{"loose-sensor", "hold", 0, 0.0}),
+    [](const auto& which) {
+      std::string name(which.param.scenario);
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
 
 TEST_F(Simulate, WritesASessionThatCanBeReadAnalysedAndConverted) {
   simulate({"--out", "cut.h5"});
