@@ -1618,6 +1618,10 @@
         <translation>Knöpfe %1, %2</translation>
     </message>
     <message>
+        <source>Knobs %1, %2; feed per tooth %3</source>
+        <translation>Knöpfe %1, %2; Vorschub je Zahn %3</translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Maschine</translation>
     </message>

@@ -1617,6 +1617,10 @@
         <translation>Knobs %1, %2</translation>
     </message>
     <message>
+        <source>Knobs %1, %2; feed per tooth %3</source>
+        <translation>Knobs %1, %2; feed per tooth %3</translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>Machine</translation>
     </message>

@@ -1618,6 +1618,10 @@
         <translation>旋钮 %1，%2</translation>
     </message>
     <message>
+        <source>Knobs %1, %2; feed per tooth %3</source>
+        <translation>旋钮 %1，%2；每齿进给 %3</translation>
+    </message>
+    <message>
         <source>Machine</source>
         <translation>机床</translation>
     </message>

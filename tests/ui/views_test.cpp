@@ -5,6 +5,7 @@
 #include "tests/ui/pictures.h"
 #include "ui/models/advice_view.h"
 #include "ui/models/column_reader.h"
+#include "ui/models/format.h"
 #include "ui/models/freshness.h"
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
@@ -158,6 +159,21 @@ TEST(MachineView, TheOperatorsKnobIsNotOurMove) {
   EXPECT_EQ(makeMachineView(s.picture()).speed.tone, Tone::Normal);
   s.snapshot.machine.speedOverride = Ratio(0.78);
   EXPECT_EQ(makeMachineView(s.picture()).speed.tone, Tone::Advice);
+}
+
+// A raised speed on a machine whose feed ends at 100 %: the chip gets thinner, and that is said.
+TEST(MachineView, AFeedPerToothThatIsNotHeldIsShown) {
+  Scene s = stableScene();
+  MachineState& m = s.snapshot.machine;
+  m.speedOverride = m.feedOverride = Ratio(0.83);  // the feed follows
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("Knobs %1, %2").arg(percent(1.0), percent(1.0)));
+  m.speedOverride = Ratio(1.2);
+  m.feedOverride = Ratio(1.0);
+  EXPECT_EQ(makeMachineView(s.picture()).note,
+            QString("Knobs %1, %2; feed per tooth %3").arg(percent(1.0), percent(1.0), percent(1.0 / 1.2)));
+  m.operatorFeed = m.feedOverride = Ratio(0.8);  // his own knob is his own say
+  m.speedOverride = Ratio(1.0);
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("Knobs %1, %2").arg(percent(1.0), percent(0.8)));
 }
 
 TEST(Bars, LimitsBecomeMarksAndAbsentDetectorsNoBar) {

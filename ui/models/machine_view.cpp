@@ -33,6 +33,15 @@ QString whatHinders(const MachineState& m, Seconds age) {
   return {};
 }
 
+// What our overrides leave of the feed per tooth, and the knobs. Overrides are read back in steps of up to 1 %.
+QString knobs(const MachineState& m) {
+  constexpr double kReadBack = 0.015;
+  const QString speed = percent(m.operatorSpeed.value), feed = percent(m.operatorFeed.value);
+  const double perTooth = (m.feedOverride / m.operatorFeed) / (m.speedOverride / m.operatorSpeed);
+  if (!std::isfinite(perTooth) || std::abs(perTooth - 1.0) <= kReadBack) return say("Knobs %1, %2").arg(speed, feed);
+  return say("Knobs %1, %2; feed per tooth %3").arg(speed, feed, percent(perTooth));
+}
+
 double clampedFraction(double value, double full) {
   return full > 0 ? std::clamp(value / full, 0.0, 1.0) : 0.0;
 }
@@ -128,7 +137,7 @@ MachineView makeMachineView(const Picture& picture) {
   view.note = whatHinders(m, age);
   view.warning = !view.note.isEmpty();
   if (!view.warning) {
-    view.note = say("Knobs %1, %2").arg(percent(m.operatorSpeed.value), percent(m.operatorFeed.value));
+    view.note = knobs(m);
   }
   view.speed.old = view.feed.old = !m.linkUp || age > kOldAfter;
   return view;

@@ -19,7 +19,9 @@ struct OverrideRow {
 
 struct MachineView {
   OverrideRow speed, feed;
-  QString note;          // the operator's own knobs (speed, feed), or what keeps the overrides from working
+  // The operator's own knobs (speed, feed), with the feed per tooth where ours do not hold it; or what keeps the
+  // overrides from working.
+  QString note;
   bool warning = false;  // the note is about something that is wrong
   bool operator==(const MachineView&) const = default;
 };
