@@ -1031,6 +1031,62 @@
         <source>Around each of the lines to quieten</source>
         <translation>Um jede der zu beruhigenden Linien</translation>
     </message>
+    <message>
+        <source>Excitation</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>What moves the table while its paths are identified</source>
+        <translation>Was den Tisch bewegt, während seine Strecken identifiziert werden</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>Gleitsinus</translation>
+    </message>
+    <message>
+        <source>Level of identification</source>
+        <translation>Pegel der Identifikation</translation>
+    </message>
+    <message>
+        <source>Rms of the excitation, as a share of the stroke</source>
+        <translation>Effektivwert der Anregung als Anteil des Hubs</translation>
+    </message>
+    <message>
+        <source>Time of identification</source>
+        <translation>Dauer der Identifikation</translation>
+    </message>
+    <message>
+        <source>Length of the record it is made from</source>
+        <translation>Länge der Aufzeichnung, aus der sie entsteht</translation>
+    </message>
+    <message>
+        <source>Age of a model</source>
+        <translation>Alter eines Modells</translation>
+    </message>
+    <message>
+        <source>An older model of the path is not started with</source>
+        <translation>Mit einem älteren Modell der Strecke wird nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Auxiliary noise</source>
+        <translation>Hilfsrauschen</translation>
+    </message>
+    <message>
+        <source>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</source>
+        <translation>Effektivwert des Rauschens, das die Strecke während der Regelung neu identifiziert, als Anteil des Hubs; 0: aus</translation>
+    </message>
+    <message>
+        <source>Frames of a block</source>
+        <translation>Abtastungen je Block</translation>
+    </message>
+    <message>
+        <source>In simulation: how many samples the device takes at a time</source>
+        <translation>In der Simulation: wie viele Abtastungen das Gerät auf einmal nimmt</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -1030,6 +1030,62 @@
         <source>Around each of the lines to quieten</source>
         <translation>Around each of the lines to quieten</translation>
     </message>
+    <message>
+        <source>Excitation</source>
+        <translation>Excitation</translation>
+    </message>
+    <message>
+        <source>What moves the table while its paths are identified</source>
+        <translation>What moves the table while its paths are identified</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>noise</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>sweep</translation>
+    </message>
+    <message>
+        <source>Level of identification</source>
+        <translation>Level of identification</translation>
+    </message>
+    <message>
+        <source>Rms of the excitation, as a share of the stroke</source>
+        <translation>Rms of the excitation, as a share of the stroke</translation>
+    </message>
+    <message>
+        <source>Time of identification</source>
+        <translation>Time of identification</translation>
+    </message>
+    <message>
+        <source>Length of the record it is made from</source>
+        <translation>Length of the record it is made from</translation>
+    </message>
+    <message>
+        <source>Age of a model</source>
+        <translation>Age of a model</translation>
+    </message>
+    <message>
+        <source>An older model of the path is not started with</source>
+        <translation>An older model of the path is not started with</translation>
+    </message>
+    <message>
+        <source>Auxiliary noise</source>
+        <translation>Auxiliary noise</translation>
+    </message>
+    <message>
+        <source>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</source>
+        <translation>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</translation>
+    </message>
+    <message>
+        <source>Frames of a block</source>
+        <translation>Frames of a block</translation>
+    </message>
+    <message>
+        <source>In simulation: how many samples the device takes at a time</source>
+        <translation>In simulation: how many samples the device takes at a time</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -1031,6 +1031,62 @@
         <source>Around each of the lines to quieten</source>
         <translation>在每条要抑制的谱线周围</translation>
     </message>
+    <message>
+        <source>Excitation</source>
+        <translation>激励</translation>
+    </message>
+    <message>
+        <source>What moves the table while its paths are identified</source>
+        <translation>辨识通道时驱动工作台的信号</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>噪声</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>扫频</translation>
+    </message>
+    <message>
+        <source>Level of identification</source>
+        <translation>辨识电平</translation>
+    </message>
+    <message>
+        <source>Rms of the excitation, as a share of the stroke</source>
+        <translation>激励的均方根值，占行程的比例</translation>
+    </message>
+    <message>
+        <source>Time of identification</source>
+        <translation>辨识时长</translation>
+    </message>
+    <message>
+        <source>Length of the record it is made from</source>
+        <translation>用于辨识的记录长度</translation>
+    </message>
+    <message>
+        <source>Age of a model</source>
+        <translation>模型时效</translation>
+    </message>
+    <message>
+        <source>An older model of the path is not started with</source>
+        <translation>通道模型超过此时间则不启动</translation>
+    </message>
+    <message>
+        <source>Auxiliary noise</source>
+        <translation>辅助噪声</translation>
+    </message>
+    <message>
+        <source>Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off</source>
+        <translation>控制过程中用于重新辨识通道的噪声均方根值，占行程的比例；0：关闭</translation>
+    </message>
+    <message>
+        <source>Frames of a block</source>
+        <translation>每块采样数</translation>
+    </message>
+    <message>
+        <source>In simulation: how many samples the device takes at a time</source>
+        <translation>仿真中设备每次处理的采样数</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>

@@ -18,15 +18,17 @@ json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
   json axes = json::array();
   for (const AxisResult& axis : result.axes) {
     const active::PathReport& path = axis.path.report;
-    axes.push_back(
-        {{"axis", axis.axis},
-         {"released",
-          axis.released == safety::ActuatorRelease::None ? json(nullptr) : json(actuatorReleaseText(axis.released))},
-         {"released_at_s", axis.released == safety::ActuatorRelease::None ? json(nullptr) : json(axis.releasedAt)},
-         {"stroke_used", axis.strokeUsed},
-         {"limited_share", axis.limitedShare},
-         {"path_residual", path.residual},
-         {"path_phase_left_deg", path.phaseLeft * 360.0 / kTwoPi}});
+    axes.push_back({{"axis", axis.axis},
+                    {"released",
+                     axis.released == ActuatorRelease::None ? json(nullptr) : json(actuatorReleaseText(axis.released))},
+                    {"released_at_s", axis.released == ActuatorRelease::None ? json(nullptr) : json(axis.releasedAt)},
+                    {"stroke_used", axis.strokeUsed},
+                    {"limited_share", axis.limitedShare},
+                    {"path_residual", path.residual},
+                    {"loop_delay_ms", 1e3 * axis.promise.delay.value},
+                    {"delay_left_ms", 1e3 * axis.promise.delayLeft.value},
+                    {"promises_stable", axis.promise.promisesStable},
+                    {"path_phase_left_deg", path.phaseLeft * 360.0 / kTwoPi}});
   }
   json lines = json::array();
   for (const Attenuation& a : result.attenuation) {
@@ -56,10 +58,10 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
   std::printf("%s: %s without control, %s with the active work-holder\n", scenario.name.c_str(),
               result.chatterAlone ? "chatter" : "stable", result.chatterControlled ? "chatter" : "stable");
   for (const AxisResult& axis : result.axes) {
-    std::printf("%s: path known to %.1f %%, %.0f of 90 degrees left, %.0f %% of the stroke used", axis.axis.c_str(),
-                100.0 * axis.path.report.residual, axis.path.report.phaseLeft * 360.0 / kTwoPi,
-                100.0 * axis.strokeUsed);
-    if (axis.released != safety::ActuatorRelease::None) {
+    std::printf("%s: path known to %.1f %%, %.1f ms late, %.0f of 90 degrees left, %.0f %% of the stroke used",
+                axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.promise.delay.value,
+                axis.path.report.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
+    if (axis.released != ActuatorRelease::None) {
       std::printf(", let go at %.3f s: %s", axis.releasedAt, actuatorReleaseText(axis.released).data());
     }
     std::printf("\n");
@@ -75,8 +77,7 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
 int simulateActive(const milling::Scenario& scenario, const config::ParamSet& params, std::uint64_t seed,
                    const std::string& out, bool asJson) {
   ActiveOptions options;
-  options.controller = active::fxlmsOptions(params);
-  options.path = active::pathRequest(params);
+  options.params = params;
   options.seed = seed;
   std::unique_ptr<record::WavWriter> wav;
   Status written{Done{}};

@@ -4,8 +4,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
-#include <random>
 
+#include "app/compose/active_setup.h"
+#include "core/active/simulated_duplex.h"
 #include "core/dsp/spectrum.h"
 
 namespace stillcut::app {
@@ -13,121 +14,92 @@ namespace {
 
 constexpr std::array<const char*, 2> kAxes{"x", "y"};
 
-// Which channel of the scenario hears an axis, and its SI units per device unit.
-struct Ear {
-  int channel = 0;
-  double scale = 1.0;
-};
+using Errors = std::array<std::vector<double>, 2>;
 
-Result<std::array<Ear, 2>> findEars(const milling::Scenario& scenario) {
-  std::array<Ear, 2> ears;
-  for (std::size_t a = 0; a < 2; ++a) {
-    const auto& all = scenario.sensors;
-    const auto found = std::find_if(all.begin(), all.end(), [&](const milling::SensorSettings& s) {
-      return s.quantity == SensorQuantity::Acceleration && s.axis == kAxes[a];
-    });
-    if (found == all.end()) {
-      return Error{scenario.name, std::string("no accelerometer along ") + kAxes[a],
-                   "the active table needs one per axis"};
-    }
-    ears[a] = {static_cast<int>(found - all.begin()), 1.0 / found->gain};
-  }
-  return ears;
+active::EngineOptions engineOptions(const milling::Scenario& scenario, const ActiveOptions& options) {
+  active::EngineOptions engine = activeOptions(*scenario.workHolder, options.params);
+  engine.controller.emphasis.lines = engine.lines;
+  engine.record.seed = options.seed != 0 ? options.seed : scenario.seed;
+  return engine;
 }
 
-// One frame of the plant: what the two accelerometers read [m/s^2].
-class Frames {
- public:
-  Frames(const milling::Scenario& scenario, std::uint64_t seed, const std::array<Ear, 2>& ears)
-      : plant_(scenario, seed), ears_(ears) {
-    block_.allocate(static_cast<int>(scenario.sensors.size()), 1);
+// One block after the other through whatever makes strokes of errors.
+template <class Step>
+void runBlock(active::SimulatedDuplex& device, std::vector<double>& in, std::vector<double>& out, Step step) {
+  (void)device.read(in);
+  const std::size_t frames = in.size() / 2;
+  for (std::size_t f = 0; f < frames; ++f) {
+    const active::AxisPair strokes = step(active::AxisPair{in[f], in[frames + f]});
+    out[f] = strokes[0];
+    out[frames + f] = strokes[1];
   }
-  bool next(std::array<double, 2>& errors) {
-    if (!plant_.fill(block_)) return false;
-    for (std::size_t a = 0; a < 2; ++a) errors[a] = ears_[a].scale * block_.channel(ears_[a].channel)[0];
-    return true;
-  }
-  milling::SimulatedCut& plant() { return plant_; }
-  const SampleBlock& block() const { return block_; }
+  (void)device.write(out);
+}
 
- private:
-  milling::SimulatedCut plant_;
-  std::array<Ear, 2> ears_;
-  SampleBlock block_;
-};
-
-Result<std::array<active::IdentifiedPath, 2>> identify(const milling::Scenario& cut, const ActiveOptions& options,
-                                                       const std::array<Ear, 2>& ears) {
-  milling::Scenario air = cut;
-  air.programme.depth = {};
-  air.programme.duration = options.identifyTime;
-  Frames frames(air, options.seed, ears);
-  std::mt19937_64 random(options.seed != 0 ? options.seed : cut.seed);
-  std::normal_distribution<double> noise(0.0, options.identifyRms);
-  std::array<std::vector<double>, 2> written, read;
-  std::array<double, 2> errors{};
-  while (frames.next(errors)) {
-    const std::array<double, 2> push{noise(random), noise(random)};
-    frames.plant().setWorkHolder(push[0], push[1]);
-    for (std::size_t a = 0; a < 2; ++a) {
-      written[a].push_back(push[a]);
-      read[a].push_back(-errors[a]);  // e = d - s * y: the path that is taken off
-    }
+Result<active::PathPairFound> identify(const milling::Scenario& scenario, const ActiveOptions& options,
+                                       const active::EngineOptions& engine) {
+  active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
+  const auto format = device.open();
+  if (!format) return format.error();
+  active::PathRecorder recorder;
+  if (Status ok = recorder.prepare(engine.record, engine.limits, scenario.rate); !ok) return ok.error();
+  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
+  while (!recorder.over()) {
+    recorder.begin();
+    runBlock(device, in, out, [&](const active::AxisPair& errors) { return recorder.step(errors); });
   }
-  std::array<active::IdentifiedPath, 2> paths;
+  if (Status whole = recorder.complete(); !whole) return whole.error();
+  active::PathRequest request = engine.path;
+  request.sweep = engine.record.excitation == active::Excitation::Sweep;
+  active::PathPairFound paths;
   for (std::size_t a = 0; a < 2; ++a) {
-    auto found = active::identifyPath(written[a], read[a], cut.rate, options.path,
-                                      cut.name + ": path to the accelerometer along " + kAxes[a]);
+    auto found = active::identifyPath(recorder.output(a), recorder.reading(a), scenario.rate, request,
+                                      scenario.name + ": path to the accelerometer along " + kAxes[a]);
     if (!found) return found.error();
     paths[a] = std::move(found).value();
   }
   return paths;
 }
 
-struct Axis {
-  active::FxlmsController controller;
-  safety::ActuatorGate gate;
-  double releasedAt = 0.0;
-};
-
 struct Course {
-  std::array<std::vector<double>, 2> errors;
+  Errors errors;
+  std::array<double, 2> releasedAt{};
   double tip = 0.0;  // mean square of the tip's acceleration over the last second
   bool chatter = false;
   double chatterHz = 0.0;
 };
 
-Course cut(Frames& frames, const milling::Scenario& scenario, std::array<std::unique_ptr<Axis>, 2>* axes,
-           const ActiveOptions& options) {
+Course cut(const milling::Scenario& scenario, const ActiveOptions& options, active::ActiveLoop* loop) {
   Course course;
-  std::array<double, 2> errors{};
+  active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
+  device.cut(true);
+  const auto format = device.open();
+  if (!format) return course;
+  const auto total = static_cast<std::size_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
   const double last = scenario.programme.duration.value - 1.0;
-  double frames_ = 0.0;
-  while (frames.next(errors)) {
-    for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
-    milling::SimulatedCut& plant = frames.plant();
-    if (axes != nullptr) {
-      std::array<double, 2> stroke{};
-      for (std::size_t a = 0; a < 2; ++a) {
-        Axis& axis = *(*axes)[a];
-        axis.gate.renew();
-        const double wanted = axis.controller.process(errors[a]);
-        stroke[a] = axis.gate.pass(wanted, errors[a], axis.controller.disturbance()).value();
-        axis.controller.written(stroke[a]);
-        if (axis.releasedAt == 0.0 && axis.gate.state() == safety::ActuatorState::RampOut) {
-          axis.releasedAt = plant.time().value;
-        }
-      }
-      plant.setWorkHolder(stroke[0], stroke[1]);
-      if (options.observe) options.observe(frames.block(), plant);
+  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
+  double blocks = 0.0;
+  if (loop != nullptr) device.observe = options.observe;
+  while (course.errors[0].size() < total) {
+    if (loop != nullptr) loop->begin();
+    runBlock(device, in, out, [&](const active::AxisPair& errors) {
+      for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
+      return loop != nullptr ? loop->step(errors) : active::AxisPair{};
+    });
+    if (loop != nullptr) loop->renewModels();
+    const milling::SimulatedCut& plant = device.plant();
+    for (std::size_t a = 0; a < 2 && loop != nullptr; ++a) {
+      if (course.releasedAt[a] > 0.0 || loop->gate(a).why() == ActuatorRelease::None) continue;
+      course.releasedAt[a] = plant.time().value;
     }
     if (plant.time().value < last) continue;
-    ++frames_;
-    for (const double e : errors) course.tip += e * e;
+    ++blocks;
+    for (const double e : in) course.tip += e * e;
     course.chatter = course.chatter || plant.truth().chattering();
   }
-  course.tip /= std::max(1.0, frames_);
-  course.chatterHz = frames.plant().truth().chatterFrequency().value;
+  for (std::vector<double>& e : course.errors) e.resize(total);
+  course.tip /= std::max(1.0, blocks);
+  course.chatterHz = device.plant().truth().chatterFrequency().value;
   return course;
 }
 
@@ -166,30 +138,22 @@ std::vector<double> linesOf(const milling::Scenario& s, double chatterHz, const 
 }  // namespace
 
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options) {
-  if (!scenario.workHolder) {
-    return Error{scenario.name, "has no active work-holder", "strategy 'active' needs a table [work_holder]"};
-  }
-  const auto ears = findEars(scenario);
-  if (!ears) return ears.error();
-  auto paths = identify(scenario, options, *ears);
+  if (Status ok = active::SimulatedDuplex::check(scenario); !ok) return ok.error();
+  const active::EngineOptions engine = engineOptions(scenario, options);
+  auto paths = identify(scenario, options, engine);
   if (!paths) return paths.error();
 
-  std::array<std::unique_ptr<Axis>, 2> axes;
-  active::FxlmsOptions controller = options.controller;
-  controller.emphasis.lines = scenario.workHolder->quieten;
-  safety::ActuatorLimits limits;
-  limits.amplitude = scenario.workHolder->stroke.value;
-  limits.slew = scenario.workHolder->slew;
+  std::array<active::AxisOptions, 2> axes;
   for (std::size_t a = 0; a < 2; ++a) {
-    axes[a] = std::make_unique<Axis>();
-    axes[a]->controller.prepare(controller, (*paths)[a].model, scenario.rate);
-    if (Status ok = axes[a]->gate.prepare(limits, scenario.rate); !ok) return ok.error();
-    axes[a]->gate.engage();
+    axes[a] = {engine.controller, (*paths)[a].model, engine.limits[a], engine.lines, {}};
+    axes[a].online.rms = engine.auxiliary * engine.limits[a].amplitude;
+    axes[a].online.seed += a;
   }
-  Frames left(scenario, options.seed, *ears);
-  const Course alone = cut(left, scenario, nullptr, options);
-  Frames held(scenario, options.seed, *ears);
-  const Course controlled = cut(held, scenario, &axes, options);
+  const auto loop = std::make_unique<active::ActiveLoop>();
+  if (Status ok = loop->prepare(axes, scenario.rate); !ok) return ok.error();
+  loop->engage();
+  const Course alone = cut(scenario, options, nullptr);
+  const Course controlled = cut(scenario, options, loop.get());
 
   ActiveResult result;
   result.chatterAlone = alone.chatter;
@@ -199,12 +163,13 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   for (std::size_t a = 0; a < 2; ++a) {
     AxisResult axis;
     axis.axis = kAxes[a];
+    axis.promise = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
     axis.path = std::move((*paths)[a]);
-    axis.released = axes[a]->gate.why();
-    axis.releasedAt = axes[a]->releasedAt;
-    axis.strokeUsed = axes[a]->gate.strokeUsed();
+    axis.released = loop->gate(a).why();
+    axis.releasedAt = controlled.releasedAt[a];
+    axis.strokeUsed = loop->gate(a).strokeUsed();
     axis.limitedShare =
-        static_cast<double>(axes[a]->gate.limitedSamples()) / static_cast<double>(alone.errors[a].size());
+        static_cast<double>(loop->gate(a).limitedSamples()) / static_cast<double>(alone.errors[a].size());
     result.axes.push_back(std::move(axis));
     for (const double f : linesOf(scenario, alone.chatterHz, kAxes[a])) {
       const double before = powerAt(alone.errors[a], f, scenario.rate);

@@ -1,4 +1,4 @@
-// The loop of the active work-holder on a simulated machine, frame by frame as its own thread would run it: identify
+// The loop of the active work-holder on a simulated machine, block by block as its own thread would run it: identify
 // the path from each actuator to its accelerometer in air, then cut with and without control. Thread: one; not the
 // sample path, but the step of the loop itself is (tests count).
 #pragma once
@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/active/active_engine.h"
 #include "core/active/active_params.h"
 #include "core/base/result.h"
 #include "core/milling/simulated_cut.h"
@@ -16,10 +17,7 @@ namespace stillcut::app {
 
 struct ActiveOptions {
   std::uint64_t seed = 0;
-  active::FxlmsOptions controller;
-  active::PathRequest path;
-  double identifyRms = 0.3e-6;  // of the white noise while identifying [m]
-  Seconds identifyTime{4.0};
+  config::ParamSet params;  // active.*
   // Every frame of the controlled cut, samples in device units.
   std::function<void(const SampleBlock&, const milling::SimulatedCut&)> observe;
 };
@@ -27,7 +25,8 @@ struct ActiveOptions {
 struct AxisResult {
   std::string axis;
   active::IdentifiedPath path;
-  safety::ActuatorRelease released = safety::ActuatorRelease::None;
+  ActivePath promise;
+  ActuatorRelease released = ActuatorRelease::None;
   double releasedAt = 0.0;  // [s]
   double strokeUsed = 0.0;  // largest share of the amplitude limit
   double limitedShare = 0.0;

@@ -42,6 +42,7 @@ config::KnownIds knownIds() {
   for (const auto& row : cnc::linkTable()) known.links.push_back(row.id);
   for (const auto& row : detect::detectorTable()) known.detectors.push_back(row.id);
   for (const auto& row : control::strategyTable()) known.strategies.push_back(row.id);
+  known.actives = {"alsa"};
   return known;
 }
 

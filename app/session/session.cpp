@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <utility>
 
+#include "app/compose/active_setup.h"
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
@@ -66,6 +67,7 @@ Status Session::switchTo(const Opening& open) {
   configuration_ = std::move((*next)->configuration_);
   profile_ = std::move((*next)->profile_);
   lobes_ = std::move((*next)->lobes_);
+  active_ = std::move((*next)->active_);
   machine_.inForce = profile_;
   tuned_.clear();
   authority_ = Authority::Off;
@@ -174,6 +176,7 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   session->setLobes(std::make_unique<LobeWorker>(*scenario));
+  if (active::SimulatedDuplex::check(*scenario)) session->setActive(simulatedActiveDesk(*scenario));
   if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return session;
 }
@@ -189,6 +192,11 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
   info.wallMsAtStreamZero = wallAtLiveZero();
   auto session =
       std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));
+  if (!profile->active.id.empty()) {
+    auto parts = makeActiveParts(*profile);
+    if (!parts) return parts.error();
+    session->setActive(std::make_unique<ActiveDesk>(std::move(parts->device), parts->options, activeClock()));
+  }
   session->madeFrom(path);
   return session;
 }

@@ -10,6 +10,7 @@
 
 #include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
+#include "app/session/active_desk.h"
 #include "app/session/lobe_worker.h"
 #include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
@@ -35,6 +36,8 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   }
   // The model that the Lobes page looks at.
   void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
+  // The active work-holder of the machine.
+  void setActive(std::unique_ptr<ActiveDesk> active) { active_ = std::move(active); }
   // What the Set up page may show of a first start.
   void demonstrateWith(const std::string& scenario);
   // Threads on. Flight recordings go to `flights`.
@@ -57,6 +60,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   QString stateFolder() const override { return stateFolder_; }
   ui::Tuning* tuning() override { return this; }
   ui::SessionDesk* sessions() override { return &replays_; }
+  ui::ActiveDesk* active() override { return active_.get(); }
   ui::SetupDesk* setup() override { return &machine_; }
   void listRecordingsIn(const QString& folder) { replays_.setFolder(folder); }
 
@@ -85,6 +89,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::string configuration_;
   QString stateFolder_;
   std::unique_ptr<LobeWorker> lobes_;
+  std::unique_ptr<ActiveDesk> active_;
   std::string profile_;                         // the run was made from; empty: none
   mutable std::vector<ui::TunablePart> parts_;  // of run partsOf_
   mutable std::optional<std::uint32_t> partsOf_;

@@ -36,8 +36,24 @@ constexpr ParamDecl kPathTaps =
     locked(integerParam("active.path-taps", "Path taps", 35, 1, kMostTaps,
                         "Length of each part of the recursive model from actuator to sensor (table 3: 35)"));
 
-constexpr std::array<const ParamDecl*, 8> kAll{&kTaps,      &kStep,     &kNormalised, &kLeak,
-                                               &kReference, &kPathTaps, &kEmphasis,   &kEmphasisWidth};
+constexpr std::array<std::string_view, 2> kExcitations{"noise", "sweep"};
+constexpr ParamDecl kExcitation = locked(choiceParam("active.excitation", "Excitation", 0, kExcitations,
+                                                     "What moves the table while its paths are identified"));
+constexpr ParamDecl kRecordLevel = locked(realParam("active.identify-level", "Level of identification", "", 0.1, 0.001,
+                                                    0.3, "Rms of the excitation, as a share of the stroke"));
+constexpr ParamDecl kRecordTime = locked(realParam("active.identify-time", "Time of identification", "s", 4.0, 0.5,
+                                                   60.0, "Length of the record it is made from"));
+constexpr ParamDecl kModelAge = locked(realParam("active.model-age", "Age of a model", "min", 60.0, 1.0, 1440.0,
+                                                 "An older model of the path is not started with"));
+constexpr ParamDecl kAuxiliary = locked(
+    realParam("active.auxiliary", "Auxiliary noise", "", 0.0, 0.0, 0.1,
+              "Rms of the noise that identifies the path anew while it controls, as a share of the stroke; 0: off"));
+constexpr ParamDecl kBlockFrames = locked(integerParam("active.block-frames", "Frames of a block", 1, 1, 4096,
+                                                       "In simulation: how many samples the device takes at a time"));
+
+constexpr std::array<const ParamDecl*, 14> kAll{&kTaps,       &kStep,     &kNormalised,    &kLeak,       &kReference,
+                                                &kPathTaps,   &kEmphasis, &kEmphasisWidth, &kExcitation, &kRecordLevel,
+                                                &kRecordTime, &kModelAge, &kAuxiliary,     &kBlockFrames};
 
 }  // namespace
 
@@ -61,6 +77,26 @@ PathRequest pathRequest(const config::ParamSet& params) {
   PathRequest request;
   request.filter.forward = request.filter.backward = params.integer(kPathTaps);
   return request;
+}
+
+RecordRequest recordRequest(const config::ParamSet& params) {
+  RecordRequest request;
+  request.excitation = params.choice(kExcitation) == 0 ? Excitation::Noise : Excitation::Sweep;
+  request.rms = params.real(kRecordLevel);
+  request.duration = Seconds(params.real(kRecordTime));
+  return request;
+}
+
+Seconds oldestModel(const config::ParamSet& params) {
+  return Seconds(60.0 * params.real(kModelAge));
+}
+
+double auxiliaryShare(const config::ParamSet& params) {
+  return params.real(kAuxiliary);
+}
+
+int simulatedFrames(const config::ParamSet& params) {
+  return params.integer(kBlockFrames);
 }
 
 }  // namespace stillcut::active

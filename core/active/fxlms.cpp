@@ -8,6 +8,9 @@ namespace stillcut::active {
 
 namespace {
 
+constexpr std::size_t kWritten = 0;  // signals of the pair
+constexpr std::size_t kReference = 1;
+
 // Centre of gravity of the energy of the impulse response [samples].
 double delayOf(const PathModel& model, ErrorWeighting weighting) {
   double energy = 0.0;
@@ -30,8 +33,7 @@ void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& mode
   reference_.prepare(taps);
   filtered_.prepare(taps);
   weights_.assign(reference_.size(), 0.0);
-  heard_.prepare(model);
-  shaped_.prepare(model);
+  path_.prepare(model);
   errorWeight_.prepare(options.emphasis, rate);
   referenceWeight_.prepare(options.emphasis, rate);
   delay_ = delayOf(model, errorWeight_);
@@ -43,11 +45,13 @@ void FxlmsController::reset() noexcept {
   std::fill(weights_.begin(), weights_.end(), 0.0);
   reference_.reset();
   filtered_.reset();
-  heard_.reset();
-  shaped_.reset();
+  path_.reset();
   errorWeight_.reset();
   referenceWeight_.reset();
-  power_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
+  power_ = inFilter_ = renewed_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
+  sinceRenewal_ = 0;
+  // The foot of a path's response is far below the rest: a step taken from its power would be thrown by what follows.
+  unheard_ = options_.filter.taps + static_cast<int>(std::ceil(delay_));
 }
 
 double FxlmsController::largestStep() const noexcept {
@@ -55,38 +59,51 @@ double FxlmsController::largestStep() const noexcept {
   return power_ > kSilence ? 1.0 / (power_ * (options_.filter.taps + delay_)) : 0.0;
 }
 
+void FxlmsController::hear(double filtered) STILLCUT_RT {
+  const double oldest = filtered_.data()[options_.filter.taps - 1];
+  filtered_.push(filtered);
+  const double square = filtered * filtered;
+  unheard_ = std::max(0, unheard_ - 1);
+  inFilter_ += square - oldest * oldest;
+  renewed_ += square;
+  if (++sinceRenewal_ == options_.filter.taps) {
+    inFilter_ = renewed_;
+    renewed_ = 0.0;
+    sinceRenewal_ = 0;
+  }
+  // Follows a rise at once, so that a step taken from it is never too large, and a fall slowly.
+  power_ = std::max(inFilter_ / options_.filter.taps, power_ + forget_ * (square - power_));
+}
+
 double FxlmsController::process(double error, double reference) STILLCUT_RT {
   error_ = errorWeight_.process(error);
-  disturbance_ = error + heard_.arrive();
+  path_.arrive();
+  disturbance_ = error + path_.arrived(kWritten);
   const double x = options_.reference == Reference::Feedforward     ? reference
                    : options_.reference == Reference::ErrorFeedback ? error
                                                                     : disturbance_;
-  const double filtered = referenceWeight_.process(shaped_.arrive());
-  shaped_.push(x);
-  filtered_.push(filtered);
+  path_.push(kReference, x);
   reference_.push(x);
-  // Follows a rise at once, so that a step taken from it is never too large, and a fall slowly.
-  const double inFilter = kernels_.tapSum(filtered_.data(), filtered_.data(), filtered_.size()) / options_.filter.taps;
-  power_ = std::max(inFilter, power_ + forget_ * (filtered * filtered - power_));
   wanted_ = kernels_.tapSum(weights_.data(), reference_.data(), weights_.size());
+  hear(referenceWeight_.process(path_.arrived(kReference)));
   return wanted_;
 }
 
-void FxlmsController::written(double output) STILLCUT_RT {
-  heard_.push(output);
-  const bool limited = output != wanted_;
-  const double step = options_.filter.normalised ? options_.filter.step * largestStep() : options_.filter.step;
+void FxlmsController::written(double output, double added) STILLCUT_RT {
+  path_.push(kWritten, output);
+  const bool limited = output != wanted_ + added;
+  double step = options_.filter.step;
+  if (options_.filter.normalised) step *= unheard_ > 0 ? 0.0 : largestStep();
   // The filtered reference follows a sudden rise later than the error does: until it has, a step taken from its power
   // would be too large by as much as the vibration rose. So the error counts up to thrice its own size before.
   double error = error_;
   if (options_.filter.normalised) {
-    const double usual = 3.0 * std::sqrt(errorPower_);
-    error = std::clamp(error_, -usual, usual);
-    errorPower_ += forget_ * (error_ * error_ - errorPower_);
+    const double square = error_ * error_;
+    if (square > 9.0 * errorPower_) error = std::copysign(3.0 * std::sqrt(errorPower_), error_);
+    errorPower_ += forget_ * (square - errorPower_);
   }
   kernels_.tapSteer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filtered_.data(),
-                    weights_.size());
-  std::fill(weights_.begin() + options_.filter.taps, weights_.end(), 0.0);
+                    static_cast<std::size_t>(options_.filter.taps));
 }
 
 }  // namespace stillcut::active

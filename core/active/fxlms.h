@@ -42,8 +42,10 @@ class FxlmsController {
 
   // Once a sample: the error just read (and the reference, for Feedforward) give the output wanted.
   double process(double error, double reference = 0.0) STILLCUT_RT;
-  // And what was really written of it, after every limit.
-  void written(double output) STILLCUT_RT;
+  // And what was really written of it and of what was added to it, after every limit.
+  void written(double output, double added = 0.0) STILLCUT_RT;
+  // Another model of the path, of the same lengths and delay; the weights stay and follow it.
+  void renew(const PathModel& model) STILLCUT_RT { path_.renew(model); }
 
   // The disturbance as the model sees it, e + s^ * y: what the error would be without control.
   double disturbance() const noexcept { return disturbance_; }
@@ -54,14 +56,20 @@ class FxlmsController {
   int taps() const noexcept { return options_.filter.taps; }
 
  private:
+  void hear(double filtered) STILLCUT_RT;
+
   FxlmsOptions options_;
   dsp::kernels::Kernels kernels_;
   std::vector<double> weights_;
   TapLine reference_, filtered_;
-  PathFilter heard_, shaped_;  // s^ * y and s^ * x
+  PathPair path_;  // s^ * y and s^ * x
   ErrorWeighting errorWeight_, referenceWeight_;
-  double delay_ = 0.0;       // of the model and the weighting [samples]
-  double power_ = 0.0;       // of the filtered reference, the larger of one filter length and about 8
+  double delay_ = 0.0;     // of the model and the weighting [samples]
+  double power_ = 0.0;     // of the filtered reference, the larger of one filter length and about 8
+  double inFilter_ = 0.0;  // sum of its squares over one filter length
+  double renewed_ = 0.0;   // the same sum begun anew once a filter length, so that no rounding stays
+  int sinceRenewal_ = 0;
+  int unheard_ = 0;          // samples until the power is that of a whole filter, delay included: no step before
   double errorPower_ = 0.0;  // over about 8 filter lengths
   double forget_ = 0.0;
   double disturbance_ = 0.0;

@@ -1,12 +1,15 @@
 #include "core/active/identify_path.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "core/active/lms.h"
 #include "core/active/path_filter.h"
+#include "core/dsp/kernels/choose.h"
 #include "core/dsp/spectrum.h"
+#include "core/milling/noise.h"
 
 namespace stillcut::active {
 
@@ -35,6 +38,27 @@ double residualOf(const PathModel& model, std::span<const double> output, std::s
   return std::sqrt(left / static_cast<double>(output.size()) / meanSquare(reading));
 }
 
+// Where the reading begins to follow the output, from their cross correlation: the first lag that holds a tenth of the
+// largest and stands out of what unrelated signals of this length would show; two samples less, so that the foot of the
+// response is in the filter.
+int findDelay(std::span<const double> output, std::span<const double> reading, int most) {
+  constexpr double kFoot = 0.1;
+  constexpr double kOutstanding = 5.0;  // standard deviations
+  constexpr int kEarlier = 2;
+  const dsp::kernels::Kernels kernels = dsp::kernels::bestKernels();
+  const std::size_t lags = std::min(static_cast<std::size_t>(most) + 1, output.size() / 2);
+  const std::size_t n = (output.size() - lags) / dsp::kernels::kLanes * dsp::kernels::kLanes;
+  std::vector<double> correlation(lags);
+  for (std::size_t k = 0; k < lags; ++k) {
+    correlation[k] = std::abs(kernels.tapSum(&reading[lags], &output[lags - 1 - k], n));
+  }
+  const double largest = *std::ranges::max_element(correlation);
+  const double chance = std::sqrt(meanSquare(output) * meanSquare(reading) * static_cast<double>(n));
+  const double foot = std::max(kFoot * largest, std::min(kOutstanding * chance, largest));
+  const auto first = std::ranges::find_if(correlation, [&](double c) { return c >= foot; });
+  return std::max(0, static_cast<int>(first - correlation.begin()) - kEarlier);
+}
+
 PathModel learn(std::span<const double> output, std::span<const double> reading, const IdentifierOptions& options,
                 int passes) {
   PathIdentifier identifier;
@@ -46,6 +70,49 @@ PathModel learn(std::span<const double> output, std::span<const double> reading,
     }
   }
   return identifier.model();
+}
+
+// The finite response of least squares: the normal equations over the whole record, lightly loaded where the output
+// teaches nothing.
+PathModel leastSquares(std::span<const double> output, std::span<const double> reading, int taps, int delay) {
+  constexpr double kLoading = 1e-6;
+  const auto late = static_cast<std::size_t>(delay) + 1;
+  const std::size_t first = late + static_cast<std::size_t>(taps);
+  Eigen::VectorXd own(taps), cross(taps);
+  for (int k = 0; k < taps; ++k) {
+    const auto lag = static_cast<std::size_t>(k);
+    double a = 0.0, c = 0.0;
+    for (std::size_t n = first; n < output.size(); ++n) {
+      a += output[n] * output[n - lag];
+      c += reading[n] * output[n - late - lag];
+    }
+    own[k] = a;
+    cross[k] = c;
+  }
+  own[0] *= 1.0 + kLoading;
+  Eigen::MatrixXd toeplitz(taps, taps);
+  for (int i = 0; i < taps; ++i) {
+    for (int j = 0; j < taps; ++j) toeplitz(i, j) = own[std::abs(i - j)];
+  }
+  const Eigen::VectorXd solved = toeplitz.ldlt().solve(cross);
+  return {{solved.begin(), solved.end()}, {}, delay};
+}
+
+// What a path makes of noise.
+struct Record {
+  std::vector<double> output, reading;
+};
+Record asFromNoise(const PathModel& response, double rms, std::size_t samples) {
+  PathFilter path;
+  path.prepare(response);
+  milling::NoiseSource noise(1);
+  Record made;
+  for (std::size_t n = 0; n < samples; ++n) {
+    made.reading.push_back(path.arrive());
+    made.output.push_back(rms * noise.normal());
+    path.push(made.output.back());
+  }
+  return made;
 }
 
 // Learns in units in which output and reading have the same size: the recursive step treats both alike.
@@ -117,16 +184,26 @@ Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<co
   if (meanSquare(reading) <= 0.0) return Error{where, "the sensor read nothing", "is it connected?"};
 
   IdentifiedPath found;
-  IdentifierOptions finiteResponse = request.filter;
+  IdentifierOptions recursive = request.filter;
+  recursive.delay = findDelay(output, reading, request.mostDelay);
+  IdentifierOptions finiteResponse = recursive;
+  Record made;
+  if (request.sweep) {
+    constexpr int kTaps = 256;
+    made = asFromNoise(leastSquares(output, reading, kTaps, recursive.delay), std::sqrt(meanSquare(output)),
+                       output.size());
+  }
+  const std::span<const double> y = request.sweep ? made.output : output;
+  const std::span<const double> r = request.sweep ? made.reading : reading;
   finiteResponse.backward = 0;
-  found.model = learnScaled(output, reading, finiteResponse, request.passes);
+  found.model = learnScaled(y, r, finiteResponse, request.passes);
   found.report.residual = residualOf(found.model, output, reading);
   if (request.filter.backward > 0) {
-    const PathModel recursive = learnScaled(output, reading, request.filter, request.passes);
-    if (checkPath(recursive, where).ok()) {
-      const double residual = residualOf(recursive, output, reading);
+    const PathModel model = learnScaled(y, r, recursive, request.passes);
+    if (checkPath(model, where).ok()) {
+      const double residual = residualOf(model, output, reading);
       if (residual < found.report.residual) {
-        found.model = recursive;
+        found.model = model;
         found.report.residual = residual;
       }
     }
@@ -138,6 +215,20 @@ Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<co
   measure(output, reading, rate, found.report);
   judge(found.model, rate, found.report);
   return found;
+}
+
+Result<PathModel> modelOf(const std::vector<double>& impulse, const PathModel& like, const std::string& where) {
+  constexpr std::size_t kSamples = 20000;
+  constexpr int kPasses = 4;
+  const Record made = asFromNoise({impulse, {}, 0}, 1.0, kSamples);
+  IdentifierOptions options = PathRequest{}.filter;
+  options.forward = static_cast<int>(like.forward.size());
+  options.backward = static_cast<int>(like.backward.size());
+  options.delay = like.delay;
+  const PathModel model = learnScaled(made.output, made.reading, options, kPasses);
+  if (Status ok = checkPath(model, where); !ok) return ok.error();
+  if (!(residualOf(model, made.output, made.reading) < kUseless)) return Error{where, "fits no path", ""};
+  return model;
 }
 
 }  // namespace stillcut::active

@@ -1,7 +1,9 @@
 // Off-line identification of the secondary path from what was written to the actuator and what the sensor read, and how
-// good the model is. The excitation should reach every frequency that is to be controlled: white noise, or a sweep.
-// The recursive model is kept where it is stable and predicts better than the finite response that is tried beside it.
-// Thread: set-up; allocates.
+// good the model is. LMS forgets of a sweep what came first, so of a sweep the finite response that fits it best is
+// found first, and the filters learn that from noise. The excitation should reach every frequency that is to be
+// controlled: white noise, or a sweep. The loop's own delay is found first and taken out of the filter. The recursive
+// model is kept where it is stable and predicts better than the finite response that is tried beside it. Thread:
+// set-up; allocates.
 #pragma once
 
 #include <complex>
@@ -16,7 +18,9 @@ namespace stillcut::active {
 
 struct PathRequest {
   IdentifierOptions filter{.forward = 35, .backward = 35, .step = 0.1, .normalised = true};
-  int passes = 4;  // over the record
+  int passes = 4;        // over the record
+  bool sweep = false;    // the output was a sweep and no noise
+  int mostDelay = 2048;  // of the loop, looked for [samples]
 };
 
 struct PathReport {
@@ -40,5 +44,9 @@ struct IdentifiedPath {
 // `output` and `reading` sample by sample: reading[n] was taken just before output[n] was written.
 Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<const double> reading, Hertz rate,
                                     const PathRequest& request, const std::string& where);
+
+// The recursive model of the lengths and the delay of `like` that is nearest to an impulse response r(1), r(2) ...,
+// learned from noise through it.
+Result<PathModel> modelOf(const std::vector<double>& impulse, const PathModel& like, const std::string& where);
 
 }  // namespace stillcut::active

@@ -22,12 +22,11 @@ double Lms::process(double x, double wanted) STILLCUT_RT {
   const double error = wanted - kernels_.tapSum(weights_.data(), line_.data(), weights_.size());
   double step = options_.step;
   if (options_.normalised) {
-    double power = 0.0;  // without the padding
+    double power = 0.0;
     for (std::size_t k = 0; k < taps; ++k) power += line_.data()[k] * line_.data()[k];
     step = normalisedStep(options_.step, power);
   }
-  kernels_.tapSteer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), weights_.size());
-  std::fill(weights_.begin() + options_.taps, weights_.end(), 0.0);  // the padding learns nothing
+  kernels_.tapSteer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), taps);
   return error;
 }
 

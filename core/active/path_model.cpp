@@ -16,13 +16,14 @@ std::complex<double> PathModel::response(Hertz frequency, Hertz rate) const {
     for (std::size_t k = c.size(); k > 0; --k) sum = (sum + c[k - 1]) * back;
     return sum;
   };
-  return polynomial(forward) / (1.0 - polynomial(backward));
+  return polynomial(forward) / (1.0 - polynomial(backward)) * std::pow(back, delay);
 }
 
 std::vector<double> PathModel::impulse(int samples) const {
   std::vector<double> r(static_cast<std::size_t>(samples), 0.0);
+  const auto late = static_cast<std::size_t>(delay);
   for (std::size_t n = 0; n < r.size(); ++n) {
-    r[n] = n < forward.size() ? forward[n] : 0.0;
+    r[n] = n >= late && n - late < forward.size() ? forward[n - late] : 0.0;
     for (std::size_t k = 0; k < std::min(n, backward.size()); ++k) r[n] += backward[k] * r[n - 1 - k];
   }
   return r;
@@ -45,6 +46,9 @@ Status checkPath(const PathModel& model, const std::string& where) {
   if (model.empty()) return Error{where, "no model of the path from actuator to sensor", "identify it first"};
   if (model.forward.size() > kMostTaps || model.backward.size() > kMostTaps) {
     return Error{where, "the path's model has more than " + std::to_string(kMostTaps) + " taps", ""};
+  }
+  if (model.delay < 0 || model.delay > kMostDelay) {
+    return Error{where, "the path's model is delayed by more than " + std::to_string(kMostDelay) + " samples", ""};
   }
   if (!finite(model.forward) || !finite(model.backward)) {
     return Error{where, "the path's model holds a number that is not finite", ""};

@@ -1,7 +1,8 @@
 // The secondary path: from what is written to the converter to what the error sensor reads, as a recursive filter.
-//   r(n) = sum_k forward[k] y(n-1-k) + sum_k backward[k] r(n-1-k)
+//   r(n) = sum_k forward[k] y(n-1-delay-k) + sum_k backward[k] r(n-1-k)
 // The output y(n) leaves after e(n) was read, so it acts on e(n+1) at the earliest: the first coefficient belongs to
-// the output one sample ago. In Ford 2013 eq. 5 (H = A + B there means A/(1 - B)). Thread: plain values.
+// the output one sample ago; a converter that works by blocks is `delay` samples later. In Ford 2013 eq. 5 (H = A + B
+// there means A/(1 - B)). Thread: plain values.
 #pragma once
 
 #include <complex>
@@ -12,9 +13,12 @@
 
 namespace stillcut::active {
 
+inline constexpr int kMostDelay = 4096;
+
 struct PathModel {
   std::vector<double> forward;   // a; empty: no model
   std::vector<double> backward;  // b; empty: finite impulse response
+  int delay = 0;                 // whole samples before the first coefficient, 0 .. kMostDelay
 
   bool empty() const { return forward.empty(); }
   std::complex<double> response(Hertz frequency, Hertz rate) const;

@@ -1,5 +1,4 @@
-// The last values of a signal, newest first, always in one piece of memory, padded with zeros to
-// whole lanes for the sums of core/dsp/kernels.
+// The last values of a signal, newest first, always in one piece of memory, as the kernels read them.
 // Thread: one; everything but prepare() is real-time.
 #pragma once
 
@@ -7,25 +6,21 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/dsp/kernels/kernels.h"
+
 namespace stillcut::active {
-
-inline constexpr std::size_t kLanes = 8;
-
-inline std::size_t wholeLanes(std::size_t taps) {
-  return (taps + kLanes - 1) / kLanes * kLanes;
-}
 
 class TapLine {
  public:
   void prepare(std::size_t taps) {
-    size_ = wholeLanes(std::max<std::size_t>(1, taps));
+    size_ = dsp::kernels::wholeLanes(std::max<std::size_t>(1, taps));
     room_ = 8 * size_;
     values_.assign(room_ + size_, 0.0);
     at_ = room_;
   }
   void reset() noexcept {
-    std::fill(values_.begin(), values_.end(), 0.0);
-    at_ = room_;
+    at_ = room_;  // what lies before is written before it is read
+    std::fill(values_.begin() + static_cast<std::ptrdiff_t>(room_), values_.end(), 0.0);
   }
   void push(double value) noexcept {
     if (at_ == 0) {  // once in `room_` values: bring the newest back to the end

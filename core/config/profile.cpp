@@ -137,6 +137,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   readModel(root.tableOr("cut"), profile);
   profile.source = partFrom(root.tableOr("source"), known.sources);
   profile.link = partFrom(root.tableOr("link"), known.links);
+  profile.active = partFrom(root.tableOr("active"), known.actives);
   const TomlTable control = root.tableOr("control");
   profile.detector = idFrom(control, "detector", profile.detector, known.detectors);
   profile.fallback = idFrom(control, "fallback", "", known.detectors);
@@ -235,6 +236,7 @@ std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
   writeCut(out, profile);
   writePart(out, "source", profile.source);
   writePart(out, "link", profile.link);
+  writePart(out, "active", profile.active);
   out.table("control");
   out.text("detector", profile.detector);
   if (!profile.fallback.empty()) out.text("fallback", profile.fallback);

@@ -14,6 +14,7 @@
 //                coupling, place                         iepe, ac, dc; where it is mounted
 //   [source]     id        [source.settings]  keys of that device
 //   [link]       id        [link.settings]    keys of that machine link
+//   [active]     id        [active.settings]  keys of the active work-holder's device
 //   [control]    detector, fallback, strategy, allow_auto
 //   [parameters.energy-ratio]  chatter = 0.2             a declared key, its part as a table
 //
@@ -50,6 +51,7 @@ struct Profile {
   std::string operatorName;  // empty: not told
   PartChoice source;
   PartChoice link;
+  PartChoice active;                      // device of the active work-holder
   std::string detector = "energy-ratio";  // in charge
   std::string fallback;                   // takes over when it fails; empty: none
   std::string strategy = "monitor";
@@ -59,7 +61,7 @@ struct Profile {
 
 // The ids that exist, for "did you mean"; an empty list is not checked.
 struct KnownIds {
-  std::vector<std::string_view> sources, links, detectors, strategies;
+  std::vector<std::string_view> sources, links, detectors, strategies, actives;
 };
 
 // A parameter that had another key in profiles up to and including version `until`.

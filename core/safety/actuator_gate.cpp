@@ -5,28 +5,6 @@
 
 namespace stillcut::safety {
 
-std::string_view actuatorReleaseText(ActuatorRelease why) {
-  switch (why) {
-    case ActuatorRelease::None:
-      return "";
-    case ActuatorRelease::Asked:
-      return "released";
-    case ActuatorRelease::LeaseOver:
-      return "nobody renewed the lease";
-    case ActuatorRelease::NotFinite:
-      return "a value was not finite";
-    case ActuatorRelease::Diverging:
-      return "the loop diverged";
-    case ActuatorRelease::Saturated:
-      return "the actuator was at its end and the vibration grew";
-    case ActuatorRelease::Worse:
-      return "control made the vibration worse";
-    case ActuatorRelease::DeadSensor:
-      return "the error sensor stands still";
-  }
-  return "";
-}
-
 Status ActuatorGate::prepare(const ActuatorLimits& limits, Hertz rate) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
   if (!positive(limits.amplitude)) return Error{"actuator", "the amplitude limit must be above zero", ""};
@@ -58,11 +36,12 @@ Status ActuatorGate::prepare(const ActuatorLimits& limits, Hertz rate) {
 
 // What other threads asked for, and the lease.
 void ActuatorGate::listen() STILLCUT_RT {
-  const std::uint64_t renewals = renewals_.load();
+  const std::uint64_t renewals = renewals_.load(std::memory_order_relaxed);
   sinceRenewal_ = renewals != seenRenewals_ ? 0 : std::min(sinceRenewal_ + 1, leaseSamples_);
   seenRenewals_ = renewals;
-  const bool stop = releaseAsked_.exchange(false);
-  const bool start = engageAsked_.exchange(false);
+  // Asked for once in a while, looked at each sample: an exchange costs as much as a fifth of the loop.
+  const bool stop = releaseAsked_.load(std::memory_order_relaxed) && releaseAsked_.exchange(false);
+  const bool start = engageAsked_.load(std::memory_order_relaxed) && engageAsked_.exchange(false);
   const bool open = state_ == ActuatorState::RampIn || state_ == ActuatorState::On;
   if (open && stop) letGo(ActuatorRelease::Asked);
   if (open && !stop && sinceRenewal_ >= leaseSamples_) letGo(ActuatorRelease::LeaseOver);
@@ -80,6 +59,13 @@ void ActuatorGate::letGo(ActuatorRelease why) STILLCUT_RT {
   ramp_ = 1.0;
   why_ = why;
   state_ = ActuatorState::RampOut;
+}
+
+void ActuatorGate::cut() STILLCUT_RT {
+  last_ = held_ = ramp_ = 0.0;
+  if (state_ == ActuatorState::Off) return;
+  why_ = ActuatorRelease::DeviceFault;
+  state_ = ActuatorState::Off;
 }
 
 double ActuatorGate::shaped(double wanted) STILLCUT_RT {
@@ -100,7 +86,34 @@ double ActuatorGate::ramped() STILLCUT_RT {
   return held_ * ramp_;
 }
 
+void ActuatorGate::heed(LoopHealth health) STILLCUT_RT {
+  switch (health) {
+    case LoopHealth::Fine:
+      break;
+    case LoopHealth::Diverging:
+      letGo(ActuatorRelease::Diverging);
+      break;
+    case LoopHealth::Saturated:
+      letGo(ActuatorRelease::Saturated);
+      break;
+    case LoopHealth::Worse:
+      letGo(ActuatorRelease::Worse);
+      break;
+    case LoopHealth::DeadSensor:
+      letGo(ActuatorRelease::DeadSensor);
+      break;
+  }
+}
+
 ActuatorCommand ActuatorGate::pass(double wanted, double error, double without) STILLCUT_RT {
+  return through(wanted, error, without, Health::Judged);
+}
+
+ActuatorCommand ActuatorGate::drive(double wanted, double error) STILLCUT_RT {
+  return through(wanted, error, error, Health::DeadSensorOnly);
+}
+
+ActuatorCommand ActuatorGate::through(double wanted, double error, double without, Health health) STILLCUT_RT {
   listen();
   limited_ = false;
   double output = 0.0;
@@ -108,28 +121,16 @@ ActuatorCommand ActuatorGate::pass(double wanted, double error, double without) 
   if (open && (!std::isfinite(wanted) || !std::isfinite(error))) letGo(ActuatorRelease::NotFinite);
   if (state_ == ActuatorState::RampIn || state_ == ActuatorState::On) {
     output = shaped(wanted);
-    switch (watch_.watch(error, without, output, limited_)) {
-      case LoopHealth::Fine:
-        break;
-      case LoopHealth::Diverging:
-        letGo(ActuatorRelease::Diverging);
-        break;
-      case LoopHealth::Saturated:
-        letGo(ActuatorRelease::Saturated);
-        break;
-      case LoopHealth::Worse:
-        letGo(ActuatorRelease::Worse);
-        break;
-      case LoopHealth::DeadSensor:
-        letGo(ActuatorRelease::DeadSensor);
-        break;
-    }
+    const LoopHealth found = watch_.watch(error, without, output, limited_);
+    if (health == Health::Judged || found == LoopHealth::DeadSensor) heed(found);
   }
   if (state_ == ActuatorState::RampOut) output = ramped();
   if (!std::isfinite(output)) output = 0.0;  // last, whatever happened above
   last_ = output;
-  if (limited_) limitedSamples_.fetch_add(1);
-  strokeUsed_ = std::max(strokeUsed_.load(), std::abs(output) / limits_.amplitude);
+  // This thread alone writes both.
+  if (limited_) limitedSamples_.store(limitedSamples_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  const double used = std::abs(output) / limits_.amplitude;
+  if (used > strokeUsed_.load(std::memory_order_relaxed)) strokeUsed_.store(used, std::memory_order_relaxed);
   return ActuatorCommand(output);
 }
 

@@ -8,27 +8,14 @@
 
 #include <atomic>
 #include <cstdint>
-#include <string_view>
 
 #include "core/base/realtime.h"
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/model/active_state.h"
 #include "core/safety/divergence_watch.h"
 
 namespace stillcut::safety {
-
-enum class ActuatorState : std::uint8_t { Off, RampIn, On, RampOut };
-enum class ActuatorRelease : std::uint8_t {
-  None,
-  Asked,
-  LeaseOver,
-  NotFinite,
-  Diverging,
-  Saturated,
-  Worse,
-  DeadSensor
-};
-std::string_view actuatorReleaseText(ActuatorRelease why);  // "the loop diverged", for a screen or a report
 
 struct ActuatorLimits {
   double amplitude = 0.0;  // largest output, either sign, in the converter's unit; > 0
@@ -55,12 +42,18 @@ class ActuatorGate {
 
   void engage() noexcept { engageAsked_.store(true); }
   void release() noexcept { releaseAsked_.store(true); }
-  void renew() noexcept { renewals_.fetch_add(1); }
+  void renew() noexcept { renewals_.fetch_add(1); }  // once a block will do
 
   // Once a sample: what the controller wants, the error it was made from, and what the error would be without control
   // by the controller's model (left out: nobody knows).
   ActuatorCommand pass(double wanted, double error) STILLCUT_RT { return pass(wanted, error, error); }
   ActuatorCommand pass(double wanted, double error, double without) STILLCUT_RT;
+  // The same for an output that does not come from the error, as while a path is identified: whatever grows, it is no
+  // loop that runs away. A dead sensor counts.
+  ActuatorCommand drive(double wanted, double error) STILLCUT_RT;
+
+  // The device's output fell to zero by itself: off at once, without a ramp from where it no longer is.
+  void cut() STILLCUT_RT;
 
   ActuatorState state() const noexcept { return state_.load(); }
   ActuatorRelease why() const noexcept { return why_.load(); }  // of the last letting go
@@ -70,6 +63,9 @@ class ActuatorGate {
   double strokeUsed() const noexcept { return strokeUsed_.load(); }
 
  private:
+  enum class Health { Judged, DeadSensorOnly };
+  ActuatorCommand through(double wanted, double error, double without, Health health) STILLCUT_RT;
+  void heed(LoopHealth health) STILLCUT_RT;
   void listen() STILLCUT_RT;
   void letGo(ActuatorRelease why) STILLCUT_RT;
   double ramped() STILLCUT_RT;

@@ -1,13 +1,16 @@
 // What the active work-holder makes of Ford's unstable cut on random plants: every mode's frequency within 5 %, its
 // damping and stiffness within 30 % of the scenario's. Needs no stop-watch: what it prints is simulated.
-//   active_table [PLANTS] [SEED]     20 and 1 unless told
+//   active_table [PLANTS] [SEED] [fixed]     20 and 1 unless told; fixed: the scenario's lines on every plant
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
 
 #include "app/compose/active_run.h"
 #include "core/milling/scenario.h"
+#include "core/milling/stability/exact_lobes.h"
 
 namespace stillcut::app {
 namespace {
@@ -22,6 +25,24 @@ milling::Scenario scattered(milling::Scenario scenario, std::mt19937_64& random)
   return scenario;
 }
 
+// The lines to quieten are modes of the scenario and go with them; and where the exact lobes see the chatter of this
+// plant coming, as they would be known of a machine before its cut.
+std::vector<Hertz> ownLines(const milling::Scenario& ford, const milling::Scenario& plant) {
+  std::vector<Hertz> lines;
+  for (const Hertz line : ford.workHolder->quieten) {
+    const auto& modes = ford.model.modes;
+    const auto nearest = std::ranges::min_element(
+        modes, {}, [&](const milling::Mode& m) { return std::abs(m.frequency.value - line.value); });
+    lines.push_back(plant.model.modes[static_cast<std::size_t>(nearest - modes.begin())].frequency);
+  }
+  const auto lobes = milling::ExactLobes::make(plant.model, "plant");
+  if (!lobes) return lines;
+  const auto limits = lobes->limits(plant.programme.speed,
+                                    {.maxDepth = Metres(6e-3), .firstOnly = true, .frequencies = true, .hint = {}});
+  if (limits && limits->hasLimit()) lines.push_back(limits->crossings.front().frequency);
+  return lines;
+}
+
 // On the axis that chatters more.
 Attenuation ofChatter(const ActiveResult& result) {
   Attenuation loudest;
@@ -31,7 +52,7 @@ Attenuation ofChatter(const ActiveResult& result) {
   return loudest;
 }
 
-int table(int plants, unsigned seed) {
+int table(int plants, unsigned seed, bool own) {
   const auto ford = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/ford-unstable.toml");
   if (!ford) {
     std::fprintf(stderr, "active_table: %s\n", ford.error().line().c_str());
@@ -46,10 +67,11 @@ int table(int plants, unsigned seed) {
       "|\n|---|---|---|---|---|---|---|\n");
   for (int plant = 1; plant <= plants; ++plant) {
     ActiveOptions options;
-    options.controller = active::fxlmsOptions(defaults);
-    options.path = active::pathRequest(defaults);
+    options.params = defaults;
     options.seed = seed + static_cast<unsigned>(plant);
-    const auto result = runActive(scattered(*ford, random), options);
+    milling::Scenario scenario = scattered(*ford, random);
+    if (own) scenario.workHolder->quieten = ownLines(*ford, scenario);
+    const auto result = runActive(scenario, options);
     if (!result) {
       std::fprintf(stderr, "active_table: %s\n", result.error().line().c_str());
       return 2;
@@ -75,5 +97,6 @@ int table(int plants, unsigned seed) {
 int main(int argc, char** argv) {
   const int plants = argc > 1 ? std::atoi(argv[1]) : 20;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1U;
-  return stillcut::app::table(plants, seed);
+  const bool own = argc <= 3 || std::string_view(argv[3]) != "fixed";
+  return stillcut::app::table(plants, seed, own);
 }

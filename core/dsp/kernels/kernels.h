@@ -197,6 +197,34 @@ struct CrossScan {
   std::size_t place = 0;      // its bin, the first of equals; 0: none
 };
 
+// Two signals through the same recursive filter of one sample: out = sum forward in + sum backward past.
+struct PairRun {
+  const double* forward = nullptr;
+  std::size_t forwardTaps = 0;  // in whole lanes
+  const double* backward = nullptr;
+  std::size_t backwardTaps = 0;  // in whole lanes
+  const double* in[2] = {};      // newest first
+  const double* past[2] = {};    // what came out, newest first
+  double out[2] = {};
+};
+
+// Leakage of one signal and its copy with control into up to `lanes` lines: turns the oscillators sample by sample and
+// adds what the signals hold of them.
+struct LineRun {
+  const double* x = nullptr;
+  const double* y = nullptr;
+  std::size_t frames = 0;
+  std::size_t lanes = 0;  // lines, in whole lanes
+  double* re = nullptr;   // oscillators
+  double* im = nullptr;
+  const double* turnRe = nullptr;
+  const double* turnIm = nullptr;
+  double* xRe = nullptr;  // += x times oscillator
+  double* xIm = nullptr;
+  double* yRe = nullptr;
+  double* yIm = nullptr;
+};
+
 struct Kernels {
   InstructionSet set = InstructionSet::Baseline;
   // turn^1 .. turn^n of the unit number (c, s).
@@ -229,9 +257,12 @@ struct Kernels {
   // sum weight (re^2 + im^2), whole lanes
   double (*weightedPower)(const double* re, const double* im, const double* weight,
                           std::size_t lanes) noexcept = nullptr;
-  // sum a b and a = keep a + step b, whole lanes
+  // sum a b, whole lanes
   double (*tapSum)(const double* a, const double* b, std::size_t n) noexcept = nullptr;
-  void (*tapSteer)(double* a, double keep, double step, const double* b, std::size_t n) noexcept = nullptr;
+  // a = keep a + step b over `taps` values; the rest of the last lanes becomes 0
+  void (*tapSteer)(double* a, double keep, double step, const double* b, std::size_t taps) noexcept = nullptr;
+  void (*tapPair)(PairRun&) noexcept = nullptr;
+  void (*lineSums)(const LineRun&) noexcept = nullptr;
 };
 
 }  // namespace stillcut::dsp::kernels

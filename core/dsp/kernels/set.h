@@ -27,6 +27,8 @@ void designBank(const BankDesign& design) noexcept;
 void operatorSums(const OperatorRun& run) noexcept;
 void separate(const SeparationRun& run) noexcept;
 double tapSum(const double* a, const double* b, std::size_t n) noexcept;
-void tapSteer(double* a, double keep, double step, const double* b, std::size_t n) noexcept;
+void tapSteer(double* a, double keep, double step, const double* b, std::size_t taps) noexcept;
+void tapPair(PairRun& run) noexcept;
+void lineSums(const LineRun& run) noexcept;
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -27,6 +27,8 @@ void fill(Kernels& k) noexcept {
   k.separate = separate;
   k.tapSum = tapSum;
   k.tapSteer = tapSteer;
+  k.tapPair = tapPair;
+  k.lineSums = lineSums;
 }
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -33,7 +33,7 @@ struct Course {
   int beyond = -1;  // sample at which the error first was twice the largest of the disturbance
   int letGo = -1;
   int zero = -1;  // after letting go, the output is zero from here on
-  safety::ActuatorRelease why = safety::ActuatorRelease::None;
+  ActuatorRelease why = ActuatorRelease::None;
   double leftLast = 0.0;  // rms of the error over the last fifth, over that of the disturbance
 };
 
@@ -60,7 +60,7 @@ Course run(const Loop& loop, int samples) {
     const double y = gate.pass(wanted, e, controller.disturbance()).value();
     controller.written(y);
     path.push(y);
-    if (course.letGo < 0 && gate.state() == safety::ActuatorState::RampOut) course.letGo = n;
+    if (course.letGo < 0 && gate.state() == ActuatorState::RampOut) course.letGo = n;
     if (y != 0.0) course.zero = -1;
     if (course.letGo >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
     if (n > samples * 4 / 5) {
@@ -109,7 +109,7 @@ TEST(GatedLoop, ADeadSensorIsCaught) {
   Loop loop;
   loop.sensor = [](int n, double e) { return n < 8000 ? e : 0.25; };
   const Course course = run(loop, 20000);
-  EXPECT_EQ(course.why, safety::ActuatorRelease::DeadSensor);
+  EXPECT_EQ(course.why, ActuatorRelease::DeadSensor);
   EXPECT_GE(course.letGo, 8000);
   EXPECT_LE(course.letGo, 8000 + 100);
   EXPECT_LE(course.zero - course.letGo, 25);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/active/path_promise.h"
 #include "tests/unit/active/plain.h"
 
 namespace stillcut::active {
@@ -60,6 +61,39 @@ TEST(IdentifyPath, FindsARingingPathFromWhiteNoise) {
   for (double c : found->report.coherence) {
     EXPECT_GE(c, 0.0);
     EXPECT_LE(c, 1.0 + 1e-12);
+  }
+}
+
+// A device that works by blocks: 35 taps could not even reach the first that is heard.
+TEST(IdentifyPath, FindsTheDelayOfTheLoop) {
+  const auto y = whiteNoise(20000, 11);
+  for (int late : {0, 64, 700}) {
+    std::vector<double> forward(static_cast<std::size_t>(late), 0.0);
+    forward.insert(forward.end(), kForward.begin(), kForward.end());
+    auto r = plainPath(forward, kBackward, y);
+    const auto noise = whiteNoise(r.size(), 12, 0.05);
+    for (std::size_t n = 0; n < r.size(); ++n) r[n] += noise[n];
+    const auto found = identifyPath(y, r, kRate, {}, "late");
+    ASSERT_TRUE(found.ok()) << found.error().line();
+    EXPECT_LE(found->model.delay, late + 1);
+    EXPECT_GE(found->model.delay, late - 1);
+    EXPECT_LT(found->report.residual, 0.12) << late;
+    EXPECT_EQ(leadingDelay(found->model), late + 2) << late;
+  }
+}
+
+// A sweep through the actuator is as good.
+TEST(IdentifyPath, FindsTheSamePathFromASweep) {
+  std::vector<double> y(30000);
+  for (std::size_t n = 0; n < y.size(); ++n) {
+    const double share = static_cast<double>(n) / static_cast<double>(y.size());
+    y[n] = std::sin(std::numbers::pi * 0.45 * share * static_cast<double>(n));
+  }
+  const auto found = identifyPath(y, plainPath(kForward, kBackward, y), kRate, {.sweep = true}, "sweep");
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  const PathModel truth{kForward, kBackward};
+  for (double f : {339.0, 471.0, 1024.0, 1800.0}) {
+    EXPECT_LT(std::abs(phaseError(found->model, truth.response(Hertz(f), kRate), Hertz(f), kRate)), 0.15) << f;
   }
 }
 

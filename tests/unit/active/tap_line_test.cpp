@@ -24,7 +24,7 @@ TEST(TapLine, HoldsTheNewestValuesFirstHoweverLongItRuns) {
 
 // With every instruction set, and with the same bits: a replay on another processor is the same replay.
 TEST(TapLine, SumsAreSumsOnEveryInstructionSet) {
-  for (std::size_t n : {kLanes, 5 * kLanes}) {
+  for (std::size_t n : {dsp::kernels::kLanes, 5 * dsp::kernels::kLanes}) {
     const auto a = whiteNoise(n, 2);
     const auto b = whiteNoise(n, 3);
     double sum = 0.0;

@@ -280,21 +280,67 @@ TEST(Kernels, SeparationGivesAmplitudeAndAngleAndKeepsWhatItCannotTell) {
 }
 
 TEST(Kernels, SumsAndStepsOfAdaptiveFiltersAreThoseWrittenOut) {
-  for (const std::size_t n : {8U, 16U, 40U, 512U}) {
+  for (const std::size_t taps : {1U, 8U, 16U, 35U, 40U, 512U}) {
+    const std::size_t n = wholeLanes(taps);
     const Values a = noise(n, 1);
     const Values b = noise(n, 2);
     const Values all = sameWithEverySet([&](const Kernels& k) {
       Values out = a;
-      k.tapSteer(out.data(), 0.99, -0.3, b.data(), n);
+      k.tapSteer(out.data(), 0.99, -0.3, b.data(), taps);
       out.push_back(k.tapSum(a.data(), b.data(), n));
       return out;
     });
     double sum = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
-      EXPECT_NEAR(all[k], 0.99 * a[k] - 0.3 * b[k], 1e-15) << k;
+      EXPECT_NEAR(all[k], k < taps ? 0.99 * a[k] - 0.3 * b[k] : 0.0, 1e-15) << k;
       sum += a[k] * b[k];
     }
     EXPECT_NEAR(all[n], sum, 1e-12) << n;
+  }
+}
+
+TEST(Kernels, APairOfSignalsGoesThroughOneRecursiveFilter) {
+  for (const auto& [forward, backward] : {std::pair<std::size_t, std::size_t>{40, 40}, {8, 0}, {512, 16}}) {
+    const Values a = noise(forward, 1), b = noise(backward, 2);
+    const Values x = noise(forward, 3), y = noise(forward, 4), u = noise(backward, 5), v = noise(backward, 6);
+    const Values all = sameWithEverySet([&](const Kernels& k) {
+      PairRun run{a.data(), forward, b.data(), backward, {x.data(), y.data()}, {u.data(), v.data()}, {}};
+      k.tapPair(run);
+      return Values{run.out[0], run.out[1]};
+    });
+    const auto sum = [&](const Values& in, const Values& past) {
+      double s = 0.0;
+      for (std::size_t k = 0; k < forward; ++k) s += a[k] * in[k];
+      for (std::size_t k = 0; k < backward; ++k) s += b[k] * past[k];
+      return s;
+    };
+    EXPECT_NEAR(all[0], sum(x, u), 1e-11);
+    EXPECT_NEAR(all[1], sum(y, v), 1e-11);
+  }
+}
+
+TEST(Kernels, LinesAreHeardAsTheirFourierSums) {
+  constexpr std::size_t kFrames = 100, kLines = 16;
+  const Values x = noise(kFrames, 1), y = noise(kFrames, 2);
+  const Values all = sameWithEverySet([&](const Kernels& k) {
+    Values re(kLines, 1.0), im(kLines, 0.0), turnRe, turnIm;
+    for (std::size_t l = 0; l < kLines; ++l) {
+      turnRe.push_back(std::cos(0.1 * static_cast<double>(l)));
+      turnIm.push_back(std::sin(0.1 * static_cast<double>(l)));
+    }
+    Values sums(4 * kLines, 0.0);
+    k.lineSums({x.data(), y.data(), kFrames, kLines, re.data(), im.data(), turnRe.data(), turnIm.data(), sums.data(),
+                &sums[kLines], &sums[2 * kLines], &sums[3 * kLines]});
+    return sums;
+  });
+  for (std::size_t l = 0; l < kLines; ++l) {
+    double re = 0.0, im = 0.0;
+    for (std::size_t n = 0; n < kFrames; ++n) {
+      re += x[n] * std::cos(0.1 * static_cast<double>(l * n));
+      im += y[n] * std::sin(0.1 * static_cast<double>(l * n));
+    }
+    EXPECT_NEAR(all[l], re, 1e-10);
+    EXPECT_NEAR(all[3 * kLines + l], im, 1e-10);
   }
 }
 

@@ -182,6 +182,65 @@ TEST_F(OpenGate, OffStaysOffUntilEngagedAnew) {
   EXPECT_EQ(gate_.why(), ActuatorRelease::None);
 }
 
+// While a path is identified the output is ramped noise and the reading follows it: no loop, and nothing that diverges.
+TEST(ActuatorGate, AnOutputThatDoesNotComeFromTheErrorMayGrowWithIt) {
+  ActuatorGate judged, driven;
+  for (ActuatorGate* gate : {&judged, &driven}) {
+    ASSERT_TRUE(gate->prepare(usual(), Hertz(kRate)).ok());
+    gate->engage();
+  }
+  for (int n = 0; n < 3000; ++n) {
+    const double grown = std::min(1.0, 1e-3 * std::exp(0.01 * n));
+    judged.renew();
+    driven.renew();
+    judged.pass(grown * wave(n), 1e-6 + grown * wave(n + 3));
+    driven.drive(grown * wave(n), 1e-6 + grown * wave(n + 3));
+  }
+  EXPECT_EQ(judged.why(), ActuatorRelease::Diverging);
+  EXPECT_EQ(driven.state(), ActuatorState::On);
+  EXPECT_EQ(driven.why(), ActuatorRelease::None);
+}
+
+TEST_F(OpenGate, ADrivenOutputIsLimitedAndLetGoLikeAnyOther) {
+  double before = gate_.pass(0.0, 0.1).value();
+  for (int n = 0; n < 2000; ++n) {
+    gate_.renew();
+    const double now = gate_.drive(100.0 * wave(n), wave(n)).value();
+    EXPECT_LE(std::abs(now), 3.0);
+    EXPECT_LE(std::abs(now - before), 2e4 / kRate + 1e-12);
+    before = now;
+  }
+  int n = 0;
+  for (; gate_.state() == ActuatorState::On && n < 1000; ++n) {
+    gate_.renew();
+    gate_.drive(0.5 * wave(n) + 0.01, 0.0);
+  }
+  EXPECT_LE(n, 27);
+  expectRampsOut(ActuatorRelease::DeadSensor);
+}
+
+// The device's output fell to zero: a ramp from where it was would be a jump back to it.
+TEST_F(OpenGate, ALostBlockShutsItAtOnce) {
+  gate_.cut();
+  EXPECT_EQ(gate_.state(), ActuatorState::Off);
+  EXPECT_EQ(gate_.why(), ActuatorRelease::DeviceFault);
+  EXPECT_FALSE(actuatorReleaseText(ActuatorRelease::DeviceFault).empty());
+  for (int n = 0; n < 100; ++n) EXPECT_EQ(step(1.0, wave(n)), 0.0);
+  gate_.cut();  // shut already: what shut it stays told
+  gate_.engage();
+  EXPECT_LT(std::abs(step(1.0, wave(0))), 0.01);  // from zero, by the ramp
+  EXPECT_EQ(gate_.why(), ActuatorRelease::None);
+}
+
+// Once a block is enough, as long as a block is shorter than the lease.
+TEST_F(OpenGate, TheLeaseIsRenewedBlockByBlock) {
+  for (int n = 0; n < 5000; ++n) {
+    if (n % 480 == 0) gate_.renew();
+    gate_.pass(0.5 * wave(n), wave(n));
+    ASSERT_EQ(gate_.state(), ActuatorState::On) << n;
+  }
+}
+
 TEST(ActuatorGate, RefusesLimitsThatAreNone) {
   const auto refused = [](auto&& change) {
     ActuatorLimits limits = usual();

@@ -1,0 +1,83 @@
+#include "app/session/active_desk.h"
+
+#include <utility>
+
+#include "app/compose/active_setup.h"
+
+namespace stillcut::app {
+
+ActiveDesk::ActiveDesk(std::unique_ptr<active::DuplexDevice> device, const active::EngineOptions& options,
+                       const Clock& clock, active::SimulatedDuplex* simulated)
+    : engine_(std::move(device), options, clock),
+      simulated_(simulated),
+      device_(QString::fromStdString(engine_.device().name())) {}
+
+Status ActiveDesk::identify() {
+  if (fitting_.state().running) return Error{"active work-holder", "the last record is still being worked on", ""};
+  if (simulated_ != nullptr) simulated_->cut(false);
+  if (!engine_.isOpen()) {
+    fits_.reset();
+    if (Status opened = engine_.open(); !opened) return opened;
+  }
+  if (Status begun = engine_.identify(); !begun) return begun;
+  problem_.clear();
+  awaited_ = true;
+  return Done{};
+}
+
+Status ActiveDesk::start() {
+  Status begun = engine_.start();
+  if (begun) problem_.clear();
+  return begun;
+}
+
+bool ActiveDesk::poll() {
+  bool changed = fitting_.collect();
+  if (awaited_ && engine_.recorded()) {
+    awaited_ = false;
+    fitting_.start(ui::TaskState::What::None, {}, [this](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+      return BackgroundTask::Apply([this, found = engine_.fit()] { take(found); });
+    });
+  }
+  if (fits_ && !engine_.isOpen()) {  // unplugged
+    fits_.reset();
+    problem_ = QStringLiteral("the device is gone; identify again when it is back");
+    changed = true;
+  }
+  return changed;
+}
+
+void ActiveDesk::take(const Result<active::PathPairFound>& found) {
+  Status taken{Done{}};
+  if (!found) {
+    taken = found.error();
+  } else {
+    taken = engine_.install(*found);
+  }
+  if (!taken) {
+    problem_ = QString::fromStdString(taken.error().line());
+    return;
+  }
+  fits_.emplace();
+  for (std::size_t a = 0; a < kActiveAxes; ++a) (*fits_)[a] = active::fitOf((*found)[a], engine_.paths()[a]);
+  if (simulated_ != nullptr) simulated_->cut(true);
+}
+
+const Clock& activeClock() {
+  static const SteadyClock kClock;
+  return kClock;
+}
+
+std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario) {
+  constexpr int kFrames = 1;  // as the paper's loop
+  auto device = std::make_unique<active::SimulatedDuplex>(scenario, kFrames, scenario.seed, &activeClock());
+  active::SimulatedDuplex* simulated = device.get();
+  const active::EngineOptions options = activeOptions(*scenario.workHolder, config::ParamSet());
+  return std::make_unique<ActiveDesk>(std::move(device), options, activeClock(), simulated);
+}
+
+const PathFit* ActiveDesk::fit(int axis) const {
+  return fits_ && axis >= 0 && axis < kActiveAxes ? &(*fits_)[static_cast<std::size_t>(axis)] : nullptr;
+}
+
+}  // namespace stillcut::app

@@ -1,0 +1,245 @@
+// The engine on a device that the test plays: identification, control, refusals and everything a device can do wrong.
+// Time is virtual: the device hands out a block whenever it is asked.
+#include "core/active/active_engine.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <thread>
+
+#include "core/active/path_filter.h"
+
+namespace stillcut::active {
+namespace {
+
+constexpr double kRate = 5000.0;
+constexpr int kFrames = 8;
+const PathModel kPath{{0.0, 0.5, 0.3, -0.1}, {0.8, -0.5}};
+
+// Two axes with a tone each; an output is heard a block later. Waits when the test has not allowed the block yet.
+class PlayedDevice final : public DuplexDevice {
+ public:
+  explicit PlayedDevice(ManualClock& clock) : clock_(clock) {}
+  std::string name() const override { return "played"; }
+  Result<DuplexFormat> open() override {
+    for (PathFilter& p : paths_) p.prepare(kPath);
+    playing_.fill(0.0);
+    written_.fill(0.0);
+    gone_ = false;
+    return DuplexFormat{Hertz(kRate), kFrames};
+  }
+  DuplexEvent read(std::span<double> in) noexcept override {
+    while (!gone_ && allowed_.load() <= read_.load()) std::this_thread::yield();
+    if (gone_) return DuplexEvent::Gone;
+    read_.fetch_add(1);
+    clock_.set(clock_.now() + toDuration(Seconds(kFrames / kRate)));
+    if (lose_.exchange(false)) {
+      written_.fill(0.0);
+      return DuplexEvent::Lost;
+    }
+    playing_ = written_;
+    written_.fill(0.0);
+    for (std::size_t f = 0; f < kFrames; ++f, ++now_) {
+      for (std::size_t a = 0; a < 2; ++a) {
+        const double hertz = a == 0 ? 339.0 : 471.0;
+        const double d = loud.load() * std::sin(2.0 * std::numbers::pi * hertz / kRate * static_cast<double>(now_));
+        in[a * kFrames + f] = d - paths_[a].arrive();
+        paths_[a].push(playing_[a * kFrames + f]);
+      }
+    }
+    return DuplexEvent::Block;
+  }
+  DuplexEvent write(std::span<const double> out) noexcept override {
+    std::copy(out.begin(), out.end(), written_.begin());
+    for (double y : out) largest.store(std::max(largest.load(), std::abs(y)));
+    return DuplexEvent::Block;
+  }
+  void stop() noexcept override { gone_ = true; }
+  void close() noexcept override {}
+
+  // Lets the loop have so many more blocks and waits until it has had them.
+  void play(int blocks) {
+    allowed_.fetch_add(blocks);
+    while (!gone_ && read_.load() < allowed_.load()) std::this_thread::yield();
+  }
+  void flow() { allowed_.store(1'000'000'000); }
+  void lose() { lose_ = true; }
+  void unplug() { gone_ = true; }
+
+  std::atomic<double> loud{0.0}, largest{0.0};
+
+ private:
+  ManualClock& clock_;
+  std::array<PathFilter, 2> paths_;
+  std::array<double, 2 * kFrames> playing_{}, written_{};
+  std::uint64_t now_ = 0;
+  std::atomic<long> allowed_{0}, read_{0};
+  std::atomic<bool> gone_{false}, lose_{false};
+};
+
+class Engine : public testing::Test {
+ protected:
+  Engine() {
+    auto device = std::make_unique<PlayedDevice>(clock_);
+    device_ = device.get();
+    EngineOptions options;
+    options.controller.filter = {.taps = 35, .step = 0.02, .normalised = true};
+    options.lines = {Hertz(339.0), Hertz(471.0)};
+    options.controller.emphasis.gain = 1.0;
+    for (safety::ActuatorLimits& l : options.limits) {
+      l.amplitude = 10.0;
+      l.slew = 1e6;
+    }
+    options.record.duration = Seconds(2.0);
+    engine_ = std::make_unique<ActiveEngine>(std::move(device), options, clock_);
+  }
+  ~Engine() override {
+    device_->flow();  // the loop may ramp out
+    engine_.reset();
+  }
+  void identified() {
+    ASSERT_TRUE(engine_->open().ok());
+    ASSERT_TRUE(engine_->identify().ok());
+    for (int i = 0; i < 40 && !engine_->recorded(); ++i) device_->play(100);
+    ASSERT_TRUE(engine_->recorded());
+    const auto found = engine_->fit();
+    ASSERT_TRUE(found.ok()) << found.error().line();
+    const Status ok = engine_->install(*found);
+    ASSERT_TRUE(ok.ok()) << ok.error().line();
+  }
+  ActiveSnapshot newest() {
+    device_->play(60);  // a snapshot is made every 21 blocks
+    const ActiveSnapshot* told = engine_->pull();
+    EXPECT_NE(told, nullptr);
+    return told != nullptr ? *told : ActiveSnapshot{};
+  }
+
+  ManualClock clock_;
+  PlayedDevice* device_ = nullptr;
+  std::unique_ptr<ActiveEngine> engine_;
+};
+
+TEST_F(Engine, IdentifiesWithTheDelayOfItsBlocksThenControls) {
+  identified();
+  for (const ActivePath& path : engine_->paths()) {
+    EXPECT_TRUE(path.known);
+    EXPECT_LT(path.residual, 0.1);
+    EXPECT_NEAR(path.delay.value, (2.0 + kFrames) / kRate, 1.5 / kRate);  // two samples of the path, and the block
+    EXPECT_TRUE(path.promisesStable);
+    EXPECT_GT(path.delayLeft.value, 0.0);
+    EXPECT_LT(path.delayLeft.value, 0.25 / 339.0);  // a quarter of a period at the most
+  }
+  device_->loud = 1.0;
+  ASSERT_TRUE(engine_->start().ok());
+  device_->play(4000);
+  const ActiveSnapshot told = newest();
+  EXPECT_TRUE(told.open);
+  EXPECT_EQ(told.axes[0].state, ActuatorState::On);
+  EXPECT_GT(told.axes[0].lines[0].gain_dB, 20.0);
+  EXPECT_GT(told.axes[1].lines[1].gain_dB, 20.0);
+  EXPECT_EQ(told.underruns, 0U);
+  engine_->stop();
+  device_->play(20);
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::Off);
+  EXPECT_EQ(newest().axes[0].release, ActuatorRelease::Asked);
+}
+
+TEST_F(Engine, RefusesToStartWithoutAModelOrWithAnOldOne) {
+  const Status shut = engine_->start();
+  ASSERT_FALSE(shut.ok());
+  EXPECT_NE(shut.error().line().find("does not run"), std::string::npos);
+  ASSERT_TRUE(engine_->open().ok());
+  const Status none = engine_->start();
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().line().find("identify"), std::string::npos);
+  identified();
+  clock_.set(clock_.now() + toDuration(Seconds(2.0 * 3600.0)));
+  const Status old = engine_->start();
+  ASSERT_FALSE(old.ok());
+  EXPECT_NE(old.error().line().find("minutes old"), std::string::npos);
+}
+
+TEST_F(Engine, ADeviceOpenedAnewMustBeIdentifiedAnew) {
+  identified();
+  device_->unplug();
+  while (engine_->isOpen()) std::this_thread::yield();
+  EXPECT_FALSE(engine_->start().ok());
+  ASSERT_TRUE(engine_->open().ok());
+  const Status anew = engine_->start();
+  ASSERT_FALSE(anew.ok());
+  EXPECT_NE(anew.error().line().find("no model"), std::string::npos);
+}
+
+TEST_F(Engine, RefusesAModelThatHearsNothingOnTheLines) {
+  identified();
+  auto found = engine_->fit();
+  ASSERT_TRUE(found.ok());
+  for (double& c : (*found)[1].report.coherence) c = 0.1;
+  ASSERT_TRUE(engine_->install(*found).ok());
+  const Status deaf = engine_->start();
+  ASSERT_FALSE(deaf.ok());
+  EXPECT_NE(deaf.error().line().find("along y"), std::string::npos);
+}
+
+TEST_F(Engine, ALostBlockIsCountedAndTheOutputIsZero) {
+  identified();
+  device_->loud = 1.0;
+  ASSERT_TRUE(engine_->start().ok());
+  device_->play(1000);
+  EXPECT_GT(device_->largest.load(), 0.1);
+  device_->lose();
+  device_->play(1);
+  device_->play(2);
+  device_->largest = 0.0;
+  const ActiveSnapshot told = newest();
+  EXPECT_EQ(told.underruns, 1U);
+  EXPECT_EQ(told.axes[0].release, ActuatorRelease::DeviceFault);
+  EXPECT_EQ(told.axes[0].state, ActuatorState::Off);
+  EXPECT_EQ(device_->largest.load(), 0.0);
+  EXPECT_TRUE(engine_->start().ok());  // by hand again, with the model it has
+}
+
+TEST_F(Engine, ALostBlockEndsAnIdentification) {
+  ASSERT_TRUE(engine_->open().ok());
+  ASSERT_TRUE(engine_->identify().ok());
+  device_->play(100);
+  EXPECT_FALSE(engine_->identify().ok());  // one at a time
+  device_->lose();
+  device_->play(2);
+  ASSERT_TRUE(engine_->recorded());
+  const auto found = engine_->fit();
+  ASSERT_FALSE(found.ok());
+  EXPECT_NE(found.error().line().find("lost a block"), std::string::npos);
+}
+
+TEST_F(Engine, ASweepIdentifiesTheSamePaths) {
+  EngineOptions options;
+  options.lines = {Hertz(339.0), Hertz(471.0)};
+  for (safety::ActuatorLimits& l : options.limits) {
+    l.amplitude = 10.0;
+    l.slew = 1e6;
+  }
+  options.record = {.excitation = Excitation::Sweep, .duration = Seconds(8.0)};
+  auto made = std::make_unique<PlayedDevice>(clock_);
+  PlayedDevice* device = made.get();
+  ActiveEngine engine(std::move(made), options, clock_);
+  ASSERT_TRUE(engine.open().ok());
+  ASSERT_TRUE(engine.identify().ok());
+  for (int i = 0; i < 80 && !engine.recorded(); ++i) device->play(100);
+  const auto found = engine.fit();
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  for (std::size_t a = 0; a < 2; ++a) {
+    PathModel truth = kPath;
+    truth.delay = kFrames;
+    for (double f : {339.0, 471.0, 1000.0}) {
+      EXPECT_LT(std::abs(phaseError((*found)[a].model, truth.response(Hertz(f), Hertz(kRate)), Hertz(f), Hertz(kRate))),
+                0.2)
+          << a << " " << f;
+    }
+  }
+  device->flow();
+}
+
+}  // namespace
+}  // namespace stillcut::active
