@@ -3,10 +3,10 @@
 //   watch     overrides, program, S and F words, machine on
 //   hal       spindle.0.speed-in, speed-out, at-speed; motion.current-vel, feed-hold, adaptive-feed
 //   hand      RshHand (an override's ACK takes 100 ms, a get 0.05 ms) or HalHand
-// At most one request to linuxcncrsh is under way at any time: it serves each client on a thread of its own and splits
-// all requests with strtok, whose place is shared (emcrsh.cc), so that two at once read each other's words: with two
-// links under load the machine was seen to go down. On SIGTERM it frees what its client threads still read, and may
-// hang: nothing here waits for it longer than kReleaseTime.
+// At most one request to linuxcncrsh is under way at any time: with two links under load the machine was seen to go
+// down. Not caught in the act; likely, as its sources (emcrsh.cc) split the requests of all clients, each on a thread
+// of its own, with strtok, whose place is shared. Told to end it may hang, as it frees what those threads still read:
+// nothing here waits for it longer than kReleaseTime.
 // An ACK is not believed: under M49 and M51 P0 a set is acknowledged and even read back, and only speed-out tells.
 // Thread: as CncLink says. A tick waits for replies at most kWait; release() at most kReleaseTime.
 #pragma once
