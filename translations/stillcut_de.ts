@@ -1087,6 +1087,46 @@
         <source>In simulation: how many samples the device takes at a time</source>
         <translation>In der Simulation: wie viele Abtastungen das Gerät auf einmal nimmt</translation>
     </message>
+    <message>
+        <source>Peak of small</source>
+        <translation>Spitze von klein</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called small (NS, PS), of its whole range</source>
+        <translation>Wo der Kohärenzfehler klein heißt (NS, PS), vom ganzen Bereich</translation>
+    </message>
+    <message>
+        <source>Peak of medium</source>
+        <translation>Spitze von mittel</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called medium (NM, PM)</source>
+        <translation>Wo der Kohärenzfehler mittel heißt (NM, PM)</translation>
+    </message>
+    <message>
+        <source>Peak of big</source>
+        <translation>Spitze von groß</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called big (NB, PB)</source>
+        <translation>Wo der Kohärenzfehler groß heißt (NB, PB)</translation>
+    </message>
+    <message>
+        <source>Speed rule</source>
+        <translation>Regel der Drehzahl</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the speed: 5 nothing, 1 down and 9 up at full (figure 3.7)</source>
+        <translation>Was diese Regel von der Drehzahl verlangt: 5 nichts, 1 voll hinunter, 9 voll hinauf (Bild 3.7)</translation>
+    </message>
+    <message>
+        <source>Feed rule</source>
+        <translation>Regel des Vorschubs</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
+        <translation>Was diese Regel vom Vorschub verlangt: 5 nichts, 1 voll hinunter, 9 voll hinauf (Bild 3.8)</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2485,6 +2525,177 @@
         <source>%1 old, acts in %2</source>
         <translation>%1 alt, wirkt nach %2</translation>
     </message>
+    <message>
+        <source>No model of this path: identify it, with the tool out of the cut</source>
+        <translation>Kein Modell dieser Strecke: ermitteln, mit dem Werkzeug außer Eingriff</translation>
+    </message>
+    <message>
+        <source>Model: leaves %1 unexplained, %2 of 90° phase error left, worst at %3</source>
+        <translation>Modell: %1 bleiben unerklärt, %2 von 90° Phasenfehler übrig, am schlechtesten bei %3</translation>
+    </message>
+    <message>
+        <source>Loop delay %1, may grow by %2; identified %3 ago</source>
+        <translation>Verzug der Schleife %1, darf um %2 wachsen; ermittelt vor %3</translation>
+    </message>
+    <message>
+        <source>It promises no stable control: identify anew</source>
+        <translation>Es verspricht keine stabile Regelung: neu ermitteln</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>beginnt</translation>
+    </message>
+    <message>
+        <source>let go: %1</source>
+        <translation>losgelassen: %1</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>freigegeben</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>niemand hat die Frist erneuert</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>ein Wert war nicht endlich</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>die Schleife lief davon</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>der Aktor war am Anschlag und die Schwingung wuchs</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>die Regelung machte die Schwingung schlimmer</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>der Fehlersensor steht still</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>das Gerät hat einen Block verloren</translation>
+    </message>
+    <message>
+        <source>stroke %1, at its end for %2 of the time</source>
+        <translation>Hub %1, zu %2 der Zeit am Anschlag</translation>
+    </message>
+    <message>
+        <source>stroke %1</source>
+        <translation>Hub %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: does not run</source>
+        <translation>%1: läuft nicht</translation>
+    </message>
+    <message>
+        <source>Identifying the paths: %1</source>
+        <translation>Die Strecken werden ermittelt: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, blocks of %3, worst block %4</source>
+        <translation>%1: %2, Blöcke zu %3, längster Block %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 blocks late</source>
+        <translation>%1, %2 Blöcke zu spät</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>STABLE, on an island above the limit: less depth would chatter</source>
+        <translation>STABIL, auf einer Insel über der Grenze: weniger Tiefe würde rattern</translation>
+    </message>
+    <message>
+        <source>%1 told, not measured yet</source>
+        <translation>%1 angegeben, noch nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 told, %2 measured</source>
+        <translation>%1 angegeben, %2 gemessen</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples lost</source>
+        <translation>%1, %2 Abtastwerte verloren</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>Es kommen keine Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1: %2, peak %3</source>
+        <translation>%1: %2, Spitze %3</translation>
+    </message>
+    <message>
+        <source>All sensors in order</source>
+        <translation>Alle Sensoren in Ordnung</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>Sensor in Ordnung: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ActiveView</name>
+    <message>
+        <source>IDENTIFY</source>
+        <translation>ERMITTELN</translation>
+    </message>
+    <message>
+        <source>Identify the paths, with the tool out of the cut</source>
+        <translation>Die Strecken ermitteln, mit dem Werkzeug außer Eingriff</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>Start active control</source>
+        <translation>Aktive Regelung starten</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>HALT</translation>
+    </message>
+    <message>
+        <source>Stop active control</source>
+        <translation>Aktive Regelung anhalten</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Achse x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Achse y</translation>
+    </message>
+    <message>
+        <source>There is no active work-holder here.</source>
+        <translation>Hier gibt es keinen aktiven Tisch.</translation>
+    </message>
+    <message>
+        <source>%1: nothing yet</source>
+        <translation>%1: noch nichts</translation>
+    </message>
+    <message>
+        <source>Nothing is known of its lines yet</source>
+        <translation>Von seinen Linien ist noch nichts bekannt</translation>
+    </message>
+    <message>
+        <source>Against the cut left alone: %1</source>
+        <translation>Gegen den sich selbst überlassenen Schnitt: %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2812,6 +3023,47 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ManualPanel</name>
+    <message>
+        <source>CONTENTS</source>
+        <translation>INHALT</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>ZURÜCK</translation>
+    </message>
+    <message>
+        <source>CLOSE</source>
+        <translation>SCHLIESSEN</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MarkerModel</name>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MembershipPlot</name>
+    <message>
+        <source>Fuzzy sets</source>
+        <translation>Unscharfe Mengen</translation>
+    </message>
+    <message>
+        <source>How far an error belongs to each set</source>
+        <translation>Wie weit ein Fehler zu jeder Menge gehört</translation>
+    </message>
+    <message>
+        <source>Peaks at %1, %2, %3 of the range</source>
+        <translation>Spitzen bei %1, %2, %3 des Bereichs</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::OperatePage</name>
     <message>
         <source>channel %1</source>
@@ -2920,6 +3172,36 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::PartModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PathFitPlot</name>
+    <message>
+        <source>Fit of the path&apos;s model</source>
+        <translation>Güte des Streckenmodells</translation>
+    </message>
+    <message>
+        <source>No model: identify the path</source>
+        <translation>Kein Modell: die Strecke ermitteln</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue</source>
+        <translation>Betrag: gemessen grau, Modell blau</translation>
+    </message>
+    <message>
+        <source>Phase error; hatched: control goes wrong</source>
+        <translation>Phasenfehler; schraffiert: Regelung geht fehl</translation>
+    </message>
+    <message>
+        <source>Coherence; below the mark it says little</source>
+        <translation>Kohärenz; unter der Marke sagt sie wenig</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2998,6 +3280,60 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min, Maximum</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleEditor</name>
+    <message>
+        <source>SPEED</source>
+        <translation>DREHZAHL</translation>
+    </message>
+    <message>
+        <source>Rules of the speed</source>
+        <translation>Regeln der Drehzahl</translation>
+    </message>
+    <message>
+        <source>FEED</source>
+        <translation>VORSCHUB</translation>
+    </message>
+    <message>
+        <source>Rules of the feed</source>
+        <translation>Regeln des Vorschubs</translation>
+    </message>
+    <message>
+        <source>Lower this rule</source>
+        <translation>Diese Regel senken</translation>
+    </message>
+    <message>
+        <source>Raise this rule</source>
+        <translation>Diese Regel heben</translation>
+    </message>
+    <message>
+        <source>Nothing has been learned</source>
+        <translation>Es wurde nichts gelernt</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. No rule of this table has moved</source>
+        <translation>Gelernt: %1-mal. Keine Regel dieser Tafel hat sich bewegt</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
+        <translation>Gelernt: %1-mal. Bewegte Regeln dieser Tafel: %2, am weitesten um %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleGrid</name>
+    <message>
+        <source>Rule table</source>
+        <translation>Regeltafel</translation>
+    </message>
+    <message>
+        <source>error %1, change %2: %3 (%4)</source>
+        <translation>Fehler %1, Änderung %2: %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1, learned %2</source>
+        <translation>%1, gelernt %2</translation>
     </message>
 </context>
 <context>
@@ -3517,12 +3853,20 @@
         <translation>WAS JETZT LÄUFT</translation>
     </message>
     <message>
-        <source>No samples come</source>
-        <translation>Es kommen keine Messwerte</translation>
+        <source>LISTEN</source>
+        <translation>HÖREN</translation>
     </message>
     <message>
-        <source>Sensor in order: %1</source>
-        <translation>Sensor in Ordnung: %1</translation>
+        <source>Listen to the chosen device</source>
+        <translation>Das gewählte Gerät anhören</translation>
+    </message>
+    <message>
+        <source>THE CHOSEN DEVICE</source>
+        <translation>DAS GEWÄHLTE GERÄT</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>Das Gerät wird geöffnet</translation>
     </message>
 </context>
 <context>

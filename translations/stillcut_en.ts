@@ -1086,6 +1086,46 @@
         <source>In simulation: how many samples the device takes at a time</source>
         <translation>In simulation: how many samples the device takes at a time</translation>
     </message>
+    <message>
+        <source>Peak of small</source>
+        <translation>Peak of small</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called small (NS, PS), of its whole range</source>
+        <translation>Where the coherence error is called small (NS, PS), of its whole range</translation>
+    </message>
+    <message>
+        <source>Peak of medium</source>
+        <translation>Peak of medium</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called medium (NM, PM)</source>
+        <translation>Where the coherence error is called medium (NM, PM)</translation>
+    </message>
+    <message>
+        <source>Peak of big</source>
+        <translation>Peak of big</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called big (NB, PB)</source>
+        <translation>Where the coherence error is called big (NB, PB)</translation>
+    </message>
+    <message>
+        <source>Speed rule</source>
+        <translation>Speed rule</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the speed: 5 nothing, 1 down and 9 up at full (figure 3.7)</source>
+        <translation>What this rule asks of the speed: 5 nothing, 1 down and 9 up at full (figure 3.7)</translation>
+    </message>
+    <message>
+        <source>Feed rule</source>
+        <translation>Feed rule</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
+        <translation>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2484,6 +2524,177 @@
         <source>%1 old, acts in %2</source>
         <translation>%1 old, acts in %2</translation>
     </message>
+    <message>
+        <source>No model of this path: identify it, with the tool out of the cut</source>
+        <translation>No model of this path: identify it, with the tool out of the cut</translation>
+    </message>
+    <message>
+        <source>Model: leaves %1 unexplained, %2 of 90° phase error left, worst at %3</source>
+        <translation>Model: leaves %1 unexplained, %2 of 90° phase error left, worst at %3</translation>
+    </message>
+    <message>
+        <source>Loop delay %1, may grow by %2; identified %3 ago</source>
+        <translation>Loop delay %1, may grow by %2; identified %3 ago</translation>
+    </message>
+    <message>
+        <source>It promises no stable control: identify anew</source>
+        <translation>It promises no stable control: identify anew</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>starting</translation>
+    </message>
+    <message>
+        <source>let go: %1</source>
+        <translation>let go: %1</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>released</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>nobody renewed the lease</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>a value was not finite</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>the loop diverged</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>the actuator was at its end and the vibration grew</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>control made the vibration worse</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>the error sensor stands still</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>the device lost a block</translation>
+    </message>
+    <message>
+        <source>stroke %1, at its end for %2 of the time</source>
+        <translation>stroke %1, at its end for %2 of the time</translation>
+    </message>
+    <message>
+        <source>stroke %1</source>
+        <translation>stroke %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: does not run</source>
+        <translation>%1: does not run</translation>
+    </message>
+    <message>
+        <source>Identifying the paths: %1</source>
+        <translation>Identifying the paths: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2, blocks of %3, worst block %4</source>
+        <translation>%1: %2, blocks of %3, worst block %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 blocks late</source>
+        <translation>%1, %2 blocks late</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>STABLE, on an island above the limit: less depth would chatter</source>
+        <translation>STABLE, on an island above the limit: less depth would chatter</translation>
+    </message>
+    <message>
+        <source>%1 told, not measured yet</source>
+        <translation>%1 told, not measured yet</translation>
+    </message>
+    <message>
+        <source>%1 told, %2 measured</source>
+        <translation>%1 told, %2 measured</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples lost</source>
+        <translation>%1, %2 samples lost</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>No samples come</translation>
+    </message>
+    <message>
+        <source>%1: %2, peak %3</source>
+        <translation>%1: %2, peak %3</translation>
+    </message>
+    <message>
+        <source>All sensors in order</source>
+        <translation>All sensors in order</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>Sensor in order: %1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ActiveView</name>
+    <message>
+        <source>IDENTIFY</source>
+        <translation>IDENTIFY</translation>
+    </message>
+    <message>
+        <source>Identify the paths, with the tool out of the cut</source>
+        <translation>Identify the paths, with the tool out of the cut</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>START</translation>
+    </message>
+    <message>
+        <source>Start active control</source>
+        <translation>Start active control</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Stop active control</source>
+        <translation>Stop active control</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>Axis x</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>Axis y</translation>
+    </message>
+    <message>
+        <source>There is no active work-holder here.</source>
+        <translation>There is no active work-holder here.</translation>
+    </message>
+    <message>
+        <source>%1: nothing yet</source>
+        <translation>%1: nothing yet</translation>
+    </message>
+    <message>
+        <source>Nothing is known of its lines yet</source>
+        <translation>Nothing is known of its lines yet</translation>
+    </message>
+    <message>
+        <source>Against the cut left alone: %1</source>
+        <translation>Against the cut left alone: %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2811,6 +3022,47 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ManualPanel</name>
+    <message>
+        <source>CONTENTS</source>
+        <translation>CONTENTS</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>BACK</translation>
+    </message>
+    <message>
+        <source>CLOSE</source>
+        <translation>CLOSE</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>Manual</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MarkerModel</name>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MembershipPlot</name>
+    <message>
+        <source>Fuzzy sets</source>
+        <translation>Fuzzy sets</translation>
+    </message>
+    <message>
+        <source>How far an error belongs to each set</source>
+        <translation>How far an error belongs to each set</translation>
+    </message>
+    <message>
+        <source>Peaks at %1, %2, %3 of the range</source>
+        <translation>Peaks at %1, %2, %3 of the range</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::OperatePage</name>
     <message>
         <source>channel %1</source>
@@ -2919,6 +3171,36 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::PartModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PathFitPlot</name>
+    <message>
+        <source>Fit of the path's model</source>
+        <translation>Fit of the path's model</translation>
+    </message>
+    <message>
+        <source>No model: identify the path</source>
+        <translation>No model: identify the path</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue</source>
+        <translation>Magnitude: measured grey, model blue</translation>
+    </message>
+    <message>
+        <source>Phase error; hatched: control goes wrong</source>
+        <translation>Phase error; hatched: control goes wrong</translation>
+    </message>
+    <message>
+        <source>Coherence; below the mark it says little</source>
+        <translation>Coherence; below the mark it says little</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2997,6 +3279,60 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min, max hold</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleEditor</name>
+    <message>
+        <source>SPEED</source>
+        <translation>SPEED</translation>
+    </message>
+    <message>
+        <source>Rules of the speed</source>
+        <translation>Rules of the speed</translation>
+    </message>
+    <message>
+        <source>FEED</source>
+        <translation>FEED</translation>
+    </message>
+    <message>
+        <source>Rules of the feed</source>
+        <translation>Rules of the feed</translation>
+    </message>
+    <message>
+        <source>Lower this rule</source>
+        <translation>Lower this rule</translation>
+    </message>
+    <message>
+        <source>Raise this rule</source>
+        <translation>Raise this rule</translation>
+    </message>
+    <message>
+        <source>Nothing has been learned</source>
+        <translation>Nothing has been learned</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. No rule of this table has moved</source>
+        <translation>Lessons: %1. No rule of this table has moved</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
+        <translation>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleGrid</name>
+    <message>
+        <source>Rule table</source>
+        <translation>Rule table</translation>
+    </message>
+    <message>
+        <source>error %1, change %2: %3 (%4)</source>
+        <translation>error %1, change %2: %3 (%4)</translation>
+    </message>
+    <message>
+        <source>%1, learned %2</source>
+        <translation>%1, learned %2</translation>
     </message>
 </context>
 <context>
@@ -3516,12 +3852,20 @@
         <translation>WHAT RUNS NOW</translation>
     </message>
     <message>
-        <source>No samples come</source>
-        <translation>No samples come</translation>
+        <source>LISTEN</source>
+        <translation>LISTEN</translation>
     </message>
     <message>
-        <source>Sensor in order: %1</source>
-        <translation>Sensor in order: %1</translation>
+        <source>Listen to the chosen device</source>
+        <translation>Listen to the chosen device</translation>
+    </message>
+    <message>
+        <source>THE CHOSEN DEVICE</source>
+        <translation>THE CHOSEN DEVICE</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>Opening the device</translation>
     </message>
 </context>
 <context>

@@ -1087,6 +1087,46 @@
         <source>In simulation: how many samples the device takes at a time</source>
         <translation>仿真中设备每次处理的采样数</translation>
     </message>
+    <message>
+        <source>Peak of small</source>
+        <translation>“小”的峰值</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called small (NS, PS), of its whole range</source>
+        <translation>相干误差称为“小”（NS、PS）之处，占全范围</translation>
+    </message>
+    <message>
+        <source>Peak of medium</source>
+        <translation>“中”的峰值</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called medium (NM, PM)</source>
+        <translation>相干误差称为“中”（NM、PM）之处</translation>
+    </message>
+    <message>
+        <source>Peak of big</source>
+        <translation>“大”的峰值</translation>
+    </message>
+    <message>
+        <source>Where the coherence error is called big (NB, PB)</source>
+        <translation>相干误差称为“大”（NB、PB）之处</translation>
+    </message>
+    <message>
+        <source>Speed rule</source>
+        <translation>转速规则</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the speed: 5 nothing, 1 down and 9 up at full (figure 3.7)</source>
+        <translation>此规则对转速的要求：5 不变，1 全力降低，9 全力提高（图 3.7）</translation>
+    </message>
+    <message>
+        <source>Feed rule</source>
+        <translation>进给规则</translation>
+    </message>
+    <message>
+        <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
+        <translation>此规则对进给的要求：5 不变，1 全力降低，9 全力提高（图 3.8）</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2485,6 +2525,177 @@
         <source>%1 old, acts in %2</source>
         <translation>%1 前的数据，%2 后生效</translation>
     </message>
+    <message>
+        <source>No model of this path: identify it, with the tool out of the cut</source>
+        <translation>此通路没有模型：请在刀具离开切削时辨识</translation>
+    </message>
+    <message>
+        <source>Model: leaves %1 unexplained, %2 of 90° phase error left, worst at %3</source>
+        <translation>模型：%1 未能解释，90° 相位误差余量 %2，最差处 %3</translation>
+    </message>
+    <message>
+        <source>Loop delay %1, may grow by %2; identified %3 ago</source>
+        <translation>回路延迟 %1，还可增加 %2；%3 前辨识</translation>
+    </message>
+    <message>
+        <source>It promises no stable control: identify anew</source>
+        <translation>它不能保证稳定控制：请重新辨识</translation>
+    </message>
+    <message>
+        <source>starting</source>
+        <translation>启动中</translation>
+    </message>
+    <message>
+        <source>let go: %1</source>
+        <translation>已放开：%1</translation>
+    </message>
+    <message>
+        <source>released</source>
+        <translation>已释放</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>无人续期</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>出现非有限值</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>回路发散</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>执行器到达极限而振动增长</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>控制使振动更大</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>误差传感器没有变化</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>设备丢失了一个数据块</translation>
+    </message>
+    <message>
+        <source>stroke %1, at its end for %2 of the time</source>
+        <translation>行程 %1，%2 的时间到达极限</translation>
+    </message>
+    <message>
+        <source>stroke %1</source>
+        <translation>行程 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1: does not run</source>
+        <translation>%1：未运行</translation>
+    </message>
+    <message>
+        <source>Identifying the paths: %1</source>
+        <translation>正在辨识通路：%1</translation>
+    </message>
+    <message>
+        <source>%1: %2, blocks of %3, worst block %4</source>
+        <translation>%1：%2，每块 %3，最长一块 %4</translation>
+    </message>
+    <message>
+        <source>%1, %2 blocks late</source>
+        <translation>%1，%2 块迟到</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>STABLE, on an island above the limit: less depth would chatter</source>
+        <translation>稳定，位于极限之上的稳定岛：切深减小反而会颤振</translation>
+    </message>
+    <message>
+        <source>%1 told, not measured yet</source>
+        <translation>标称 %1，尚未测得</translation>
+    </message>
+    <message>
+        <source>%1 told, %2 measured</source>
+        <translation>标称 %1，实测 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples lost</source>
+        <translation>%1，丢失 %2 个采样</translation>
+    </message>
+    <message>
+        <source>No samples come</source>
+        <translation>没有采样到达</translation>
+    </message>
+    <message>
+        <source>%1: %2, peak %3</source>
+        <translation>%1：%2，峰值 %3</translation>
+    </message>
+    <message>
+        <source>All sensors in order</source>
+        <translation>所有传感器正常</translation>
+    </message>
+    <message>
+        <source>Sensor in order: %1</source>
+        <translation>传感器正常：%1</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::ActiveView</name>
+    <message>
+        <source>IDENTIFY</source>
+        <translation>辨识</translation>
+    </message>
+    <message>
+        <source>Identify the paths, with the tool out of the cut</source>
+        <translation>在刀具离开切削时辨识通路</translation>
+    </message>
+    <message>
+        <source>START</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>Start active control</source>
+        <translation>启动主动控制</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop active control</source>
+        <translation>停止主动控制</translation>
+    </message>
+    <message>
+        <source>Axis x</source>
+        <translation>x 轴</translation>
+    </message>
+    <message>
+        <source>Axis y</source>
+        <translation>y 轴</translation>
+    </message>
+    <message>
+        <source>There is no active work-holder here.</source>
+        <translation>此处没有主动工作台。</translation>
+    </message>
+    <message>
+        <source>%1: nothing yet</source>
+        <translation>%1：暂无</translation>
+    </message>
+    <message>
+        <source>Nothing is known of its lines yet</source>
+        <translation>尚无谱线信息</translation>
+    </message>
+    <message>
+        <source>Against the cut left alone: %1</source>
+        <translation>与不加控制相比：%1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::AdvicePanel</name>
@@ -2812,6 +3023,47 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ManualPanel</name>
+    <message>
+        <source>CONTENTS</source>
+        <translation>目录</translation>
+    </message>
+    <message>
+        <source>BACK</source>
+        <translation>返回</translation>
+    </message>
+    <message>
+        <source>CLOSE</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>Manual</source>
+        <translation>手册</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MarkerModel</name>
+    <message>
+        <source>, </source>
+        <translation>，</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::MembershipPlot</name>
+    <message>
+        <source>Fuzzy sets</source>
+        <translation>模糊集</translation>
+    </message>
+    <message>
+        <source>How far an error belongs to each set</source>
+        <translation>误差对每个模糊集的隶属程度</translation>
+    </message>
+    <message>
+        <source>Peaks at %1, %2, %3 of the range</source>
+        <translation>峰值位于范围的 %1、%2、%3</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::OperatePage</name>
     <message>
         <source>channel %1</source>
@@ -2920,6 +3172,36 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::PartModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::PathFitPlot</name>
+    <message>
+        <source>Fit of the path&apos;s model</source>
+        <translation>通路模型的拟合</translation>
+    </message>
+    <message>
+        <source>No model: identify the path</source>
+        <translation>没有模型：请辨识通路</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue</source>
+        <translation>幅值：测量为灰，模型为蓝</translation>
+    </message>
+    <message>
+        <source>Phase error; hatched: control goes wrong</source>
+        <translation>相位误差；阴影区：控制失效</translation>
+    </message>
+    <message>
+        <source>Coherence; below the mark it says little</source>
+        <translation>相干；低于标记时参考价值小</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::PocketTable</name>
     <message>
         <source>Beyond what the speed override reaches</source>
@@ -2998,6 +3280,60 @@
     <message>
         <source>2 min, max hold</source>
         <translation>2 min，最大保持</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleEditor</name>
+    <message>
+        <source>SPEED</source>
+        <translation>转速</translation>
+    </message>
+    <message>
+        <source>Rules of the speed</source>
+        <translation>转速规则</translation>
+    </message>
+    <message>
+        <source>FEED</source>
+        <translation>进给</translation>
+    </message>
+    <message>
+        <source>Rules of the feed</source>
+        <translation>进给规则</translation>
+    </message>
+    <message>
+        <source>Lower this rule</source>
+        <translation>降低此规则</translation>
+    </message>
+    <message>
+        <source>Raise this rule</source>
+        <translation>提高此规则</translation>
+    </message>
+    <message>
+        <source>Nothing has been learned</source>
+        <translation>尚未学到任何内容</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. No rule of this table has moved</source>
+        <translation>学习次数：%1。此表没有规则变动</translation>
+    </message>
+    <message>
+        <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
+        <translation>学习次数：%1。此表变动的规则：%2，最大变动 %3</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::RuleGrid</name>
+    <message>
+        <source>Rule table</source>
+        <translation>规则表</translation>
+    </message>
+    <message>
+        <source>error %1, change %2: %3 (%4)</source>
+        <translation>误差 %1，变化 %2：%3（%4）</translation>
+    </message>
+    <message>
+        <source>%1, learned %2</source>
+        <translation>%1，学得 %2</translation>
     </message>
 </context>
 <context>
@@ -3517,12 +3853,20 @@
         <translation>当前运行</translation>
     </message>
     <message>
-        <source>No samples come</source>
-        <translation>没有采样</translation>
+        <source>LISTEN</source>
+        <translation>监听</translation>
     </message>
     <message>
-        <source>Sensor in order: %1</source>
-        <translation>传感器正常：%1</translation>
+        <source>Listen to the chosen device</source>
+        <translation>监听所选设备</translation>
+    </message>
+    <message>
+        <source>THE CHOSEN DEVICE</source>
+        <translation>所选设备</translation>
+    </message>
+    <message>
+        <source>Opening the device</source>
+        <translation>正在打开设备</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/compose/catalog.h"
@@ -31,9 +32,32 @@ std::string rangeText(const ParamDecl& decl) {
          (decl.unit.empty() ? "" : " " + std::string(decl.unit));
 }
 
-void printPlain(const ParamDecl& decl) {
-  std::printf("%.*s = %s\n    %.*s (%s%s)\n", static_cast<int>(decl.key.size()), decl.key.data(),
-              config::ParamSet().text(decl).c_str(), static_cast<int>(decl.meaning.size()), decl.meaning.data(),
+// Declarations that follow each other and mean the same are the cells of a table: one line from the first to the last.
+struct Run {
+  const ParamDecl* first;
+  const ParamDecl* last;
+  bool table() const { return first != last; }
+  std::string defaults() const { return table() ? "as printed" : config::ParamSet().text(*first); }
+};
+
+std::vector<Run> runsOf(const std::vector<const ParamDecl*>& decls) {
+  std::vector<Run> runs;
+  for (const ParamDecl* decl : decls) {
+    const bool goesOn = !runs.empty() && runs.back().last->meaning == decl->meaning;
+    if (goesOn) {
+      runs.back().last = decl;
+    } else {
+      runs.push_back({decl, decl});
+    }
+  }
+  return runs;
+}
+
+void printPlain(const Run& run) {
+  const ParamDecl& decl = *run.first;
+  const std::string upTo = run.table() ? " .. " + std::string(run.last->key) : "";
+  std::printf("%.*s%s = %s\n    %.*s (%s%s)\n", static_cast<int>(decl.key.size()), decl.key.data(), upTo.c_str(),
+              run.defaults().c_str(), static_cast<int>(decl.meaning.size()), decl.meaning.data(),
               rangeText(decl).c_str(), decl.lockedWhileRunning ? "; locked while a cut runs" : "");
 }
 
@@ -44,10 +68,12 @@ std::string cell(std::string_view text) {
   return escaped;
 }
 
-void printRow(const ParamDecl& decl) {
-  std::printf("| `%.*s` | %s | %s%s | %s |\n", static_cast<int>(decl.key.size()), decl.key.data(),
-              config::ParamSet().text(decl).c_str(), cell(rangeText(decl)).c_str(),
-              decl.lockedWhileRunning ? ", locked" : "", cell(decl.meaning).c_str());
+void printRow(const Run& run) {
+  const ParamDecl& decl = *run.first;
+  const std::string upTo = run.table() ? " .. `" + std::string(run.last->key) + "`" : "";
+  std::printf("| `%.*s`%s | %s | %s%s | %s |\n", static_cast<int>(decl.key.size()), decl.key.data(), upTo.c_str(),
+              run.defaults().c_str(), cell(rangeText(decl)).c_str(), decl.lockedWhileRunning ? ", locked" : "",
+              cell(decl.meaning).c_str());
 }
 
 void printChapter(const std::vector<const ParamDecl*>& decls) {
@@ -58,13 +84,13 @@ void printChapter(const std::vector<const ParamDecl*>& decls) {
       "what it found. Locked: not while a cut runs. A parameter file or a profile sets them ([files](files.md)).");
   std::puts("This chapter is made by `stillcut-cli parameters --markdown`.");
   std::string_view part;
-  for (const ParamDecl* decl : decls) {
-    if (partOf(*decl) != part) {
-      part = partOf(*decl);
+  for (const Run& run : runsOf(decls)) {
+    if (partOf(*run.first) != part) {
+      part = partOf(*run.first);
       std::printf("\n## %.*s\n\n| key | default | range | meaning |\n|---|---|---|---|\n",
                   static_cast<int>(part.size()), part.data());
     }
-    printRow(*decl);
+    printRow(run);
   }
 }
 
@@ -80,7 +106,7 @@ Status print(const std::string& wanted, bool markdown) {
   if (markdown) {
     printChapter(chosen);
   } else {
-    for (const ParamDecl* decl : chosen) printPlain(*decl);
+    for (const Run& run : runsOf(chosen)) printPlain(run);
   }
   return Done{};
 }

@@ -3,7 +3,7 @@
 //            [--language en|de|zh] [--page ID]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
-// Without a scenario or a profile it opens the demonstration: a first start ends in a picture that moves.
+// Without a scenario or a profile it opens the demonstration; the first time the guide asks before anything runs.
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -36,7 +36,8 @@ struct Options {
   QString screenshot;
   bool report = false;
   bool version = false;
-  QStringList files;  // of a report
+  bool nothingNamed = false;  // neither a scenario nor a profile: the demonstration
+  QStringList files;          // of a report
   double after_s = kPictureAfter;
   QSize size{1280, 800};
   bool sizeGiven = false;
@@ -133,7 +134,8 @@ Result<Options> parse(const QStringList& arguments) {
   if (!options.screenshot.isEmpty() && !options.profile.isEmpty()) {
     return Error{"command line", "--profile and --screenshot exclude each other", "pictures are made of scenarios"};
   }
-  if (options.scenario.isEmpty() && options.profile.isEmpty()) {
+  options.nothingNamed = options.scenario.isEmpty() && options.profile.isEmpty();
+  if (options.nothingNamed) {
     options.scenario = QString::fromStdString((resourceFolder() / "scenarios/demo.toml").string());
   }
   return options;
@@ -205,10 +207,9 @@ int run(int argc, char** argv) {
   window.showPage(options->page);
   if (!live || options->sizeGiven) window.resize(options->size);
   if (!live) return takePicture(**session, window, *options);
-  QObject::connect(&window, &ui::MainWindow::closed, [&] {
-    if (const Status kept = (*session)->stop(); !kept) fail(kept.error().line());
-  });
-  (*session)->start(defaultFlightsFolder());
+  (*session)->endWith(window, [](const Error& error) { fail(error.line()); });
+  (*session)->keepFlightsIn(defaultFlightsFolder());
+  if (!options->nothingNamed || !window.offerGuide()) (*session)->start();
   window.start();
   window.show();
   return QApplication::exec();

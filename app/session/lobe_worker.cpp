@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
+#include "core/config/override_limits.h"
+#include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_sweep.h"
 
 namespace stillcut::app {
@@ -35,6 +38,11 @@ ui::LobeLimit limitOf(const milling::SpeedLimits& limits) {
   out.depth = first.depth;
   out.kind = first.kind == milling::CrossingKind::Flip ? ChatterKind::Flip : ChatterKind::Hopf;
   out.frequency = first.frequency;
+  for (std::size_t k = 1; k < limits.crossings.size(); ++k) {
+    if (limits.crossings[k].after != 0) continue;
+    const bool last = k + 1 == limits.crossings.size();
+    out.islands.push_back({limits.crossings[k].depth, last ? limits.searchedTo : limits.crossings[k + 1].depth});
+  }
   return out;
 }
 
@@ -76,6 +84,35 @@ ui::LobeFrame usualFrame(const milling::CutModel& model) {
 
 LobeWorker::LobeWorker(const milling::Scenario& scenario) : LobeWorker(cutOf(scenario)) {}
 
+Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile& profile, const std::string& path) {
+  if (profile.model.empty()) return std::unique_ptr<LobeWorker>();
+  const auto file = std::filesystem::path(path).parent_path() / profile.model;  // an absolute name stays itself
+  auto loaded = milling::loadLobeCase(file.string());
+  if (!loaded) return loaded.error();
+  const auto limits = config::checkOverrideLimits(profile.params, profile.cut, path);
+  if (!limits) return limits.error();
+  MachineState programmed;
+  programmed.programmedSpeed = profile.cut.nominalSpeed;
+  programmed.programmedFeed = profile.cut.nominalFeed;
+  const config::SpeedRange reach = config::reachableSpeeds(*limits, programmed);
+  Cut cut;
+  cut.model = std::move(loaded->model);
+  cut.frame = usualFrame(cut.model);
+  cut.frame.name = QString::fromStdString(loaded->name);
+  cut.frame.programmed = profile.cut.nominalSpeed;
+  cut.frame.maxDepth = loaded->maxDepth;
+  if (profile.depth.value > 0.0) cut.frame.depth = profile.depth;
+  if (reach.high > reach.low) {
+    cut.frame.reachLow = reach.low;
+    cut.frame.reachHigh = reach.high;
+    cut.frame.lowest = std::min(cut.frame.lowest, reach.low);
+    cut.frame.highest = std::max(cut.frame.highest, reach.high);
+  }
+  const double perSecond = toothPassing(profile.cut.nominalSpeed, cut.model.tool.teeth).value;
+  if (perSecond > 0.0) cut.frame.feedPerTooth = Metres(profile.cut.nominalFeed.value / perSecond);
+  return std::make_unique<LobeWorker>(std::move(cut));
+}
+
 Metres LobeWorker::depthAt(Instant t) const {
   if (cut_.depth.empty() || !start_) return cut_.frame.depth;
   return Metres(cut_.depth.at(secondsBetween(*start_, t).value, 0.0, cut_.frame.depth.value));
@@ -104,7 +141,7 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
   milling::SweepOptions options;
   options.method = methodOf(question.method);
   options.limits.maxDepth = question.maxDepth;
-  options.limits.firstOnly = true;
+  options.limits.firstOnly = question.method != ui::LobeMethod::Exact;  // the exact one knows islands
   options.threads = 1;
   options.progress = [this](double share) {
     const std::scoped_lock lock(mutex_);

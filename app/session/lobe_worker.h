@@ -2,10 +2,13 @@
 // Thread: GUI; the work runs on a thread of its own that yields to everything else.
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
+#include "core/config/profile.h"
 #include "core/milling/cut_model.h"
 #include "core/milling/profile.h"
 #include "core/milling/scenario.h"
@@ -23,6 +26,8 @@ class LobeWorker final : public ui::LobeService {
   explicit LobeWorker(Cut cut) : cut_(std::move(cut)) {}
   // Of a scenario, at its widest.
   explicit LobeWorker(const milling::Scenario& scenario);
+  // Of the model that a profile names, beside the profile, within its override limits. Null: it names none.
+  static Result<std::unique_ptr<LobeWorker>> ofProfile(const config::Profile& profile, const std::string& path);
 
   // Stream time at which the programme began.
   void setStart(Instant start) { start_ = start; }

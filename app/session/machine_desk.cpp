@@ -35,7 +35,8 @@ std::vector<ui::PartOption> methods(const Table& table) {
 }  // namespace
 
 bool MachineDesk::poll() {
-  return task_.collect();
+  const bool opened = listener_.poll();
+  return task_.collect() || opened;
 }
 
 std::vector<ui::PartOption> MachineDesk::sources() const {
@@ -115,7 +116,12 @@ Result<QString> MachineDesk::save(const config::Profile& profile, const QString&
   return QString::fromStdString(file);
 }
 
+void MachineDesk::listen(const config::Profile& profile, const QString& name) {
+  listener_.listen(profile, profileFile(name.isEmpty() ? QStringLiteral("new") : name));
+}
+
 void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
+  listener_.stop();  // most devices can be opened once
   trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Runs, {}}};
   task_.start(ui::TaskState::What::None, {},
               [this, profile, path = profileFile(name.isEmpty() ? QStringLiteral("new") : name)](
@@ -125,6 +131,7 @@ void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
 }
 
 Status MachineDesk::start(const QString& name) {
+  listener_.stop();
   if (!begin) return Error{"profile", "cannot be put in force here", ""};
   return begin(profileFile(name));
 }

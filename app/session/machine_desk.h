@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session/background_task.h"
+#include "app/session/device_listener.h"
 #include "ui/models/setup_desk.h"
 
 namespace stillcut::app {
@@ -33,6 +34,9 @@ class MachineDesk final : public ui::SetupDesk {
   Result<config::Profile> load(const QString& name) const override;
   Result<QString> save(const config::Profile& profile, const QString& name) override;
   config::Profile draft() const override { return running ? running() : config::Profile(); }
+  void listen(const config::Profile& profile, const QString& name) override;
+  void stopListening() override { listener_.stop(); }
+  ui::Heard heard() override { return listener_.heard(); }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }
   Status start(const QString& name) override;
@@ -46,6 +50,7 @@ class MachineDesk final : public ui::SetupDesk {
   QString folder_;
   std::vector<ui::TrialStep> trial_;
   BackgroundTask task_;
+  DeviceListener listener_;
 };
 
 }  // namespace stillcut::app

@@ -10,6 +10,7 @@
 #include "core/active/active_params.h"
 #include "core/config/profile.h"
 #include "core/config/toml_writer.h"
+#include "core/control/fuzzy_params.h"
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
 #include "core/record/record_params.h"
@@ -57,6 +58,18 @@ ui::TunablePart detectorPart(const detect::DetectorRow& row, const Rig& rig) {
   return shown;
 }
 
+// The cells of a fuzzy strategy's tables are shown as tables.
+void takeRules(ui::TunablePart& shown) {
+  const config::ParamTable rules = control::fuzzyRuleParams(), centres = control::fuzzyCentreParams();
+  const auto first = std::find(shown.params.begin(), shown.params.end(), rules.front());
+  if (first == shown.params.end()) return;
+  shown.params.erase(first, first + static_cast<std::ptrdiff_t>(rules.size()));
+  const auto half = rules.begin() + static_cast<std::ptrdiff_t>(rules.size() / 2);
+  shown.speedRules.assign(rules.begin(), half);
+  shown.feedRules.assign(half, rules.end());
+  shown.setCentres.assign(centres.begin(), centres.end());
+}
+
 }  // namespace
 
 std::vector<ui::TunablePart> tunableParts(const Rig& rig) {
@@ -67,6 +80,7 @@ std::vector<ui::TunablePart> tunableParts(const Rig& rig) {
     const control::StrategyInfo info = made->describe();
     ui::TunablePart shown = part(Role::Strategy, info.id, info.label, entry.params);
     shown.source = text(info.source);
+    takeRules(shown);
     shown.running = shown.inCharge = rig.chain().parts().strategy->describe().id == info.id;
     parts.push_back(std::move(shown));
   }

@@ -9,7 +9,9 @@
 #include "app/compose/scenario_rig.h"
 #include "app/session/run_tuning.h"
 #include "app/session/session_view.h"
+#include "core/control/fuzzy.h"
 #include "core/milling/scenario.h"
+#include "ui/shell/main_window.h"
 
 namespace stillcut::app {
 namespace {
@@ -33,11 +35,16 @@ Session::~Session() {
   (void)stop().ok();
 }
 
-void Session::start(const std::filesystem::path& flights) {
-  flights_ = flights;
-  flightLog_.emplace(rig_->flights(), flights);
+void Session::start() {
+  flightLog_.emplace(rig_->flights(), flights_);
   flightLog_->start();
   rig_->start({});
+}
+
+void Session::endWith(const ui::MainWindow& window, std::function<void(const Error&)> tell) {
+  QObject::connect(&window, &ui::MainWindow::closed, [this, tell = std::move(tell)] {
+    if (const Status kept = stop(); !kept) tell(kept.error());
+  });
 }
 
 Status Session::stop() {
@@ -72,7 +79,7 @@ Status Session::switchTo(const Opening& open) {
   tuned_.clear();
   authority_ = Authority::Off;
   ++runs_;
-  start(flights_);
+  start();
   return Done{};
 }
 
@@ -134,6 +141,13 @@ const std::vector<ui::TunablePart>& Session::tunableParts() const {
     partsOf_ = generation();
   }
   return parts_;
+}
+
+const RuleTables* Session::rulesNow() {
+  const auto* fuzzy = dynamic_cast<const control::Fuzzy*>(shownRig().chain().parts().strategy.get());
+  if (fuzzy == nullptr) return nullptr;
+  fuzzy->tellRules(rules_);
+  return &rules_;
 }
 
 Result<QString> Session::saveValues(const config::ParamSet& values) {
@@ -198,6 +212,9 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
     session->setActive(std::make_unique<ActiveDesk>(std::move(parts->device), parts->options, activeClock()));
   }
   session->madeFrom(path);
+  auto lobes = LobeWorker::ofProfile(*profile, path);
+  if (!lobes) return lobes.error();
+  session->setLobes(std::move(lobes).value());
   return session;
 }
 

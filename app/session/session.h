@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -16,6 +17,10 @@
 #include "app/session/replay_desk.h"
 #include "ui/models/tuning.h"
 #include "ui/shell/session_facade.h"
+
+namespace stillcut::ui {
+class MainWindow;
+}
 
 namespace stillcut::app {
 
@@ -40,8 +45,12 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   void setActive(std::unique_ptr<ActiveDesk> active) { active_ = std::move(active); }
   // What the Set up page may show of a first start.
   void demonstrateWith(const std::string& scenario);
-  // Threads on. Flight recordings go to `flights`.
-  void start(const std::filesystem::path& flights);
+  // Before start(): where flight recordings go.
+  void keepFlightsIn(const std::filesystem::path& folder) { flights_ = folder; }
+  // Threads on.
+  void start();
+  // The end of the window is the end of the run, as stop() says; `tell` has what went wrong.
+  void endWith(const ui::MainWindow& window, std::function<void(const Error&)> tell);
   // Threads off; the machine has its programmed values back, what was recorded is on the disk. An error: not all of it.
   Status stop();
   // Instead of start(): one block at once. False: the source has ended.
@@ -66,6 +75,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
 
   std::uint32_t tuningRun() const override { return generation(); }
   const std::vector<ui::TunablePart>& tunableParts() const override;
+  const RuleTables* rulesNow() override;
   const config::ParamSet& startValues() const override { return shownRig().params(); }
   Result<QString> saveValues(const config::ParamSet& values) override;
 
@@ -95,6 +105,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   mutable std::optional<std::uint32_t> partsOf_;
   Authority authority_ = Authority::Off;  // as last seen
   std::map<std::string, std::string> tuned_;
+  RuleTables rules_;                    // as last told
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from
 };
 

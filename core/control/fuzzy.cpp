@@ -53,7 +53,34 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
 
 void Fuzzy::retune(const config::ParamSet& params) noexcept {
   const FuzzyOptions options = fuzzyOptions(params);
-  if (options.energyUp > options.energyRef) options_ = options;
+  if (!(options.energyUp > options.energyRef)) return;
+  // A rule that a person has changed counts as said; what was learned of the others stays.
+  for (std::size_t i = 0; i < speedRules_.size(); ++i) {
+    for (std::size_t j = 0; j < speedRules_[i].size(); ++j) {
+      if (options.speedRules[i][j] != options_.speedRules[i][j]) speedRules_[i][j] = options.speedRules[i][j];
+      if (options.feedRules[i][j] != options_.feedRules[i][j]) feedRules_[i][j] = options.feedRules[i][j];
+    }
+  }
+  options_ = options;
+  showRules();
+}
+
+void Fuzzy::showRules() noexcept {
+  for (std::size_t k = 0; k < kCells; ++k) {
+    const std::size_t row = k / kCoherenceSets, column = k % kCoherenceSets;
+    shownRules_[k].store(static_cast<float>(speedRules_[row][column]), std::memory_order_relaxed);
+    shownRules_[kCells + k].store(static_cast<float>(feedRules_[row][column]), std::memory_order_relaxed);
+  }
+  shownLessons_.store(lessons_, std::memory_order_relaxed);
+}
+
+void Fuzzy::tellRules(RuleTables& into) const noexcept {
+  for (std::size_t k = 0; k < kCells; ++k) {
+    const std::size_t row = k / kCoherenceSets, column = k % kCoherenceSets;
+    into.speed[row][column] = shownRules_[k].load(std::memory_order_relaxed);
+    into.feed[row][column] = shownRules_[kCells + k].load(std::memory_order_relaxed);
+  }
+  into.lessons = shownLessons_.load(std::memory_order_relaxed);
 }
 
 void Fuzzy::letGo() noexcept {
@@ -63,8 +90,10 @@ void Fuzzy::letGo() noexcept {
 }
 
 void Fuzzy::reset() noexcept {
-  speedRules_ = kSpeedRules;
-  feedRules_ = kFeedRules;
+  speedRules_ = options_.speedRules;
+  feedRules_ = options_.feedRules;
+  lessons_ = 0;
+  showRules();
   programmed_ = {};
   letGo();
   elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
@@ -168,7 +197,8 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   const double stronger = overshoot(energy) * tune(in);
   const double impact = energy > options_.energyUp ? kImpactGain : 1.0;
   const double step = impact * elapsed_ / options_.rangeTime;
-  moveBy(works ? 0.0 : stronger * infer(speedRules_, in), stronger * infer(feedRules_, in), step, input.machine);
+  moveBy(works ? 0.0 : stronger * infer(speedRules_, in, options_.centres),
+         stronger * infer(feedRules_, in, options_.centres), step, input.machine);
   learn(in);
   // Table 3.1.
   if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
@@ -244,7 +274,7 @@ void FuzzyLearning::reset() noexcept {
 
 // Eq. 3-32, 3-33. The neutral coherence error is 0: at the reference nothing is to be regulated.
 void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
-  const RuleTable strength = firing(in);
+  const RuleTable strength = firing(in, options_.centres);
   const double delta = options_.learning * std::clamp(in.coherence, -1.0, 1.0);
   for (std::size_t i = 0; i < strength.size(); ++i) {
     for (std::size_t j = 0; j < strength[i].size(); ++j) correction_[i][j] += strength[i][j] * delta / kLearnEvery;
@@ -258,6 +288,8 @@ void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
   }
   correction_ = {};
   cycles_ = 0;
+  ++lessons_;
+  showRules();
 }
 
 StrategyInfo FuzzyDirect::describe() const {

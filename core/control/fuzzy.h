@@ -27,11 +27,13 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 
 #include "core/config/override_limits.h"
 #include "core/control/fuzzy_params.h"
 #include "core/control/fuzzy_rules.h"
 #include "core/control/strategy.h"
+#include "core/model/rule_tables.h"
 
 namespace stillcut::control {
 
@@ -44,6 +46,8 @@ class Fuzzy : public Strategy {
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
   void letGo() noexcept override;
+  // The rules as of the last cycle, what was learned included. Any thread, for a screen: each cell is true by itself.
+  void tellRules(RuleTables& into) const noexcept;
 
  protected:
   // What learning and direct tuning add. Real-time.
@@ -53,6 +57,10 @@ class Fuzzy : public Strategy {
   FuzzyOptions options_;
   RuleTable speedRules_ = kSpeedRules;
   RuleTable feedRules_ = kFeedRules;
+  std::uint32_t lessons_ = 0;
+
+  // For tellRules(). Real-time.
+  void showRules() noexcept;
 
  private:
   static constexpr std::size_t kPast = 8;  // n_a of eq. 3-14
@@ -84,6 +92,9 @@ class Fuzzy : public Strategy {
   double energy1_ = 0.0, energy2_ = 0.0;  // one and two cycles ago
   int rising_ = 0;
   Reason reason_;
+  static constexpr std::size_t kCells = std::size_t{kCoherenceSets} * kCoherenceSets;
+  std::array<std::atomic<float>, 2 * kCells> shownRules_{};  // speed, then feed
+  std::atomic<std::uint32_t> shownLessons_{0};
 };
 
 class FuzzyLearning final : public Fuzzy {

@@ -1,5 +1,9 @@
 #include "core/control/fuzzy_params.h"
 
+#include <array>
+#include <iterator>
+#include <vector>
+
 namespace stillcut::control {
 namespace {
 
@@ -31,14 +35,92 @@ constexpr ParamDecl kCoherenceWeight = realParam("fuzzy-direct.coherence-weight"
                                                  2.0, "Weight of the coherence error (w_gamma of eq. 3-34)");
 constexpr ParamDecl kEnergyWeight = realParam("fuzzy-direct.energy-weight", "Energy weight", "", 1.25, 0.1, 3.0,
                                               "Weight of the energy error (w_E of eq. 3-35)");
-constexpr const ParamDecl* kParams[] = {&kCycle,    &kRangeTime,       &kCoherenceRef, &kEnergyRef,
-                                        &kEnergyUp, &kHighest,         &kRest,         &kLearning,
-                                        &kTuning,   &kCoherenceWeight, &kEnergyWeight};
+// Their ranges keep them in order, whatever is chosen.
+constexpr ParamDecl kSmall = realParam("fuzzy.set-small", "Peak of small", "", kUniformCentres[0], 0.05, 0.35,
+                                       "Where the coherence error is called small (NS, PS), of its whole range");
+constexpr ParamDecl kMedium = realParam("fuzzy.set-medium", "Peak of medium", "", kUniformCentres[1], 0.36, 0.64,
+                                        "Where the coherence error is called medium (NM, PM)");
+constexpr ParamDecl kBig = realParam("fuzzy.set-big", "Peak of big", "", kUniformCentres[2], 0.65, 0.95,
+                                     "Where the coherence error is called big (NB, PB)");
+constexpr const ParamDecl* kCentres[] = {&kSmall, &kMedium, &kBig};
+constexpr const ParamDecl* kParams[] = {&kCycle,    &kRangeTime, &kCoherenceRef, &kEnergyRef,
+                                        &kEnergyUp, &kHighest,   &kRest};
+constexpr const ParamDecl* kOwnParams[] = {&kLearning, &kTuning, &kCoherenceWeight,
+                                           &kEnergyWeight};  // of the tuned ones;
+
+constexpr std::size_t kCells = std::size_t{kCoherenceSets} * kCoherenceSets;
+
+// "fuzzy.speed-rule-nb-ps": the rule for an error NB and a change PS.
+struct CellKey {
+  std::array<char, 24> text{};
+  std::size_t length = 0;
+  constexpr void add(std::string_view part) {
+    for (const char c : part) text[length++] = c;
+  }
+  constexpr std::string_view view() const { return {text.data(), length}; }
+};
+
+constexpr std::array<std::string_view, kCoherenceSets> kSetWords{"nx", "nb", "nm", "ns", "ze", "ps", "pm", "pb", "px"};
+
+constexpr std::array<CellKey, kCells> cellKeys(std::string_view stem) {
+  std::array<CellKey, kCells> keys{};
+  for (std::size_t k = 0; k < kCells; ++k) {
+    keys[k].add(stem);
+    keys[k].add(kSetWords[k / kCoherenceSets]);
+    keys[k].add("-");
+    keys[k].add(kSetWords[k % kCoherenceSets]);
+  }
+  return keys;
+}
+
+constexpr auto kSpeedKeys = cellKeys("fuzzy.speed-rule-");
+constexpr auto kFeedKeys = cellKeys("fuzzy.feed-rule-");
+
+std::vector<ParamDecl> makeCells() {
+  std::vector<ParamDecl> cells;
+  cells.reserve(2 * kCells);
+  for (std::size_t k = 0; k < kCells; ++k) {
+    cells.push_back(realParam(kSpeedKeys[k].view(), "Speed rule", "",
+                              kSpeedRules[k / kCoherenceSets][k % kCoherenceSets], 1.0, 9.0,
+                              "What this rule asks of the speed: 5 nothing, 1 down and 9 up at full (figure 3.7)"));
+  }
+  for (std::size_t k = 0; k < kCells; ++k) {
+    cells.push_back(realParam(kFeedKeys[k].view(), "Feed rule", "", kFeedRules[k / kCoherenceSets][k % kCoherenceSets],
+                              1.0, 9.0,
+                              "What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)"));
+  }
+  return cells;
+}
+
+const std::vector<ParamDecl>& cells() {
+  static const std::vector<ParamDecl> all = makeCells();
+  return all;
+}
 
 }  // namespace
 
+config::ParamTable fuzzyRuleParams() {
+  static const std::vector<const ParamDecl*> table = [] {
+    std::vector<const ParamDecl*> pointers;
+    for (const ParamDecl& cell : cells()) pointers.push_back(&cell);
+    return pointers;
+  }();
+  return table;
+}
+
+config::ParamTable fuzzyCentreParams() {
+  return kCentres;
+}
+
 config::ParamTable fuzzyParams() {
-  return kParams;
+  static const std::vector<const ParamDecl*> table = [] {
+    std::vector<const ParamDecl*> pointers(std::begin(kParams), std::end(kParams));
+    for (const config::ParamTable more : {fuzzyCentreParams(), fuzzyRuleParams(), config::ParamTable(kOwnParams)}) {
+      pointers.insert(pointers.end(), more.begin(), more.end());
+    }
+    return pointers;
+  }();
+  return table;
 }
 
 FuzzyOptions fuzzyOptions(const config::ParamSet& params) {
@@ -54,6 +136,11 @@ FuzzyOptions fuzzyOptions(const config::ParamSet& params) {
   o.doubleTuning = params.choice(kTuning) == 1;
   o.coherenceWeight = params.real(kCoherenceWeight);
   o.energyWeight = params.real(kEnergyWeight);
+  o.centres = {params.real(kSmall), params.real(kMedium), params.real(kBig)};
+  for (std::size_t k = 0; k < kCells; ++k) {
+    o.speedRules[k / kCoherenceSets][k % kCoherenceSets] = params.real(cells()[k]);
+    o.feedRules[k / kCoherenceSets][k % kCoherenceSets] = params.real(cells()[kCells + k]);
+  }
   return o;
 }
 

@@ -1,7 +1,10 @@
 // Numbers of the fuzzy strategies and their declarations. Thread: set-up.
 #pragma once
 
+#include <array>
+
 #include "core/config/param_set.h"
+#include "core/control/fuzzy_rules.h"
 
 namespace stillcut::control {
 
@@ -17,9 +20,16 @@ struct FuzzyOptions {
   bool doubleTuning = true;       // eq. 3-36, else 3-37
   double coherenceWeight = 0.65;  // w_gamma
   double energyWeight = 1.25;     // w_E
+  SetCentres centres = kUniformCentres;
+  RuleTable speedRules = kSpeedRules, feedRules = kFeedRules;
 };
 
+// All of them. The rules are parameters like others, one per cell, so that a run with other rules is recorded and
+// decided again like any other.
 config::ParamTable fuzzyParams();
+// The cells alone, row by row: 81 of the speed, 81 of the feed. And the centres of small, medium and big.
+config::ParamTable fuzzyRuleParams();
+config::ParamTable fuzzyCentreParams();
 FuzzyOptions fuzzyOptions(const config::ParamSet& params);
 
 }  // namespace stillcut::control

@@ -49,9 +49,26 @@ std::array<double, Sets> memberships(double x) STILLCUT_RT {
 template std::array<double, kCoherenceSets> memberships<kCoherenceSets>(double x) STILLCUT_RT;
 template std::array<double, kEnergySets> memberships<kEnergySets>(double x) STILLCUT_RT;
 
-RuleTable firing(const FuzzyInputs& in) STILLCUT_RT {
-  const auto rows = memberships<kCoherenceSets>(in.coherence);
-  const auto columns = memberships<kCoherenceSets>(in.change);
+std::array<double, kCoherenceSets> memberships(double x, const SetCentres& centres) STILLCUT_RT {
+  const double finite = std::isfinite(x) ? std::clamp(x, -1.0, 1.0) : 0.0;
+  const std::array<double, 5> peaks{0.0, centres[0], centres[1], centres[2], 1.0};
+  const double size = std::abs(finite);
+  std::size_t below = 0;
+  while (below < 3 && size >= peaks[below + 1]) ++below;
+  const double above = (size - peaks[below]) / (peaks[below + 1] - peaks[below]);
+  std::array<double, kCoherenceSets> degree{};
+  constexpr std::size_t kMiddle = kCoherenceSets / 2;
+  const auto at = [&degree, finite](std::size_t set) -> double& {
+    return degree[finite < 0.0 ? kMiddle - set : kMiddle + set];
+  };
+  at(below) = 1.0 - above;
+  at(below + 1) = above;
+  return degree;
+}
+
+RuleTable firing(const FuzzyInputs& in, const SetCentres& centres) STILLCUT_RT {
+  const auto rows = memberships(in.coherence, centres);
+  const auto columns = memberships(in.change, centres);
   RuleTable strength{};
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t j = 0; j < columns.size(); ++j) strength[i][j] = std::min(rows[i], columns[j]);
@@ -59,8 +76,8 @@ RuleTable firing(const FuzzyInputs& in) STILLCUT_RT {
   return strength;
 }
 
-double infer(const RuleTable& table, const FuzzyInputs& in) STILLCUT_RT {
-  const RuleTable strength = firing(in);
+double infer(const RuleTable& table, const FuzzyInputs& in, const SetCentres& centres) STILLCUT_RT {
+  const RuleTable strength = firing(in, centres);
   WeightedAverage answer;
   for (std::size_t i = 0; i < table.size(); ++i) {
     for (std::size_t j = 0; j < table[i].size(); ++j) answer.add(strength[i][j], table[i][j]);

@@ -1,10 +1,11 @@
 // Xu 2003, section 3.3: the fuzzy machine without its purpose. Inputs are normalised to -1 .. 1 and belong to nine
 // triangular sets NX, NB, NM, NS, ZE, PS, PM, PB, PX (the energy to seven, NB .. PB); rules hold singletons 1 .. 9 (ZE
-// = 5); a rule counts as much as its weakest input (eq. 3-22, 3-24); the answer is the weighted average (eq. 3-23). The
-// triangles are uniform: figure 3.6 gives no numbers. The paper's example of eq. 3-23 prints 5.88 with a wrong
-// denominator; weights .1 .1 .3 .7 on 5 5 5 4 give 4.4167.
-// Figure 3.9 prints PB for energy PB; energy above its reference must lower speed and feed (table 3.1), so its sign is
-// turned. Pure functions of values, real-time safe.
+// = 5), both tables editable; a rule counts as much as its weakest input (eq. 3-22, 3-24); the answer is the weighted
+// average (eq. 3-23). The triangles are uniform unless set otherwise: figure 3.6 gives no numbers. The paper's example
+// of eq. 3-23 prints 5.88 with a wrong denominator; weights .1 .1 .3 .7 on 5 5 5 4 give 4.4167. Where the coherence's
+// triangles have their peaks can be set, alike on both sides of zero; each reaches to its neighbours' peaks, so that
+// the degrees sum to 1 wherever they are. Figure 3.9 prints PB for energy PB; energy above its reference must lower
+// speed and feed (table 3.1), so its sign is turned. Pure functions of values, real-time safe.
 #pragma once
 
 #include <array>
@@ -17,6 +18,10 @@ inline constexpr int kCoherenceSets = 9;
 inline constexpr int kEnergySets = 7;
 inline constexpr double kZero = 5.0;  // the singleton that asks for nothing
 
+// Peaks of small, medium and big on the normalised axis, rising, between 0 (ZE) and 1 (the outermost).
+using SetCentres = std::array<double, 3>;
+inline constexpr SetCentres kUniformCentres{0.25, 0.5, 0.75};
+
 using RuleTable = std::array<std::array<double, kCoherenceSets>, kCoherenceSets>;  // [E gamma][C gamma]
 
 extern const RuleTable kSpeedRules;                         // figure 3.7
@@ -26,6 +31,8 @@ extern const std::array<double, kEnergySets> kEnergyRules;  // figure 3.9, sign 
 // Degrees of belonging to `Sets` uniform triangles over -1 .. 1; they sum to 1. Outside: the outermost set.
 template <int Sets>
 std::array<double, Sets> memberships(double x) STILLCUT_RT;
+// Nine triangles with their peaks at 0, +-centres and +-1.
+std::array<double, kCoherenceSets> memberships(double x, const SetCentres& centres) STILLCUT_RT;
 
 // Eq. 3-23, one rule after another.
 class WeightedAverage {
@@ -48,8 +55,8 @@ struct FuzzyInputs {
 };
 
 // Strength of every coherence rule, by row and column.
-RuleTable firing(const FuzzyInputs& in) STILLCUT_RT;
+RuleTable firing(const FuzzyInputs& in, const SetCentres& centres = kUniformCentres) STILLCUT_RT;
 // -1 (down as fast as allowed) .. 1: all rules that fire, of the table and of the energy row.
-double infer(const RuleTable& table, const FuzzyInputs& in) STILLCUT_RT;
+double infer(const RuleTable& table, const FuzzyInputs& in, const SetCentres& centres = kUniformCentres) STILLCUT_RT;
 
 }  // namespace stillcut::control

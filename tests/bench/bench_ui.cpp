@@ -38,7 +38,8 @@ void startToPicture(const char* scenario) {
   if (!session) return;
   MainWindow window(**session, ThemeKind::Light, Language::English);
   window.show();
-  (*session)->start("/tmp");
+  (*session)->keepFlightsIn("/tmp");
+  (*session)->start();
   while ((*session)->pull() == nullptr && clock.elapsed() < 10'000) QCoreApplication::processEvents();
   window.tick(0);
   QCoreApplication::processEvents();

@@ -3,9 +3,16 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QTemporaryDir>
 #include <QTest>
+#include <cmath>
+#include <memory>
 
 #include "app/session/session.h"
+#include "app/session/session_view.h"
+#include "core/cnc/simulated_machine.h"
+#include "core/daq/simulated_source.h"
+#include "tests/component/demo_cut.h"
 #include "ui/models/lobe_view.h"
 #include "ui/pages/analyse_page.h"
 #include "ui/plots/history_map.h"
@@ -105,6 +112,79 @@ TEST_F(Desktop, TheDepthIsTheProgrammesAtThatMoment) {
   run(9.0);
   EXPECT_NEAR(session_->lobes()->depthAt(instantFromNs(2'000'000'000)).value, 0.7e-3, 1e-6);
   EXPECT_NEAR(session_->lobes()->depthAt(instantFromNs(9'000'000'000)).value, 1.5e-3, 1e-6);
+}
+
+// Waits on the real clock, as long as the cut needs; a minute is far more.
+template <class Done>
+bool waitFor(Done&& done) {
+  return QTest::qWaitFor(std::forward<Done>(done), 60'000);
+}
+
+TEST(FirstStart, OneTouchOfTheGuideEndsInARunningSimulatedCut) {
+  const QTemporaryDir folder;
+  auto session = openScenarioSession(STILLCUT_RESOURCE_DIR "/scenarios/demo.toml", true);
+  ASSERT_TRUE(session) << session.error().line();
+  (*session)->keepStateIn(folder.path());
+  (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
+  (*session)->demonstrateWith(STILLCUT_RESOURCE_DIR "/scenarios/demo.toml");
+  {
+    ui::MainWindow window(**session, ui::ThemeKind::Light, ui::Language::English);
+    (*session)->endWith(window, [](const Error& error) { ADD_FAILURE() << error.line(); });
+    window.show();
+    ASSERT_TRUE(window.offerGuide());
+    window.tick(0);
+    QTest::mouseClick(window.findChild<ui::TouchButton*>(QStringLiteral("guide-simulated")), Qt::LeftButton);
+    EXPECT_EQ(window.currentPage(), QStringLiteral("operate"));
+    EXPECT_TRUE(waitFor([&] {
+      const Snapshot* s = (*session)->pull();
+      return s != nullptr && s->running && s->columnCount > 3 && s->machine.valid;
+    }));
+    window.tick(33);
+    window.close();
+  }
+  ui::MainWindow next(**session, ui::ThemeKind::Light, ui::Language::English);
+  EXPECT_FALSE(next.offerGuide());
+}
+
+// The real window on the live simulated machine: Auto has moved the spindle, the window is closed, and the plant has
+// its programmed values back.
+TEST(Closing, MidCutReturnsTheMachineToItsProgrammedValues) {
+  const QTemporaryDir folder;
+  milling::Scenario cut = test::demoCut(30.0);
+  cut.programme.depth.segments = {{0.0, 0.9, 0.7e-3, 1.5e-3, milling::RampShape::Linear}};
+  const auto port = std::make_shared<milling::PlantPort>();
+  auto source = std::make_unique<daq::SimulatedSource>(cut, 0, port, daq::SimulatedPace{.realTime = true});
+  daq::SimulatedSource& plant = *source;
+  RigSpec spec;
+  spec.device = std::move(source);
+  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
+  spec.setup = cut.cutSetup();
+  spec.autoAllowed = spec.watched = true;
+  auto rig = Rig::build(std::move(spec));
+  ASSERT_TRUE(rig) << rig.error().line();
+  ui::SessionInfo info = sessionInfo(**rig);
+  Session session(std::move(rig).value(), std::move(info), "");
+  session.keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
+  session.send({OperatorAction::GrantBySimulation, Authority::Auto});
+
+  ui::MainWindow window(session, ui::ThemeKind::Light, ui::Language::English);
+  session.endWith(window, [](const Error& error) { ADD_FAILURE() << error.line(); });
+  session.start();
+  window.start();
+  window.show();
+  ASSERT_TRUE(waitFor([&] {
+    const Snapshot* s = session.pull();
+    return s != nullptr && s->commanding && std::abs(s->machine.speedOverride.value - 1.0) > 0.02;
+  })) << "the cut was never moved: nothing to give back";
+  window.close();
+
+  // The threads are off; whatever was left for the plant acts on it now.
+  port->serve(plant.plant());
+  SampleBlock block;
+  block.allocate(static_cast<int>(cut.sensors.size()), static_cast<int>(cut.rate.value));
+  ASSERT_TRUE(plant.plant().fill(block));
+  EXPECT_DOUBLE_EQ(plant.plant().machineState().speedOverride.value, 1.0);
+  EXPECT_DOUBLE_EQ(plant.plant().machineState().feedOverride.value, 1.0);
 }
 
 }  // namespace

@@ -27,6 +27,8 @@ class FakeSession final : public SessionFacade {
   Tuning* tuning() override { return tuning_; }
 
   void setTuning(Tuning* tuning) { tuning_ = tuning; }
+  ActiveDesk* active() override { return active_; }
+  void setActive(ActiveDesk* desk) { active_ = desk; }
   SetupDesk* setup() override { return setup_; }
   void setSetup(SetupDesk* desk) { setup_ = desk; }
   SessionDesk* sessions() override { return sessions_; }
@@ -76,6 +78,7 @@ class FakeSession final : public SessionFacade {
   Seconds lost_{};
   std::vector<SampleBlock> signal_;
   Tuning* tuning_ = nullptr;
+  ActiveDesk* active_ = nullptr;
   SessionDesk* sessions_ = nullptr;
   SetupDesk* setup_ = nullptr;
   std::uint32_t generation_ = 0;

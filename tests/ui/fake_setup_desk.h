@@ -61,6 +61,15 @@ class FakeSetupDesk final : public SetupDesk {
     return name + QStringLiteral(".toml");
   }
   config::Profile draft() const override { return {}; }
+  void listen(const config::Profile& profile, const QString&) override {
+    listenedTo = QString::fromStdString(profile.source.id);
+    ears.state = Heard::State::Opening;
+  }
+  void stopListening() override {
+    listenedTo.clear();
+    ears = {};
+  }
+  Heard heard() override { return ears; }
   void tryOut(const config::Profile& profile, const QString&) override {
     steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},
              {TrialStep::What::Device, TrialStep::State::Good, QStringLiteral("25600 Hz, 2 channel(s)")},
@@ -91,7 +100,8 @@ class FakeSetupDesk final : public SetupDesk {
   std::map<QString, config::Profile> kept;
   std::vector<ToolEntry> shop;
   std::vector<TrialStep> steps;
-  QString inForce;
+  QString inForce, listenedTo;
+  Heard ears;
   int demonstrations = 0;
   bool changed = false, refuse = false;
 };

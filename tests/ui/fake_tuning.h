@@ -1,6 +1,9 @@
 // Parts with the program's own declarations, without a run behind them.
 #pragma once
 
+#include <algorithm>
+
+#include "core/control/fuzzy_params.h"
 #include "core/control/registry.h"
 #include "core/detect/coherence.h"
 #include "core/detect/energy_ratio.h"
@@ -11,24 +14,28 @@ namespace stillcut::ui {
 
 class FakeTuning final : public Tuning {
  public:
-  FakeTuning() {
+  explicit FakeTuning(std::string_view inCharge = "stable-pocket") {
     add("energy-ratio", "Energy ratio", TunablePart::Role::Detector, detect::energyRatioParams());
-    TunablePart& inCharge = parts_.back();
-    inCharge.source = QStringLiteral("Caliskan, Kilic, Altintas 2018");
-    inCharge.running = inCharge.inCharge = true;
-    inCharge.detector = 0;
-    inCharge.indicators = {QStringLiteral("er"),    QStringLiteral("frequency_hz"), QStringLiteral("changed"),
+    TunablePart& detector = parts_.back();
+    detector.source = QStringLiteral("Caliskan, Kilic, Altintas 2018");
+    detector.running = detector.inCharge = true;
+    detector.detector = 0;
+    detector.indicators = {QStringLiteral("er"),    QStringLiteral("frequency_hz"), QStringLiteral("changed"),
                            QStringLiteral("floor"), QStringLiteral("evidence"),     QStringLiteral("purity")};
-    inCharge.chosen[detect::kErHarmonics.key] = 48.0;
+    detector.chosen[detect::kErHarmonics.key] = 48.0;
     add("coherence", "Coherence", TunablePart::Role::Detector, detect::coherenceParams());
     for (const auto& entry : control::strategyTable()) {
       if (entry.params.empty()) continue;
       const auto info = entry.make()->describe();
       add(info.id, info.label, TunablePart::Role::Strategy, entry.params);
-      parts_.back().running = parts_.back().inCharge = info.id == "stable-pocket";
+      parts_.back().running = parts_.back().inCharge = info.id == inCharge;
+      if (info.id.starts_with("fuzzy")) giveRules(parts_.back());
     }
     add("gate", "Limits of the machine", TunablePart::Role::Gate, safety::gateParams());
     parts_.back().running = true;
+    static constexpr config::ParamDecl kTaps = config::integerParam("active.taps", "Taps", 35, 1, 512, "Of the filter");
+    static constexpr const config::ParamDecl* kActive[] = {&kTaps};
+    add("active", "Active work-holder", TunablePart::Role::Active, kActive);
   }
   std::uint32_t tuningRun() const override { return run; }
   const std::vector<TunablePart>& tunableParts() const override { return parts_; }
@@ -39,11 +46,23 @@ class FakeTuning final : public Tuning {
     return QStringLiteral("/home/mill/profiles/mill3.toml");
   }
 
+  const RuleTables* rulesNow() override { return rules ? &*rules : nullptr; }
+
+  std::optional<RuleTables> rules;
   std::uint32_t run = 0;
   bool refuse = false;
   std::optional<config::ParamSet> saved;
 
  private:
+  // As app/session does.
+  static void giveRules(TunablePart& part) {
+    const config::ParamTable cells = control::fuzzyRuleParams(), centres = control::fuzzyCentreParams();
+    const auto first = std::find(part.params.begin(), part.params.end(), cells.front());
+    part.params.erase(first, first + static_cast<std::ptrdiff_t>(cells.size()));
+    part.speedRules.assign(cells.begin(), cells.begin() + 81);
+    part.feedRules.assign(cells.begin() + 81, cells.end());
+    part.setCentres.assign(centres.begin(), centres.end());
+  }
   void add(std::string_view id, std::string_view label, TunablePart::Role role, config::ParamTable params) {
     TunablePart part;
     part.id = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));

@@ -98,5 +98,24 @@ TEST_F(LobesPageTest, WithoutModesThePageSaysWhatToDo) {
   press("compute");  // nothing to compute, and nothing happens
 }
 
+// Above the limit a stretch of depths can be quiet again; what lies on it is stable, what lies beside it is not.
+TEST(LobeIslands, AreQuietBetweenSpeedsThatBothHaveThem) {
+  LobeDiagram diagram;
+  for (int k = 0; k < 5; ++k) {
+    LobeLimit limit{Rpm(5000.0 + 100.0 * k), Metres(1e-3), true, ChatterKind::Hopf, Hertz(900)};
+    if (k == 2 || k == 3) limit.islands = {{Metres(2e-3), Metres(3e-3)}};
+    diagram.limits.push_back(limit);
+  }
+  EXPECT_TRUE(onIsland(diagram, Rpm(5250), Metres(2.5e-3)));
+  EXPECT_TRUE(onIsland(diagram, Rpm(5200), Metres(2.5e-3)));
+  EXPECT_FALSE(onIsland(diagram, Rpm(5150), Metres(2.5e-3))) << "only one side is known to be quiet";
+  EXPECT_FALSE(onIsland(diagram, Rpm(5250), Metres(1.5e-3)));
+  EXPECT_FALSE(onIsland(diagram, Rpm(9000), Metres(2.5e-3)));
+  const WhatIf quiet = whatIf(&diagram, {}, Rpm(5250), Metres(2.5e-3), UnitSystem::Metric);
+  EXPECT_TRUE(quiet.stable);
+  EXPECT_TRUE(quiet.verdict.contains(QStringLiteral("island")));
+  EXPECT_FALSE(whatIf(&diagram, {}, Rpm(5250), Metres(1.5e-3), UnitSystem::Metric).stable);
+}
+
 }  // namespace
 }  // namespace stillcut::ui

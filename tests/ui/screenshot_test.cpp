@@ -2,10 +2,15 @@
 // page in light and dark, two sizes, three languages. What a machine can check of them is that nothing was cut off.
 #include <QDir>
 #include <QLabel>
+#include <QListView>
+#include <QScrollArea>
 #include <algorithm>
 #include <ostream>
 #include <vector>
 
+#include "tests/ui/fake_session_desk.h"
+#include "tests/ui/fake_setup_desk.h"
+#include "tests/ui/fake_tuning.h"
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/shell/header_bar.h"
@@ -15,6 +20,7 @@
 #include "ui/widgets/intervention_card.h"
 #include "ui/widgets/limit_bar.h"
 #include "ui/widgets/override_table.h"
+#include "ui/widgets/rule_grid.h"
 #include "ui/widgets/status_strip.h"
 #include "ui/widgets/verdict_sign.h"
 
@@ -169,10 +175,41 @@ class EveryPage : public WindowTest, public testing::WithParamInterface<Edition>
       }
     }
   }
+  // As it is now, and whole.
+  void keep(const char* name) {
+    play(0.2);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(window_->grab().save(file(name)));
+    expectWhole(name);
+  }
+  // Every page with something on it.
+  void furnish() {
+    ToolEntry tool;
+    tool.name = QStringLiteral("T12 D12 Z4 R0.5");
+    tool.holder = QStringLiteral("HSK63, 48");
+    tool.teeth = 4;
+    tool.diameter_mm = 12.0;
+    tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot, first pass")}};
+    setup_.shop = {tool};
+    setup_.kept[QStringLiteral("mill3")] = {};
+    session_.setTuning(&tuning_);
+    session_.setSetup(&setup_);
+    session_.setSessions(&sessions_);
+  }
+  void chooseRow(const char* list, int row) const {
+    auto* view = find<QListView>(QLatin1String(list));
+    ASSERT_NE(view, nullptr) << list;
+    view->setCurrentIndex(view->model()->index(row, 0));
+  }
+
+  FakeTuning tuning_{"fuzzy-learning"};
+  FakeSetupDesk setup_;
+  FakeSessionDesk sessions_;
 };
 
 TEST_P(EveryPage, FitsAndIsKeptAsAPicture) {
   ASSERT_TRUE(QDir().mkpath(QStringLiteral(STILLCUT_SCREENSHOT_DIR)));
+  furnish();
   open(GetParam().width, GetParam().height, GetParam().theme, GetParam().language);
   play(1.0);
   press("advise");
@@ -182,11 +219,41 @@ TEST_P(EveryPage, FitsAndIsKeptAsAPicture) {
     window_->showPage(QLatin1String(entry.id));
     play(0.2);
     if (session_.fakeLobes().progress().state == LobeProgress::State::Running) session_.fakeLobes().finish();
-    play(0.2);
-    QCoreApplication::processEvents();
-    EXPECT_TRUE(window_->grab().save(file(entry.id)));
-    expectWhole(entry.id);
+    keep(entry.id);
   }
+}
+
+// What lies behind a second touch.
+TEST_P(EveryPage, EveryPartOfAPageFits) {
+  furnish();
+  open(GetParam().width, GetParam().height, GetParam().theme, GetParam().language);
+  play(1.0);
+  window_->showPage(QStringLiteral("setup"));
+  press("setup-machine");
+  press("link-linuxcnc");
+  keep("setup-machine");
+  press("setup-sensors");
+  press("source-simulated");
+  press("channel-add");
+  keep("setup-sensors");
+  press("setup-tools");
+  keep("setup-tools");
+  press("setup-profile");
+  press("profile-try");
+  keep("setup-profile");
+  window_->showPage(QStringLiteral("tune"));
+  for (int row = 0; !find<RuleGrid>("rules")->isVisible(); ++row) chooseRow("tune-parts", row);
+  QCoreApplication::processEvents();  // the rows have their places now
+  find<QScrollArea>("tune-rows")->ensureWidgetVisible(find<RuleGrid>("rules"), 0, 60);
+  keep("tune-rules");
+  window_->showPage(QStringLiteral("sessions"));
+  sessions_.open(sessions_.entries().front().path);
+  keep("sessions-open");
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  keep("manual");
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  keep("display");
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, EveryPage, testing::ValuesIn([] {

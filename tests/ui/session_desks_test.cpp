@@ -163,6 +163,35 @@ TEST(MachineDesk, TriesOutTheSimulatedMillStepByStep) {
   EXPECT_TRUE(desk.trial()[0].detail.contains(QStringLiteral("nowhere.toml")));
 }
 
+TEST(MachineDesk, ListensToTheChosenDeviceWithoutItsMachine) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.teeth = 4;
+  profile.cut.nominalSpeed = Rpm(8500.0);
+  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+  profile.link = {"simulated", {}};
+  profile.allowAuto = true;
+  desk.listen(profile, {});
+  EXPECT_EQ(desk.heard().state, ui::Heard::State::Opening);
+  const Snapshot* snapshot = nullptr;
+  waitFor(desk, [&] {
+    snapshot = desk.heard().snapshot;
+    return snapshot != nullptr && snapshot->sensors.channels > 0 && snapshot->columnCount > 0;
+  });
+  EXPECT_FALSE(snapshot->machine.valid) << "no machine is spoken to";
+  EXPECT_FALSE(snapshot->autoAllowed);
+  EXPECT_GT(snapshot->sensors.nominalRate.value, 0.0);
+  desk.stopListening();
+  EXPECT_EQ(desk.heard().state, ui::Heard::State::Off);
+
+  profile.source.settings["scenario"] = "nowhere.toml";
+  desk.listen(profile, {});
+  waitFor(desk, [&] { return desk.heard().state == ui::Heard::State::Failed; });
+  EXPECT_TRUE(desk.heard().problem.contains(QStringLiteral("nowhere.toml")));
+}
+
 TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
   const MachineDesk desk;
   config::Profile profile;
@@ -194,6 +223,41 @@ TEST(MachineDesk, ProfilesAreKeptAndComeBack) {
   profile.strategy = "no-such";
   EXPECT_FALSE(desk.save(profile, QStringLiteral("mill4")).ok());
   EXPECT_EQ(desk.profiles().size(), 1);
+}
+
+TEST(Lobes, AProfilesModesGiveTheLobesPageItsDiagram) {
+  const QTemporaryDir folder;
+  QFile file(folder.filePath(QStringLiteral("cut.toml")));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(
+      "name = \"long tool\"\n[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\n"
+      "side = \"up\"\n[chart]\nmax_depth_mm = 6.0\n[material]\ntangential_n_per_m2 = 6e8\n"
+      "radial_n_per_m2 = 2e8\n[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\n"
+      "direction = [1.0, 0.0]\n");
+  file.close();
+  config::Profile profile;
+  const std::string path = folder.filePath(QStringLiteral("mill.toml")).toStdString();
+  ASSERT_TRUE(LobeWorker::ofProfile(profile, path).ok());
+  EXPECT_EQ(*LobeWorker::ofProfile(profile, path), nullptr) << "it names no model";
+  profile.model = "cut.toml";
+  profile.cut.teeth = 2;
+  profile.cut.nominalSpeed = Rpm(14000.0);
+  profile.cut.nominalFeed = MetresPerSecond(28.0 / 60.0);
+  profile.depth = Metres(1.2e-3);
+  auto lobes = LobeWorker::ofProfile(profile, path);
+  ASSERT_TRUE(lobes.ok()) << lobes.error().line();
+  const ui::LobeFrame& frame = (*lobes)->frame();
+  EXPECT_EQ(frame.name, QStringLiteral("long tool"));
+  EXPECT_NEAR(frame.feedPerTooth.value, 1e-3, 1e-9);
+  EXPECT_LE(frame.lowest, frame.reachLow);
+  EXPECT_GT(frame.reachHigh, frame.reachLow);
+  (*lobes)->ask({ui::LobeMethod::ZerothOrder, frame.lowest, frame.highest, 40, frame.maxDepth});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*lobes)->diagram() != nullptr; }, 60000));
+  EXPECT_EQ((*lobes)->diagram()->limits.size(), 40U);
+  profile.model = "nowhere.toml";
+  const auto missing = LobeWorker::ofProfile(profile, path);
+  ASSERT_FALSE(missing.ok());
+  EXPECT_NE(missing.error().line().find("nowhere.toml"), std::string::npos);
 }
 
 TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
@@ -229,7 +293,8 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   ASSERT_TRUE(session.ok()) << session.error().line();
   (*session)->keepStateIn(folder.path());
   (*session)->demonstrateWith(demo);
-  (*session)->start(folder.filePath(QStringLiteral("flights")).toStdString());
+  (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
+  (*session)->start();
   const std::uint32_t before = (*session)->generation();
   config::ParamSet values = (*session)->startValues();
   ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());

@@ -137,6 +137,62 @@ TEST_F(SetupPageTest, SensorsShowLevelAndSpectrumAndSayWhenTheyAreSick) {
   EXPECT_FALSE(told(QStringLiteral("Sensor in order")));
 }
 
+// Everything the sample path knows of its sensors, channel by channel.
+TEST_F(SetupPageTest, SensorsTellLevelFindingAndRateOfEveryChannel) {
+  openSetup();
+  press("setup-sensors");
+  SensorStatus& sensors = session_.snapshot().sensors;
+  sensors.channels = static_cast<int>(session_.info().setup.channels.size());
+  ASSERT_GE(sensors.channels, 1);
+  sensors.channel[0] = {3.1, 12.0, 0.0, {}};
+  sensors.nominalRate = Hertz(25600);
+  sensors.actualRate = Hertz(25498);
+  sensors.actualRateSd = Hertz(4);
+  sensors.lostFrames = 512;
+  session_.touch();
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("peak 12")));
+  EXPECT_TRUE(told(QStringLiteral("498\u00a0\u00b14\u00a0Hz measured, 512 samples lost")));
+  sensors.channel[0].fault = {ReasonCode::InputLoose, {0.0}};
+  sensors.fault = {ReasonCode::InputRate, {25498.0, 25600.0}};
+  session_.touch();
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("its sensor is loose")));
+  EXPECT_TRUE(told(QStringLiteral("instead of")));
+}
+
+TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
+  openSetup();
+  press("setup-sensors");
+  EXPECT_FALSE(find<TouchButton>("device-listen")->isEnabled()) << "no device is chosen";
+  press("source-alsa");
+  press("device-listen");
+  EXPECT_EQ(desk_.listenedTo, QStringLiteral("alsa"));
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("THE CHOSEN DEVICE")));
+  EXPECT_TRUE(told(QStringLiteral("Opening the device")));
+
+  SessionInfo info = session_.info();
+  info.setup.channels = {{"mic", SensorQuantity::Sound, 1.0, ""}};
+  Snapshot heard = session_.snapshot();
+  heard.sensors.channels = 1;
+  heard.sensors.channel[0] = {0.5, 2.0, 0.0, {}};
+  desk_.ears = {Heard::State::Running, &info, &heard, {}};
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("mic: 0.50")));
+  EXPECT_TRUE(find<LevelSpectrum>()->alive());
+  tick(2000);
+  EXPECT_TRUE(told(QStringLiteral("No samples come"))) << "a picture that stands still is not shown as live";
+
+  desk_.ears = {Heard::State::Failed, nullptr, nullptr, QStringLiteral("hw:1: busy")};
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("hw:1: busy")));
+  press("device-listen");
+  EXPECT_EQ(desk_.listenedTo, QStringLiteral("alsa")) << "tried once more";
+  press("setup-tools");
+  EXPECT_TRUE(desk_.listenedTo.isEmpty()) << "nobody looks: the device is free";
+}
+
 TEST(SetupModels, PassTheModelTester) {
   SetupDraft draft;
   ChannelModel channels(draft);

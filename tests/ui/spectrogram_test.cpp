@@ -8,6 +8,7 @@
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/spectrogram_image.h"
 #include "ui/plots/spectrogram_widget.h"
+#include "ui/plots/waterfall.h"
 
 namespace stillcut::ui {
 namespace {
@@ -200,6 +201,23 @@ TEST_F(SpectrogramWidgetTest, TheChatterMarkIsDrawnInItsColour) {
   EXPECT_TRUE(hasRed());
   widget.setStale(true);
   EXPECT_FALSE(hasRed());
+}
+
+// Two spectra at two speeds: in hertz their teeth lie apart, in orders under each other.
+TEST(Waterfall, OrdersPutTheTeethOfEverySpeedUnderEachOther) {
+  const Hertz slow(100.0), fast(150.0);
+  const double binWidth = 25.0;
+  const auto share = [&](bool orders, Hertz spindle) {
+    const WaterfallScale scale{Hertz(0.0), Hertz(3000.0), binWidth, waterfallStretch(orders, spindle, fast)};
+    return scale.shareOf(static_cast<int>(4.0 * spindle.value / binWidth));  // fourth order
+  };
+  EXPECT_NEAR(share(false, slow), 400.0 / 3000.0, 1e-12);
+  EXPECT_NEAR(share(false, fast), 600.0 / 3000.0, 1e-12);
+  EXPECT_NEAR(share(true, slow), share(true, fast), 1e-12);
+  EXPECT_EQ(waterfallStretch(true, Hertz(), fast), 1.0) << "an unknown speed stretches nothing";
+  const WaterfallScale stretched{Hertz(300.0), Hertz(3000.0), binWidth, 1.5};
+  EXPECT_LE(stretched.shareOf(stretched.first()), 0.0) << "the line begins at the edge";
+  EXPECT_GE(stretched.shareOf(stretched.last()), 1.0);
 }
 
 }  // namespace

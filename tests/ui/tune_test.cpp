@@ -5,7 +5,9 @@
 #include "tests/ui/fake_tuning.h"
 #include "tests/ui/page_picture.h"
 #include "ui/pages/tune_page.h"
+#include "ui/plots/membership_plot.h"
 #include "ui/widgets/param_row.h"
+#include "ui/widgets/rule_grid.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/value_slider.h"
 
@@ -152,6 +154,74 @@ TEST_F(TunePageTest, LockedRowsSayWhyAndCannotBeMoved) {
   // Out of automatic it begins at what the method chose.
   press("energy-ratio.harmonics-auto");
   EXPECT_EQ(locked->view().value, QStringLiteral("48"));
+}
+
+// Xu's tables on a run that learns: chosen by touch and keys, changed on the running cut, undone, and what learning
+// did.
+TEST_F(TunePageTest, FuzzyRulesAreShownChangedUndoneAndWhatWasLearnedIsTold) {
+  tuning_ = FakeTuning("fuzzy-learning");
+  openTune();
+  auto* list = find<QListView>("tune-parts");
+  auto* grid = find<RuleGrid>("rules");
+  EXPECT_FALSE(grid->isVisible()) << "a detector has no rules";
+  // What runs comes first in the list: the first with rules is the one that learns.
+  for (int k = 0; k < list->model()->rowCount() && !grid->isVisible(); ++k) {
+    list->setCurrentIndex(list->model()->index(k, 0));
+  }
+  ASSERT_TRUE(grid->isVisible());
+  ASSERT_NE(grid->focusPolicy() & Qt::TabFocus, 0);
+  grid->choose(0);
+  EXPECT_EQ(grid->cellText(0), QStringLiteral("error NX, change NX: 8 (PB)")) << "figure 3.7";
+  QTest::keyClick(grid, Qt::Key_Right);
+  QTest::keyClick(grid, Qt::Key_Down);
+  EXPECT_EQ(grid->chosen(), 10);
+  const config::ParamDecl& cell = *control::fuzzyRuleParams()[10];
+  EXPECT_EQ(cell.key, "fuzzy.speed-rule-nb-nb");
+  QTest::keyClick(grid, Qt::Key_Minus);
+  press("rule-less");
+  tick(40);
+  ASSERT_FALSE(sentValues(cell).empty());
+  EXPECT_DOUBLE_EQ(sentValues(cell).back(), 6.0);
+  press("tune-undo");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(cell).back(), 6.5);
+  QTest::keyClick(grid, Qt::Key_Delete);
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(cell).back(), 7.0) << "as printed";
+
+  press("rules-feed");
+  EXPECT_EQ(grid->cellText(0), QStringLiteral("error NX, change NX: 7 (PM)")) << "figure 3.8";
+  RuleTables now;
+  now.lessons = 3;
+  for (std::size_t k = 0; k < 81; ++k) {
+    now.feed[k / 9][k % 9] = static_cast<float>(control::fuzzyRuleParams()[81 + k]->fallback);
+  }
+  now.feed[8][8] = 2.4F;
+  tuning_.rules = now;
+  tick(40);
+  EXPECT_TRUE(grid->cellText(80).endsWith(QStringLiteral("learned 2.4"))) << grid->cellText(80).toStdString();
+  bool told = false;
+  for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
+    told = told ||
+           label->text() == QStringLiteral("Lessons: 3. Rules of this table that moved: 1, the furthest by \u22120.6");
+  }
+  EXPECT_TRUE(told);
+}
+
+TEST_F(TunePageTest, FuzzySetsFollowTheirPeaks) {
+  openTune();
+  auto* plot = find<MembershipPlot>();
+  for (const config::ParamDecl* decl : control::fuzzyCentreParams()) EXPECT_EQ(decl->unit, "");
+  auto* page = window_->findChild<TunePage*>();
+  auto* list = find<QListView>("tune-parts");
+  for (int k = 0; k < list->model()->rowCount() && !plot->isVisible(); ++k) {
+    list->setCurrentIndex(list->model()->index(k, 0));
+  }
+  ASSERT_TRUE(plot->isVisible());
+  EXPECT_EQ(plot->peaks()[5], 0.25);
+  page->desk().set(*control::fuzzyCentreParams()[0], 0.1);
+  EXPECT_EQ(plot->peaks()[5], 0.1);
+  EXPECT_EQ(plot->peaks()[3], -0.1) << "alike on both sides";
 }
 
 TEST_F(TunePageTest, SavesAndSaysWhereOrWhyNot) {

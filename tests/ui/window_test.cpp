@@ -1,11 +1,16 @@
 // The frame every page lives in: the ways to a page, the bar that is always there, what outlives a restart.
+#include <QDir>
+#include <QFile>
 #include <QHeaderView>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include "tests/ui/fake_setup_desk.h"
 #include "tests/ui/ui_fixture.h"
 #include "ui/models/reason_text.h"
 #include "ui/shell/header_bar.h"
+#include "ui/shell/manual_panel.h"
 #include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/painting.h"
@@ -148,6 +153,83 @@ TEST_F(WindowTest, AnotherSessionShowsItsOwnMachine) {
   session_.openOther("Lathe 9");
   tick(40);
   EXPECT_TRUE(find<HeaderBar>()->accessibleName().contains(QStringLiteral("Lathe 9")));
+}
+
+TEST_F(WindowTest, F1OpensTheManualAtThePageInEveryLanguageAndLeavesTheBarAlone) {
+  for (const Language language : kLanguages) {
+    open(1280, 800, ThemeKind::Light, language);
+    auto* manual = find<ManualPanel>();
+    for (const PageEntry& entry : pageTable()) {
+      window_->showPage(QLatin1String(entry.id));
+      QTest::keyClick(window_.get(), Qt::Key_F1);
+      ASSERT_TRUE(manual->isVisible()) << entry.id;
+      QCoreApplication::processEvents();
+      EXPECT_EQ(manual->headingOnTop(), pageTitle(entry)) << languageCode(language).toStdString();
+      EXPECT_FALSE(manual->geometry().intersects(find<CommandBar>()->geometry())) << "the bar is covered";
+      play(0.1);
+      press("advise");
+      EXPECT_EQ(session_.sent().back().action, OperatorAction::SetAuthority);
+      QTest::keyClick(window_.get(), Qt::Key_Escape);
+      EXPECT_EQ(session_.sent().back().action, OperatorAction::BackToProgrammed);
+      QTest::keyClick(window_.get(), Qt::Key_F1);
+      EXPECT_FALSE(manual->isVisible()) << entry.id;
+    }
+  }
+}
+
+TEST_F(WindowTest, TheManualGoesToItsContentsAndBack) {
+  open();
+  QTest::keyClick(window_.get(), Qt::Key_F1);
+  auto* manual = find<ManualPanel>();
+  press("manual-contents");
+  EXPECT_TRUE(manual->chapter().path().endsWith(QStringLiteral("index.md")));
+  press("manual-back");
+  EXPECT_TRUE(manual->chapter().path().endsWith(QStringLiteral("screens.md")));
+  press("manual-close");
+  EXPECT_FALSE(manual->isVisible());
+}
+
+// Every chapter that a chapter names is inside the program; those for developers stay with the sources.
+TEST(Manual, EveryChapterThatIsNamedIsThere) {
+  ASSERT_TRUE(chapterUrl(QStringLiteral("screens"), Language::German).path().endsWith(QStringLiteral("screens.de.md")));
+  int links = 0;
+  for (const QString& name : QDir(QStringLiteral(":/manual")).entryList({QStringLiteral("*.md")})) {
+    QFile file(QStringLiteral(":/manual/") + name);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QString text = QString::fromUtf8(file.readAll());
+    static const QRegularExpression kLink(QStringLiteral(R"(\]\(([^)#/]+)\.md)"));
+    for (auto found = kLink.globalMatch(text); found.hasNext(); ++links) {
+      const QString chapter = found.next().captured(1);
+      EXPECT_FALSE(chapterUrl(chapter, Language::English).isEmpty())
+          << name.toStdString() << ": " << chapter.toStdString();
+    }
+  }
+  EXPECT_GT(links, 20);
+}
+
+TEST_F(WindowTest, TheGuideComesByItselfOnceAndNeverOverARunningCut) {
+  const QTemporaryDir folder;
+  FakeSetupDesk desk;
+  session_.setSetup(&desk);
+  open();
+  EXPECT_FALSE(window_->offerGuide()) << "nothing is kept here, so nobody knows whether this is the first start";
+
+  session_.keepStateIn(folder.path());
+  open();
+  EXPECT_TRUE(window_->offerGuide());
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("setup"));
+  EXPECT_TRUE(find<TouchButton>("guide-simulated")->isVisible());
+  open();
+  EXPECT_TRUE(window_->offerGuide()) << "it was left without an answer";
+  play(0.2);
+  open();
+  EXPECT_FALSE(window_->offerGuide()) << "a cut has run";
+
+  const QTemporaryDir fresh;
+  session_.keepStateIn(fresh.path());
+  window_ = std::make_unique<MainWindow>(session_, ThemeKind::Light, Language::English);
+  EXPECT_FALSE(window_->offerGuide()) << "a cut runs";
+  EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
 }
 
 TEST_F(WindowTest, ClosingTellsTheSessionOnce) {

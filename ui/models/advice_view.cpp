@@ -52,7 +52,7 @@ QString costText(const Move& move, const Picture& picture) {
     const MetresPerSecond edge(std::numbers::pi * diameter.value * move.speed.value / 60.0);
     parts << say("cutting speed %1").arg(cuttingSpeedText(edge, picture.units));
   }
-  QString text = parts.join(QStringLiteral(", "));
+  QString text = parts.join(say(", "));
   if (!text.isEmpty()) text[0] = text[0].toUpper();
   return text;
 }

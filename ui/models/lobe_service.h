@@ -23,6 +23,10 @@ struct LobeQuestion {
   Metres maxDepth{};  // deepest cut looked at
 };
 
+struct DepthSpan {
+  Metres from{}, to{};
+};
+
 // The limit of one speed.
 struct LobeLimit {
   Rpm speed{};
@@ -30,6 +34,8 @@ struct LobeLimit {
   bool limited = false;
   ChatterKind kind = ChatterKind::Unknown;
   Hertz frequency{};  // chatter frequency just above; 0: not known
+  // Deeper stretches in which the cut is quiet again: islands. Only the exact method knows them.
+  std::vector<DepthSpan> islands{};
 };
 
 struct LobeDiagram {

@@ -41,6 +41,18 @@ std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed) {
   return before->depth + (after->depth - before->depth) * part;
 }
 
+bool onIsland(const LobeDiagram& diagram, Rpm speed, Metres depth) {
+  const auto& limits = diagram.limits;
+  const auto quiet = [depth](const LobeLimit& limit) {
+    return std::any_of(limit.islands.begin(), limit.islands.end(),
+                       [depth](const DepthSpan& span) { return depth > span.from && depth < span.to; });
+  };
+  if (limits.empty() || speed < limits.front().speed || speed > limits.back().speed) return false;
+  const auto after = std::lower_bound(limits.begin(), limits.end(), speed,
+                                      [](const LobeLimit& limit, Rpm s) { return limit.speed < s; });
+  return quiet(*after) && (after->speed == speed || quiet(*(after - 1)));
+}
+
 std::vector<Pocket> pocketsAt(const LobeDiagram& diagram, const LobeFrame& frame, Metres depth) {
   std::vector<Pocket> out;
   const auto& limits = diagram.limits;
@@ -79,12 +91,14 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
     return out;
   }
   out.known = true;
-  out.stable = depth < *limit;
+  const bool island = onIsland(*diagram, speed, depth);
+  out.stable = depth < *limit || island;
   const double margin = 100.0 * (*limit / std::max(depth, Metres(1e-9)) - 1.0);
   out.tone = out.stable ? Tone::Normal : Tone::Chatter;
   out.verdict =
-      out.stable ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
-                 : say("CHATTER, %1 too deep").arg(join(number(100.0 * (1.0 - *limit / depth)), QStringLiteral("%")));
+      island       ? say("STABLE, on an island above the limit: less depth would chatter")
+      : out.stable ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
+                   : say("CHATTER, %1 too deep").arg(join(number(100.0 * (1.0 - *limit / depth)), QStringLiteral("%")));
   QStringList parts{say("limit %1").arg(depthText(*limit, units))};
   if (frame.feedPerTooth.value > 0.0) {
     parts << say("removes %1").arg(removalText(removalRate(frame, speed, depth), units));
@@ -96,7 +110,7 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
       }
     }
   }
-  out.detail = parts.join(QStringLiteral(", "));
+  out.detail = parts.join(say(", "));
   return out;
 }
 

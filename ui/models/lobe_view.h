@@ -16,6 +16,9 @@ namespace stillcut::ui {
 // Between two speeds looked at the limit runs straight; none outside the diagram.
 std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed);
 
+// Whether the speeds looked at on both sides are quiet again this deep, above their limit.
+bool onIsland(const LobeDiagram& diagram, Rpm speed, Metres depth);
+
 struct Pocket {
   Rpm from{}, to{}, best{};
   Metres limit{};          // at `best`

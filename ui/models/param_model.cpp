@@ -187,11 +187,11 @@ QVariant PartModel::data(const QModelIndex& index, int role) const {
   const QString name = sayCore(part.label.toStdString());
   switch (role) {
     case Qt::DisplayRole:
-      return QStringLiteral("%1\n%2, %3").arg(name, roleText(part.role), statusText(part));
+      return name + u'\n' + tr("%1, %2").arg(roleText(part.role), statusText(part));
     case Qt::ToolTipRole:
       return part.source;
     case Qt::AccessibleTextRole:
-      return QStringLiteral("%1, %2, %3").arg(name, roleText(part.role), statusText(part));
+      return tr("%1, %2").arg(name, tr("%1, %2").arg(roleText(part.role), statusText(part)));
     default:
       return {};
   }

@@ -2,7 +2,6 @@
 
 #include <QDateTime>
 #include <QFileInfo>
-#include <QLocale>
 #include <cmath>
 
 #include "ui/models/format.h"
@@ -38,7 +37,7 @@ int SessionListModel::rowCount(const QModelIndex& parent) const {
 QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const SessionEntry& e = entry(index.row());
-  const QString when = QLocale().toString(QDateTime::fromMSecsSinceEpoch(e.wallMs), QLocale::ShortFormat);
+  const QString when = QDateTime::fromMSecsSinceEpoch(e.wallMs).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   const QString size =
       join(number(static_cast<double>(e.bytes) / 1e6, e.bytes < 10'000'000 ? 1 : 0), QStringLiteral("MB"));
   switch (role) {
@@ -104,7 +103,7 @@ QVariant MarkerModel::data(const QModelIndex& index, int role) const {
   const Marker& m = markers_[static_cast<std::size_t>(index.row())];
   QString text =
       QStringLiteral("%1  %2").arg(timeText(times_[static_cast<std::size_t>(index.row())]), markerText(m.label));
-  if (m.end > m.begin) text += QStringLiteral(", ") + duration(secondsBetween(m.begin, m.end));
+  if (m.end > m.begin) text += say(", ") + duration(secondsBetween(m.begin, m.end));
   if (!m.note.empty()) text += QStringLiteral(": ") + QString::fromStdString(m.note);
   return text;
 }

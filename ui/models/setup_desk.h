@@ -10,6 +10,7 @@
 #include "core/base/result.h"
 #include "core/config/part_settings.h"
 #include "core/config/profile.h"
+#include "ui/models/session_info.h"
 #include "ui/models/tool_entry.h"
 
 namespace stillcut::ui {
@@ -25,6 +26,15 @@ struct TrialStep {
   What what = What::Settings;
   State state = State::Waits;
   QString detail;  // what was found, or what is wrong; in English
+};
+
+// What the chosen device delivers before any profile is in force.
+struct Heard {
+  enum class State { Off, Opening, Running, Failed };
+  State state = State::Off;
+  const SessionInfo* info = nullptr;  // both null until samples come; valid until the next call
+  const Snapshot* snapshot = nullptr;
+  QString problem;  // why it could not be opened, or why it has ended
 };
 
 class SetupDesk {
@@ -49,6 +59,12 @@ class SetupDesk {
   // Gives the file.
   virtual Result<QString> save(const config::Profile& profile, const QString& name) = 0;
   virtual config::Profile draft() const = 0;  // to begin with: of the run, as far as it is known
+
+  // Runs the device of `profile` by itself: no machine, nobody in charge. The device of the present cut may refuse to
+  // be opened twice.
+  virtual void listen(const config::Profile& profile, const QString& name) = 0;
+  virtual void stopListening() = 0;
+  virtual Heard heard() = 0;
 
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
   virtual const std::vector<TrialStep>& trial() const = 0;

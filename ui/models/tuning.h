@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/config/param_set.h"
+#include "core/model/rule_tables.h"
 
 namespace stillcut::ui {
 
@@ -24,6 +25,9 @@ struct TunablePart {
   int detector = -1;       // index into Snapshot::verdicts; -1: none
   QStringList indicators;  // names of Verdict::indicators
   std::vector<const config::ParamDecl*> params;
+  // Of a fuzzy strategy, else empty: its rules row by row (RuleTables), and the peaks of small, medium and big. The
+  // rules are not among `params`.
+  std::vector<const config::ParamDecl*> speedRules, feedRules, setCentres;
   std::map<std::string_view, double> chosen;  // by key: what the part chose for an automatic parameter when it was made
 };
 
@@ -34,6 +38,9 @@ class Tuning {
   // Another number: another run, with other parts and values.
   virtual std::uint32_t tuningRun() const = 0;
   virtual const std::vector<TunablePart>& tunableParts() const = 0;
+  // The rules of the fuzzy strategy that runs, as they are at this moment, what it has learned included; null: no such
+  // strategy runs. Valid until the next call.
+  virtual const RuleTables* rulesNow() { return nullptr; }
   virtual const config::ParamSet& startValues() const = 0;
   // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.
   virtual Result<QString> saveValues(const config::ParamSet& values) = 0;

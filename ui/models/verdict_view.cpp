@@ -98,7 +98,7 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
   view.frequency = frequency(verdict.frequency, verdict.frequencySd);
   QStringList words{kindText(verdict.kind), trendText(trend)};
   words.removeAll(QString());
-  view.detail = words.join(QStringLiteral(", "));
+  view.detail = words.join(say(", "));
   view.marked = say("For %1").arg(duration(verdict.sinceOnset));
   if (verdict.feedSinceOnset.value > 0)
     view.marked =

@@ -27,7 +27,7 @@ InterventionList::InterventionList(QWidget* parent)
   wasTrue_->setKey(Qt::Key_F9);
   wasFalse_->setKey(Qt::Key_F10);
   hear_->setObjectName(QStringLiteral("hear"));
-  hear_->setKey(Qt::Key_F4);
+  hear_->setKey(Qt::Key_F8);
   hear_->setToolTip(tr("Marks chatter that was not told"));
   for (TouchButton* button : {wasTrue_, wasFalse_, hear_}) {
     button->setCheckable(true);

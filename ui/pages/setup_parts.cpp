@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "ui/models/format.h"
-#include "ui/models/reason_text.h"
 #include "ui/models/say.h"
+#include "ui/models/sensor_view.h"
 #include "ui/plots/level_spectrum.h"
 #include "ui/widgets/settings_form.h"
 #include "ui/widgets/text_label.h"
@@ -120,7 +120,11 @@ void SetupMachine::refresh() {
 SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     : SetupTab(desk, draft, parent),
       about_(new TextLabel({type_size::kBody, false, true, true})),
+      whose_(new TextLabel({type_size::kLabel, true, true})),
       state_(new TextLabel({type_size::kBody, true, false, true})),
+      findings_(new TextLabel({type_size::kBody, false, false, true})),
+      levels_(new TextLabel({type_size::kBody, false, false, true})),
+      listen_(makeButton(tr("LISTEN"), tr("Listen to the chosen device"), QStringLiteral("device-listen"))),
       form_(new SettingsForm),
       channels_(draft),
       table_(new QTableView),
@@ -163,9 +167,22 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   connect(remove, &TouchButton::clicked, this, [this] { channels_.remove(table_->currentIndex().row()); });
   connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setSourceSetting);
   auto* right = new QVBoxLayout;
-  right->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("WHAT RUNS NOW")));
-  right->addWidget(state_);
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(whose_, 1);
+  heading->addWidget(listen_);
+  right->addLayout(heading);
+  for (TextLabel* label : {state_, findings_, levels_}) right->addWidget(label);
   right->addWidget(live_, 1);
+  findings_->setTone(Tone::Onset);
+  listen_->setCheckable(true);
+  connect(listen_, &TouchButton::clicked, this, [this] {
+    heardFresh_ = {};
+    if (listen_->isChecked()) {
+      desk_.listen(draft_.profile(), draft_.name());
+    } else {
+      desk_.stopListening();
+    }
+  });
   columns->addLayout(left, 58);
   columns->addLayout(right, 42);
   refresh();
@@ -176,25 +193,46 @@ void SetupSensors::refresh() {
   for (TouchButton* button : sources_) {
     button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));
   }
+  listen_->setEnabled(!profile.source.id.empty());
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
                                             : described(desk_.sources(), profile.source.id));
   form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
 }
 
-void SetupSensors::display(const Picture& picture) {
-  live_->display(picture);
-  if (picture.snapshot == nullptr || picture.stale) {
-    state_->setTone(Tone::Normal);
-    state_->setText(tr("No samples come"));
-    return;
+// The chosen device while it is listened to, else what runs.
+Picture SetupSensors::shown(const Picture& picture, const Heard& heard) {
+  listen_->setChecked(heard.state == Heard::State::Opening || heard.state == Heard::State::Running);
+  if (heard.state == Heard::State::Off) {
+    whose_->setText(tr("WHAT RUNS NOW"));
+    return picture;
   }
-  const Reason& reason = picture.verdict().reason;
-  const bool sick = reason.code == ReasonCode::InputDead || reason.code == ReasonCode::InputClipped ||
-                    reason.code == ReasonCode::InputNotFinite || reason.code == ReasonCode::InputGap;
-  state_->setTone(sick ? Tone::Onset : Tone::Normal);
-  state_->setText(
-      sick ? reasonText(reason)
-           : tr("Sensor in order: %1").arg(join(significant(picture.snapshot->vibrationRms), live_->unit())));
+  whose_->setText(tr("THE CHOSEN DEVICE"));
+  Picture device = picture;
+  device.info = heard.info;
+  device.snapshot = heard.snapshot;
+  heardFresh_.see(heard.snapshot, picture.nowMs);
+  device.stale = heardFresh_.stale();
+  return device;
+}
+
+void SetupSensors::display(const Picture& picture) {
+  const Heard heard = desk_.heard();
+  const Picture device = shown(picture, heard);
+  const SensorView view = makeSensorView(device);
+  const bool failed = !heard.problem.isEmpty();
+  live_->display(device);
+  state_->setTone(view.sick || failed ? Tone::Onset : Tone::Normal);
+  state_->setText(failed                                 ? heard.problem
+                  : heard.state == Heard::State::Opening ? tr("Opening the device")
+                                                         : view.headline);
+  findings_->setText(view.findings.join(u'\n'));
+  findings_->setVisible(!view.findings.isEmpty());
+  levels_->setText((view.channels + QStringList{view.rate}).join(u'\n').trimmed());
+}
+
+void SetupSensors::hideEvent(QHideEvent* event) {
+  if (desk_.heard().state != Heard::State::Off) desk_.stopListening();
+  SetupTab::hideEvent(event);
 }
 
 void SetupSensors::applyTheme(const Theme& theme) {

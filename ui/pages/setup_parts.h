@@ -2,6 +2,7 @@
 // channels, live level and spectrum.
 #pragma once
 
+#include "ui/models/freshness.h"
 #include "ui/pages/setup_tab.h"
 
 class QScrollArea;
@@ -34,9 +35,16 @@ class SetupSensors : public SetupTab {
   void display(const Picture& picture) override;
   void applyTheme(const Theme& theme) override;
 
+ protected:
+  void hideEvent(QHideEvent* event) override;  // nobody looks: the device is let go
+
  private:
+  Picture shown(const Picture& picture, const Heard& heard);
+
   std::vector<TouchButton*> sources_;
-  TextLabel *about_, *state_;
+  TextLabel *about_, *whose_, *state_, *findings_, *levels_;
+  TouchButton* listen_;
+  Freshness heardFresh_;
   SettingsForm* form_;
   ChannelModel channels_;
   QTableView* table_;

@@ -6,11 +6,14 @@
 #include <QSettings>
 #include <QShortcut>
 #include <algorithm>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/models/live_numbers.h"
 #include "ui/models/reason_text.h"
 #include "ui/models/say.h"
+#include "ui/pages/active_view.h"
+#include "ui/pages/rule_editor.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/param_row.h"
@@ -31,11 +34,15 @@ TouchButton* tool(const QString& caption, const char* name, QWidget* parent) {
 
 }  // namespace
 
-TunePage::TunePage(Tuning* tuning, QWidget* parent)
-    : Page(parent), tuning_(tuning), theme_(makeTheme(ThemeKind::Light, 1.0)) {
+TunePage::TunePage(Tuning* tuning, std::function<ActiveDesk*()> active, QWidget* parent)
+    : Page(parent),
+      tuning_(tuning),
+      theme_(makeTheme(ThemeKind::Light, 1.0)),
+      active_(new ActiveView(std::move(active))) {
   build();
   connect(&desk_, &TuneDesk::changed, this, [this] {
     for (ParamRow* row : rows_) row->refresh();
+    rules_->refresh(nullptr);
     refreshTools();
   });
   connect(&desk_.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
@@ -60,6 +67,7 @@ void TunePage::build() {
   title_ = new TextLabel({type_size::kValue, true});
   source_ = new TextLabel({type_size::kLabel, false, true, true});
   scroll_ = new QScrollArea;
+  scroll_->setObjectName(QStringLiteral("tune-rows"));
   scroll_->setWidgetResizable(true);
   scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll_->setFocusPolicy(Qt::NoFocus);
@@ -67,6 +75,9 @@ void TunePage::build() {
   rowsLayout_ = new QVBoxLayout(rowsBox_);
   rowsLayout_->setContentsMargins(0, 0, 0, 0);
   rowsLayout_->setSpacing(0);
+  rules_ = new RuleEditor(desk_);
+  rowsLayout_->addWidget(active_);
+  rowsLayout_->addWidget(rules_);
   rowsLayout_->addStretch(1);
   scroll_->setWidget(rowsBox_);
   rowsColumn->addWidget(title_);
@@ -171,6 +182,9 @@ std::vector<const config::ParamDecl*> TunePage::openParams() const {
   for (int row = 0; row < params_.rowCount(); ++row) {
     if (params_.view(row).locked.isEmpty()) open.push_back(&params_.decl(row));
   }
+  for (const auto* rules : {&params_.part()->speedRules, &params_.part()->feedRules}) {
+    open.insert(open.end(), rules->begin(), rules->end());
+  }
   return open;
 }
 
@@ -187,9 +201,11 @@ void TunePage::showPart(const TunablePart* part) {
     for (QWidget* child : row->findChildren<QWidget*>()) {
       if (auto* themed = dynamic_cast<Themed*>(child)) themed->applyTheme(theme_);
     }
-    rowsLayout_->insertWidget(k, row);
+    rowsLayout_->insertWidget(k + 1, row);  // after what the active work-holder does
     rows_.push_back(row);
   }
+  rules_->show(part);
+  active_->setVisible(part != nullptr && part->role == TunablePart::Role::Active);
   scroll_->ensureVisible(0, 0);
 }
 
@@ -220,6 +236,9 @@ void TunePage::display(const Picture& picture) {
   if (params_.setRunning(running)) {
     for (ParamRow* row : rows_) row->refresh();
   }
+  const TunablePart* part = params_.part();
+  if (running && part != nullptr && part->running && rules_->isVisible()) rules_->refresh(tuning_->rulesNow());
+  if (active_->isVisible()) active_->display();
   showLive(picture);
   tallyA_->setText(QStringLiteral("A: ") + tallyText(tally_.side(0)));
   tallyB_->setText(QStringLiteral("B: ") + tallyText(tally_.side(1)));

@@ -2,6 +2,7 @@
 // undo, A and B, reset, and keeping what was found. What the method sees now stands beside it.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "ui/models/compare_tally.h"
@@ -18,15 +19,19 @@ class QVBoxLayout;
 namespace stillcut::ui {
 
 class Panel;
+class ActiveDesk;
+class ActiveView;
 class ParamRow;
+class RuleEditor;
 class TextLabel;
 class TouchButton;
 
 class TunePage : public Page {
   Q_OBJECT
  public:
-  // `tuning` may be null: there is nothing to tune, the page says so. It outlives the page.
-  explicit TunePage(Tuning* tuning, QWidget* parent = nullptr);
+  // `tuning` may be null: there is nothing to tune, the page says so. It outlives the page. `active` gives the desk of
+  // the active work-holder as it is now, or null.
+  TunePage(Tuning* tuning, std::function<ActiveDesk*()> active, QWidget* parent = nullptr);
 
   void see(const Picture& picture) override;
   void display(const Picture& picture) override;
@@ -61,6 +66,8 @@ class TunePage : public Page {
   QVBoxLayout* rowsLayout_ = nullptr;
   QHBoxLayout *tools_ = nullptr, *sides_ = nullptr;
   std::vector<ParamRow*> rows_;
+  RuleEditor* rules_ = nullptr;
+  ActiveView* active_;
   TouchButton *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr, *start_ = nullptr, *save_ = nullptr;
   TouchButton *useA_ = nullptr, *useB_ = nullptr, *copy_ = nullptr;
   TextLabel *title_ = nullptr, *source_ = nullptr, *live_ = nullptr, *numbers_ = nullptr, *tallyA_ = nullptr,

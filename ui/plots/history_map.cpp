@@ -6,6 +6,7 @@
 
 #include "ui/models/format.h"
 #include "ui/plots/axis_painter.h"
+#include "ui/plots/waterfall.h"
 
 namespace stillcut::ui {
 namespace {
@@ -165,9 +166,9 @@ void HistoryMap::drawMarks(QPainter& p, const QRect& plot) const {
 // Spectra one behind the other, the newest in front; the one under cursor A is the accent.
 void HistoryMap::drawWaterfall(QPainter& p, const QRect& plot) const {
   const AnalyseOptions& o = view().options();
-  const double binWidth = history_->spectrumTop().value / kSpectrumBins;
-  const int low = std::clamp(static_cast<int>(o.low.value / binWidth), 0, kSpectrumBins - 2);
-  const int high = std::clamp(static_cast<int>(o.high.value / binWidth), low + 1, kSpectrumBins - 1);
+  const bool orders = o.axis == FrequencyAxis::Order;
+  const Hertz newest = history_->columns().back().spindle;
+  WaterfallScale scale{o.low, o.high, history_->spectrumTop().value / kSpectrumBins, 1.0};
   const double rise = plot.height() * 0.62, peak = plot.height() * 0.34;
   const SpectrumColumn* marked =
       view().cursor(AnalyseView::A) ? history_->columnAt(*view().cursor(AnalyseView::A)) : nullptr;
@@ -180,10 +181,11 @@ void HistoryMap::drawWaterfall(QPainter& p, const QRect& plot) const {
     if (c == nullptr || std::abs(secondsBetween(c->time, t).value) > 0.6 * o.span.value / kMostWaterfallLines + 0.05)
       continue;
     const double base = plot.bottom() - 2 - rise * back;
+    scale.stretch = waterfallStretch(orders, c->spindle, newest);
     QPolygonF line;
     line << QPointF(plot.left(), base);
-    for (int b = low; b <= high; ++b) {
-      const double x = plot.left() + static_cast<double>(b - low) / (high - low) * plot.width();
+    for (int b = scale.first(); b <= scale.last(); ++b) {
+      const double x = plot.left() + std::clamp(scale.shareOf(b), 0.0, 1.0) * plot.width();
       line << QPointF(x, base - peak * placeOf(c->level_dB[static_cast<std::size_t>(b)]));
     }
     line << QPointF(plot.right() + 1, base);
@@ -197,7 +199,9 @@ void HistoryMap::drawWaterfall(QPainter& p, const QRect& plot) const {
     p.drawPolygon(line);
   }
   p.restore();
-  drawBottomAxis(p, plot, {o.low.value, o.high.value}, QStringLiteral("Hz"), theme());
+  const double per = orders && newest.value > 0 ? 1.0 / newest.value : 1.0;
+  drawBottomAxis(p, plot, {o.low.value * per, o.high.value * per}, orders ? tr("order") : QStringLiteral("Hz"),
+                 theme());
 }
 
 }  // namespace stillcut::ui

@@ -25,9 +25,6 @@ void LevelSpectrum::display(const Picture& picture) {
     const Snapshot& s = *picture.snapshot;
     level_ = s.columns[(s.columnCount - 1) % kSpectrumColumns].level_dB;
     top_hz_ = s.spectrumTop.value;
-    const auto& channels = picture.info->setup.channels;
-    const std::string_view si = channels.empty() ? std::string_view() : siUnit(channels.front().quantity);
-    unit_ = QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
   }
   update();
 }

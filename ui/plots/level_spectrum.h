@@ -15,7 +15,6 @@ class LevelSpectrum : public QWidget, public Themed {
   explicit LevelSpectrum(QWidget* parent = nullptr);
 
   void display(const Picture& picture);
-  QString unit() const { return unit_; }
   bool alive() const { return alive_; }
 
   void applyTheme(const Theme& theme) override;
@@ -27,7 +26,6 @@ class LevelSpectrum : public QWidget, public Themed {
 
  private:
   Theme theme_;
-  QString unit_;
   std::array<float, kSpectrumBins> level_{};
   double top_hz_ = 0.0;
   bool alive_ = false;

@@ -98,6 +98,14 @@ void LobeChart::setDiagram(const LobeDiagram* diagram, const LobeFrame& frame) {
   }
   limit_->replace(limit);
   floor_->replace(floor);
+  islands_.clear();
+  if (diagram == nullptr) return;
+  const auto& limits = diagram->limits;
+  for (std::size_t k = 0; k < limits.size(); ++k) {
+    const Rpm left = k > 0 ? (limits[k - 1].speed + limits[k].speed) * 0.5 : limits[k].speed;
+    const Rpm right = k + 1 < limits.size() ? (limits[k + 1].speed + limits[k].speed) * 0.5 : limits[k].speed;
+    for (const DepthSpan& span : limits[k].islands) islands_.push_back({left, right, span});
+  }
 }
 
 void LobeChart::setWork(std::optional<SpeedDepth> now, const std::vector<MetPoint>& met) {
@@ -175,6 +183,14 @@ void LobeChart::drawForeground(QPainter* p, const QRectF&) {
   p->save();
   p->setRenderHint(QPainter::Antialiasing);
   p->setClipRect(chart()->plotArea());
+  // Quiet again above the limit: as the quiet ground below it, with an edge of its own.
+  p->setPen(Qt::NoPen);
+  for (const Island& island : islands_) {
+    const QRectF box(onChart({island.left, island.span.to}), onChart({island.right, island.span.from}));
+    p->fillRect(box, theme_.colors.panel);
+    p->fillRect(QRectF(box.left(), box.top(), box.width(), theme_.px(1.5)), theme_.colors.text);
+    p->fillRect(QRectF(box.left(), box.bottom() - theme_.px(1.5), box.width(), theme_.px(1.5)), theme_.colors.text);
+  }
   const double arm = theme_.px(11);
   if (now_) {
     const QPointF at = onChart(*now_);

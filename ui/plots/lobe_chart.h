@@ -69,6 +69,11 @@ class LobeChart : public QChartView, public Themed {
   QScatterSeries* metStable_;
   QScatterSeries* metUnstable_;
   LobeFrame frame_;
+  struct Island {
+    Rpm left{}, right{};
+    DepthSpan span;
+  };
+  std::vector<Island> islands_;
   std::optional<SpeedDepth> now_;
   std::optional<Rpm> advice_;
   SpeedDepth handle_;

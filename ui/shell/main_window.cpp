@@ -11,6 +11,7 @@
 #include "ui/pages/page.h"
 #include "ui/shell/apply_theme.h"
 #include "ui/shell/header_bar.h"
+#include "ui/shell/manual_panel.h"
 #include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/status_strip.h"
@@ -36,6 +37,7 @@ void MainWindow::build() {
   command_ = new CommandBar;
   strip_ = new StatusStrip;
   display_ = new DisplayPanel(centre);
+  manual_ = new ManualPanel(look_.language, centre);
   auto* column = new QVBoxLayout(centre);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -50,6 +52,7 @@ void MainWindow::build() {
   connect(header_, &HeaderBar::pageAsked, this, qOverload<int>(&MainWindow::showPage));
   connect(header_, &HeaderBar::displayAsked, this, &MainWindow::toggleDisplayPanel);
   connect(display_, &DisplayPanel::chosen, this, &MainWindow::setLook, Qt::QueuedConnection);
+  connect(new QShortcut(Qt::Key_F1, centre), &QShortcut::activated, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
   connect(command_, &CommandBar::asked, this, [this](const OperatorInput& input) { session_.send(input); });
@@ -96,11 +99,20 @@ void MainWindow::start() {
   timer_.start(kDisplayTickMs);
 }
 
+bool MainWindow::offerGuide() {
+  if (state_.guideSeen() || session_.setup() == nullptr) return false;
+  const Snapshot* snapshot = session_.pull();
+  if (snapshot != nullptr && snapshot->running) return false;
+  showPage(QStringLiteral("setup"));
+  return true;
+}
+
 void MainWindow::tick(qint64 nowMs) {
   if (session_.generation() != generation_) meetSession();
   const Snapshot* snapshot = session_.pull();
   freshness_.see(snapshot, nowMs);
   if (snapshot != nullptr) history_.see(*snapshot);
+  if (snapshot != nullptr && snapshot->running && !state_.guideSeen()) state_.setGuideSeen();
   session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
   const Picture picture{&session_.info(),
                         snapshot,
@@ -119,6 +131,7 @@ void MainWindow::tick(qint64 nowMs) {
 }
 
 void MainWindow::showPage(int index) {
+  manual_->hide();
   stack_->setCurrentIndex(index);
   stack_->currentWidget()->setFocus();
   header_->setCurrentPage(index);
@@ -136,6 +149,7 @@ QString MainWindow::currentPage() const {
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   display_->hide();
+  manual_->hide();
   if (std::abs(scaleForSize(width(), height()) - scale_) > 1e-9) retheme();
 }
 
@@ -164,6 +178,18 @@ void MainWindow::toggleDisplayPanel() {
   display_->resize(display_->sizeHint());
   display_->move(width() - display_->width() - 8, header_->height() + 4);
   display_->show(look_);
+}
+
+// Over the right of the page: what stands on the left, the verdict first, stays in sight.
+void MainWindow::toggleManual() {
+  if (manual_->isVisible()) {
+    manual_->hide();
+    return;
+  }
+  QRect place = stack_->geometry();
+  place.setLeft(place.left() + place.width() * 2 / 5);
+  manual_->setGeometry(place);
+  manual_->openAt(pageTable()[static_cast<std::size_t>(stack_->currentIndex())].number);
 }
 
 void MainWindow::setLook(const DisplayChoice& look) {

@@ -1,6 +1,7 @@
 // The window: head, page, command bar, status strip, and the display tick that pulls the newest snapshot. Pages come
-// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F12 changes the theme, F11 opens
-// the choice of theme, units and language. Another language makes everything inside the window anew.
+// from the page table; the window knows none of them. Ctrl+1 .. Ctrl+6 show a page, F1 opens the manual at the part on
+// the page, F12 changes the theme, F11 opens the choice of theme, units and language. Another language makes everything
+// inside the window anew.
 #pragma once
 
 #include <QElapsedTimer>
@@ -23,6 +24,7 @@ namespace stillcut::ui {
 
 class CommandBar;
 class HeaderBar;
+class ManualPanel;
 class Page;
 class StatusStrip;
 
@@ -40,6 +42,9 @@ class MainWindow : public QMainWindow {
   // Size, place, and page as they were left.
   void restorePlace();
   void start();
+  // On the first start, and only while no cut runs, the guide of the Set up page comes by itself. True: it has.
+  // A cut that runs afterwards is its answer, and it does not come again.
+  bool offerGuide();
   // One display tick at `nowMs` of the screen's own clock.
   void tick(qint64 nowMs);
   const DisplayChoice& look() const { return look_; }
@@ -60,6 +65,7 @@ class MainWindow : public QMainWindow {
   void showPage(int index);
   void meetSession();
   void nextTheme();
+  void toggleManual();
   void toggleDisplayPanel();
   void setLook(const DisplayChoice& look);
   void retheme();
@@ -81,6 +87,7 @@ class MainWindow : public QMainWindow {
   CommandBar* command_ = nullptr;
   StatusStrip* strip_ = nullptr;
   DisplayPanel* display_ = nullptr;
+  ManualPanel* manual_ = nullptr;
 };
 
 }  // namespace stillcut::ui

@@ -28,7 +28,9 @@ constexpr std::array kPages{
     PageEntry{3, "lobes", QT_TRANSLATE_NOOP("Pages", "Lobes"),
               [](SessionFacade& session) -> Page* { return new LobesPage([&session] { return session.lobes(); }); }},
     PageEntry{4, "tune", QT_TRANSLATE_NOOP("Pages", "Tune"),
-              [](SessionFacade& session) -> Page* { return new TunePage(session.tuning()); }},
+              [](SessionFacade& session) -> Page* {
+                return new TunePage(session.tuning(), [&session] { return session.active(); });
+              }},
     PageEntry{5, "sessions", QT_TRANSLATE_NOOP("Pages", "Sessions"),
               [](SessionFacade& session) -> Page* { return new SessionsPage(session.sessions(), &writeReport); }},
     PageEntry{6, "setup", QT_TRANSLATE_NOOP("Pages", "Set up"),

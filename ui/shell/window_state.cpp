@@ -62,6 +62,14 @@ void WindowState::setLanguage(Language language) {
   write(settings_.get(), "window/language", languageCode(language));
 }
 
+bool WindowState::guideSeen() const {
+  return !settings_ || settings_->value(QStringLiteral("window/guide")).toString() == QStringLiteral("seen");
+}
+
+void WindowState::setGuideSeen() {
+  write(settings_.get(), "window/guide", QStringLiteral("seen"));
+}
+
 QString WindowState::page() const {
   return read(settings_.get(), "window/page").toString();
 }

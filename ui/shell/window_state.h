@@ -31,6 +31,9 @@ class WindowState {
   void setUnits(UnitSystem units);
   std::optional<Language> language() const;
   void setLanguage(Language language);
+  bool guideSeen()
+      const;  // the guide of a first start has been answered; where nothing is kept, there is no first start
+  void setGuideSeen();
   QString page() const;  // id; empty: none kept
   void setPage(const QString& id);
 

@@ -24,7 +24,7 @@ CommandBar::CommandBar(QWidget* parent)
       back_(new TouchButton(tr("BACK TO 100 %"), TouchButton::Look::Plain, this)) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Authority"));
-  const std::array<Qt::Key, 3> keys{Qt::Key_F1, Qt::Key_F2, Qt::Key_F3};
+  const std::array<Qt::Key, 3> keys{Qt::Key_F2, Qt::Key_F3, Qt::Key_F4};
   const std::array<QString, 3> names{QStringLiteral("off"), QStringLiteral("advise"), QStringLiteral("auto")};
   for (std::size_t k = 0; k < authority_.size(); ++k) {
     authority_[k]->setObjectName(names[k]);

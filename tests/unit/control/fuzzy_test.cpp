@@ -32,6 +32,54 @@ TEST(FuzzyRules, MembershipsSumToOneAndNameAtMostTwoSets) {
   EXPECT_EQ(memberships<kCoherenceSets>(std::numeric_limits<double>::quiet_NaN())[4], 1.0);
 }
 
+TEST(FuzzyRules, SetsHaveTheirPeaksWhereTheyArePutAndSumToOne) {
+  const SetCentres centres{0.1, 0.3, 0.9};
+  const std::array<double, 9> peaks{-1.0, -0.9, -0.3, -0.1, 0.0, 0.1, 0.3, 0.9, 1.0};
+  for (std::size_t k = 0; k < peaks.size(); ++k) EXPECT_EQ(memberships(peaks[k], centres)[k], 1.0) << k;
+  for (double x = -1.5; x <= 1.5; x += 0.01) {
+    const auto d = memberships(x, centres), uniform = memberships(x, kUniformCentres);
+    const auto plain = memberships<kCoherenceSets>(x);
+    EXPECT_NEAR(std::accumulate(d.begin(), d.end(), 0.0), 1.0, 1e-12);
+    for (std::size_t k = 0; k < d.size(); ++k) EXPECT_NEAR(uniform[k], plain[k], 1e-12) << x;
+  }
+  EXPECT_EQ(memberships(std::numeric_limits<double>::quiet_NaN(), centres)[4], 1.0);
+}
+
+TEST(FuzzyRules, EveryCellIsAParameterWithThePrintedRuleAsItsDefault) {
+  const config::ParamTable cells = fuzzyRuleParams();
+  ASSERT_EQ(cells.size(), 162U);
+  EXPECT_EQ(cells[0]->key, "fuzzy.speed-rule-nx-nx");
+  EXPECT_EQ(cells[161]->key, "fuzzy.feed-rule-px-px");
+  const FuzzyOptions defaults = fuzzyOptions({});
+  EXPECT_EQ(defaults.speedRules, kSpeedRules);
+  EXPECT_EQ(defaults.feedRules, kFeedRules);
+  config::ParamSet changed;
+  ASSERT_TRUE(changed.set(*cells[8 * 9 + 8], 1.0, "test").ok());
+  EXPECT_EQ(fuzzyOptions(changed).speedRules[8][8], 1.0);
+}
+
+TEST(FuzzyRules, AChangedRuleActsOnTheRunningCutUnlessTheReferencesAreReversed) {
+  Fuzzy fuzzy;
+  fuzzy.prepare(CutSetup(), {});
+  RuleTables told;
+  fuzzy.tellRules(told);
+  EXPECT_EQ(told.speed[8][8], 2.0F);
+  EXPECT_EQ(told.lessons, 0U);
+  config::ParamSet changed;
+  ASSERT_TRUE(changed.set(*fuzzyRuleParams()[8 * 9 + 8], 1.0, "test").ok());
+  fuzzy.retune(changed);
+  fuzzy.tellRules(told);
+  EXPECT_EQ(told.speed[8][8], 1.0F);
+  ASSERT_TRUE(changed.set(*fuzzyRuleParams()[0], 9.0, "test").ok());
+  for (const config::ParamDecl* decl : fuzzyParams()) {
+    if (decl->key != "fuzzy.energy-reference") continue;
+    ASSERT_TRUE(changed.set(*decl, 19.0, "test").ok());
+  }
+  fuzzy.retune(changed);
+  fuzzy.tellRules(told);
+  EXPECT_EQ(told.speed[0][0], 8.0F) << "what cannot be used together changes nothing";
+}
+
 TEST(FuzzyRules, TablesFallWithCoherenceAndWithItsChange) {
   for (const RuleTable* table : {&kSpeedRules, &kFeedRules}) {
     for (std::size_t i = 0; i < 9; ++i) {
@@ -86,6 +134,24 @@ class FuzzyTest : public ::testing::TestWithParam<std::string_view> {
   StrategyInput in_;
   std::unique_ptr<Strategy> strategy_;
 };
+
+TEST_P(FuzzyTest, OnlyWhatLearnsMovesItsRulesAndTellsSo) {
+  run(1.0, 0.01, 2.0);
+  run(10.0, 0.6, 8.0);
+  RuleTables told;
+  dynamic_cast<const Fuzzy&>(*strategy_).tellRules(told);
+  int lowered = 0, raised = 0;
+  for (std::size_t i = 0; i < kSpeedRules.size(); ++i) {
+    for (std::size_t j = 0; j < kSpeedRules[i].size(); ++j) {
+      lowered += told.speed[i][j] < static_cast<float>(kSpeedRules[i][j]) ? 1 : 0;
+      raised += told.speed[i][j] > static_cast<float>(kSpeedRules[i][j]) ? 1 : 0;
+    }
+  }
+  const bool learns = GetParam() == "fuzzy-learning";
+  EXPECT_EQ(told.lessons > 0, learns);
+  EXPECT_EQ(lowered > 0, learns) << "rules of high coherence ask for less";
+  EXPECT_LE(raised, lowered);
+}
 
 TEST_P(FuzzyTest, AStableCutIsLeftAlone) {
   EXPECT_EQ(run(5.0, 0.01, 2.0).kind, RequestKind::None);

@@ -1,0 +1,57 @@
+#include "app/session/device_listener.h"
+
+#include <utility>
+
+#include "app/compose/catalog.h"
+#include "app/compose/profile_rig.h"
+#include "app/session/session_view.h"
+
+namespace stillcut::app {
+
+void DeviceListener::listen(const config::Profile& profile, const std::string& path) {
+  stop();
+  state_ = ui::Heard::State::Opening;
+  config::Profile alone = profile;
+  alone.link = {};
+  alone.strategy = "monitor";
+  alone.allowAuto = false;
+  task_.start(ui::TaskState::What::None, {},
+              [this, alone, path](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+                const config::ParamCatalog catalog = fullCatalog();
+                const auto sound = config::parseProfile(config::profileText(alone, catalog), path, catalog, knownIds());
+                if (!sound) return sound.error();
+                auto built = buildProfileRig(*sound, path);
+                if (!built) return built.error();
+                auto rig = std::make_shared<std::unique_ptr<Rig>>(std::move(built).value());
+                return BackgroundTask::Apply([this, rig] {
+                  rig_ = std::move(*rig);
+                  info_ = sessionInfo(*rig_);
+                  rig_->start({});
+                });
+              });
+}
+
+void DeviceListener::stop() {
+  task_.cancel();
+  rig_.reset();
+  state_ = ui::Heard::State::Off;
+}
+
+bool DeviceListener::poll() {
+  if (!task_.collect()) return false;
+  state_ = rig_ ? ui::Heard::State::Running : ui::Heard::State::Failed;
+  return true;
+}
+
+ui::Heard DeviceListener::heard() {
+  ui::Heard heard;
+  heard.state = state_;
+  if (state_ == ui::Heard::State::Failed) heard.problem = task_.state().problem;
+  if (!rig_) return heard;
+  heard.info = &info_;
+  heard.snapshot = rig_->read();
+  if (rig_->finished()) heard.problem = QString::fromStdString(rig_->device().fault());
+  return heard;
+}
+
+}  // namespace stillcut::app

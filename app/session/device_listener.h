@@ -1,0 +1,33 @@
+// DeviceListener: runs the device that is being set up, without a machine and with nobody in charge, so that level,
+// spectrum and rate can be seen before a profile is in force. Thread: GUI; opening the device runs apart.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/compose/rig.h"
+#include "app/session/background_task.h"
+#include "ui/models/setup_desk.h"
+
+namespace stillcut::app {
+
+class DeviceListener {
+ public:
+  ~DeviceListener() { stop(); }
+
+  // Files that the profile names are looked for beside `path`. What was listened to before ends.
+  void listen(const config::Profile& profile, const std::string& path);
+  // The device is free again.
+  void stop();
+  // True: it has been opened, or could not be.
+  bool poll();
+  ui::Heard heard();
+
+ private:
+  ui::Heard::State state_ = ui::Heard::State::Off;
+  std::unique_ptr<Rig> rig_;
+  ui::SessionInfo info_;
+  BackgroundTask task_;
+};
+
+}  // namespace stillcut::app

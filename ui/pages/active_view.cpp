@@ -1,0 +1,111 @@
+#include "ui/pages/active_view.h"
+
+#include <QHBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/models/active_words.h"
+#include "ui/models/say.h"
+#include "ui/plots/path_fit_plot.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+TouchButton* button(const QString& caption, const QString& spoken, const char* name) {
+  auto* made = new TouchButton(caption);
+  made->setObjectName(QLatin1String(name));
+  made->setAccessibleName(spoken);
+  made->setBaseHeight(50);
+  return made;
+}
+
+}  // namespace
+
+ActiveView::ActiveView(FindDesk desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(std::move(desk)),
+      actions_(new QHBoxLayout),
+      axes_(new QHBoxLayout),
+      identify_(button(tr("IDENTIFY"), tr("Identify the paths, with the tool out of the cut"), "active-identify")),
+      start_(button(tr("START"), tr("Start active control"), "active-start")),
+      stop_(button(tr("STOP"), tr("Stop active control"), "active-stop")),
+      device_(new TextLabel({type_size::kBody, false, true, true})),
+      problem_(new TextLabel({type_size::kBody, true, false, true})),
+      state_(new TextLabel({type_size::kValue, true, false, true})),
+      earned_(new TextLabel({type_size::kBody, false, false, true})),
+      model_(new TextLabel({type_size::kBody, false, false, true})),
+      fit_(new PathFitPlot) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  for (TouchButton* b : {identify_, start_, stop_}) actions_->addWidget(b);
+  actions_->addStretch(1);
+  axisButtons_ = {button(QStringLiteral("X"), tr("Axis x"), "active-x"),
+                  button(QStringLiteral("Y"), tr("Axis y"), "active-y")};
+  for (int axis = 0; axis < kActiveAxes; ++axis) {
+    TouchButton* b = axisButtons_[static_cast<std::size_t>(axis)];
+    b->setCheckable(true);
+    axes_->addWidget(b);
+    connect(b, &TouchButton::clicked, this, [this, axis] { takeAxis(axis); });
+  }
+  axes_->addWidget(state_, 1);
+  column->addWidget(device_);
+  column->addLayout(actions_);
+  column->addWidget(problem_);
+  column->addLayout(axes_);
+  for (TextLabel* label : {earned_, model_}) column->addWidget(label);
+  column->addWidget(fit_);
+  problem_->setTone(Tone::Onset);
+  // Enabled only where there is a desk.
+  connect(identify_, &TouchButton::clicked, this, [this] { tell(desk_()->identify()); });
+  connect(start_, &TouchButton::clicked, this, [this] { tell(desk_()->start()); });
+  connect(stop_, &TouchButton::clicked, this, [this] { desk_()->stop(); });
+  takeAxis(0);
+}
+
+void ActiveView::takeAxis(int axis) {
+  axis_ = axis;
+  for (int k = 0; k < kActiveAxes; ++k) axisButtons_[static_cast<std::size_t>(k)]->setChecked(k == axis);
+  display();
+}
+
+void ActiveView::tell(const Status& status) {
+  problem_->setText(status ? QString() : QString::fromStdString(status.error().line()));
+}
+
+void ActiveView::display() {
+  ActiveDesk* desk = desk_();
+  for (TouchButton* b : {identify_, start_, stop_}) b->setEnabled(desk != nullptr);
+  if (desk == nullptr) {
+    device_->setText(tr("There is no active work-holder here."));
+    for (TextLabel* label : {problem_, state_, earned_, model_}) label->clear();
+    fit_->display(nullptr);
+    return;
+  }
+  if (desk->poll() && !desk->problem().isEmpty()) problem_->setText(desk->problem());
+  problem_->setVisible(!problem_->text().isEmpty());
+  fit_->display(desk->fit(axis_));
+  const ActiveSnapshot* snapshot = desk->pull();
+  if (snapshot == nullptr) {
+    device_->setText(tr("%1: nothing yet").arg(desk->device()));
+    return;
+  }
+  const ActiveAxisView view = makeActiveAxis(*snapshot, axis_);
+  device_->setText(activeDeviceText(*snapshot, desk->device()));
+  state_->setTone(view.tone);
+  state_->setText(QStringLiteral("%1, %2").arg(view.state, view.stroke));
+  earned_->setText(view.lines.isEmpty()
+                       ? tr("Nothing is known of its lines yet")
+                       : tr("Against the cut left alone: %1").arg(view.lines.join(QStringLiteral("; "))));
+  model_->setTone(view.modelSound ? Tone::Normal : Tone::Onset);
+  model_->setText(view.model);
+}
+
+void ActiveView::applyTheme(const Theme& theme) {
+  layout()->setSpacing(theme.px(10));
+  for (QHBoxLayout* line : {actions_, axes_}) line->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
+}
+
+}  // namespace stillcut::ui

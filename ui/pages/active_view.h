@@ -1,0 +1,44 @@
+// The active work-holder on the Tune page: identify its paths, start and stop control, what it earns on every line, the
+// stroke it uses, why it let go, and how well and how long ago its model was fitted. GUI thread.
+#pragma once
+
+#include <QWidget>
+#include <array>
+#include <functional>
+
+#include "ui/models/active_desk.h"
+#include "ui/models/themed.h"
+
+class QHBoxLayout;
+
+namespace stillcut::ui {
+
+class PathFitPlot;
+class TextLabel;
+class TouchButton;
+
+class ActiveView : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  // Gives the desk of the session as it is now; null: there is no active work-holder, the view says so.
+  using FindDesk = std::function<ActiveDesk*()>;
+  explicit ActiveView(FindDesk desk, QWidget* parent = nullptr);
+
+  // Every display tick while it is on screen.
+  void display();
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void takeAxis(int axis);
+  void tell(const Status& status);
+
+  FindDesk desk_;
+  int axis_ = 0;
+  QHBoxLayout *actions_, *axes_;
+  TouchButton *identify_, *start_, *stop_;
+  std::array<TouchButton*, kActiveAxes> axisButtons_{};
+  TextLabel *device_, *problem_, *state_, *earned_, *model_;
+  PathFitPlot* fit_;
+};
+
+}  // namespace stillcut::ui
