@@ -48,7 +48,7 @@ highest-speed-override = 115
 )";
 
 const KnownIds kKnown{
-    {"audio", "simulated"}, {"linuxcnc", "simulated"}, {"energy-ratio", "spectral"}, {"monitor", "lobe-center"}};
+    {"audio", "simulated"}, {"linuxcnc", "simulated"}, {"energy-ratio", "spectral"}, {"monitor", "lobe-center"}, {}};
 
 std::string lineOf(std::string_view content) {
   const Result<Profile> profile = parseProfile(content, "p.toml", catalog(), kKnown);
