@@ -90,10 +90,13 @@ struct Chosen {
   std::vector<OperatorInput> inputs;
 };
 
+// Of the 162 fuzzy rules every tenth: a step takes kMaxInputsPerStep, and all are to be there before the first decision.
 Chosen others(config::ParamTable table) {
   Chosen chosen;
+  int rules = 0;
   for (const ParamDecl* decl : table) {
     if (decl->lockedWhileRunning) continue;
+    if (decl->key.find("-rule-") != std::string_view::npos && rules++ % 10 != 0) continue;
     EXPECT_TRUE(chosen.params.set(*decl, another(*decl), "test").ok());
     chosen.inputs.push_back(setting(*decl, another(*decl)));
   }
