@@ -2821,8 +2821,8 @@
         <translation>fällt Stillcut aus, bleiben die Overrides</translation>
     </message>
     <message>
-        <source>F3, no watchdog</source>
-        <translation>F3, ohne Watchdog</translation>
+        <source>F4, no watchdog</source>
+        <translation>F4, ohne Watchdog</translation>
     </message>
 </context>
 <context>
@@ -3513,7 +3513,7 @@
     </message>
     <message>
         <source>EXPORT</source>
-        <translation>AUSGABE</translation>
+        <translation>EXPORT</translation>
     </message>
     <message>
         <source>Export the selected span, or the whole</source>
@@ -4185,7 +4185,7 @@
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>

@@ -2820,8 +2820,8 @@
         <translation>if Stillcut dies, its overrides stay</translation>
     </message>
     <message>
-        <source>F3, no watchdog</source>
-        <translation>F3, no watchdog</translation>
+        <source>F4, no watchdog</source>
+        <translation>F4, no watchdog</translation>
     </message>
 </context>
 <context>

@@ -2821,8 +2821,8 @@
         <translation>若 Stillcut 失效，倍率将保留</translation>
     </message>
     <message>
-        <source>F3, no watchdog</source>
-        <translation>F3，无看门狗</translation>
+        <source>F4, no watchdog</source>
+        <translation>F4，无看门狗</translation>
     </message>
 </context>
 <context>

@@ -90,7 +90,8 @@ struct Chosen {
   std::vector<OperatorInput> inputs;
 };
 
-// Of the 162 fuzzy rules every tenth: a step takes kMaxInputsPerStep, and all are to be there before the first decision.
+// Of the 162 fuzzy rules every tenth: a step takes kMaxInputsPerStep, and all are to be there before the first
+// decision.
 Chosen others(config::ParamTable table) {
   Chosen chosen;
   int rules = 0;

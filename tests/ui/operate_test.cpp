@@ -88,7 +88,7 @@ TEST_F(Operate, AuthorityIsShownAsTheSessionSaysNotAsTouched) {
 TEST_F(Operate, AutoWithAWatchdogTakesOneTouch) {
   open();
   play(1);
-  EXPECT_EQ(find<TouchButton>("auto")->hint(), QStringLiteral("F3"));
+  EXPECT_EQ(find<TouchButton>("auto")->hint(), QStringLiteral("F4"));
   press("auto");
   EXPECT_EQ(lastSent(), (OperatorInput{OperatorAction::SetAuthority, Authority::Auto}));
 }
@@ -97,7 +97,7 @@ TEST_F(Operate, AutoWithoutAWatchdogTakesADeliberateSecondTouch) {
   session_.mutableInfo().machineWatchdog = false;
   open();
   play(1);
-  EXPECT_EQ(find<TouchButton>("auto")->hint(), QStringLiteral("F3, no watchdog"));  // said before it is chosen
+  EXPECT_EQ(find<TouchButton>("auto")->hint(), QStringLiteral("F4, no watchdog"));  // said before it is chosen
   press("auto");
   EXPECT_TRUE(session_.sent().empty());
   EXPECT_TRUE(find<TouchButton>("auto")->asking());

@@ -41,7 +41,7 @@ TEST(ParamScale, StepsGoUpAndDownToTheEndsOfEveryRange) {
     for (const config::ParamDecl* decl : part.params) {
       for (const int direction : {1, -1}) {
         double value = stepFrom(*decl, decl->fallback, direction);
-        for (int k = 0; k < 300; ++k) {
+        for (int k = 0; k < 600; ++k) {
           const double next = stepFrom(*decl, value, direction);
           ASSERT_TRUE(config::isLegal(*decl, next)) << decl->key << " " << next;
           if (next == value) break;

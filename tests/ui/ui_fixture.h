@@ -8,6 +8,7 @@
 #include <QPixmap>
 #include <QTest>
 #include <QWidget>
+#include <cmath>
 #include <memory>
 
 #include "tests/ui/fake_session.h"
@@ -35,7 +36,7 @@ class WindowTest : public UiTest {
   }
   // Lets the story and the screen's clock go on together.
   void play(double seconds) {
-    for (int k = 0; k < static_cast<int>(seconds / 0.04 + 0.5); ++k) {
+    for (long k = 0; k < std::lround(seconds / 0.04); ++k) {
       session_.advance(Seconds(0.04));
       tick(40);
     }

@@ -69,7 +69,7 @@ void CommandBar::showButtons() {
   authority_[2]->setEnabled(view_.autoAllowed || view_.authority == Authority::Auto);
   authority_[2]->setToolTip(view_.autoAllowed ? QString() : tr("This profile does not grant Auto"));
   // Said before it is chosen: if this program dies there, the overrides stay where they are.
-  authority_[2]->setHint(view_.autoNeedsSecondTouch ? tr("F3, no watchdog") : QStringLiteral("F3"));
+  authority_[2]->setHint(view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
   back_->setHint(view_.moved.isEmpty() ? QStringLiteral("Esc") : tr("Esc, now %1").arg(view_.moved));
