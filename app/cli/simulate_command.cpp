@@ -49,7 +49,9 @@ class OutFile {
   void add(const SampleBlock& block, const milling::SimulatedCut& plant) {
     if (wav_ && status_) status_ = wav_->write(block, scale_);
     if (session_ != nullptr && session_->writer() != nullptr && status_) {
-      status_ = session_->writer()->addTruth("chatter_ratio", block.end(), plant.truth().ratio());
+      const milling::ChatterTruth& truth = plant.truth();
+      status_ = session_->writer()->addTruth("chatter_ratio", block.end(), truth.ratio());
+      if (status_) status_ = session_->writer()->addTruth("chatter_counted", block.end(), truth.chatterRatio());
     }
   }
   Status close(const milling::SimulatedCut& plant) {

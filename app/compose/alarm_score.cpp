@@ -13,11 +13,11 @@ bool overlap(double a, double b, double c, double d) {
   return std::max(a, c) < std::min(b, d);
 }
 
-// What of [begin, end) no marked chatter with its margins covers.
+// What of [begin, end) no chatter, begun or grown, covers with its margins.
 std::vector<Alarm> outsideChatter(const std::vector<TruthSpan>& truth, const Alarm& alarm) {
   std::vector<Alarm> parts{alarm};
   for (const TruthSpan& span : truth) {
-    if (span.kind != SpanKind::Chatter) continue;
+    if (span.kind != SpanKind::Chatter && span.kind != SpanKind::Grew) continue;
     const Seconds from = span.begin - kEarly;
     const Seconds to = span.end + kLinger;
     std::vector<Alarm> left;

@@ -11,7 +11,9 @@
 namespace stillcut::app {
 
 // Times count from the first sample of the recording.
-enum class SpanKind { Chatter, Quiet, Ignored };  // Ignored: nothing is asked of a detector there
+// Grew: chatter on its way that was stopped before it was chatter; an alarm is right, none is no miss.
+// Ignored: nothing is asked of a detector there.
+enum class SpanKind { Chatter, Quiet, Grew, Ignored };
 struct TruthSpan {
   Seconds begin{}, end{};
   SpanKind kind = SpanKind::Ignored;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAlways = std::numeric_limits<double>::infinity();
 
 // The cells of a line of CSV, quotes dropped.
 std::vector<std::string> cellsOf(const std::string& line) {
@@ -129,7 +131,10 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
     const auto found = about.find(key);
     return found != about.end() && found->is_number() ? found->get<double>() : kNever;
   };
-  truth.spans = spansOfRatio(times, ratios, {Seconds(number("onset_1pct_s")), Seconds(number("onset_20pct_s"))});
+  // Nobody controlled it, and its ratio knows no growth: without an onset all of it was quiet.
+  const double slight = number("onset_1pct_s");
+  const Onsets onsets{Seconds(std::isnan(slight) ? kAlways : slight), Seconds(number("onset_20pct_s"))};
+  truth.spans = spansOfRatio(times, ratios, onsets);
   if (const double hz = number("chatter_hz_at_onset"); hz > 0.0) truth.chatter = Hertz(hz);
   truth.teeth = static_cast<int>(about.value("teeth", 0));
   truth.speed = Rpm(about.value("spindle_rpm", 0.0));
@@ -177,7 +182,7 @@ Result<std::optional<RecordedTruth>> fromSession(const std::string& path) {
   std::vector<Seconds> times;
   std::vector<double> ratios;
   for (const record::TruthSample& sample : series.value()) {
-    if (sample.name != "chatter_ratio") continue;
+    if (sample.name != "chatter_counted") continue;
     times.push_back(secondsBetween(begin, sample.time));
     ratios.push_back(sample.value);
   }
@@ -204,12 +209,13 @@ std::vector<TruthSpan> spansOfRatio(const std::vector<Seconds>& times, const std
   constexpr Seconds kBeat{0.25};  // a pause of the same chatter
   std::vector<TruthSpan> spans;
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const bool before = !(times[i] >= onsets.slight);
+    const bool before = times[i] < onsets.slight;
     const bool chatter = times[i] >= onsets.clear && ratios[i] > kChatter;
-    if (!chatter && !before && ratios[i] >= kQuiet) continue;
-    const SpanKind kind = chatter ? SpanKind::Chatter : SpanKind::Quiet;
+    const bool grew = std::isnan(onsets.slight.value) && ratios[i] >= kQuiet;
+    if (!chatter && !grew && !before && ratios[i] >= kQuiet) continue;
+    const SpanKind kind = chatter ? SpanKind::Chatter : grew ? SpanKind::Grew : SpanKind::Quiet;
     const bool goesOn = !spans.empty() && spans.back().kind == kind && times[i] - spans.back().end <= kBeat;
-    if (!goesOn) spans.push_back({times[i], times[i], kind, chatter ? "chatter" : "stable"});
+    if (!goesOn) spans.push_back({times[i], times[i], kind, chatter ? "chatter" : grew ? "growth" : "stable"});
     spans.back().end = times[i];
   }
   std::erase_if(spans, [](const TruthSpan& s) { return s.end <= s.begin; });

@@ -29,7 +29,8 @@ Result<std::optional<RecordedTruth>> truthOf(const std::string& recording);
 
 // Spans from how strong the chatter was against the forced vibration, as simulations tell it. From `clear` on (20 %, in
 // energy) it is chatter while the ratio of amplitudes stays above one tenth; before `slight` (1 %) all is quiet,
-// entries included, and later on wherever the ratio is below one hundredth. NaN: never.
+// entries included, and later on wherever the ratio is below one hundredth. NaN: never; what grew above one hundredth
+// all the same was stopped.
 struct Onsets {
   Seconds slight{}, clear{};
 };

@@ -127,9 +127,29 @@ TEST(Truth, TheRatioOfASimulatedCutGivesItsSpans) {
   EXPECT_EQ(spans[2].kind, SpanKind::Quiet);
   EXPECT_NEAR(spans[2].begin.value, 9.0, 1e-9);
   const double never = std::nan("");
-  const std::vector<TruthSpan> stable = spansOfRatio(times, ratios, {Seconds(never), Seconds(never)});
+  const double always = std::numeric_limits<double>::infinity();
+  const std::vector<TruthSpan> stable = spansOfRatio(times, ratios, {Seconds(always), Seconds(never)});
   ASSERT_EQ(stable.size(), 1U);
   EXPECT_EQ(stable[0].kind, SpanKind::Quiet);
+}
+
+TEST(Truth, WhatWasStoppedWhileItGrewIsNeitherChatterNorQuiet) {
+  std::vector<Seconds> times;
+  std::vector<double> ratios;
+  for (int i = 0; i < 1000; ++i) {
+    times.emplace_back(i * 0.01);
+    ratios.push_back(i < 400 || i >= 420 ? 0.0 : 0.15);
+  }
+  const double never = std::nan("");
+  const std::vector<TruthSpan> spans = spansOfRatio(times, ratios, {Seconds(never), Seconds(never)});
+  ASSERT_EQ(spans.size(), 3U);
+  EXPECT_EQ(spans[1].kind, SpanKind::Grew);
+  EXPECT_NEAR(spans[1].begin.value, 4.0, 1e-9);
+  EXPECT_NEAR(spans[1].end.value, 4.19, 1e-9);
+  const AlarmScore right = scoreAlarms(spans, {alarm(4.05, 4.6)});
+  EXPECT_EQ(right.falseAlarms, 0);
+  EXPECT_EQ(right.missed(), 0);
+  EXPECT_EQ(scoreAlarms(spans, {alarm(7.0, 7.1)}).falseAlarms, 1);
 }
 
 TEST(WhatIf, IsSaidInWords) {
