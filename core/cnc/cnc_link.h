@@ -1,4 +1,4 @@
-// CncLink: the wire to one machine. How to add one: resources/manual/developers/add-link.md.
+// CncLink: the wire to one machine. How to add one: core/cnc/ADDING.md.
 // Thread: describe() and open() at set-up; the rest on the link thread, which reads every few milliseconds and may
 // block for at most the link's own time-out. Never touched by the worker: commands come through a mailbox, states go
 // back through one.

@@ -1,7 +1,6 @@
-// Strategy: one published law that turns verdicts into wishes. How to add one:
-// resources/manual/developers/add-strategy.md. A pure decision from verdict, machine state and measured time: it keeps
-// its own memory and touches nothing else. Thread: worker. prepare() may allocate and throw; decide() and reset() may
-// do neither.
+// Strategy: one published law that turns verdicts into wishes. How to add one: core/control/ADDING.md.
+// A pure decision from verdict, machine state and measured time: it keeps its own memory and touches nothing else.
+// Thread: worker. prepare() may allocate and throw; decide() and reset() may do neither.
 #pragma once
 
 #include <string_view>

@@ -1,4 +1,4 @@
-// DaqSource: where samples come from. How to add a device: resources/manual/developers/add-device.md.
+// DaqSource: where samples come from. How to add a device: core/daq/ADDING.md.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Detector: one published method. How to add one: resources/manual/developers/add-detector.md.
+// Detector: one published method. How to add one: core/detect/ADDING.md.
 // Thread: everything on the worker. prepare() may allocate, plan and throw; process() and reset() may do none of it.
 #pragma once
 

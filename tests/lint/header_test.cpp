@@ -35,10 +35,11 @@ TEST(Headers, BeginWithWhatTheyAre) {
   EXPECT_GT(seen, 300);
 }
 
-// The developers' pages, one for each kind of part a stranger may want to add.
+// The pages beside the interfaces, one for each kind of part a stranger may want to add.
 TEST(Headers, EveryInterfaceHasItsPageOnAdding) {
-  for (const char* page : {"add-detector", "add-strategy", "add-device", "add-link", "add-page"}) {
-    const fs::path file = fs::path(STILLCUT_SOURCE_DIR) / "resources/manual/developers" / (std::string(page) + ".md");
+  for (const char* page : {"core/detect/ADDING.md", "core/control/ADDING.md", "core/daq/ADDING.md",
+                           "core/cnc/ADDING.md", "ui/pages/ADDING.md"}) {
+    const fs::path file = fs::path(STILLCUT_SOURCE_DIR) / page;
     ASSERT_TRUE(fs::exists(file)) << page;
     EXPECT_GT(fs::file_size(file), 500U) << page;
   }

@@ -1,6 +1,6 @@
 // What every page of the window is. A page wires itself, shows pictures and asks by signals; it knows neither the
 // window nor the session, and what it needs beyond the picture it is given as an interface (ui/models) when it is made.
-// How to add one: resources/manual/developers/add-page.md. GUI thread.
+// How to add one: ADDING.md beside this file. GUI thread.
 #pragma once
 
 #include <QWidget>
