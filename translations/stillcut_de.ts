@@ -2414,10 +2414,6 @@
         <translation>Aufnahme</translation>
     </message>
     <message>
-        <source>active work-holder</source>
-        <translation>aktive Spannvorrichtung</translation>
-    </message>
-    <message>
         <source>in charge</source>
         <translation>führt</translation>
     </message>
@@ -2456,14 +2452,6 @@
     <message>
         <source>note</source>
         <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>%1: alarms: %2, marked false: %3</source>
-        <translation>%1: Alarme: %2, als falsch markiert: %3</translation>
-    </message>
-    <message>
-        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
-        <translation>%1 hätte gemeldet: %2, davon als falsch markiert: %3 (wie aufgenommen: %4, %5)</translation>
     </message>
     <message>
         <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
@@ -2644,6 +2632,42 @@
     <message>
         <source>Sensor in order: %1</source>
         <translation>Sensor in Ordnung: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>kein Mal</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>einmal</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>%1, none marked false</source>
+        <translation>%1, keiner davon als falsch markiert</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them marked false</source>
+        <translation>%1, davon %2 als falsch markiert</translation>
+    </message>
+    <message>
+        <source>%1 alarmed %2</source>
+        <translation>%1 hat Alarm gegeben: %2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; as recorded: %3</source>
+        <translation>%1 hätte Alarm gegeben: %2; wie aufgezeichnet: %3</translation>
+    </message>
+    <message>
+        <source>a loop of its own</source>
+        <translation>ein eigener Regelkreis</translation>
     </message>
 </context>
 <context>
@@ -3189,16 +3213,16 @@
         <translation>Kein Modell: die Strecke ermitteln</translation>
     </message>
     <message>
-        <source>Magnitude: measured grey, model blue</source>
-        <translation>Betrag: gemessen grau, Modell blau</translation>
-    </message>
-    <message>
         <source>Phase error; hatched: control goes wrong</source>
         <translation>Phasenfehler; schraffiert: Regelung geht fehl</translation>
     </message>
     <message>
         <source>Coherence; below the mark it says little</source>
         <translation>Kohärenz; unter der Marke sagt sie wenig</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue and dashed</source>
+        <translation>Betrag: gemessen grau, Modell blau und gestrichelt</translation>
     </message>
 </context>
 <context>
@@ -3389,6 +3413,10 @@
         <source>%1, tool %2, of %3</source>
         <translation>%1, Werkzeug %2, vom %3</translation>
     </message>
+    <message>
+        <source>%1, markers: %2</source>
+        <translation>%1, Marken: %2</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionTimeline</name>
@@ -3552,10 +3580,6 @@
         <translation>Was wäre, wenn</translation>
     </message>
     <message>
-        <source>Drag over the picture first: the loop repeats the selected span</source>
-        <translation>Zuerst über das Bild ziehen: die Schleife wiederholt die gewählte Spanne</translation>
-    </message>
-    <message>
         <source>Every page shows the replay; the touches below still go to the machine</source>
         <translation>Jede Seite zeigt die Wiedergabe; die Tasten unten gelten weiter der Maschine</translation>
     </message>
@@ -3582,6 +3606,10 @@
     <message>
         <source>no verdict</source>
         <translation>kein Urteil</translation>
+    </message>
+    <message>
+        <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
+        <translation>Erst über das Bild ziehen oder eine markierte Spanne wählen: die Schleife wiederholt sie</translation>
     </message>
 </context>
 <context>
@@ -4111,8 +4139,8 @@
         <translation>D %1 mm, %2 Zähne</translation>
     </message>
     <message>
-        <source>, chattered here before: %1</source>
-        <translation>, ratterte schon: %1</translation>
+        <source>chattered here before: %1</source>
+        <translation>ratterte schon: %1</translation>
     </message>
 </context>
 <context>

@@ -2413,10 +2413,6 @@
         <translation>recording</translation>
     </message>
     <message>
-        <source>active work-holder</source>
-        <translation>active work-holder</translation>
-    </message>
-    <message>
         <source>in charge</source>
         <translation>in charge</translation>
     </message>
@@ -2455,14 +2451,6 @@
     <message>
         <source>note</source>
         <translation>note</translation>
-    </message>
-    <message>
-        <source>%1: alarms: %2, marked false: %3</source>
-        <translation>%1: alarms: %2, marked false: %3</translation>
-    </message>
-    <message>
-        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
-        <translation>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</translation>
     </message>
     <message>
         <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
@@ -2643,6 +2631,42 @@
     <message>
         <source>Sensor in order: %1</source>
         <translation>Sensor in order: %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>not at all</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>once</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 times</translation>
+    </message>
+    <message>
+        <source>%1, none marked false</source>
+        <translation>%1, none marked false</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them marked false</source>
+        <translation>%1, %2 of them marked false</translation>
+    </message>
+    <message>
+        <source>%1 alarmed %2</source>
+        <translation>%1 alarmed %2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; as recorded: %3</source>
+        <translation>%1 would have alarmed %2; as recorded: %3</translation>
+    </message>
+    <message>
+        <source>a loop of its own</source>
+        <translation>a loop of its own</translation>
     </message>
 </context>
 <context>
@@ -3188,16 +3212,16 @@
         <translation>No model: identify the path</translation>
     </message>
     <message>
-        <source>Magnitude: measured grey, model blue</source>
-        <translation>Magnitude: measured grey, model blue</translation>
-    </message>
-    <message>
         <source>Phase error; hatched: control goes wrong</source>
         <translation>Phase error; hatched: control goes wrong</translation>
     </message>
     <message>
         <source>Coherence; below the mark it says little</source>
         <translation>Coherence; below the mark it says little</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue and dashed</source>
+        <translation>Magnitude: measured grey, model blue and dashed</translation>
     </message>
 </context>
 <context>
@@ -3388,6 +3412,10 @@
         <source>%1, tool %2, of %3</source>
         <translation>%1, tool %2, of %3</translation>
     </message>
+    <message>
+        <source>%1, markers: %2</source>
+        <translation>%1, markers: %2</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionTimeline</name>
@@ -3551,10 +3579,6 @@
         <translation>What if</translation>
     </message>
     <message>
-        <source>Drag over the picture first: the loop repeats the selected span</source>
-        <translation>Drag over the picture first: the loop repeats the selected span</translation>
-    </message>
-    <message>
         <source>Every page shows the replay; the touches below still go to the machine</source>
         <translation>Every page shows the replay; the touches below still go to the machine</translation>
     </message>
@@ -3581,6 +3605,10 @@
     <message>
         <source>no verdict</source>
         <translation>no verdict</translation>
+    </message>
+    <message>
+        <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
+        <translation>Drag over the picture or choose a marked span first: the loop repeats it</translation>
     </message>
 </context>
 <context>
@@ -4110,8 +4138,8 @@
         <translation>D %1 mm, %2 teeth</translation>
     </message>
     <message>
-        <source>, chattered here before: %1</source>
-        <translation>, chattered here before: %1</translation>
+        <source>chattered here before: %1</source>
+        <translation>chattered here before: %1</translation>
     </message>
 </context>
 <context>

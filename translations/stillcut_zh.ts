@@ -2414,10 +2414,6 @@
         <translation>记录</translation>
     </message>
     <message>
-        <source>active work-holder</source>
-        <translation>主动夹具</translation>
-    </message>
-    <message>
         <source>in charge</source>
         <translation>主用</translation>
     </message>
@@ -2456,14 +2452,6 @@
     <message>
         <source>note</source>
         <translation>备注</translation>
-    </message>
-    <message>
-        <source>%1: alarms: %2, marked false: %3</source>
-        <translation>%1：报警 %2，标为误报 %3</translation>
-    </message>
-    <message>
-        <source>%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)</source>
-        <translation>%1 将报警：%2，其中标为误报：%3（记录时：%4，%5）</translation>
     </message>
     <message>
         <source>%1: found %2 of %3, false %4 (%5 per hour), delay %6</source>
@@ -2644,6 +2632,42 @@
     <message>
         <source>Sensor in order: %1</source>
         <translation>传感器正常：%1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>一次也没有</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>1 次</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 次</translation>
+    </message>
+    <message>
+        <source>%1, none marked false</source>
+        <translation>%1，其中无误报标记</translation>
+    </message>
+    <message>
+        <source>%1, %2 of them marked false</source>
+        <translation>%1，其中 %2 次标记为误报</translation>
+    </message>
+    <message>
+        <source>%1 alarmed %2</source>
+        <translation>%1 报警：%2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; as recorded: %3</source>
+        <translation>%1 本会报警：%2；录制时：%3</translation>
+    </message>
+    <message>
+        <source>a loop of its own</source>
+        <translation>独立回路</translation>
     </message>
 </context>
 <context>
@@ -3189,16 +3213,16 @@
         <translation>没有模型：请辨识通路</translation>
     </message>
     <message>
-        <source>Magnitude: measured grey, model blue</source>
-        <translation>幅值：测量为灰，模型为蓝</translation>
-    </message>
-    <message>
         <source>Phase error; hatched: control goes wrong</source>
         <translation>相位误差；阴影区：控制失效</translation>
     </message>
     <message>
         <source>Coherence; below the mark it says little</source>
         <translation>相干；低于标记时参考价值小</translation>
+    </message>
+    <message>
+        <source>Magnitude: measured grey, model blue and dashed</source>
+        <translation>幅值：实测为灰色，模型为蓝色虚线</translation>
     </message>
 </context>
 <context>
@@ -3389,6 +3413,10 @@
         <source>%1, tool %2, of %3</source>
         <translation>%1，刀具 %2，%3</translation>
     </message>
+    <message>
+        <source>%1, markers: %2</source>
+        <translation>%1，标记：%2</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionTimeline</name>
@@ -3552,10 +3580,6 @@
         <translation>假设</translation>
     </message>
     <message>
-        <source>Drag over the picture first: the loop repeats the selected span</source>
-        <translation>请先在图上拖选：循环将重复所选区间</translation>
-    </message>
-    <message>
         <source>Every page shows the replay; the touches below still go to the machine</source>
         <translation>所有页面显示回放；下方按键仍作用于机床</translation>
     </message>
@@ -3582,6 +3606,10 @@
     <message>
         <source>no verdict</source>
         <translation>无判定</translation>
+    </message>
+    <message>
+        <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
+        <translation>请先在图上拖选或选择一段已标记的区间：循环将重复播放该段</translation>
     </message>
 </context>
 <context>
@@ -4111,8 +4139,8 @@
         <translation>D %1 mm，%2 齿</translation>
     </message>
     <message>
-        <source>, chattered here before: %1</source>
-        <translation>，曾颤振：%1</translation>
+        <source>chattered here before: %1</source>
+        <translation>曾在此颤振：%1</translation>
     </message>
 </context>
 <context>

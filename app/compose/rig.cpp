@@ -223,8 +223,7 @@ void Rig::start(const pipeline::EngineOptions& asked) {
 }
 
 Status Rig::stop() {
-  if (!engine_) return Done{};
-  engine_->stop();
+  if (engine_) engine_->stop();
   return recorder_ ? recorder_->finish() : Status(Done{});
 }
 

@@ -1,7 +1,5 @@
 #include "app/session/replay_desk.h"
 
-#include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 #include <algorithm>
 #include <filesystem>
@@ -42,20 +40,6 @@ QString labelOf(const std::string& id) {
     if (row.id == id) return viewText(row.make()->describe().label);
   }
   return QString::fromStdString(id);
-}
-
-// FOLDER/JOB/TOOL/TIME.h5, as sessions are named; anything else is its own job.
-ui::SessionEntry entryOf(const QString& folder, const std::string& path) {
-  const QFileInfo file(QString::fromStdString(path));
-  const QStringList parts = QDir(folder).relativeFilePath(file.filePath()).split(u'/');
-  ui::SessionEntry entry;
-  entry.path = file.filePath();
-  entry.job = parts.size() >= 3 ? parts[parts.size() - 3] : file.completeBaseName();
-  entry.tool = parts.size() >= 2 ? parts[parts.size() - 2] : QStringLiteral(".");
-  entry.wallMs = file.lastModified().toMSecsSinceEpoch();
-  entry.bytes = file.size();
-  entry.session = file.suffix() == QStringLiteral("h5");
-  return entry;
 }
 
 std::vector<ui::AlarmSpan> spansOf(const std::vector<Alarm>& alarms) {
@@ -99,24 +83,15 @@ void ReplayDesk::closeRun() {
 }
 
 bool ReplayDesk::poll() {
-  const bool listed = listing_.collect();
+  const bool listed = lister_.collect();
   const bool done = task_.collect();
   if (done && !run_ && summary_) reopen();  // what was open stays where another could not be opened
   return std::exchange(changed_, false) || listed || done;
 }
 
 void ReplayDesk::setFolder(const QString& folder) {
-  folder_ = folder;
+  lister_.list(folder);
   changed_ = true;
-  listing_.start(ui::TaskState::What::None, folder,
-                 [this, folder](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                   std::vector<ui::SessionEntry> entries;
-                   if (!folder.isEmpty()) {
-                     for (const std::string& path : recordingsIn(folder.toStdString()))
-                       entries.push_back(entryOf(folder, path));
-                   }
-                   return BackgroundTask::Apply([this, entries = std::move(entries)] { entries_ = entries; });
-                 });
 }
 
 void ReplayDesk::open(const QString& path) {
@@ -205,6 +180,7 @@ Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& c
   const Status done = change(path_.toStdString());
   auto markers = record::readMarkers(path_.toStdString());
   if (markers) markers_ = std::move(markers).value();
+  lister_.setMarkers(path_, static_cast<int>(markers_.size()));
   changed_ = true;
   if (reopen() && before.open) {
     goTo(before.position);
@@ -327,9 +303,9 @@ void ReplayDesk::score(bool wholeFolder) {
   std::vector<std::string> files{path_.toStdString()};
   if (wholeFolder) {
     files.clear();
-    for (const ui::SessionEntry& entry : entries_) files.push_back(entry.path.toStdString());
+    for (const ui::SessionEntry& entry : entries()) files.push_back(entry.path.toStdString());
   }
-  task_.start(ui::TaskState::What::Scoring, wholeFolder ? folder_ : path_,
+  task_.start(ui::TaskState::What::Scoring, wholeFolder ? folder() : path_,
               [this, files](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
                 ScoreRequest request;
                 request.detectors = allDetectors();

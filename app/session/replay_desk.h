@@ -9,6 +9,7 @@
 
 #include "app/compose/replay_run.h"
 #include "app/session/background_task.h"
+#include "app/session/session_lister.h"
 #include "ui/models/session_desk.h"
 #include "ui/models/session_info.h"
 
@@ -31,9 +32,9 @@ class ReplayDesk final : public ui::SessionDesk {
   std::uint32_t generation() const { return generation_; }
 
   bool poll() override;
-  QString folder() const override { return folder_; }
+  QString folder() const override { return lister_.folder(); }
   void setFolder(const QString& folder) override;
-  const std::vector<ui::SessionEntry>& entries() const override { return entries_; }
+  const std::vector<ui::SessionEntry>& entries() const override { return lister_.entries(); }
   void open(const QString& path) override;
   QString openedPath() const override { return path_; }
   std::shared_ptr<const SessionSummary> summary() const override { return summary_; }
@@ -73,8 +74,7 @@ class ReplayDesk final : public ui::SessionDesk {
   Status changeFile(const std::function<Status(const std::string&)>& change);
   bool reopen();
 
-  QString folder_, path_;
-  std::vector<ui::SessionEntry> entries_;
+  QString path_;
   std::shared_ptr<const SessionSummary> summary_;
   Instant begin_{};  // of the first sample, on the recording's clock
   std::vector<Marker> markers_;
@@ -87,8 +87,8 @@ class ReplayDesk final : public ui::SessionDesk {
   bool everywhere_ = false;
   bool changed_ = true;
   std::uint32_t generation_ = 0;
+  SessionLister lister_;
   BackgroundTask task_;
-  BackgroundTask listing_;
 };
 
 }  // namespace stillcut::app

@@ -1,6 +1,7 @@
 #include "app/session/session.h"
 
 #include <QDateTime>
+#include <cstdio>
 #include <utility>
 
 #include "app/compose/active_setup.h"
@@ -11,6 +12,7 @@
 #include "app/session/session_view.h"
 #include "core/control/fuzzy.h"
 #include "core/milling/scenario.h"
+#include "core/rt/realtime_thread.h"
 #include "ui/shell/main_window.h"
 
 namespace stillcut::app {
@@ -38,6 +40,12 @@ Session::~Session() {
 void Session::start() {
   flightLog_.emplace(rig_->flights(), flights_);
   flightLog_->start();
+  // With a real sensor, a page that has to come back from the disk would keep the worker waiting. Where it is not
+  // permitted the cut is watched all the same.
+  if (rig_->device().live() && !rt::lockMemory()) {
+    std::fputs("stillcut: memory is not locked: not permitted (the package's limits allow it to the group stillcut)\n",
+               stderr);
+  }
   rig_->start({});
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/record/journaled_driver.h"
+#include "core/record/marker_rows.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_open.h"
 #include "core/record/session_table.h"
@@ -25,18 +26,6 @@ std::string textOf(const std::array<char, N>& text) {
   return {text.data(), strnlen(text.data(), N)};
 }
 
-// By number: the newest row of each, removed ones too.
-Result<std::map<std::uint64_t, MarkerRow>> readRows(hid_t file, const std::string& path) {
-  std::map<std::uint64_t, MarkerRow> rows;
-  if (H5Lexists(file, kMarkersPath, H5P_DEFAULT) <= 0) return rows;
-  TableReader<MarkerRow> table;
-  if (!table.open(file, kMarkersPath)) return Error{path, "the markers cannot be read", hdf5Cause()};
-  bool damaged = false;
-  for (std::uint64_t i = 0; const MarkerRow* row = table.at(i, damaged); ++i) rows[row->number] = *row;
-  if (damaged) return Error{path, "the markers cannot be read", hdf5Cause()};
-  return rows;
-}
-
 // Calls `make` with what there is; the row it gives is appended, and the file is whole before and after.
 template <class Make>
 Status appendRow(const std::string& path, Make make) {
@@ -50,7 +39,7 @@ Status appendRow(const std::string& path, Make make) {
   Status outcome = Done{};
   {
     Result<std::map<std::uint64_t, MarkerRow>> rows =
-        file ? readRows(file.get(), path) : Error{path, "the session file cannot be opened", hdf5Cause()};
+        file ? readMarkerRows(file.get(), path) : Error{path, "the session file cannot be opened", hdf5Cause()};
     Result<MarkerRow> row = rows ? make(*rows) : Result<MarkerRow>(rows.error());
     SessionTable table;
     if (!row) {
@@ -68,6 +57,17 @@ Status appendRow(const std::string& path, Make make) {
 }
 
 }  // namespace
+
+Result<std::map<std::uint64_t, MarkerRow>> readMarkerRows(hid_t file, const std::string& path) {
+  std::map<std::uint64_t, MarkerRow> rows;
+  if (H5Lexists(file, kMarkersPath, H5P_DEFAULT) <= 0) return rows;
+  TableReader<MarkerRow> table;
+  if (!table.open(file, kMarkersPath)) return Error{path, "the markers cannot be read", hdf5Cause()};
+  bool damaged = false;
+  for (std::uint64_t i = 0; const MarkerRow* row = table.at(i, damaged); ++i) rows[row->number] = *row;
+  if (damaged) return Error{path, "the markers cannot be read", hdf5Cause()};
+  return rows;
+}
 
 Result<MarkerRow> toRow(const Marker& marker) {
   MarkerRow row;
@@ -98,7 +98,7 @@ std::int64_t nowUtc() {
 Result<std::vector<Marker>> readMarkers(const std::string& session) {
   const Result<OpenedSession> opened = openSessionFile(session);
   if (!opened) return opened.error();
-  const Result<std::map<std::uint64_t, MarkerRow>> rows = readRows(opened.value().file.get(), session);
+  const Result<std::map<std::uint64_t, MarkerRow>> rows = readMarkerRows(opened.value().file.get(), session);
   if (!rows) return rows.error();
   std::vector<Marker> markers;
   for (const auto& [number, row] : rows.value()) {

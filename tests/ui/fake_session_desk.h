@@ -11,13 +11,14 @@ namespace stillcut::ui {
 class FakeSessionDesk final : public SessionDesk {
  public:
   FakeSessionDesk() {
-    const qint64 day = 86'400'000;
-    entries_ = {{QStringLiteral("/rec/Housing/T12/2026-11-19.h5"), QStringLiteral("Housing"),
-                 QStringLiteral("T12 D12 Z4"), 19 * day, 48'000'000, true},
-                {QStringLiteral("/rec/Bracket/T3/2026-11-21.h5"), QStringLiteral("Bracket"), QStringLiteral("T3 D6 Z2"),
-                 21 * day, 9'400'000, true},
-                {QStringLiteral("/rec/audio/face.wav"), QStringLiteral("face"), QStringLiteral("audio"), 20 * day,
-                 2'100'000, false}};
+    const qint64 day = 86'400'000, november = 20'758 * day;
+    entries_ = {
+        {QStringLiteral("/rec/Housing/T12/2026-11-19.h5"), QStringLiteral("Housing"), QStringLiteral("T12 D12 Z4"),
+         november + 18 * day + day / 3, 48'000'000, SessionEntry::Inside::Known, Seconds(754.0), 2},
+        {QStringLiteral("/rec/Bracket/T3/2026-11-21.h5"), QStringLiteral("Bracket"), QStringLiteral("T3 D6 Z2"),
+         november + 20 * day + day / 2, 9'400'000, SessionEntry::Inside::Known, Seconds(33'240.0), 0},
+        {QStringLiteral("/rec/audio/face.wav"), QStringLiteral("face"), QStringLiteral("audio"),
+         november + 19 * day + day / 4, 2'100'000}};
     auto summary = std::make_shared<SessionSummary>();
     summary->file = "/rec/Housing/T12/2026-11-19.h5";
     summary->kind = "Stillcut session";

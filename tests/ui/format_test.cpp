@@ -10,7 +10,7 @@
 namespace stillcut::ui {
 namespace {
 
-const QString kThin(QChar(0x2009)), kFixed(QChar(0x00a0)), kMinus(QChar(0x2212));
+const QString kThin(kThousandsSpace), kFixed(QChar(0x00a0)), kMinus(QChar(0x2212));
 
 TEST(Format, ThousandsAreApartByAThinSpace) {
   EXPECT_EQ(number(999), "999");
@@ -52,6 +52,7 @@ TEST(Format, DurationsChangeTheirUnit) {
   EXPECT_EQ(duration(Seconds(0.9997)), "1.0" + kFixed + "s");
   EXPECT_EQ(duration(Seconds(12.4)), "12" + kFixed + "s");
   EXPECT_EQ(duration(Seconds(125)), "2" + kFixed + "min" + kFixed + "05" + kFixed + "s");
+  EXPECT_EQ(duration(Seconds(33'640)), "9" + kFixed + "h" + kFixed + "20" + kFixed + "min");
   EXPECT_EQ(stopwatch(Seconds(760)), "00:12:40");
 }
 

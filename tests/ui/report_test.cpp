@@ -152,7 +152,7 @@ TEST(ReportText, TellsWhatHappened) {
   SessionSummary s = example();
   EXPECT_EQ(
       whatHappened(s).toStdString(),
-      "Chatter began once, first at 1\u2009000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
+      "Chatter began once, first at 1\u202f000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
       "Stillcut moved speed and feed once; the cut was quiet again.");
   EXPECT_EQ(whatHappenedTone(s), Tone::Onset);
   s.interventions[0].quiet = false;

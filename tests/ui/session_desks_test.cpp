@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 
 #include "app/compose/scenario_rig.h"
@@ -95,6 +96,31 @@ TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
   waitFor(second, [&] { return second.replay().open; });
   ASSERT_EQ(second.markers().size(), 1U);
   EXPECT_EQ(second.markers()[0].note, "deep slot");
+}
+
+TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
+  QFile foreign(folder_.filePath(QStringLiteral("broken.h5")));
+  ASSERT_TRUE(foreign.open(QIODevice::WriteOnly));
+  foreign.write("nothing");
+  foreign.close();
+  ASSERT_TRUE(desk_.mark(Seconds(1.0), Seconds(1.0), QStringLiteral("heard"), {}).ok());
+  using Inside = ui::SessionEntry::Inside;
+  const auto told = [this] {
+    const auto& all = desk_.entries();
+    return all.size() == 2U &&
+           std::none_of(all.begin(), all.end(), [](const auto& e) { return e.inside == Inside::NotYet; });
+  };
+  desk_.setFolder(folder_.path());
+  waitFor(desk_, told);
+  const auto& entries = desk_.entries();
+  const ui::SessionEntry& demo = entries[0].path == path_ ? entries[0] : entries[1];
+  const ui::SessionEntry& broken = entries[0].path == path_ ? entries[1] : entries[0];
+  EXPECT_EQ(demo.inside, Inside::Known);
+  EXPECT_NEAR(demo.length.value, 5.0, 0.1);
+  EXPECT_EQ(demo.markers, 1);
+  EXPECT_EQ(broken.inside, Inside::No);
+  ASSERT_TRUE(desk_.mark(Seconds(2.0), Seconds(3.0), QStringLiteral("note"), {}).ok());
+  EXPECT_EQ(demo.markers, 2) << "without listing the folder anew";
 }
 
 TEST_F(ReplayDeskTest, DetectorsRunSideBySideAndAreScored) {

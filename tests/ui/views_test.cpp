@@ -15,7 +15,7 @@
 namespace stillcut::ui {
 namespace {
 
-const QString kThin(QChar(0x2009));
+const QString kThin(kThousandsSpace);
 
 Scene chatterScene(CutState state = CutState::Chatter) {
   Scene s = stableScene();

@@ -10,7 +10,6 @@ namespace stillcut::ui {
 namespace {
 
 constexpr double kInch = 0.0254;  // [m]
-constexpr QChar kThinSpace(0x2009);
 constexpr QChar kNoBreakSpace(0x00a0);
 constexpr QChar kMinus(0x2212);
 constexpr QChar kUnknown(0x2013);
@@ -22,7 +21,7 @@ QString number(double value, int decimals) {
   QString digits = QString::number(std::abs(value), 'f', decimals);
   const bool isZero = std::all_of(digits.cbegin(), digits.cend(), [](QChar c) { return c == u'0' || c == u'.'; });
   const qsizetype dot = digits.indexOf(u'.');
-  for (qsizetype i = (dot < 0 ? digits.size() : dot) - 3; i > 0; i -= 3) digits.insert(i, kThinSpace);
+  for (qsizetype i = (dot < 0 ? digits.size() : dot) - 3; i > 0; i -= 3) digits.insert(i, kThousandsSpace);
   return value < 0 && !isZero ? kMinus + digits : digits;
 }
 
@@ -62,6 +61,11 @@ QString duration(Seconds s) {
   const auto whole = static_cast<qint64>(s.value);
   const QString seconds = QStringLiteral("%1").arg(whole % 60, 2, 10, QChar(u'0'));
   const qint64 minutes = whole / 60;
+  if (minutes >= 60) {
+    const QString rest = QStringLiteral("%1").arg(minutes % 60, 2, 10, QChar(u'0'));
+    return join(number(static_cast<double>(minutes / 60)), QStringLiteral("h")) + kNoBreakSpace +
+           join(rest, QStringLiteral("min"));
+  }
   return join(number(static_cast<double>(minutes)), QStringLiteral("min")) + kNoBreakSpace +
          join(seconds, QStringLiteral("s"));
 }

@@ -1,4 +1,4 @@
-// Numbers as the screens write them: thousands apart by a thin space, a true minus, units always, and no more digits
+// Numbers as the screens write them: thousands apart by a narrow space, a true minus, units always, and no more digits
 // than are true. Any thread.
 #pragma once
 
@@ -9,6 +9,9 @@
 
 namespace stillcut::ui {
 
+// Between thousands: narrow, and no line breaks there.
+inline constexpr QChar kThousandsSpace(0x202f);
+
 // "1 713", "-235" with a true minus, "0.62". Not finite: an en dash.
 QString number(double value, int decimals = 0);
 // Three significant digits at most: 0.062, 3.1, 31, 310, 3 100.
@@ -17,7 +20,7 @@ QString significant(double value, int digits = 2);
 QString frequency(Hertz value, Hertz doubt);
 QString percent(double ratio);                             // "97 %"
 QString withSign(double value);                            // "+235", "-235"
-QString duration(Seconds s);                               // "38 ms", "1.2 s", "2 min 05 s"
+QString duration(Seconds s);                               // "38 ms", "1.2 s", "2 min 05 s", "9 h 07 min"
 QString lengthText(Metres m, UnitSystem units);            // "1.2 mm", "0.047 in"
 QString depthText(Metres m, UnitSystem units);             // "1.15 mm", "0.0453 in"
 QString feedText(MetresPerSecond feed, UnitSystem units);  // "1 370 mm/min", "53.9 in/min"

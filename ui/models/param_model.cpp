@@ -26,14 +26,16 @@ QString roleText(TunablePart::Role role) {
     case TunablePart::Role::Recording:
       return say("recording");
     case TunablePart::Role::Active:
-      return say("active work-holder");
+      return say("a loop of its own");  // which tells its state itself
   }
   return {};
 }
 
-QString statusText(const TunablePart& part) {
-  if (part.inCharge) return say("in charge");
-  return part.running ? say("runs") : say("does not run");
+// "detector, in charge"
+QString placeText(const TunablePart& part) {
+  const QString role = roleText(part.role);
+  if (part.role == TunablePart::Role::Active) return role;
+  return say("%1, %2").arg(role, part.inCharge ? say("in charge") : part.running ? say("runs") : say("does not run"));
 }
 
 }  // namespace
@@ -187,11 +189,11 @@ QVariant PartModel::data(const QModelIndex& index, int role) const {
   const QString name = sayCore(part.label.toStdString());
   switch (role) {
     case Qt::DisplayRole:
-      return name + u'\n' + tr("%1, %2").arg(roleText(part.role), statusText(part));
+      return name + u'\n' + placeText(part);
     case Qt::ToolTipRole:
       return part.source;
     case Qt::AccessibleTextRole:
-      return tr("%1, %2").arg(name, tr("%1, %2").arg(roleText(part.role), statusText(part)));
+      return tr("%1, %2").arg(name, placeText(part));
     default:
       return {};
   }

@@ -90,7 +90,7 @@ std::optional<double> valueFrom(const ParamDecl& decl, const QString& text) {
   QString plain = text.trimmed();
   if (decl.mayBeAutomatic && (plain == say("automatic") || plain == QStringLiteral("auto"))) return config::kAutomatic;
   plain.replace(u',', u'.');
-  plain.remove(QChar(0x2009));
+  plain.remove(kThousandsSpace);
   plain.remove(QChar(0x00a0));
   plain.replace(QChar(0x2212), u'-');
   bool isNumber = false;

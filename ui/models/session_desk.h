@@ -19,7 +19,11 @@ struct SessionEntry {
   QString path, job, tool;
   qint64 wallMs = 0;  // when it was last written, ms since 1970
   qint64 bytes = 0;
-  bool session = false;  // a session of this program; else an imported recording
+  // What is inside is looked at after the list is shown; No: an imported recording, or one still being written.
+  enum class Inside { NotYet, Known, No };
+  Inside inside = Inside::No;
+  Seconds length{};
+  int markers = 0;
   bool operator==(const SessionEntry&) const = default;
 };
 

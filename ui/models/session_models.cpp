@@ -2,6 +2,7 @@
 
 #include <QDateTime>
 #include <QFileInfo>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/models/format.h"
@@ -25,6 +26,12 @@ QString timeText(Seconds time) {
 
 void SessionListModel::show(const std::vector<SessionEntry>& entries) {
   if (entries == entries_) return;
+  const auto samePath = [](const SessionEntry& a, const SessionEntry& b) { return a.path == b.path; };
+  if (std::equal(entries.begin(), entries.end(), entries_.begin(), entries_.end(), samePath)) {
+    entries_ = entries;  // only what is known of them: whoever is choosing keeps his place
+    emit dataChanged(index(0), index(rowCount() - 1));
+    return;
+  }
   beginResetModel();
   entries_ = entries;
   endResetModel();
@@ -40,11 +47,13 @@ QVariant SessionListModel::data(const QModelIndex& index, int role) const {
   const QString when = QDateTime::fromMSecsSinceEpoch(e.wallMs).toString(QStringLiteral("yyyy-MM-dd HH:mm"));
   const QString size =
       join(number(static_cast<double>(e.bytes) / 1e6, e.bytes < 10'000'000 ? 1 : 0), QStringLiteral("MB"));
+  const bool known = e.inside == SessionEntry::Inside::Known;
+  const QString inside = known ? tr("%1, markers: %2").arg(duration(e.length)).arg(e.markers) : QString();
   switch (role) {
     case Qt::DisplayRole:
-      return QStringLiteral("%1 · %2\n%3 · %4").arg(e.job, e.tool, when, size);
+      return QStringLiteral("%1 · %2\n%3 · %4").arg(e.job, e.tool, when, size) + (known ? u'\n' + inside : QString());
     case Qt::AccessibleTextRole:
-      return tr("%1, tool %2, of %3").arg(e.job, e.tool, when);
+      return tr("%1, tool %2, of %3").arg(e.job, e.tool, when) + (known ? u' ' + inside : QString());
     case Qt::ToolTipRole:
     case PathRole:
       return e.path;

@@ -13,19 +13,24 @@ QString figure(double value, const QString& unit) {
   return std::isfinite(value) ? join(significant(value, 3), unit) : QString(QChar(0x2013));
 }
 
+// "3 times, 2 of them marked false"
+QString counted(int alarms, int markedFalse) {
+  if (alarms == 0) return say("not at all");
+  const QString times = alarms == 1 ? say("once") : say("%1 times").arg(alarms);
+  return markedFalse == 0 ? say("%1, none marked false").arg(times)
+                          : say("%1, %2 of them marked false").arg(times).arg(markedFalse);
+}
+
 }  // namespace
 
 QString trackText(const DetectorTrack& track) {
   const QString name = sayCore(track.detector.toStdString());
   if (!track.compared) {
-    return say("%1: alarms: %2, marked false: %3").arg(name).arg(track.before.size()).arg(track.falseBefore);
+    return say("%1 alarmed %2").arg(name, counted(static_cast<int>(track.before.size()), track.falseBefore));
   }
-  return say("%1 would have alarmed: %2, of them marked false: %3 (as recorded: %4, %5)")
-      .arg(name)
-      .arg(track.after.size())
-      .arg(track.falseAfter)
-      .arg(track.before.size())
-      .arg(track.falseBefore);
+  return say("%1 would have alarmed %2; as recorded: %3")
+      .arg(name, counted(static_cast<int>(track.after.size()), track.falseAfter),
+           counted(static_cast<int>(track.before.size()), track.falseBefore));
 }
 
 QString scoreText(const ScoreLine& line) {

@@ -7,8 +7,8 @@
 
 namespace stillcut::ui {
 
-// "Energy ratio: 3 alarms", or with settings "Energy ratio would have alarmed 3 times, 2 of them marked false (before:
-// 5 times, 4)".
+// "Energy ratio alarmed once, none marked false", or with settings "Energy ratio would have alarmed 3 times, 2 of them
+// marked false; as recorded: 5 times, 4 of them marked false".
 QString trackText(const DetectorTrack& track);
 QString scoreText(const ScoreLine& line);
 // While it runs and afterwards; a problem as it is.

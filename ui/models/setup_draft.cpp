@@ -202,7 +202,7 @@ QVariant ToolModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
   const ToolEntry& t = tools_[static_cast<std::size_t>(index.row())];
   QString facts = tr("D %1 mm, %2 teeth").arg(QString::number(t.diameter_mm, 'g', 4)).arg(t.teeth);
-  if (!t.chattered.empty()) facts += tr(", chattered here before: %1").arg(t.chattered.size());
+  if (!t.chattered.empty()) facts += u'\n' + tr("chattered here before: %1").arg(t.chattered.size());
   return t.name + u'\n' + facts;
 }
 

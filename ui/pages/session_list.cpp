@@ -47,6 +47,7 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   list_->setAccessibleName(tr("Recordings"));
   list_->setModel(&order_);
   list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto openIndex = [this](const QModelIndex& index) {
     const QString path = index.data(SessionListModel::PathRole).toString();

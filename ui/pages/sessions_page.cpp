@@ -137,9 +137,8 @@ QWidget* SessionsPage::makeMarks() {
   markerList_->setAccessibleName(tr("Markers"));
   markerList_->setModel(&markers_);
   markerList_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  connect(markerList_, &QListView::clicked, this, [this](const QModelIndex& index) {
-    if (const Marker* marker = markers_.marker(index.row())) desk_->goTo(desk_->markerTime(*marker));
-  });
+  connect(markerList_, &QListView::clicked, this, [this](const QModelIndex& index) { goToMarker(index.row()); });
+  connect(markerList_, &QListView::activated, this, [this](const QModelIndex& index) { goToMarker(index.row()); });
   connect(remove_, &TouchButton::clicked, this, [this] {
     const Marker* marker = markers_.marker(markerList_->currentIndex().row());
     if (marker != nullptr) tell(desk_->removeMark(marker->number), tr("Marker removed"));
@@ -208,7 +207,7 @@ void SessionsPage::connectTransport() {
     } else if (timeline_->hasSelection()) {
       desk_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
     } else {
-      status_->setText(tr("Drag over the picture first: the loop repeats the selected span"));
+      status_->setText(tr("Drag over the picture or choose a marked span first: the loop repeats it"));
     }
   });
   connect(timeline_, &SessionTimeline::wentTo, this, [this](double t) { desk_->goTo(Seconds(t)); });
@@ -220,6 +219,15 @@ void SessionsPage::connectTransport() {
     tell(desk_->showEverywhere(on), on ? tr("Every page shows the replay; the touches below still go to the machine")
                                        : tr("Every page shows the cut again"));
   });
+}
+
+// A span becomes the selection, so that LOOP, EXPORT and the next marker take it.
+void SessionsPage::goToMarker(int row) {
+  const Marker* marker = markers_.marker(row);
+  if (marker == nullptr) return;
+  const Seconds begin = desk_->markerTime(*marker);
+  desk_->goTo(begin);
+  if (marker->end > marker->begin) timeline_->select(begin, begin + secondsBetween(marker->begin, marker->end));
 }
 
 void SessionsPage::mark(const char* label) {

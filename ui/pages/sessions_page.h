@@ -42,6 +42,7 @@ class SessionsPage : public Page {
   void connectTransport();
   void refresh();
   void showResults();
+  void goToMarker(int row);
   void mark(const char* label);
   void tell(const Status& status, const QString& done);
   void exportSpan();

@@ -40,7 +40,7 @@ QScrollArea* scrolled(QWidget* content) {
 
 double typed(const QLineEdit* edit) {
   QString text = edit->text();
-  text.replace(u',', u'.').remove(QChar(0x2009));
+  text.replace(u',', u'.').remove(kThousandsSpace);
   bool isNumber = false;
   const double value = text.toDouble(&isNumber);
   return isNumber && std::isfinite(value) && value > 0.0 ? value : 0.0;

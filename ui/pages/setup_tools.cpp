@@ -17,7 +17,7 @@ namespace {
 
 double numberIn(const QLineEdit* edit, double otherwise) {
   QString text = edit->text();
-  text.replace(u',', u'.').remove(QChar(0x2009));
+  text.replace(u',', u'.').remove(kThousandsSpace);
   bool isNumber = false;
   const double value = text.toDouble(&isNumber);
   return isNumber && std::isfinite(value) && value >= 0.0 ? value : otherwise;
@@ -49,6 +49,7 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   list_->setObjectName(QStringLiteral("tools"));
   list_->setAccessibleName(tr("Tools"));
   list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   left->addWidget(list_, 1);
   left->addWidget(add);
@@ -142,6 +143,8 @@ void SetupTools::showTool(int row) {
   pitch_->setText(shown.pitch);
   modes_->setText(shown.modes);
   limit_->setText(shown.highestSpeed_rpm > 0.0 ? QString::number(shown.highestSpeed_rpm, 'f', 0) : QString());
+  for (QLineEdit* edit : {name_, holder_, pitch_, modes_})
+    edit->setCursorPosition(0);  // what is too long shows its head
   notes_->setPlainText(shown.notes);
   QStringList lines;
   for (const ChatterNote& c : shown.chattered) {

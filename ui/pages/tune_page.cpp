@@ -56,6 +56,7 @@ void TunePage::build() {
   list_->setAccessibleName(tr("Methods"));
   list_->setModel(&parts_);
   list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& index) { showPart(parts_.part(index.row())); });
@@ -78,6 +79,7 @@ void TunePage::build() {
   rules_ = new RuleEditor(desk_);
   rowsLayout_->addWidget(active_);
   rowsLayout_->addWidget(rules_);
+  rowsBefore_ = rowsLayout_->count();
   rowsLayout_->addStretch(1);
   scroll_->setWidget(rowsBox_);
   rowsColumn->addWidget(title_);
@@ -201,7 +203,7 @@ void TunePage::showPart(const TunablePart* part) {
     for (QWidget* child : row->findChildren<QWidget*>()) {
       if (auto* themed = dynamic_cast<Themed*>(child)) themed->applyTheme(theme_);
     }
-    rowsLayout_->insertWidget(k + 1, row);  // after what the active work-holder does
+    rowsLayout_->insertWidget(rowsBefore_ + k, row);
     rows_.push_back(row);
   }
   rules_->show(part);

@@ -64,6 +64,7 @@ class TunePage : public Page {
   QScrollArea* scroll_ = nullptr;
   QWidget* rowsBox_ = nullptr;
   QVBoxLayout* rowsLayout_ = nullptr;
+  int rowsBefore_ = 0;  // widgets of the layout above the rows
   QHBoxLayout *tools_ = nullptr, *sides_ = nullptr;
   std::vector<ParamRow*> rows_;
   RuleEditor* rules_ = nullptr;

@@ -44,8 +44,12 @@ void PathFitPlot::applyTheme(const Theme& theme) {
   update();
 }
 
+QPen PathFitPlot::pen(const QColor& color, Qt::PenStyle style) const {
+  return QPen(color, theme_.px(1.6), style);
+}
+
 template <class Value>
-void PathFitPlot::drawCurve(QPainter& p, const QRect& box, double low, double high, const QColor& color,
+void PathFitPlot::drawCurve(QPainter& p, const QRect& box, double low, double high, const QPen& pen,
                             const Value& value) const {
   const double top = fit_.frequency.back();
   QPainterPath path;
@@ -61,7 +65,7 @@ void PathFitPlot::drawCurve(QPainter& p, const QRect& box, double low, double hi
     drawn ? path.lineTo(x, y) : path.moveTo(x, y);
     drawn = true;
   }
-  p.setPen(QPen(color, theme_.px(1.6)));
+  p.setPen(pen);
   p.setBrush(Qt::NoBrush);
   p.drawPath(path);
 }
@@ -71,9 +75,9 @@ void PathFitPlot::drawMagnitude(QPainter& p, const QRect& box) const {
   for (const auto& value : fit_.measured) high = std::max(high, decibel(value));
   high = std::ceil(high / 10.0) * 10.0;
   drawLeftAxis(p, box, {high - kSpan_dB, high}, QStringLiteral("dB"), theme_);
-  drawCurve(p, box, high - kSpan_dB, high, theme_.colors.secondary,
+  drawCurve(p, box, high - kSpan_dB, high, pen(theme_.colors.secondary),
             [this](std::size_t k) { return decibel(fit_.measured[k]); });
-  drawCurve(p, box, high - kSpan_dB, high, theme_.colors.advice,
+  drawCurve(p, box, high - kSpan_dB, high, pen(theme_.colors.advice, Qt::DashLine),
             [this](std::size_t k) { return decibel(fit_.modelled[k]); });
 }
 
@@ -84,7 +88,7 @@ void PathFitPlot::drawPhase(QPainter& p, const QRect& box) const {
                QBrush(theme_.colors.hatch, Qt::BDiagPattern));
   }
   drawLeftAxis(p, box, {-180.0, 180.0}, QStringLiteral("\u00b0"), theme_);
-  drawCurve(p, box, -180.0, 180.0, theme_.colors.text, [this](std::size_t k) { return phaseError(fit_, k); });
+  drawCurve(p, box, -180.0, 180.0, pen(theme_.colors.text), [this](std::size_t k) { return phaseError(fit_, k); });
 }
 
 void PathFitPlot::drawCoherence(QPainter& p, const QRect& box) const {
@@ -92,7 +96,7 @@ void PathFitPlot::drawCoherence(QPainter& p, const QRect& box) const {
   const double y = box.bottom() - kTells * box.height();
   p.setPen(QPen(theme_.colors.secondary, 1.0, Qt::DashLine));
   p.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
-  drawCurve(p, box, 0.0, 1.0, theme_.colors.text, [this](std::size_t k) { return fit_.coherence[k]; });
+  drawCurve(p, box, 0.0, 1.0, pen(theme_.colors.text), [this](std::size_t k) { return fit_.coherence[k]; });
 }
 
 void PathFitPlot::paintEvent(QPaintEvent*) {
@@ -106,7 +110,8 @@ void PathFitPlot::paintEvent(QPaintEvent*) {
   }
   const int left = theme_.px(56), right = theme_.px(8), title = theme_.px(20), bottom = theme_.px(28);
   const int each = (height() - bottom) / 3;
-  const QString titles[] = {tr("Magnitude: measured grey, model blue"), tr("Phase error; hatched: control goes wrong"),
+  const QString titles[] = {tr("Magnitude: measured grey, model blue and dashed"),
+                            tr("Phase error; hatched: control goes wrong"),
                             tr("Coherence; below the mark it says little")};
   for (int k = 0; k < 3; ++k) {
     const QRect box(left, k * each + title, width() - left - right, each - title - theme_.px(8));

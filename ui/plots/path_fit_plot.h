@@ -2,6 +2,7 @@
 // error of phase between them with the 90 degrees that FXLMS can stand (Morgan 1980). GUI thread.
 #pragma once
 
+#include <QPen>
 #include <QWidget>
 
 #include "core/model/active_state.h"
@@ -31,8 +32,9 @@ class PathFitPlot : public QWidget, public Themed {
   void drawMagnitude(QPainter& p, const QRect& box) const;
   void drawPhase(QPainter& p, const QRect& box) const;
   void drawCoherence(QPainter& p, const QRect& box) const;
+  QPen pen(const QColor& color, Qt::PenStyle style = Qt::SolidLine) const;
   template <class Value>
-  void drawCurve(QPainter& p, const QRect& box, double low, double high, const QColor& color, const Value& value) const;
+  void drawCurve(QPainter& p, const QRect& box, double low, double high, const QPen& pen, const Value& value) const;
 
   Theme theme_;
   PathFit fit_;

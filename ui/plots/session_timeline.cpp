@@ -232,7 +232,12 @@ void SessionTimeline::paintMarks(QPainter& p, const QRectF& box) const {
     p.setBrush(color);
     p.drawPolygon(QPolygonF() << flag << flag + QPointF(theme_.px(9), theme_.px(5))
                               << flag + QPointF(0, theme_.px(10)));
-    p.drawText(QRectF(left + theme_.px(12), box.top(), theme_.px(160), theme_.px(16)), Qt::AlignVCenter, mark.text);
+    // On a patch of its own: the curve may run behind it.
+    const QFontMetricsF metrics(p.font());
+    const QString text = metrics.elidedText(mark.text, Qt::ElideRight, theme_.px(160));
+    const QRectF patch(left + theme_.px(11), box.top(), metrics.horizontalAdvance(text) + theme_.px(6), theme_.px(17));
+    p.fillRect(patch, theme_.colors.panel);
+    p.drawText(patch, Qt::AlignCenter, text);
   }
 }
 

@@ -39,6 +39,11 @@ TransportBar::TransportBar(QWidget* parent)
       pace_(new ValueSlider),
       time_(new TextLabel({type_size::kValue, true})),
       times_(new TextLabel({type_size::kBody})) {
+  // Their signs are narrow; the room belongs to the pace.
+  for (TouchButton* button : {start_, back_, step_}) {
+    button->setToolTip(button->hint());
+    button->setHint({});
+  }
   auto* line = new QHBoxLayout(this);
   line->setContentsMargins(0, 0, 0, 0);
   loop_->setCheckable(true);
@@ -49,8 +54,7 @@ TransportBar::TransportBar(QWidget* parent)
   line->addWidget(play_);
   line->addWidget(step_);
   line->addWidget(time_);
-  line->addStretch(1);
-  line->addWidget(pace_, 2);
+  line->addWidget(pace_, 1);
   line->addWidget(times_);
   line->addWidget(loop_);
   connect(start_, &TouchButton::clicked, this, &TransportBar::toStartAsked);

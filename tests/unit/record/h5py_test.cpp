@@ -60,6 +60,14 @@ TEST_F(H5py, TheManualsScriptReadsASession) {
   EXPECT_THAT(ran.out, HasSubstr("machine Mill 3"));
   EXPECT_THAT(ran.out, HasSubstr("steps 300 "));
   EXPECT_THAT(ran.out, HasSubstr("marker 1.5 2.0 chatter Ada loud"));
+
+  // What the manual's lines for MATLAB take from a file is there, with these names and as numbers.
+  const Ran lines = python("-c \"import h5py; f = h5py.File('" + path +
+                           "', 'r'); x = f['samples/00'][:] * f['samples/00'].attrs['scale']; v = f['verdicts']; "
+                           "alarms = v['time_ns'][v['state'] >= 2] * 1e-9; m = f['markers'][-1]; "
+                           "print('taken', x.dtype.kind, alarms.dtype.kind, m['label'], m['begin_ns'], m['note'])\"");
+  ASSERT_EQ(lines.status, 0) << lines.out;
+  EXPECT_THAT(lines.out, HasSubstr("taken f f b'chatter' 1500000000 b'loud'"));
 }
 
 // Without any program of ours: a recorder was killed, h5clear takes the dead writer's mark away, and h5py reads.

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "core/record/describe_recording.h"
 #include "core/record/hdf5_file.h"
+#include "core/record/session_glance.h"
 #include "core/record/session_reader.h"
 #include "tests/unit/record/crash_lab.h"
 #include "tests/unit/record/step_samples.h"
@@ -109,6 +112,34 @@ TEST(Markers, WhatDoesNotFitIsRefusedAndTheFileStaysAsItWas) {
   EXPECT_TRUE(readMarkers(path).value().empty());
   EXPECT_EQ(countSession(path).value().steps, 10U);
   EXPECT_EQ(folder.files(), 1U);
+}
+
+TEST(Glance, TellsLengthAndMarkersAndChangesNothing) {
+  const TempFolder folder;
+  const std::string path = touched(folder, {OperatorAction::FalseAlarm});
+  ASSERT_TRUE(addMarker(path, {0, instantFromNs(0), instantFromNs(0), "note", "Ada", "", 0}).ok());
+  ASSERT_TRUE(removeMarker(path, 0).ok());
+  const auto written = std::filesystem::last_write_time(path);
+  const auto glance = glanceAtSession(path);
+  ASSERT_TRUE(glance);
+  EXPECT_NEAR(glance->length.value, 0.025, 1e-9);
+  EXPECT_EQ(glance->markers, 1) << "a removed one does not count";
+  EXPECT_EQ(std::filesystem::last_write_time(path), written);
+  EXPECT_FALSE(glanceAtSession(folder / "missing.h5"));
+  EXPECT_FALSE(glanceAtSession(folder.file("torn.h5", "\x89HDF\r\n\x1a\n and no more")));
+}
+
+TEST(Glance, LeavesAloneWhatIsStillWrittenOrWasCutOff) {
+  const TempFolder folder;
+  const std::string path = folder / "killed.h5";
+  ASSERT_GE(recordUntilKilled(path, 200), 200);
+  const auto size = std::filesystem::file_size(path);
+  EXPECT_FALSE(glanceAtSession(path));
+  EXPECT_EQ(std::filesystem::file_size(path), size);
+  ASSERT_TRUE(look(path).opens) << "opening it repairs it";
+  const auto glance = glanceAtSession(path);
+  ASSERT_TRUE(glance);
+  EXPECT_GT(glance->length.value, 0.0);
 }
 
 TEST(Markers, AreListedByInfo) {
