@@ -121,11 +121,14 @@ void RunHistory::observe(const StepInput& input, const StepOutput& output, const
         c.kind == CommandKind::Set && (std::abs(c.speed.value - 1.0) > kMoved || std::abs(c.feed.value - 1.0) > kMoved);
   }
   points_.push_back(p);
-  onset_ = plant.truth().onset().at20;
   if (!p.cutting) return;
   lastMachine_ = input.machine;
   nominalFeed_ = input.machine.programmedFeed;
   if (output.request.reason.code != ReasonCode::None) lastRequest_ = output.request.reason.code;
+}
+
+void RunHistory::finish(const milling::SimulatedCut& plant) {
+  onset_ = plant.truth().onset().at20;
 }
 
 SimulationReport report(const RunHistory& controlled, const RunHistory& alone, const milling::SimulatedCut& plant) {

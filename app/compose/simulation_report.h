@@ -17,6 +17,8 @@ namespace stillcut::app {
 class RunHistory {
  public:
   void observe(const StepInput& input, const StepOutput& output, const milling::SimulatedCut& plant);
+  // The cut is over: what its truth tells only afterwards.
+  void finish(const milling::SimulatedCut& plant);
 
   struct Point {
     double t = 0.0;           // [s] since the first sample

@@ -66,7 +66,10 @@ pipeline::ChainParts LoopRun::parts(const LoopOptions& options) {
 
 bool LoopRun::advance() {
   done_ = serial_->next();
-  if (done_ == nullptr) return false;
+  if (done_ == nullptr) {
+    history_.finish(source_.plant());
+    return false;
+  }
   history_.observe(serial_->input(), done_->output, source_.plant());
   return true;
 }
