@@ -21,7 +21,8 @@ namespace stillcut::app {
 namespace {
 
 struct SimulateOptions {
-  std::string scenario, strategy, out;
+  std::string scenario, out;
+  std::string strategy{control::kDefaultStrategy};
   std::uint64_t seed = 0;
   bool json = false;
   bool modesKnown = false;
@@ -103,6 +104,7 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
     run.history.observe(input, output, plant);
     file->add(input.block, plant);
   });
+  run.history.finish(plant);
   if (const Status closed = file->close(plant); !closed) {
     std::remove(out.c_str());  // a session grows in place, and half of one is not what was asked for
     return closed.error();
@@ -112,7 +114,7 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
 
 // What can be known to be wrong before the cut is run.
 Status checkOptions(const SimulateOptions& options) {
-  if (!options.strategy.empty() && options.strategy != "active") {
+  if (options.strategy != "active") {
     if (const auto strategy = control::makeStrategy(options.strategy); !strategy) return strategy.error();
   }
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
@@ -129,7 +131,7 @@ int simulate(const SimulateOptions& options) {
   if (!settings) return fail(settings.error());
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
 
-  if ((options.strategy.empty() ? scenario->strategy : options.strategy) == "active") {
+  if (options.strategy == "active") {
     return simulateActive(*scenario, settings->params, options.seed, options.out, options.json);
   }
   const auto begin = std::chrono::steady_clock::now();
@@ -142,7 +144,7 @@ int simulate(const SimulateOptions& options) {
   if (!alone) return fail(alone.error());
 
   run.modesKnown = options.modesKnown;
-  run.methods.strategy = options.strategy.empty() ? scenario->strategy : options.strategy;
+  run.methods.strategy = options.strategy;
   const auto controlled = runOnce(*scenario, run, options.out);
   if (!controlled) return fail(controlled.error());
   SimulationReport result = report(controlled->history, alone->history, controlled->built.source->plant());
@@ -165,7 +167,7 @@ void addSimulate(CLI::App& app, int& exitCode) {
   auto options = std::make_shared<SimulateOptions>();
   CLI::App* command = app.add_subcommand("simulate", "Run a simulated cut and say what became of it");
   command->add_option("SCENARIO", options->scenario, "Scenario (.toml)")->required();
-  command->add_option("--strategy", options->strategy, "Strategy in charge; left out: the scenario's own");
+  command->add_option("--strategy", options->strategy, "Strategy in charge; left out: the default one");
   command->add_option("--seed", options->seed, "Seed of the noise; left out: the scenario's own");
   command->add_option("--out", options->out, "Record to FILE.h5 (everything) or FILE.wav (samples)");
   command->add_flag("--modes-known", options->modesKnown,
