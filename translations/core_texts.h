@@ -320,7 +320,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "{0.0} rpm vibrates least, {1.4}"),
     QT_TRANSLATE_NOOP("Reason", "{0.0} rpm lies between the stability limits at {1.0} and {2.0} rpm (chatter {3.0} Hz)"),
     QT_TRANSLATE_NOOP("Reason", "no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)"),
-    QT_TRANSLATE_NOOP("Reason", "{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed"),
+    QT_TRANSLATE_NOOP("Reason", "{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before"),
     QT_TRANSLATE_NOOP("Reason", "coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min"),
     QT_TRANSLATE_NOOP("Reason", "authority is off"),
     QT_TRANSLATE_NOOP("Reason", "advice only"),

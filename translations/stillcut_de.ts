@@ -1324,8 +1324,8 @@
         <translation>keine erreichbare Drehzahl ist in dieser Tiefe stabil, {1.2} mm bei {2.0} rpm wären es (Rattern {3.0} Hz)</translation>
     </message>
     <message>
-        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation>{0.0} Drehzahlen versucht, keine ist ruhig (Rattern {1.0} Hz), die Tiefe muss kleiner werden</translation>
+        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
+        <translation>{0.0} Drehzahlen versucht, keine ist ruhig (Rattern {1.0} Hz): weniger Tiefe nehmen als dort, wo es begann, {2.0} mm Vorschub zuvor</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>

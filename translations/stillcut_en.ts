@@ -1323,8 +1323,8 @@
         <translation>no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)</translation>
     </message>
     <message>
-        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</translation>
+        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
+        <translation>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>

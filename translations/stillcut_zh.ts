@@ -1324,8 +1324,8 @@
         <translation>此切深下没有可达的稳定转速，{2.0} rpm 时 {1.2} mm 可稳定（颤振 {3.0} Hz）</translation>
     </message>
     <message>
-        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed</source>
-        <translation>已试 {0.0} 个转速均不平稳（颤振 {1.0} Hz），需要减小切深</translation>
+        <source>{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed before</source>
+        <translation>已试 {0.0} 个转速均不平稳（颤振 {1.0} Hz）：切深须小于颤振开始处，即 {2.0} mm 进给之前</translation>
     </message>
     <message>
         <source>coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min</source>

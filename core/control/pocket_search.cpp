@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace stillcut::control {
 namespace {
@@ -18,6 +19,8 @@ constexpr double kQuarterWave = 0.25;
 constexpr double kBetween = 0.1;
 // How much of a step of the rule the next one may repeat: at 0.85 what is left of the way is seven steps.
 constexpr double kSteepest = 0.85;
+// Damping of a tool that nobody has measured: 1 to 5 %.
+constexpr double kUsualDamping = 0.03;
 
 }  // namespace
 
@@ -38,7 +41,7 @@ void PocketSearch::prepare(const CutSetup& setup) {
 }
 
 NextSpeed PocketSearch::next(const SearchView& view) STILLCUT_RT {
-  remember(view);
+  countAsTried(view.present, view.chatter);
   if (lobesKnown_ && ranges_ == 0) {
     return {{},
             {ReasonCode::NoStableSpeed,
@@ -48,13 +51,12 @@ NextSpeed PocketSearch::next(const SearchView& view) STILLCUT_RT {
   return known.speed.value > 0.0 ? known : fromRule(view);
 }
 
-void PocketSearch::remember(const SearchView& view) STILLCUT_RT {
-  const bool again =
-      tried_ > 0 && std::abs((failure_[tried_ - 1].speed - view.present).value) < kSmallestMove * view.present.value;
+void PocketSearch::countAsTried(Rpm speed, Hertz chatter) STILLCUT_RT {
+  const bool again = tried_ > 0 && std::abs((failure_[tried_ - 1].speed - speed).value) < kSmallestMove * speed.value;
   if (again) {
-    failure_[tried_ - 1] = {view.present, view.chatter};
+    failure_[tried_ - 1] = {speed, chatter};
   } else if (tried_ < kTried) {
-    failure_[tried_++] = {view.present, view.chatter};
+    failure_[tried_++] = {speed, chatter};
   }
 }
 
@@ -71,8 +73,16 @@ bool PocketSearch::wasTried(Rpm speed, int waves) const STILLCUT_RT {
   return triedWithin(speed, std::max(kSmallestMove, kSamePlace / (waves + 1)));
 }
 
+int PocketSearch::pocketOf(Hertz chatter, Rpm speed) const STILLCUT_RT {
+  const double waves = chatter / toothPassing(speed, teeth_);
+  const double whole = std::floor(waves), part = waves - whole;
+  if (!std::isfinite(waves) || part <= 0.5) return wavesBetweenTeeth(chatter, teeth_, speed);
+  const double own = waves / (1.0 + kUsualDamping / std::tan(std::numbers::pi * (part - 0.5)));
+  return static_cast<int>(std::clamp(std::max(whole, std::round(own)), 1.0, 1e6));
+}
+
 NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
-  const Rpm rule = speedForWaves(view.chatter, teeth_, wavesBetweenTeeth(view.chatter, teeth_, view.present));
+  const Rpm rule = speedForWaves(view.chatter, teeth_, pocketOf(view.chatter, view.present));
   NextSpeed best;
   double nearest = 0.0;
   for (std::size_t i = 0; i < ranges_; ++i) {
@@ -102,26 +112,28 @@ const PocketSearch::Failure* PocketSearch::across(const SearchView& view, int wa
     const Failure& f = failure_[i];
     const double distance = (f.speed - view.present).value;
     const double back = (speedForWaves(f.chatter, teeth_, waves) - f.speed).value;
-    if (wavesBetweenTeeth(f.chatter, teeth_, f.speed) != waves || distance * way <= 0.0 || back * way >= 0.0) continue;
+    if (pocketOf(f.chatter, f.speed) != waves || distance * way <= 0.0 || back * way >= 0.0) continue;
     if (nearest == nullptr || std::abs(distance) < std::abs((nearest->speed - view.present).value)) nearest = &f;
   }
   return nearest;
 }
 
 // Where the rule points at a pocket's centre. Two speeds that point at each other have it between them (two modes, or a
-// step that went too far): regula falsi. Two that point the same way give where the rule's own sequence ends. One
-// gives its next member.
+// step that went too far). From the upper one the rule's own step is taken where it stays between: above a pocket the
+// frequency is near the tool's own, below it is far above. From the lower one: regula falsi. Two that point the same
+// way give where the rule's own sequence ends. One gives its next member.
 PocketSearch::Centre PocketSearch::centreOf(const SearchView& view, int waves) const STILLCUT_RT {
   const Rpm next = speedForWaves(view.chatter, teeth_, waves);
   if (const Failure* other = across(view, waves)) {
     const double way = (next - view.present).value;
+    if (way < 0.0 && next > other->speed + (view.present - other->speed) * kBetween) return {next, true};
     const double back = (speedForWaves(other->chatter, teeth_, waves) - other->speed).value;
     const double share = std::clamp(way / (way - back), kBetween, 1.0 - kBetween);
     return {view.present + (other->speed - view.present) * share, true};
   }
   if (tried_ < 2) return {next, false};
   const Failure& before = failure_[tried_ - 2];
-  if (wavesBetweenTeeth(before.chatter, teeth_, before.speed) != waves) return {next, false};
+  if (pocketOf(before.chatter, before.speed) != waves) return {next, false};
   const Rpm predicted = speedForWaves(before.chatter, teeth_, waves);
   const double repeats = (predicted - next) / (before.speed - view.present);
   if (!(repeats > 0.0) || repeats > kSteepest) return {next, false};
@@ -131,7 +143,7 @@ PocketSearch::Centre PocketSearch::centreOf(const SearchView& view, int waves) c
 }
 
 NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
-  const int here = wavesBetweenTeeth(view.chatter, teeth_, view.present);
+  const int here = pocketOf(view.chatter, view.present);
   const Centre centre = centreOf(view, here);
   const Rpm first = centre.speed;
   const auto waves = static_cast<double>(here);
@@ -147,7 +159,7 @@ NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
   NextSpeed best{{}, {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value}}};
   for (std::size_t i = tried_; i-- > 0;) {
     const Hertz heard = failure_[i].chatter;
-    const int p = wavesBetweenTeeth(heard, teeth_, view.present);
+    const int p = pocketOf(heard, view.present);
     for (const int candidate : {p, p - 1, p + 1, p - 2, p + 2}) {
       if (candidate < 1) continue;
       const Rpm speed = speedForWaves(heard, teeth_, candidate);

@@ -39,6 +39,8 @@ class PocketSearch {
 
   // The present speed chatters: it counts as tried from now on.
   NextSpeed next(const SearchView& view) STILLCUT_RT;
+  // So does this one, though the spindle has left it.
+  void countAsTried(Rpm speed, Hertz chatter) STILLCUT_RT;
   int tried() const STILLCUT_RT { return static_cast<int>(tried_); }
 
  private:
@@ -47,12 +49,15 @@ class PocketSearch {
     Hertz chatter{};
   };
 
-  void remember(const SearchView& view) STILLCUT_RT;
   struct Centre {
     Rpm speed{};
     bool between = false;  // two speeds that have been tried
   };
 
+  // Which pocket a chatter belongs to: the waves that eq. 29 rounds, but of the tool's own frequency. By the lobes of
+  // one mode chatter has k + phi waves, phi from 1 at the pocket k + 1 down to 1/2 far above it, and lies above the
+  // mode by zeta cot(pi (phi - 1/2)): with phi near 1/2 it is the next pocket up that is near, and it carries more.
+  int pocketOf(Hertz chatter, Rpm speed) const STILLCUT_RT;
   bool triedWithin(Rpm speed, double share) const STILLCUT_RT;
   bool wasHeard(Rpm speed) const STILLCUT_RT;             // this very speed
   bool wasTried(Rpm speed, int waves) const STILLCUT_RT;  // the same place of the same pocket

@@ -25,7 +25,9 @@ constexpr ParamDecl kPause = config::realParam("stable-pocket.pause", "Pause aft
 constexpr const ParamDecl* kParams[] = {&kConfirm, &kConfirmAgain, &kSettle, &kMoves, &kForget, &kPause};
 
 constexpr double kSpeedWordShare = 1e-3;
-constexpr double kAtTarget = 0.01;     // the spindle is there
+constexpr double kAtTarget = 0.01;  // the spindle is there
+// Chatter's torque moves the measured speed about by a few percent: more is a move. The mean of so long [s] counts.
+constexpr double kShaken = 0.05, kEvenTime = 0.2;
 constexpr double kSettleTurns = 15.0;  // on slow machines the ringing down takes turns, not milliseconds
 constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
 constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
@@ -86,21 +88,26 @@ void StablePocket::letGo() noexcept {
   judge_.forget();
   search_.forget();
   phase_ = Phase::Watch;
-  target_ = from_ = {};
+  target_ = from_ = even_ = {};
+  arrived_ = false;
+  heardThere_ = {};
   moves_ = 0;
   inPhase_ = waiting_ = quiet_ = 0.0;
+  path_ = {};
   reason_ = {ReasonCode::NothingToDo, {}};
 }
 
 OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
   const MachineState& m = input.machine;
   const Verdict& v = input.verdict;
+  if (target_.value > 0.0 && usable(m)) watchLetGo(v, m, presentSpeed(m));
   if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
     OverrideRequest hold;
     hold.time = input.now;
     hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
     hold.reason = {ReasonCode::VerdictNotUsable, {}};
-    judge_.forget();
+    // Chatter that drives the sensor to its limit now and then has not ended each time.
+    if (v.valid || v.reason.code != ReasonCode::InputClipped) judge_.forget();
     return hold;
   }
   // Another S word is another cut: what was found for the old one says nothing.
@@ -112,25 +119,52 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
     reason_ = {ReasonCode::NoTeeth, {}};
     return answer(input);
   }
+  const bool nothingYet = phase_ == Phase::Watch && moves_ == 0 && !v.alarming();
+  if (nothingYet) {
+    path_ = {};
+  } else if (positive(m.actualFeed.value)) {
+    path_ += Metres(m.actualFeed.value * input.dt.value);
+  }
   const Rpm present = presentSpeed(m);
+  const double dt = input.dt.value;
+  even_ = near(even_, present, kShaken) ? even_ + (dt / (dt + kEvenTime)) * (present - even_) : present;
   if (phase_ == Phase::Settle) {
     settle(input, present);
   } else {
-    listen(input, present);
+    listen(input);
   }
   return answer(input);
 }
 
-void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
+// Programmed values in force that nobody here asked for: the gate has let go, and would take up the same wish again.
+void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) noexcept {
+  if (near(present, target_, kAtTarget)) {
+    arrived_ = true;
+    if (verdict.valid) heardThere_ = verdict.alarming() ? verdict.frequency : Hertz();
+    return;
+  }
+  const Rpm programmed = machine.programmedSpeed * machine.operatorSpeed.value;
+  const bool back = near(present, programmed, kAtTarget) && near(machine.targetSpeed(), programmed, kAtTarget);
+  if (!arrived_ || !back || near(target_, programmed, 2.0 * kAtTarget) || heardThere_.value <= 0.0) return;
+  search_.countAsTried(target_, heardThere_);
+  target_ = from_ = {};
+  phase_ = Phase::Watch;
+  judge_.forget();
+  reason_ = {ReasonCode::NothingToDo, {}};
+}
+
+void StablePocket::listen(const StrategyInput& input) noexcept {
   const double dt = input.dt.value;
-  judge_.hear(input.verdict, input.dt, {toHertz(present), teeth_, moves_ > 0}, input.vibration);
+  judge_.hear(input.verdict, input.dt, {toHertz(even_), teeth_, moves_ > 0}, input.vibration);
   quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
   if (phase_ == Phase::Resigned) {
     inPhase_ += dt;
     if (inPhase_ > pause_.value || quiet_ > forget_.value) {
       const Rpm programmed = programmed_;
+      const Metres path = path_;
       reset();
       programmed_ = programmed;
+      path_ = path;
     }
     return;
   }
@@ -139,15 +173,16 @@ void StablePocket::listen(const StrategyInput& input, Rpm present) noexcept {
     search_.forget();
   }
   if (judge_.confirmed()) {
-    choose(input.machine, present);
+    choose(input.machine, even_);
   } else if (target_.value > 0.0) {
     reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
   }
 }
 
-// The target stands; nothing is judged until the spindle is there and has been for a while.
+// The target stands; nothing is judged until the spindle is there and has been for a while. Chatter that shakes the
+// spindle off its speed again is no other move.
 void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
-  if (near(present, target_, kAtTarget)) {
+  if (arrived_) {
     inPhase_ += input.dt.value;
     if (inPhase_ < std::max(settle_.value, kSettleTurns / toHertz(present).value)) return;
     phase_ = Phase::Watch;
@@ -156,7 +191,6 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
     reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
     return;
   }
-  inPhase_ = 0.0;
   // Nobody carries it out (advice that waits for its answer, a pause of the gate): it is no move yet, and the chatter
   // may have changed meanwhile.
   waiting_ = near(present, from_, kNotMoved) ? waiting_ + input.dt.value : 0.0;
@@ -171,18 +205,19 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   const config::SpeedRange reach = reachableSpeeds(limits_, m);
   const Hertz chatter = judge_.frequency();
   if (moves_ >= mostMoves_) {
-    resign({ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value}});
+    resign(nothingQuiet(chatter));
     return;
   }
   const NextSpeed next = search_.next({chatter, present, reach});
   if (!positive(next.speed.value)) {
-    const Reason tried{ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value}};
-    resign(moves_ > 0 && next.reason.code == ReasonCode::TargetOutOfRange ? tried : next.reason);
+    resign(moves_ > 0 && next.reason.code == ReasonCode::TargetOutOfRange ? nothingQuiet(chatter) : next.reason);
     return;
   }
   ++moves_;
   target_ = next.speed;
   from_ = present;
+  arrived_ = false;
+  heardThere_ = {};
   reason_ = next.reason;
   phase_ = Phase::Settle;
   inPhase_ = waiting_ = 0.0;
@@ -194,6 +229,10 @@ void StablePocket::resign(const Reason& why) noexcept {
   inPhase_ = 0.0;
   target_ = {};
   reason_ = why;
+}
+
+Reason StablePocket::nothingQuiet(Hertz chatter) const noexcept {
+  return {ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value, 1e3 * path_.value}};
 }
 
 OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept {

@@ -4,7 +4,11 @@
 //   move    once, to a target that no longer changes; where modes are known it is checked against the lobes
 //   settle  until the spindle is there and what chattered has had time to ring down
 //   judge   with fresh verdicts: quiet, or an onset that does not grow: stay. Chatter again: the next pocket
-//   resign  after a few speeds, or where none is left: back to the programmed values, saying which depth would do
+//           The gate has let go of the speed while it chattered (a sensor at its limit): that speed is not gone to
+//           again
+//   resign  after a few speeds, or where none is left: back to the programmed values, saying which depth would do: the
+//           lobes' where they are known. Without them no depth can be worked out (chatter's frequencies give the shape
+//           of the lobes, never their scale); what was seen bounds it: less than where the chatter began
 // Ours are the waiting, the memory of speeds that chattered, the lobes and the resigning; the paper recomputes its
 // target while chatter is marked, which on a spindle that takes longer to move than the chatter to change hunts.
 #pragma once
@@ -30,10 +34,12 @@ class StablePocket final : public Strategy {
  private:
   enum class Phase { Watch, Settle, Resigned };
 
-  void listen(const StrategyInput& input, Rpm present) noexcept;
+  void watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) noexcept;
+  void listen(const StrategyInput& input) noexcept;
   void settle(const StrategyInput& input, Rpm present) noexcept;
   void choose(const MachineState& machine, Rpm present) noexcept;
   void resign(const Reason& why) noexcept;
+  Reason nothingQuiet(Hertz chatter) const noexcept;
   OverrideRequest answer(const StrategyInput& input) const noexcept;
 
   config::OverrideLimits limits_;
@@ -47,10 +53,14 @@ class StablePocket final : public Strategy {
   Rpm programmed_{};
   Rpm target_{};  // 0: none
   Rpm from_{};    // where the move began
+  Rpm even_{};    // the measured speed, smoothed
+  bool arrived_ = false;
+  Hertz heardThere_{};  // of the last alarm at the target; 0: quiet since, or not there yet
   int moves_ = 0;
   double inPhase_ = 0.0;  // [s] in Settle at speed, or in Resigned
   double waiting_ = 0.0;  // [s] that the spindle has not begun to move
   double quiet_ = 0.0;    // [s] without an alarm
+  Metres path_{};         // of feed since the first alarm of what is being dealt with
   Reason reason_;
 };
 

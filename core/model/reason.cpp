@@ -77,7 +77,8 @@ constexpr Row kRows[] = {
     {ReasonCode::NoStableSpeed, "no-stable-speed",
      "no speed in reach is stable at this depth, {1.2} mm at {2.0} rpm would be (chatter {3.0} Hz)"},
     {ReasonCode::NoStableSpeedTried, "no-stable-speed-tried",
-     "{0.0} speeds tried and none is quiet (chatter {1.0} Hz), a smaller depth is needed"},
+     "{0.0} speeds tried and none is quiet (chatter {1.0} Hz): take less depth than where it began, {2.0} mm of feed "
+     "before"},
     {ReasonCode::FuzzyRules, "fuzzy-rules",
      "coherence {0.2} and energy {1.1} times that of the stable cut ask for {2.0} rpm and {3.0} mm/min"},
     {ReasonCode::AuthorityOff, "authority-off", "authority is off"},

@@ -55,7 +55,7 @@ enum class ReasonCode : std::uint16_t {
   MinimumFound,        // target rpm, level
   PocketByLobes,       // target rpm, lowest and highest stable rpm around it, chatter Hz
   NoStableSpeed,       // depth mm of the cut, depth mm that would do, its rpm, chatter Hz
-  NoStableSpeedTried,  // speeds tried, chatter Hz
+  NoStableSpeedTried,  // speeds tried, chatter Hz, mm of feed since it began
   FuzzyRules,          // coherence, energy over that of the stable cut (0: not known), target rpm, feed mm/min
   // gate
   AuthorityOff,          // -

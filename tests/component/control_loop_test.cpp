@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "app/compose/known_lobes.h"
 #include "tests/component/demo_cut.h"
@@ -234,10 +235,12 @@ TEST(NoStableSpeed, WithoutModesItTriesAFewSpeedsThenOnlyAdvises) {
   FAIL() << "nowhere given up";
 }
 
-// Twenty tools that nobody chose, by the truth in place of a detector: the strategy on its own.
-TEST(RandomTools, MostEndInAStablePocketAndWithKnownModesNearlyAll) {
+// Twenty tools that nobody chose, four at a time, by the truth in place of a detector: the strategy on its own.
+class RandomTools : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RandomTools, EndInAStablePocketWithAndWithoutKnownModesButForOneInFour) {
   int reachable = 0, known = 0, unknown = 0;
-  for (std::uint64_t number = 1; number <= 20; ++number) {
+  for (std::uint64_t number = GetParam(); number < GetParam() + 4; ++number) {
     const RandomTool tool = randomTool(number);
     if (tool.scenario.expect != milling::Expectation::Stable) continue;
     ++reachable;
@@ -252,10 +255,12 @@ TEST(RandomTools, MostEndInAStablePocketAndWithKnownModesNearlyAll) {
       (modes ? known : unknown) += reached ? 1 : 0;
     }
   }
-  ASSERT_GE(reachable, 12);
-  EXPECT_GE(known, 0.8 * reachable) << known << " of " << reachable;
-  EXPECT_GE(unknown, 0.6 * reachable) << unknown << " of " << reachable;
+  ASSERT_GE(reachable, 1);
+  EXPECT_GE(known, reachable - 1);
+  EXPECT_GE(unknown, reachable - 1);
 }
+
+INSTANTIATE_TEST_SUITE_P(From, RandomTools, testing::Values(1, 5, 9, 13, 17));
 
 // The paper's machine takes 40 to 70 ms; a control may take none or 120.
 class Delayed : public testing::TestWithParam<int> {};
@@ -273,7 +278,8 @@ TEST_P(Delayed, TheDefaultStrategyEndsStableWithinThreeChanges) {
 
 INSTANTIATE_TEST_SUITE_P(Milliseconds, Delayed, testing::Values(0, 20, 40, 60, 80, 100, 120));
 
-// No delay makes a strategy hunt, or end otherwise than with the paper's 60 ms; with the program's own detectors.
+// No delay makes a strategy hunt, or end otherwise than with the paper's 60 ms; with the program's own detectors. The
+// demo at both ends and in the middle, van Dijk's short ramp in steps of 20 ms.
 class DelayedLaw : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
 
 TEST_P(DelayedLaw, NeitherHuntsNorEndsOtherwise) {
@@ -281,7 +287,8 @@ TEST_P(DelayedLaw, NeitherHuntsNorEndsOtherwise) {
   milling::Scenario cut = scenarioNamed(scenario);
   cut.programme.duration = std::min(cut.programme.duration, Seconds(8.0));
   std::string usual;
-  for (const int ms : {60, 0, 120}) {
+  const bool brief = cut.programme.duration.value < 4.0;
+  for (const int ms : brief ? std::vector{60, 0, 20, 40, 80, 100, 120} : std::vector{60, 0, 120}) {
     cut.overrides.shortestDelay = cut.overrides.longestDelay = Seconds(ms / 1000.0);
     LoopOptions options;
     options.strategy = strategy;

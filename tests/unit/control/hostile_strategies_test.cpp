@@ -34,8 +34,18 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
       (*strategy)->reset();
     }
     world.advance();
-    const StrategyInput in{world.in.now, world.in.dt, world.in.verdict, world.in.machine,
-                           world.chance(0.1) ? world.nonsense() : 1.0};
+    if (world.chance(0.001)) (*strategy)->letGo();
+    const auto level = [&world](double highest) {
+      return world.chance(0.1) ? world.nonsense() : world.uniform(0.0, highest);
+    };
+    const StrategyInput in{.now = world.in.now,
+                           .dt = world.in.dt,
+                           .verdict = world.in.verdict,
+                           .machine = world.in.machine,
+                           .perturbation = level(10.0),
+                           .vibration = level(100.0),
+                           .coherence = level(1.0),
+                           .energy = level(100.0)};
     const long before = safety::testing::allocationCount();
     world.in.request = (*strategy)->decide(in);
     const safety::GateOutput out = gate.step(world.in);

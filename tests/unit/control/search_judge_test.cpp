@@ -87,6 +87,79 @@ StableSpeeds lobesOf(const std::vector<std::pair<double, double>>& ranges) {
   return known;
 }
 
+// Liao's first cut: chatter at 168 Hz from 949 rpm, at 158 Hz from 840 rpm; the pocket is 717 to 784 rpm wide.
+TEST_F(Search, TwoSpeedsTellWhereThePocketsCentreIs) {
+  PocketSearch search;
+  search.prepare(setupOf(4));
+  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
+  const NextSpeed first = search.next({Hertz(167.9), Rpm(949.0), reach});
+  EXPECT_NEAR(first.speed.value, 839.5, 0.1);  // eq. 30
+  const NextSpeed second = search.next({Hertz(157.8), Rpm(840.0), reach});
+  // The frequency falls by 0.0927 Hz a rev/min: where 60 f / (3 Z) is the speed itself.
+  EXPECT_NEAR(second.speed.value, 744.8, 1.5);
+  EXPECT_EQ(second.reason.n[1], 3.0);
+}
+
+// Another mode at each side, and each points at the other: what is stable lies between them, if anything is.
+TEST_F(Search, BetweenTheFrequenciesOfTwoModesItInterpolates) {
+  PocketSearch search;
+  search.prepare(setupOf(4));
+  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
+  search.next({Hertz(167.9), Rpm(949.0), reach});
+  const NextSpeed second = search.next({Hertz(176.0), Rpm(840.0), reach});  // rises as the speed falls
+  // 109.5 rev/min down from the one, 40 up from the other.
+  EXPECT_NEAR(second.speed.value, 840.0 + 109.0 * 40.0 / 149.5, 0.1);
+}
+
+// A random tool with modes at 1205 and 1288 Hz, stable at 8854 to 9373 rpm: the second step goes too far.
+TEST_F(Search, AStepTooFarIsTakenBackHalfway) {
+  PocketSearch search;
+  search.prepare(setupOf(4));
+  const config::SpeedRange reach{Rpm(6000.0), Rpm(14400.0)};
+  const Rpm first = search.next({Hertz(1275.0), Rpm(11998.0), reach}).speed;
+  const Rpm second = search.next({Hertz(1179.0), first, reach}).speed;
+  ASSERT_LT(second, Rpm(8854.0));
+  const Rpm third = search.next({Hertz(1395.0), second, reach}).speed;
+  EXPECT_GT(third, Rpm(8854.0));
+  EXPECT_LT(third, Rpm(9373.0));
+}
+
+// Chatter at 444 Hz from 5224 rpm wants 6660 rpm; the override ends at 6269.
+TEST_F(Search, TheEdgeOfTheReachIsTakenWhereAQuarterWaveIsLeft) {
+  PocketSearch search;
+  search.prepare(setupOf(4));
+  const config::SpeedRange reach{Rpm(2612.0), Rpm(6269.0)};
+  EXPECT_EQ(search.next({Hertz(444.0), Rpm(5224.0), reach}).speed, Rpm(6269.0));
+  EXPECT_EQ(search.next({Hertz(460.0), Rpm(6269.0), reach}).reason.n[1], 2.0);  // chatters there too: the next pocket
+  PocketSearch other;
+  other.prepare(setupOf(4));
+  const config::SpeedRange narrow{Rpm(2612.0), Rpm(5600.0)};
+  EXPECT_EQ(other.next({Hertz(500.0), Rpm(5224.0), narrow}).speed, Rpm(3750.0));  // a third of a wave
+}
+
+// A random tool with modes at 470 and 516 Hz, three teeth: 3.56 waves at 2855 rev/min are 3.1 of its own frequency.
+TEST_F(Search, FarAboveAPocketTheNextOneUpIsTheNearer) {
+  PocketSearch search;
+  search.prepare(setupOf(3));
+  const config::SpeedRange reach{Rpm(1427.0), Rpm(3426.0)};
+  const NextSpeed first = search.next({Hertz(508.0), Rpm(2855.0), reach});
+  EXPECT_EQ(first.reason.n[1], 3.0);
+  EXPECT_NEAR(first.speed.value, 60.0 * 508.0 / 9.0, 0.1);
+  PocketSearch other;
+  other.prepare(setupOf(3));
+  EXPECT_EQ(other.next({Hertz(540.0), Rpm(2855.0), reach}).reason.n[1], 4.0);  // 3.78 waves: as eq. 29 rounds
+}
+
+// Modes at 1199 and 1139 Hz, two teeth, stable at 16870 to 17436 rev/min: from above the rule's own step ends there.
+TEST_F(Search, FromAboveAPocketTheRulesOwnStepIsTaken) {
+  PocketSearch search;
+  search.prepare(setupOf(2));
+  const config::SpeedRange reach{Rpm(8245.0), Rpm(19787.0)};
+  const Rpm first = search.next({Hertz(1242.0), Rpm(16489.0), reach}).speed;
+  const Rpm second = search.next({Hertz(1163.5), first, reach}).speed;
+  EXPECT_NEAR(second.value, 30.0 * 1163.5, 0.1);
+}
+
 TEST_F(Search, KnownLobesKeepItInsideAStableRange) {
   for (int trial = 0; trial < 1000; ++trial) {
     CutSetup setup = setupOf(4);

@@ -141,56 +141,6 @@ TEST_F(StablePocketTest, LoudChatterWithoutALineThatStandsIsChatter) {
   EXPECT_GE(targets_.size(), 2u);
 }
 
-// Liao's first cut: chatter at 168 Hz from 949 rpm, at 158 Hz from 840 rpm; the pocket is 717 to 784 rpm wide.
-TEST_F(StablePocketTest, TwoSpeedsTellWhereThePocketsCentreIs) {
-  PocketSearch search;
-  search.prepare(setup_);
-  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
-  const NextSpeed first = search.next({Hertz(167.9), Rpm(949.0), reach});
-  EXPECT_NEAR(first.speed.value, 839.5, 0.1);  // eq. 30
-  const NextSpeed second = search.next({Hertz(157.8), Rpm(840.0), reach});
-  // The frequency falls by 0.0927 Hz a rev/min: where 60 f / (3 Z) is the speed itself.
-  EXPECT_NEAR(second.speed.value, 744.8, 1.5);
-  EXPECT_EQ(second.reason.n[1], 3.0);
-}
-
-// Another mode at each side, and each points at the other: what is stable lies between them, if anything is.
-TEST_F(StablePocketTest, BetweenTheFrequenciesOfTwoModesItInterpolates) {
-  PocketSearch search;
-  search.prepare(setup_);
-  const config::SpeedRange reach{Rpm(475.0), Rpm(1000.0)};
-  search.next({Hertz(167.9), Rpm(949.0), reach});
-  const NextSpeed second = search.next({Hertz(176.0), Rpm(840.0), reach});  // rises as the speed falls
-  // 109.5 rev/min down from the one, 40 up from the other.
-  EXPECT_NEAR(second.speed.value, 840.0 + 109.0 * 40.0 / 149.5, 0.1);
-}
-
-// A random tool with modes at 1205 and 1288 Hz, stable at 8854 to 9373 rpm: the second step goes too far.
-TEST_F(StablePocketTest, AStepTooFarIsTakenBackHalfway) {
-  PocketSearch search;
-  search.prepare(setup_);
-  const config::SpeedRange reach{Rpm(6000.0), Rpm(14400.0)};
-  const Rpm first = search.next({Hertz(1275.0), Rpm(11998.0), reach}).speed;
-  const Rpm second = search.next({Hertz(1179.0), first, reach}).speed;
-  ASSERT_LT(second, Rpm(8854.0));
-  const Rpm third = search.next({Hertz(1395.0), second, reach}).speed;
-  EXPECT_GT(third, Rpm(8854.0));
-  EXPECT_LT(third, Rpm(9373.0));
-}
-
-// Chatter at 444 Hz from 5224 rpm wants 6660 rpm; the override ends at 6269.
-TEST_F(StablePocketTest, TheEdgeOfTheReachIsTakenWhereAQuarterWaveIsLeft) {
-  PocketSearch search;
-  search.prepare(setup_);
-  const config::SpeedRange reach{Rpm(2612.0), Rpm(6269.0)};
-  EXPECT_EQ(search.next({Hertz(444.0), Rpm(5224.0), reach}).speed, Rpm(6269.0));
-  EXPECT_EQ(search.next({Hertz(460.0), Rpm(6269.0), reach}).reason.n[1], 2.0);  // chatters there too: the next pocket
-  PocketSearch other;
-  other.prepare(setup_);
-  const config::SpeedRange narrow{Rpm(2612.0), Rpm(5600.0)};
-  EXPECT_EQ(other.next({Hertz(500.0), Rpm(5224.0), narrow}).speed, Rpm(3750.0));  // a third of a wave
-}
-
 TEST_F(StablePocketTest, AnOnsetThatGrowsAfterTheMoveIsChatter) {
   chatter(936.0);
   run(1.5);
@@ -233,10 +183,27 @@ TEST_F(StablePocketTest, GivesUpAfterAFewSpeedsAndSaysSo) {
   EXPECT_GE(targets_.size(), 2u);
   EXPECT_LE(targets_.size(), 3u);
   EXPECT_NEAR(in_.machine.actualSpeed.value, 8500.0, 1.0);
-  EXPECT_EQ(step().reason.code, ReasonCode::NoStableSpeedTried);
+  const Reason said = step().reason;
+  EXPECT_EQ(said.code, ReasonCode::NoStableSpeedTried);
+  EXPECT_EQ(said.n[0], static_cast<double>(targets_.size()));
   for (std::size_t i = 1; i < targets_.size(); ++i) {
     EXPECT_GT(std::abs((targets_[i] - targets_[i - 1]).value), 0.01 * targets_[i].value);
   }
+}
+
+// What was cut without an alarm before counts for nothing; from the first alarm on every millimetre does.
+TEST_F(StablePocketTest, GivingUpTellsHowFarBackTheDepthWasStillCarried) {
+  in_.machine.actualFeed = fromMmPerMin(1200.0);  // 20 mm/s
+  run(5.0);
+  double seconds = 0.0;
+  OverrideRequest r;
+  while (r.reason.code != ReasonCode::NoStableSpeedTried && seconds < 30.0) {
+    chatter(2.3 * toothPassing(in_.machine.actualSpeed, 4).value);
+    r = step();
+    seconds += kBlock.value;
+  }
+  ASSERT_EQ(r.reason.code, ReasonCode::NoStableSpeedTried);
+  EXPECT_NEAR(r.reason.n[2], 20.0 * seconds, 0.5);
 }
 
 TEST_F(StablePocketTest, KnownLobesMoveTheTargetInside) {
@@ -273,6 +240,73 @@ TEST_F(StablePocketTest, ATargetDoesNotSurviveTheOperatorTakingTheMachineBack) {
   EXPECT_EQ(run(1.0).kind, RequestKind::None);
   chatter(936.0);  // it chatters again: that is a new decision
   EXPECT_EQ(run(0.3).kind, RequestKind::Set);
+}
+
+// At the new speed the chatter is so loud that the sensor is at its limit: the gate holds, then lets go, and takes up a
+// wish again after its rest. That speed has been tried.
+TEST_F(StablePocketTest, ASpeedThatTheGateHadToLetGoOfIsNotGoneToAgain) {
+  chatter(936.0);
+  run(0.4);
+  ASSERT_EQ(targets_.size(), 1u);
+  chatter(1010.0, 0.8);
+  run(0.2);
+  in_.verdict.valid = false;
+  EXPECT_EQ(run(0.5).kind, RequestKind::Hold);
+  in_.machine.actualSpeed = in_.machine.programmedSpeed;  // the gate's release
+  EXPECT_EQ(run(0.1).kind, RequestKind::None);
+  in_.verdict.valid = true;
+  chatter(936.0);
+  EXPECT_EQ(step().kind, RequestKind::None);
+  run(3.0);
+  ASSERT_GE(targets_.size(), 2u);
+  for (std::size_t i = 1; i < targets_.size(); ++i) {
+    EXPECT_GT(std::abs((targets_[i] - targets_[0]).value), 0.01 * targets_[0].value);
+  }
+}
+
+// Chatter so hard that its torque shakes the spindle by 3 %: the speed was reached, and it is judged.
+TEST_F(StablePocketTest, ChatterThatShakesTheSpindleIsJudgedAllTheSame) {
+  chatter(936.0);
+  run(0.4);
+  ASSERT_EQ(targets_.size(), 1u);
+  for (int i = 0; i < 300 && targets_.size() == 1u; ++i) {
+    chatter(1010.0, 0.9);
+    in_.machine.actualSpeed = targets_[0] * (1.0 + 0.03 * std::sin(0.9 * i));
+    step();
+  }
+  EXPECT_GE(targets_.size(), 2u);
+}
+
+// Chatter so loud that the sensor is at its limit every tenth of a second: it is judged from what lies between.
+TEST_F(StablePocketTest, ASensorAtItsLimitNowAndThenDoesNotHideTheChatter) {
+  chatter(936.0);
+  run(0.4);
+  for (int i = 0; i < 300 && targets_.size() == 1u; ++i) {
+    chatter(1010.0, 0.9);
+    in_.verdict.valid = i % 10 < 7;
+    if (!in_.verdict.valid) in_.verdict.reason = {ReasonCode::InputClipped, {}};
+    const OverrideRequest r = step();
+    if (!in_.verdict.valid) {
+      EXPECT_NE(r.kind, RequestKind::Set);
+    }
+  }
+  EXPECT_GE(targets_.size(), 2u);
+}
+
+// A link that was lost at a speed that was quiet says nothing against that speed.
+TEST_F(StablePocketTest, AQuietSpeedThatWasLetGoOfIsGoneToAgain) {
+  chatter(936.0);
+  run(0.4);
+  quiet();
+  run(1.0);
+  in_.machine.valid = false;
+  run(0.5);
+  in_.machine.valid = true;
+  in_.machine.actualSpeed = in_.machine.programmedSpeed;
+  const OverrideRequest r = step();
+  EXPECT_EQ(r.kind, RequestKind::Set);
+  EXPECT_EQ(r.speed, targets_[0]);
+  EXPECT_EQ(targets_.size(), 1u);
 }
 
 TEST_F(StablePocketTest, UnusableVerdictsAreNeverASet) {
