@@ -8,8 +8,11 @@ desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev 
   qt6-serialbus-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
 test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang-format clang-tidy git python3-h5py hdf5-tools"
 # Real machines and devices for the tests of links and sources; a test whose peer is absent skips with one line.
-peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat
+peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat libmodbus-dev
   pulseaudio libasound2-plugins"
+
+# The long fuzzing, tests/soak/fuzz.
+fuzz_packages="clang libclang-rt-14-dev"
 
 # What makes and checks the Debian package.
 package_packages="dpkg-dev help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/cnc/move_order.h"
+
 namespace stillcut::cnc {
 namespace {
 
@@ -87,11 +89,17 @@ bool HalHand::arrived(const SharedKnob& knob) {
   return knob.grabbed() || !knob.known() || knob.shown() == knob.target();
 }
 
-// What to write: the target; and where that does not show, for a moment one per cent beside it, so that it changes.
-std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, Instant now) noexcept {
+// A feed that rises is given as far as the speed that shows bears it; a speed that does not show holds nothing up, nor
+// does anything hold up the way home once we let go. halui itself takes a feed before a speed of the same line.
+double HalHand::feedBySpeed(const SharedKnob& speed, double wanted, double present) const noexcept {
+  if (feedFirst(wanted, present) || arrived(speed) || speed_.nudging) return wanted;
+  return std::max(present, std::min(wanted, wanted * speed.shown() / speed.target()));
+}
+
+// What to write: the goal; and where that does not show, for a moment one per cent beside it, so that it changes.
+std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, int target, Instant now) noexcept {
   if (knob.grabbed() || !knob.known()) return std::nullopt;
-  const int target = knob.target();
-  if (target != turned.goal || arrived(knob)) turned = {target, turned.written, false, now};
+  if (target != turned.goal || knob.shown() == target) turned = {target, turned.written, false, now};
   if (now - turned.since > (turned.nudging ? kNudge : kShowsWithin)) {
     turned.nudging = !turned.nudging;
     turned.since = now;
@@ -110,9 +118,16 @@ void HalHand::send(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
   r.homeSpeed = percentOf(knobs.speed.base());
   r.homeFeed = percentOf(knobs.feed.base());
   if (r.hold && report_.standing != HalStanding::Fallen) {  // fallen: not taken before we have let go
-    r.speed = turn(knobs.speed, speed_, now);
-    r.feed = adaptiveFeed_ ? std::nullopt : turn(knobs.feed, feed_, now);
-    r.adaptiveFeed = adaptiveFeed_ ? std::clamp(knobs.adaptiveFeed.value, 0.0, 1.0) : 1.0;
+    r.speed = turn(knobs.speed, speed_, knobs.speed.target(), now);
+    const auto feed = [&](double goal, double present) {
+      return wanted ? feedBySpeed(knobs.speed, goal, present) : goal;
+    };
+    if (adaptiveFeed_) {
+      r.adaptiveFeed = feed(std::clamp(knobs.adaptiveFeed.value, 0.0, 1.0), last_.hold ? last_.adaptiveFeed : 1.0);
+    } else {
+      const double goal = feed(knobs.feed.target(), last_.feed ? feed_.goal : knobs.feed.shown());
+      r.feed = turn(knobs.feed, feed_, static_cast<int>(goal), now);
+    }
   }
   std::array<char, kHalLine> text{};
   waiting_ = true;

@@ -41,7 +41,8 @@ class HalHand final : public EmcHand {
     Instant since{};
   };
   static bool arrived(const SharedKnob& knob);
-  static std::optional<int> turn(SharedKnob& knob, Turned& turned, Instant now) noexcept;
+  static std::optional<int> turn(SharedKnob& knob, Turned& turned, int target, Instant now) noexcept;
+  double feedBySpeed(const SharedKnob& speed, double wanted, double present) const noexcept;
   bool keepUp(Instant now) noexcept;
   void listen(Instant now) noexcept;
   void send(EmcKnobs& knobs, bool wanted, Instant now) noexcept;

@@ -11,6 +11,9 @@
 #include <utility>
 #include <vector>
 
+#include "app/compose/catalog.h"
+#include "app/compose/rig.h"
+#include "core/rt/wakeup.h"
 #include "tests/protocol/source_request.h"
 #include "tests/support/null_sink.h"
 
@@ -123,8 +126,7 @@ TEST_F(PulseTest, ADeviceThatGoesAndComesBackIsTakenUpAgainWithAGap) {
   std::atomic<bool> plugged{false};
   std::thread cable([this, &plugged] {
     sink_.unplug();
-    ::usleep(300'000);
-    EXPECT_EQ(sink_.plug(), "");
+    EXPECT_EQ(sink_.plug(), "");  // takes as long as a server needs to start
     plugged = true;
   });
   Instant before = block.end();
@@ -133,7 +135,7 @@ TEST_F(PulseTest, ADeviceThatGoesAndComesBackIsTakenUpAgainWithAGap) {
     if (!(*source)->read(block)) break;
     gap = block.has(kBlockGap);
     if (gap) {
-      EXPECT_GT(block.lostFrames, static_cast<std::uint64_t>(kRate / 10));
+      EXPECT_GT(block.lostFrames, 0U);
       EXPECT_NEAR(secondsBetween(before, block.firstSample).value, static_cast<double>(block.lostFrames) / kRate, 1e-3);
     }
     before = block.end();
@@ -142,6 +144,57 @@ TEST_F(PulseTest, ADeviceThatGoesAndComesBackIsTakenUpAgainWithAGap) {
   EXPECT_TRUE(plugged);
   for (int i = 0; i < 20; ++i) ASSERT_TRUE((*source)->read(block));
   cable.join();
+}
+
+// Two of every three samples are made up by the server: what is told is kept to the clock, and yet not believed.
+TEST(PulseRates, AStreamThatSomebodyStretchedIsNotBelieved) {
+  constexpr int kNative = 32000, kAsked = 96000;
+  testing::NullSink sink;
+  if (const std::string missing = sink.start(kNative, 1, "mono", "trivial"); !missing.empty()) GTEST_SKIP() << missing;
+  const auto clock = std::make_shared<SteadyClock>();
+  SourceRequest request = requestOn(*clock, {{"device", "heard"}, {"rate_hz", std::to_string(kAsked)}});
+  request.channels = {{.name = "x", .scale = 100.0, .axis = "x"}};
+  auto source = makeSource("alsa", request);
+  ASSERT_TRUE(source) << source.error().line();
+  app::RigSpec spec;
+  spec.clock = clock;
+  spec.device = std::move(source).value();
+  spec.setup.teeth = 4;
+  spec.setup.nominalSpeed = Rpm(8500.0);
+  spec.watched = true;
+  auto rig = app::Rig::build(std::move(spec));
+  ASSERT_TRUE(rig) << rig.error().line();
+  std::uint32_t state = 1;
+  const testing::NullSinkPlayer player(kNative, 1, [&state](std::span<std::int32_t> out) {
+    for (std::int32_t& sample : out) {
+      state = state * 1664525U + 1013904223U;
+      sample = static_cast<std::int32_t>(state) / 8;
+    }
+  });
+  (*rig)->start({});
+  rt::Wakeup never;  // only its time-out is used
+  ReasonCode found = ReasonCode::None;
+  for (const Instant end = clock->now() + std::chrono::seconds(15);
+       found != ReasonCode::InputRepeated && clock->now() < end;) {
+    never.waitFor(Seconds(0.05));
+    const Snapshot* s = (*rig)->read();
+    if (s == nullptr) continue;
+    found = s->sensors.fault.code;
+    if (found == ReasonCode::InputRepeated) {
+      EXPECT_FALSE(s->verdicts[0].valid);
+    }
+  }
+  EXPECT_EQ(found, ReasonCode::InputRepeated);
+  EXPECT_TRUE((*rig)->stop());
+}
+
+TEST_F(PulseTest, ARateThatWouldBeConvertedIsRefusedWithTheOneThereIs) {
+  auto source = heard({{"device", "fixed"}, {"rate_hz", "48000"}}, 1);
+  ASSERT_TRUE(source) << source.error().line();
+  const auto opened = (*source)->open();
+  ASSERT_FALSE(opened) << "96 kHz were taken for 48";
+  EXPECT_EQ(opened.error().line(),
+            "source 'alsa' device 'fixed': 'rate_hz' = 48000 is not among its rates (it has 96000)");
 }
 
 TEST_F(PulseTest, WhatTheDeviceDoesNotHaveIsOneLine) {

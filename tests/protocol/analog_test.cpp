@@ -166,6 +166,25 @@ TEST(Analog, KilledProgramLeavesItsVoltagesAndTheNextStartBringsTheProgrammedOne
   ::munmap(shared, kSize);
 }
 
+// No wire leads back: a machine that hangs, was restarted, lies, is in other hands or has no program any more looks as
+// one that obeys. So nothing is claimed to have been read, and what it is left with is what stands on the outputs.
+TEST(Analog, MachineTellsNothingSoNothingIsClaimedOfIt) {
+  Card card;
+  AnalogLink link = linkOf("analog-hand-terminal.toml", card, 8000.0);
+  ASSERT_TRUE(link.open().ok());
+  CommandMaker gate;
+  link.apply(gate.set(90.0), instantFromNs(1'000'000));
+  const MachineState m = link.read(instantFromNs(2'000'000));
+  ASSERT_TRUE(m.valid);
+  EXPECT_EQ(m.actualSpeed.value, 0.0);
+  EXPECT_EQ(m.actualFeed.value, 0.0);
+  for (const Instant read : {m.link.overrides, m.link.speed, m.link.feed, m.link.program}) EXPECT_EQ(read, Instant{});
+  EXPECT_EQ(m.link.roundTrip.value, 0.0);
+  link.release({});
+  EXPECT_NEAR(card.volts[0], 5.0 * 50.0 / 70.0, 1e-9);  // for a restarted machine as well
+  EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+}
+
 TEST(Analog, AbsoluteSpeedIsInRevolutions) {
   Card card;
   AnalogLink link = linkOf("analog-xu-feed-and-speed.toml", card, 3000.0);

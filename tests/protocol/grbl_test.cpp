@@ -160,13 +160,69 @@ TEST(Grbl, LostBytesAreSentAgain) {
   EXPECT_EQ(b.grbl.feed, 90);
 }
 
+// There is no acknowledgement that could lie: what was ordered counts once "Ov:" shows it. Home it goes all the same.
+TEST(Grbl, ControllerThatTakesNoOverrideIsSeenToTakeNone) {
+  Bench b;
+  b.run(0.5);
+  b.grbl.ignores = true;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.speedOverride.value, 1.0);
+  EXPECT_EQ(m.feedOverride.value, 1.0);
+  b.link->release(b.clock.now());
+  EXPECT_TRUE(b.run(0.5).valid);
+}
+
+// The sender's own override buttons: the operator's hand, and not fought over.
+TEST(Grbl, AnotherSendersOverrideEndsOursAndStays) {
+  Bench b;
+  b.run(0.5);
+  const OverrideCommand command = b.gate.set(90.0);
+  b.link->apply(command, b.clock.now());
+  b.run(7.0);
+  b.grbl.spindle = 120;
+  b.run(1.0);
+  b.link->apply(command, b.clock.now());  // the lease is renewed before the gate has seen it
+  const MachineState m = b.run(1.0);
+  EXPECT_NEAR(m.operatorSpeed.value, 1.2, 1e-9);
+  EXPECT_EQ(b.grbl.spindle, 120);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 120);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+TEST(Grbl, ReportsInPiecesTogetherOrInTheWrongOrderAreRead) {
+  for (int script = 0; script < 4; ++script) {
+    Bench b;
+    if (script == 0) b.faults.split(3);
+    if (script == 1) b.faults.merge(0.04);
+    if (script == 2) b.faults.wrongOrder(5);
+    if (script == 3) b.faults.garbage("\x01\xff<Run|Ov:\r\n").delay(0.03);
+    b.run(1.0);
+    b.link->apply(b.gate.set(93.0), b.clock.now());
+    const MachineState m = b.run(2.0);
+    EXPECT_TRUE(m.valid) << script;
+    EXPECT_EQ(m.programmedSpeed.value, 8800.0) << script;
+    EXPECT_EQ(b.grbl.spindle, 93) << script;
+    b.link->release(b.clock.now());
+    EXPECT_EQ(b.grbl.spindle, 100) << script;
+  }
+}
+
 TEST(Grbl, HoldAbortAndAlarmAreSaid) {
   Bench b;
   b.run(0.5);
   b.grbl.state = "Hold:0";
   EXPECT_TRUE(b.run(0.1).feedHold);
+  b.grbl.state = "Run";
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
   b.grbl.state = "Idle";  // the program was aborted
   EXPECT_FALSE(b.run(0.1).programRunning);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
   b.grbl.state = "Alarm";
   const MachineState m = b.run(0.1);
   EXPECT_TRUE(m.valid);

@@ -45,6 +45,21 @@ class LinuxCncBench : public ::testing::Test {
       return wanted(seen_);
     });
   }
+  // The same while `percent` is commanded. A stall of this host that is longer than the component's lease ends an
+  // engagement, as it should: another begins.
+  bool untilCommanding(double percent, const std::function<bool(const MachineState&)>& wanted) {
+    for (int attempt = 0; attempt < 4; ++attempt) {
+      const OverrideCommand command = gate_.set(percent);
+      const auto commanded = [&](const MachineState& m) {
+        link_->apply(command, clock_.now());
+        return wanted(m);
+      };
+      if (until(commanded, 4.0)) return true;
+      link_->apply(gate_.letGo(), clock_.now());
+      until([](const MachineState& m) { return at(m, 1.0); }, 2.0);
+    }
+    return false;
+  }
   void apply(double percent) { link_->apply(gate_.set(percent), clock_.now()); }
 
   SteadyClock clock_;

@@ -110,9 +110,7 @@ TEST_F(LinuxCncHalReal, TrialPassesAndMeasuresTheDelay) {
 }
 
 TEST_F(LinuxCncHalReal, BothOverridesActWithoutControlAndGoBack) {
-  const OverrideCommand command = gate_.set(90.0);
-  EXPECT_TRUE(until([&](const MachineState& m) {
-    link_->apply(command, clock_.now());
+  EXPECT_TRUE(untilCommanding(90.0, [](const MachineState& m) {
     return at(m, 0.9) && std::abs(m.actualSpeed.value - 7200.0) < 20.0;
   })) << seen_.actualSpeed.value;
   EXPECT_NE(LinuxCncPeer::talk({"get enable"}).find("ENABLE OFF"), std::string::npos);
@@ -123,11 +121,7 @@ TEST_F(LinuxCncHalReal, BothOverridesActWithoutControlAndGoBack) {
 TEST_F(LinuxCncHalReal, LockedByTheProgramIsSaid) {
   peer_->run("m49.ngc");
   ASSERT_TRUE(until([](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; }));
-  const OverrideCommand command = gate_.set(90.0);
-  EXPECT_TRUE(until([&](const MachineState& m) {
-    link_->apply(command, clock_.now());
-    return m.valid && !m.overridesEnabled;
-  }));
+  EXPECT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return m.valid && !m.overridesEnabled; }));
   EXPECT_NEAR(seen_.speedOverride.value, 1.0, 1e-6);  // the machine's own lock holds
 }
 
@@ -145,13 +139,35 @@ TEST_F(LinuxCncHalReal, HungProgramIsHomeWithinTheLease) {
   expectHomeWithinTheLease("the program hung", [&] { program.signal(SIGSTOP); });
 }
 
+TEST_F(LinuxCncHalReal, HungComponentIsHomeWithinTheLeaseAndTakenUpAgain) {
+  ASSERT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return at(m, 0.9); }));
+  const pid_t component = peer_->process("stillcut-hal");
+  ASSERT_GT(component, 0);
+  expectHomeWithinTheLease("stillcut-hal hung", [&] { ::kill(component, SIGSTOP); });
+  EXPECT_TRUE(until([](const MachineState& m) { return m.valid && !m.controlOurs; }, 2.0));
+  ::kill(component, SIGCONT);
+  link_->release(clock_.now());
+  EXPECT_TRUE(until([](const MachineState& m) { return m.controlOurs && at(m, 1.0); }));
+}
+
+// Two programs that hold the same knobs: the second is not taken while the first is there.
+TEST_F(LinuxCncHalReal, SecondClientOfTheComponentIsTurnedAway) {
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.controlOurs; }));
+  const auto second = std::move(app::makeWire({"127.0.0.1", LinuxCncPeer::kComponentPort, {}})).value();
+  second->connect();
+  bool turnedAway = false;
+  EXPECT_TRUE(untilCommanding(90.0, [&](const MachineState& m) {
+    if (second->state() == WireState::Open) second->write("set 50 50 1 100 100\n");
+    turnedAway = turnedAway || second->state() == WireState::Closed;
+    return turnedAway && at(m, 0.9);
+  }));
+  link_->release(clock_.now());
+  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
+}
+
 // The last one: HAL does not take a killed component back before the machine is started anew.
 TEST_F(LinuxCncHalReal, ZKilledComponentIsHomeWithinTheLease) {
-  const OverrideCommand command = gate_.set(90.0);
-  ASSERT_TRUE(until([&](const MachineState& m) {
-    link_->apply(command, clock_.now());
-    return at(m, 0.9);
-  }));
+  ASSERT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return at(m, 0.9); }));
   const pid_t component = peer_->process("stillcut-hal");
   ASSERT_GT(component, 0);
   expectHomeWithinTheLease("stillcut-hal was killed", [&] { ::kill(component, SIGKILL); });

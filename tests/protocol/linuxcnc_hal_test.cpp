@@ -111,6 +111,28 @@ TEST(LinuxCncHal, AdaptiveFeedIsAFactorOfItsOwn) {
   EXPECT_EQ(b.hal.pins.adaptiveFeed, 1.0);
 }
 
+// Never more feed per tooth than at either end of the way.
+TEST(LinuxCncHal, FeedRisesWithTheSpeedThatShowsAndIsThereInTheEnd) {
+  for (const bool adaptive : {false, true}) {
+    Bench b(adaptive);
+    b.engage(80.0);
+    const auto feed = [&] { return adaptive ? 100.0 * b.hal.pins.adaptiveFeed : b.mill.feed; };
+    ASSERT_NEAR(feed(), 80.0, 0.1);
+    ASSERT_EQ(b.mill.spindle, 80);
+    for (const double percent : {84.0, 88.0, 95.0, 100.0}) {
+      b.link->apply(b.gate.set(percent), b.clock.now());
+      for (int i = 0; i < 15; ++i) {  // a ramp: the next order comes before this one shows
+        b.link->read(b.clock.now());
+        b.machine();
+        EXPECT_LE(feed(), b.mill.spindle + 1e-9) << "adaptive " << adaptive << " at " << percent;
+      }
+    }
+    b.run(0.5);
+    EXPECT_EQ(b.mill.spindle, 100);
+    EXPECT_NEAR(feed(), 100.0, 0.1);
+  }
+}
+
 // Back within the lease of 0.2 s, whoever falls silent.
 TEST(LinuxCncHal, KilledComponentIsTheMachinesOwnWayHome) {
   Bench b;
@@ -183,6 +205,78 @@ TEST(LinuxCncHal, OperatorsSwitchTakesUsOutUntilWeLetGo) {
   EXPECT_TRUE(b.run(0.3).controlOurs);
   b.engage(90.0);
   EXPECT_EQ(b.mill.spindle, 90);
+}
+
+// linuxcncrsh belongs to somebody else: no control of it is needed.
+TEST(LinuxCncHal, AnotherClientInControlOfLinuxcncrshChangesNothing) {
+  Bench b;
+  b.mill.owner = &b;
+  b.engage(90.0);
+  EXPECT_TRUE(b.run(0.1).controlOurs);
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_EQ(b.mill.owner, &b);
+}
+
+TEST(LinuxCncHal, LockedOverrideIsSaid) {
+  Bench b;
+  b.mill.locked = true;  // M49: read back, without effect
+  b.engage(90.0);
+  const MachineState m = b.run(2.0);
+  EXPECT_FALSE(m.overridesEnabled);
+  EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);
+}
+
+TEST(LinuxCncHal, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {
+  Bench b;
+  b.engage(90.0);
+  b.mill.running = false;
+  EXPECT_FALSE(b.run(0.1).programRunning);
+  b.link->release(b.clock.now());
+  b.leave(0.19);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+// With the machine its component begins anew: the watchdog is proven again before anything is taken.
+TEST(LinuxCncHal, RestartedMachineIsHomeAndItsWatchdogProvenAnew) {
+  Bench b;
+  b.engage(90.0);
+  b.faults.refuse();
+  b.component->hangUp();
+  b.mill = {};
+  b.hal.keeper = {};
+  b.run(0.1);
+  b.faults.refuse(false);
+  b.link->apply(b.gate.letGo(), b.clock.now());  // the lease ran out meanwhile
+  const OverrideCommand command = b.gate.set(91.0);
+  b.link->apply(command, b.clock.now());
+  for (int i = 0; i < 2000 && b.mill.spindle == 100; ++i) b.run(kStep);
+  EXPECT_EQ(b.mill.spindle, 91);
+  EXPECT_GT(b.hal.keeper.report().watchdogMs, 0);
+}
+
+TEST(LinuxCncHal, ReportsThatComeTogetherAreHeard) {
+  Bench b;
+  b.faults.merge(0.015);
+  b.engage(90.0);
+  EXPECT_EQ(b.mill.spindle, 90);
+}
+
+// A report that is kept back is silence: the machine may go home, and nowhere else.
+TEST(LinuxCncHal, ReportsInTheWrongOrderAreOursOrHome) {
+  Bench b;
+  b.engage(90.0);
+  b.faults.wrongOrder(37);
+  for (int i = 0; i < 1000; ++i) {
+    b.run(kStep);
+    EXPECT_TRUE(b.mill.spindle == 90 || b.mill.spindle == 100) << b.mill.spindle;
+  }
+  b.faults = {};
+  b.link->apply(b.gate.letGo(), b.clock.now());
+  b.run(1.0);
+  EXPECT_EQ(b.mill.spindle, 100);
+  b.engage(92.0);
+  EXPECT_EQ(b.mill.spindle, 92);
 }
 
 TEST(LinuxCncHal, SplitAndGarbledLinesAreNoOrders) {

@@ -2,17 +2,21 @@
 
 #include <fcntl.h>
 #include <grp.h>
+#include <sys/shm.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <utility>
 
 #include "app/io/tcp_wire.h"
+#include "tests/protocol/bounded_wait.h"
 
 namespace stillcut::cnc::testing {
 namespace fs = std::filesystem;
@@ -127,6 +131,7 @@ pid_t LinuxCncPeer::spawn(const std::vector<std::string>& words, const char* log
 }
 
 void LinuxCncPeer::start() {
+  removeDeadMemory();
   machine_ = spawn({"linuxcnc", "-r", "sim.ini"}, "machine.log");
   if (!answers(kPort, 1500)) {
     why_ = "LinuxCNC does not start here (machine.log)";
@@ -136,37 +141,63 @@ void LinuxCncPeer::start() {
   if (!answers(kHalPort, 500)) why_ = "halrmt does not start here";
 }
 
-bool LinuxCncPeer::end() {
+void LinuxCncPeer::end() {
   if (hal_ > 0) {
     ::kill(hal_, SIGKILL);
     ::waitpid(hal_, nullptr, 0);
     hal_ = -1;
   }
-  if (machine_ <= 0) return true;
+  if (machine_ <= 0) return;
   // The whole group: its script then cleans up after the servers that have gone.
   ::kill(-machine_, SIGTERM);
-  const auto wire = wireTo(kPort);
-  for (int i = 0; i < 500; ++i) {
-    if (::waitpid(machine_, nullptr, WNOHANG) == machine_) {
-      machine_ = -1;
-      return true;
-    }
-    wire->wait(kStep);
+  const bool byItself = within(Seconds(10.0), [&] { return ::waitpid(machine_, nullptr, WNOHANG) == machine_; });
+  if (!byItself) {
+    ::kill(-machine_, SIGKILL);
+    ::waitpid(machine_, nullptr, 0);
   }
-  ::kill(-machine_, SIGKILL);
-  ::waitpid(machine_, nullptr, 0);
   machine_ = -1;
-  cleanUp();
-  why_ = "LinuxCNC had to be killed";
-  return false;
+  leaveNothing();
 }
 
-// As LinuxCNC's own script does it, which was killed before it could.
-void LinuxCncPeer::cleanUp() const {
-  const pid_t cleaner = spawn({"halrun", "-U"}, "cleaner.log");
-  ::waitpid(cleaner, nullptr, 0);
-  std::error_code ignored;
-  fs::remove("/tmp/linuxcnc.lock", ignored);
+// What was started here, and nothing else, works in our folder: rtapi_app has a session of its own.
+std::vector<pid_t> LinuxCncPeer::ours() const {
+  std::vector<pid_t> all;
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator("/proc", gone)) {
+    std::error_code unreadable;
+    const fs::path at = fs::read_symlink(entry.path() / "cwd", unreadable);
+    if (!unreadable && at == folder_) all.push_back(static_cast<pid_t>(std::stol(entry.path().filename().string())));
+  }
+  return all;
+}
+
+// As LinuxCNC's own script does it, where that was killed before it could.
+void LinuxCncPeer::leaveNothing() const {
+  for (const int signal : {SIGTERM, SIGKILL}) {
+    for (const pid_t pid : ours()) ::kill(pid, signal);
+    if (within(Seconds(3.0), [&] { return ours().empty(); })) break;
+  }
+  removeDeadMemory();
+  if (!answers(kPort, 1)) {
+    std::error_code ignored;
+    fs::remove("/tmp/linuxcnc.lock", ignored);
+  }
+}
+
+// A machine that begins in the memory of one that died takes its old serial numbers for answers and its components for
+// its own, and does not come up. Memory that nobody is attached to belongs to no machine that lives.
+void LinuxCncPeer::removeDeadMemory() {
+  // Those of linuxcnc.nml; motion's; HAL's, and what its simulator knows itself by (hal_priv.h, uspace_rtapi_app.cc).
+  constexpr std::array<long, 8> kKeys{1001, 1002, 1003, 1004, 1005, 100, 0x48414C32, 0x48484C34};
+  std::ifstream segments("/proc/sysvipc/shm");
+  std::string line;
+  std::getline(segments, line);  // the heading
+  while (std::getline(segments, line)) {
+    long key = 0, id = 0, mode = 0, size = 0, creator = 0, last = 0, attached = 0;
+    std::istringstream(line) >> key >> id >> mode >> size >> creator >> last >> attached;
+    const bool known = std::find(kKeys.begin(), kKeys.end(), key) != kKeys.end();
+    if (known && attached == 0) ::shmctl(static_cast<int>(id), IPC_RMID, nullptr);
+  }
 }
 
 std::string LinuxCncPeer::talk(const std::vector<std::string>& requests) {

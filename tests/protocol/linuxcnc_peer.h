@@ -25,8 +25,8 @@ class LinuxCncPeer {
   bool ok() const { return why_.empty(); }
   const std::string& why() const { return why_; }
   void start();
-  // Asks it to end, as a person would; false: it had to be killed after 10 s. What it left behind is cleaned up.
-  bool end();
+  // Asks it to end, as a person would, and kills it where it has not after 10 s. What it left behind is cleaned up.
+  void end();
 
   // A program of one's own, into the machine's folder.
   void write(const std::string& program, const std::string& text) const;
@@ -39,7 +39,9 @@ class LinuxCncPeer {
 
  private:
   void addComponent();
-  void cleanUp() const;
+  std::vector<pid_t> ours() const;
+  void leaveNothing() const;
+  static void removeDeadMemory();
   pid_t spawn(const std::vector<std::string>& words, const char* log) const;
 
   std::filesystem::path folder_;

@@ -217,6 +217,68 @@ TEST(LinuxCnc, RepliesInPiecesWithNoiseBetweenThemAreRead) {
   EXPECT_EQ(m.programmedSpeed.value, 8000.0);
 }
 
+// Several in one piece, and one after the reply to the next question: never a number for another one.
+TEST(LinuxCnc, RepliesThatComeTogetherOrInTheWrongOrderAreNoOtherAnswers) {
+  for (const bool together : {true, false}) {
+    Bench b;
+    b.run(0.2);
+    if (together) {
+      b.faults.merge(0.015);
+    } else {
+      b.faults.wrongOrder(37);
+    }
+    int believed = 0;
+    for (int i = 0; i < 400; ++i) {
+      const MachineState m = b.run(0.005);
+      if (!m.valid) continue;
+      ++believed;
+      EXPECT_EQ(m.programmedSpeed.value, 8000.0);
+      EXPECT_EQ(m.speedOverride.value, 1.0);
+      EXPECT_EQ(m.feedOverride.value, 1.0);
+      EXPECT_NEAR(m.actualSpeed.value, 8000.0, 1.0);
+    }
+    EXPECT_GT(believed, 100) << "together " << together;
+    b.faults = {};
+    b.link->apply(b.gate.set(90.0), b.clock.now());
+    EXPECT_NEAR(b.run(3.0).speedOverride.value, 0.9, 1e-6);
+  }
+}
+
+// Started anew: nobody is in control, its overrides are at 100 %, and ours are not believed to stand there.
+TEST(LinuxCnc, RestartedMachineIsFoundAgainAndHome) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.faults.refuse();
+  for (ScriptedWire* w : {b.controlWire, b.watchWire, b.halWire}) w->hangUp();
+  EXPECT_FALSE(b.run(0.3).linkUp);
+  b.link->release(b.clock.now());  // the lease ran out meanwhile
+  b.mill = {};
+  b.faults.refuse(false);
+  const MachineState m = b.run(2.0);
+  EXPECT_TRUE(m.valid);
+  EXPECT_EQ(m.speedOverride.value, 1.0);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_EQ(b.mill.owner, nullptr);
+}
+
+// The override stays where the program left it: what brings it back is the release that follows.
+TEST(LinuxCnc, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.mill.running = false;
+  const MachineState m = b.run(0.5);
+  EXPECT_TRUE(m.valid);
+  EXPECT_FALSE(m.programRunning);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
 TEST(LinuxCnc, NeverSaysWhatCrashesTheServer) {
   Bench b;
   b.run(0.2);

@@ -199,11 +199,41 @@ TEST(Modbus, AcknowledgedWithoutEffectIsReadBackAsNone) {
   EXPECT_NEAR(m.actualSpeed.value, 8000.0, 0.1);
 }
 
-TEST(Modbus, AbortedProgramIsNotRunning) {
+TEST(Modbus, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {
   Bench b;
   EXPECT_TRUE(b.run(0.2).programRunning);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.2);
   b.plc.running = false;
   EXPECT_FALSE(b.run(0.2).programRunning);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+  EXPECT_EQ(b.plc.holding(101), 1000);
+}
+
+TEST(Modbus, EndOfTheLinkBringsTheOverridesAndControlBack) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.3);
+  b.link.reset();
+  EXPECT_EQ(b.plc.holding(100), 1000);
+  EXPECT_EQ(b.plc.holding(101), 1000);
+  EXPECT_EQ((b.plc.words[{RegisterTable::Coil, 7}]), 0);
+}
+
+// Another master writes the same register: read back, left alone, and brought home in the end.
+TEST(Modbus, AnotherMastersOverrideIsReadBackAndNotFoughtOver) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.3);
+  b.plc.holding(100) = 700;
+  const MachineState m = b.run(0.5);
+  EXPECT_NEAR(m.speedOverride.value, 0.7, 1e-9);  // not taken, the gate says
+  EXPECT_EQ(b.plc.holding(100), 700);
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
 }
 
 // Its own watchdog has brought it back meanwhile, and what we had ordered before is not ordered again.

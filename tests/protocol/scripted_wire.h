@@ -1,5 +1,5 @@
-// A wire on virtual time with a peer behind it that a test can delay, split, garble, silence and hang up. Waiting moves
-// the clock; nothing sleeps.
+// A wire on virtual time with a peer behind it that a test can delay, split, merge, garble, put out of order, silence
+// and hang up. Waiting moves the clock; nothing sleeps.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +18,8 @@ namespace stillcut::cnc::testing {
 struct WireFaults {
   Seconds latency{0.00005};
   std::size_t piece = 0;  // bytes a read gives at most; 0: all
+  Seconds batch{};        // replies come together, at multiples of this
+  int disorder = 0;       // every so many replies one comes after the next one; 0: never
   std::string noise;      // said before every reply
   bool silent = false;    // takes requests and never answers
   bool refuses = false;   // no connection comes about
@@ -28,6 +30,14 @@ struct WireFaults {
   }
   WireFaults& split(std::size_t bytes) {
     piece = bytes;
+    return *this;
+  }
+  WireFaults& merge(double seconds) {
+    batch = Seconds(seconds);
+    return *this;
+  }
+  WireFaults& wrongOrder(int every) {
+    disorder = every;
     return *this;
   }
   WireFaults& garbage(std::string bytes) {
@@ -85,7 +95,14 @@ class ScriptedWire final : public ByteChannel {
     if (state_ != WireState::Open) return false;
     peer_.take(bytes, clock_.now(), [&](std::string text, double extra) {
       if (faults_.silent) return;
-      coming_.push_back({clock_.now() + toDuration(faults_.latency + Seconds(extra)), faults_.noise + std::move(text)});
+      const Instant when = arrival(toDuration(faults_.latency + Seconds(extra)));
+      text.insert(0, faults_.noise);
+      if (faults_.disorder > 0 && ++replies_ % faults_.disorder == 0 && late_.empty()) {
+        late_ = std::move(text);
+        return;
+      }
+      coming_.push_back({when, std::move(text)});
+      if (!late_.empty()) coming_.push_back({when, std::exchange(late_, {})});
     });
     return true;
   }
@@ -100,6 +117,7 @@ class ScriptedWire final : public ByteChannel {
     if (state_ == WireState::Open) peer_.gone();
     state_ = WireState::Closed;
     coming_.clear();
+    late_.clear();
   }
   // Bytes nobody asked for.
   void say(std::string text) { coming_.push_back({clock_.now(), std::move(text)}); }
@@ -109,11 +127,21 @@ class ScriptedWire final : public ByteChannel {
     Instant when;
     std::string text;
   };
+  Instant arrival(Duration after) const {
+    const Instant when = clock_.now() + after;
+    const Duration batch = toDuration(faults_.batch);
+    if (batch <= Duration::zero()) return when;
+    const Duration past = (when - Instant{}) % batch;
+    return past == Duration::zero() ? when : when + (batch - past);
+  }
+
   test::VirtualClock& clock_;
   WireFaults& faults_;
   Peer& peer_;
   WireState state_ = WireState::Closed;
   std::deque<Coming> coming_;
+  std::string late_;  // kept back until the next reply has gone
+  int replies_ = 0;
 };
 
 }  // namespace stillcut::cnc::testing

@@ -2,6 +2,7 @@
 // each is bounded.
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -61,18 +62,23 @@ class Sender {
     f.checksum = Checksum::Crc16;
     std::string bytes;
     std::size_t piece = 1;
+    const int crystal = ::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC);  // of the device
+    const itimerspec millisecond{{0, 1'000'000}, {0, 1'000'000}};
+    ::timerfd_settime(crystal, 0, &millisecond, nullptr);
     for (unsigned n = 0; n < 20000 && !stopped_; ++n) {
+      std::uint64_t ticks = 0;
+      if (::read(crystal, &ticks, sizeof ticks) < 0) break;
       std::string one = frame(f, n);
       if (n % 1000 == 930) continue;
       if (n % 1000 == 960) one[9] ^= 1;
       bytes += one;
       while (bytes.size() >= piece) {
-        if (::write(file, bytes.data(), piece) < 0) return;
+        if (::write(file, bytes.data(), piece) < 0) stopped_ = true;
         bytes.erase(0, piece);
         piece = piece % 37 + 1;
       }
-      ::usleep(1000);
     }
+    ::close(crystal);
   }
   std::atomic<bool> stopped_{false};
   std::thread thread_;

@@ -1,8 +1,12 @@
 #include "tests/support/null_sink.h"
 
 #include <alsa/asoundlib.h>
+#include <poll.h>
+#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include <array>
 
 #include <csignal>
 #include <cstdlib>
@@ -12,13 +16,28 @@
 
 namespace stillcut::testing {
 namespace fs = std::filesystem;
+namespace {
+
+// Wakes with every change in its folder, until the file is there.
+bool appears(const fs::path& file, int atMostMs) {
+  const int changes = ::inotify_init1(IN_CLOEXEC);
+  ::inotify_add_watch(changes, file.parent_path().c_str(), IN_CREATE | IN_MOVED_TO);
+  std::array<char, 4096> told;
+  pollfd change{changes, POLLIN, 0};
+  while (!fs::exists(file) && ::poll(&change, 1, atMostMs) > 0 && ::read(changes, told.data(), told.size()) > 0) {
+  }
+  ::close(changes);
+  return fs::exists(file);
+}
+
+}  // namespace
 
 NullSink::~NullSink() {
   unplug();
   if (!folder_.empty()) fs::remove_all(folder_);
 }
 
-std::string NullSink::start(int rate, int channels, const std::string& channelMap) {
+std::string NullSink::start(int rate, int channels, const std::string& channelMap, const std::string& resampling) {
   if (std::system("command -v pulseaudio >/dev/null") != 0) return "pulseaudio is not installed";
   if (std::system("ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1") != 0) {
     return "libasound2-plugins is not installed";
@@ -28,11 +47,13 @@ std::string NullSink::start(int rate, int channels, const std::string& channelMa
   folder_ = folder;
   rate_ = rate;
   channels_ = channels;
+  resampling_ = resampling.empty() ? "auto" : resampling;
   map_ = channelMap.empty() ? "" : " channel_map=" + channelMap;
   const std::string server = "server \"unix:" + (folder_ / "socket").string() + "\"";
   std::ofstream(folder_ / "alsa.conf") << "</usr/share/alsa/alsa.conf>\n"
                                        << "pcm.heard { type pulse " << server << " device \"sink.monitor\" }\n"
-                                       << "pcm.played { type pulse " << server << " device \"sink\" }\n";
+                                       << "pcm.played { type pulse " << server << " device \"sink\" }\n"
+                                       << "pcm.fixed { type plug slave { pcm heard rate " << rate << " } }\n";
   ::setenv("ALSA_CONFIG_PATH", (folder_ / "alsa.conf").c_str(), 1);
   ::setenv("XDG_RUNTIME_DIR", folder, 1);
   ::setenv("HOME", folder, 1);
@@ -46,12 +67,12 @@ std::string NullSink::plug() {
     const std::string listen = "--load=module-native-protocol-unix auth-anonymous=1 socket=" + socket;
     const std::string sink = "--load=module-null-sink sink_name=sink format=s32le rate=" + std::to_string(rate_) +
                              " channels=" + std::to_string(channels_) + map_;
+    const std::string method = "--resample-method=" + resampling_;
     ::execlp("pulseaudio", "pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--log-target=null",
-             listen.c_str(), sink.c_str(), static_cast<char*>(nullptr));
+             method.c_str(), listen.c_str(), sink.c_str(), static_cast<char*>(nullptr));
     ::_exit(127);
   }
-  for (int i = 0; i < 200 && !fs::exists(socket); ++i) ::usleep(25000);
-  return fs::exists(socket) ? "" : "pulseaudio does not start here";
+  return appears(socket, 5000) ? "" : "pulseaudio does not start here";
 }
 
 void NullSink::unplug() {

@@ -1,5 +1,6 @@
 // A PulseAudio server of the test's own with one null sink, reached through ALSA's pulse plugin: what is played to the
-// ALSA device "played" is heard, bit by bit, at "heard". It stands in for an audio-class device.
+// ALSA device "played" is heard, bit by bit, at "heard". It stands in for an audio-class device. "fixed" is the same
+// behind ALSA's own converters, with the sink's rate as the only one that needs none.
 #pragma once
 
 #include <sys/types.h>
@@ -23,7 +24,8 @@ class NullSink {
 
   // Empty: it runs, and this process' ALSA knows its two devices. Else why it cannot run here, one line.
   // channelMap: as PulseAudio spells it; what is heard is mixed where it is not the one that ALSA asks for.
-  std::string start(int rate, int channels, const std::string& channelMap = {});
+  // resampling: its method for who asks for another rate; "trivial" repeats and drops samples.
+  std::string start(int rate, int channels, const std::string& channelMap = {}, const std::string& resampling = {});
   // As if the cable were pulled, and put back.
   void unplug();
   std::string plug();
@@ -32,7 +34,7 @@ class NullSink {
   std::filesystem::path folder_;
   int rate_ = 0;
   int channels_ = 0;
-  std::string map_;
+  std::string map_, resampling_;
   pid_t server_ = -1;
 };
 
