@@ -14,6 +14,7 @@ Status ActiveLoop::prepare(const std::array<AxisOptions, kActiveAxes>& axes, Her
     axes_[a].tally.prepare(rate, o.limits.amplitude);
     axes_[a].before = ActuatorState::Off;
     axes_[a].online.prepare(o.online, rate);
+    axes_[a].added.prepare(o.path);
     axes_[a].renewal.prepare(o.path, o.lines, rate);
     axes_[a].renewals = 0;
   }
@@ -39,6 +40,7 @@ void ActiveLoop::begin() STILLCUT_RT {
 double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   if (const PathModel* model = axis.renewed.read(); model != nullptr && axis.renewed.fresh()) {
     axis.controller.renew(*model);
+    axis.added.renew(*model);
   }
   const double wanted = axis.controller.process(error);
   const double without = axis.controller.disturbance();
@@ -48,7 +50,10 @@ double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
     axis.online.hear(error);
     added = axis.online.next();
   }
-  const double stroke = axis.gate.pass(wanted + added, error, without).value();
+  // What we add ourselves is no fault of the control.
+  const double uncontrolled = axis.online.on() ? without - axis.added.arrive() : without;
+  const double stroke = axis.gate.pass(wanted + added, error, uncontrolled).value();
+  if (axis.online.on()) axis.added.push(added);
   axis.controller.written(stroke, added);
   if (listening) axis.online.wrote(stroke);
   const ActuatorState state = axis.gate.state();
@@ -56,6 +61,7 @@ double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   if (state == ActuatorState::RampIn && axis.before != ActuatorState::RampIn) {
     axis.controller.reset();
     axis.online.reset();
+    axis.added.reset();
     axis.meter.reset();
     axis.tally.reset();
   }

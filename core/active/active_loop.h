@@ -11,6 +11,7 @@
 #include "core/active/line_meter.h"
 #include "core/active/model_renewal.h"
 #include "core/active/online_identifier.h"
+#include "core/active/path_filter.h"
 #include "core/base/result.h"
 #include "core/safety/actuator_gate.h"
 
@@ -61,6 +62,7 @@ class ActiveLoop {
     AxisTally tally;
     ActuatorState before = ActuatorState::Off;
     OnlineIdentifier online;
+    PathFilter added;                     // what is added for it, as the model says it arrives
     ModelRenewal renewal;                 // beside the loop
     int renewals = 0;                     // beside the loop
     rt::TripleBuffer<PathModel> renewed;  // to the loop

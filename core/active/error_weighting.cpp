@@ -1,8 +1,18 @@
 #include "core/active/error_weighting.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillcut::active {
+
+Emphasis foreseen(Emphasis emphasis, Seconds ahead) {
+  constexpr double kForeseen = 0.8;
+  if (ahead.value > 0.0) {
+    const double widest = -2.0 * std::log(kForeseen) / (kTwoPi * ahead.value);
+    emphasis.width = Hertz(std::min(emphasis.width.value, widest));
+  }
+  return emphasis;
+}
 
 // The peaking filter of second order: `gain` on the line, its geometric mean with 1 half a width to either side.
 void ErrorWeighting::prepare(const Emphasis& emphasis, Hertz rate) {

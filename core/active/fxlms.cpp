@@ -34,8 +34,9 @@ void FxlmsController::prepare(const FxlmsOptions& options, const PathModel& mode
   filtered_.prepare(taps);
   weights_.assign(reference_.size(), 0.0);
   path_.prepare(model);
-  errorWeight_.prepare(options.emphasis, rate);
-  referenceWeight_.prepare(options.emphasis, rate);
+  const Emphasis emphasis = foreseen(options.emphasis, Seconds(leadingDelay(model) / rate.value));
+  errorWeight_.prepare(emphasis, rate);
+  referenceWeight_.prepare(emphasis, rate);
   delay_ = delayOf(model, errorWeight_);
   forget_ = 1.0 / (8.0 * static_cast<double>(taps));
   reset();
@@ -48,7 +49,7 @@ void FxlmsController::reset() noexcept {
   path_.reset();
   errorWeight_.reset();
   referenceWeight_.reset();
-  power_ = inFilter_ = renewed_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
+  filteredNow_ = power_ = inFilter_ = renewed_ = errorPower_ = disturbance_ = wanted_ = error_ = 0.0;
   sinceRenewal_ = 0;
   // The foot of a path's response is far below the rest: a step taken from its power would be thrown by what follows.
   unheard_ = options_.filter.taps + static_cast<int>(std::ceil(delay_));
@@ -60,8 +61,9 @@ double FxlmsController::largestStep() const noexcept {
 }
 
 void FxlmsController::hear(double filtered) STILLCUT_RT {
+  filtered_.push(filteredNow_);
+  filteredNow_ = filtered;
   const double oldest = filtered_.data()[options_.filter.taps - 1];
-  filtered_.push(filtered);
   const double square = filtered * filtered;
   unheard_ = std::max(0, unheard_ - 1);
   inFilter_ += square - oldest * oldest;
@@ -83,8 +85,8 @@ double FxlmsController::process(double error, double reference) STILLCUT_RT {
                    : options_.reference == Reference::ErrorFeedback ? error
                                                                     : disturbance_;
   path_.push(kReference, x);
+  wanted_ = kernels_.newTapSum(weights_.data(), x, reference_.data(), weights_.size());
   reference_.push(x);
-  wanted_ = kernels_.tapSum(weights_.data(), reference_.data(), weights_.size());
   hear(referenceWeight_.process(path_.arrived(kReference)));
   return wanted_;
 }
@@ -102,8 +104,8 @@ void FxlmsController::written(double output, double added) STILLCUT_RT {
     if (square > 9.0 * errorPower_) error = std::copysign(3.0 * std::sqrt(errorPower_), error_);
     errorPower_ += forget_ * (square - errorPower_);
   }
-  kernels_.tapSteer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filtered_.data(),
-                    static_cast<std::size_t>(options_.filter.taps));
+  kernels_.newTapSteer(weights_.data(), options_.filter.leak, limited ? 0.0 : 2.0 * step * error, filteredNow_,
+                       filtered_.data(), static_cast<std::size_t>(options_.filter.taps));
 }
 
 }  // namespace stillcut::active

@@ -21,6 +21,7 @@
 #include "core/active/error_weighting.h"
 #include "core/active/lms.h"
 #include "core/active/path_filter.h"
+#include "core/dsp/kernels/aligned.h"
 
 namespace stillcut::active {
 
@@ -60,8 +61,9 @@ class FxlmsController {
 
   FxlmsOptions options_;
   dsp::kernels::Kernels kernels_;
-  std::vector<double> weights_;
-  TapLine reference_, filtered_;
+  dsp::kernels::LaneValues weights_;
+  TapLine reference_, filtered_;  // the second but for its newest value
+  double filteredNow_ = 0.0;
   PathPair path_;  // s^ * y and s^ * x
   ErrorWeighting errorWeight_, referenceWeight_;
   double delay_ = 0.0;     // of the model and the weighting [samples]

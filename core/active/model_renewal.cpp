@@ -1,5 +1,6 @@
 #include "core/active/model_renewal.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,6 +12,7 @@ namespace stillcut::active {
 namespace {
 
 constexpr double kConvincing = 0.5;  // of two estimates of one path, the one differs by twice the noise of an estimate
+constexpr double kSlight = 0.2;      // of a response: 12 degrees
 constexpr double kMostTurned = std::numbers::pi / 3.0;
 
 double distance(const std::vector<double>& a, const std::vector<double>& b) {
@@ -34,13 +36,16 @@ std::optional<PathModel> ModelRenewal::judge(const std::vector<double>& impulse)
   const std::vector<double> old = model_.impulse(static_cast<int>(impulse.size()));
   if (distance(first, impulse) >= kConvincing * distance(old, impulse)) return std::nullopt;
 
-  std::vector<double> mean(impulse.size());
-  for (std::size_t k = 0; k < mean.size(); ++k) mean[k] = 0.5 * (first[k] + impulse[k]);
-  auto found = modelOf(mean, model_, "on-line model");
+  auto found = modelOf(first, model_, "on-line model");
   if (!found) return std::nullopt;
-  if (distance(found->impulse(static_cast<int>(impulse.size())), impulse) >= distance(old, impulse))
-    return std::nullopt;
+  const std::vector<double> made = found->impulse(static_cast<int>(impulse.size()));
+  if (distance(made, impulse) >= kConvincing * distance(old, impulse)) return std::nullopt;
+  const PathModel measured{impulse, {}, 0};
   for (const Hertz line : lines_) {
+    const std::complex<double> here = measured.response(line, rate_);
+    const double before = std::abs(model_.response(line, rate_) - here);
+    const double after = std::abs(found->response(line, rate_) - here);
+    if (after > std::max(before, kSlight * std::abs(here))) return std::nullopt;
     if (std::abs(phaseError(*found, model_.response(line, rate_), line, rate_)) > kMostTurned) return std::nullopt;
   }
   model_ = *found;

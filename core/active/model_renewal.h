@@ -1,9 +1,10 @@
-// ModelRenewal: whether an estimate that was made while the control was on may take the place of the model. It must be
-// confirmed by the next estimate, which knows nothing of it: from that one's impulse response the new model must be
-// half as far as the old one, in energy. (Both see the noise of that estimate; a good old model is as far as that
-// alone, another estimate of the same path twice as far.) Then it becomes a recursive model of the same lengths and
-// delay, which must pass checkPath() and turn the phase on the lines to quieten by no more than 60 degrees at once:
-// that far the old model is still driven the right way while the weights follow. Thread: not the loop's; allocates.
+// ModelRenewal: whether an estimate that was made while the control was on may take the place of the model. It becomes
+// a recursive model of the same lengths and delay, and is held against the next estimate, which knows nothing of it:
+// from that one's impulse response both it and the estimate it was made from must be half as far as the old model, in
+// energy (both see the noise of that estimate; a good old model is as far as that alone, another estimate of the same
+// path twice as far), and on no line to quieten may it be farther from it than the old one. It must pass checkPath()
+// and turn the phase on these lines by no more than 60 degrees at once: that far the old model is still driven the
+// right way while the weights follow. Thread: not the loop's; allocates.
 #pragma once
 
 #include <optional>

@@ -1,12 +1,14 @@
 #include "core/active/path_filter.h"
 
+#include <algorithm>
+
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::active {
 namespace {
 
-std::vector<double> padded(const std::vector<double>& coefficients) {
-  std::vector<double> all = coefficients;
+dsp::kernels::LaneValues padded(const std::vector<double>& coefficients) {
+  dsp::kernels::LaneValues all(coefficients.begin(), coefficients.end());
   all.resize(dsp::kernels::wholeLanes(all.size()), 0.0);
   return all;
 }
@@ -17,20 +19,25 @@ void PathPair::prepare(const PathModel& model) {
   kernels_ = dsp::kernels::bestKernels();
   forward_ = padded(model.forward);
   backward_ = padded(model.backward);
+  const std::size_t taps = std::max(forward_.size(), backward_.size());
+  forward_.resize(taps, 0.0);
+  backward_.resize(taps, 0.0);
   delay_ = static_cast<std::size_t>(model.delay);
-  run_.forward = forward_.data();
-  run_.forwardTaps = forward_.size();
-  run_.backward = backward_.data();
-  run_.backwardTaps = backward_.size();
+  run_ = {.forward = forward_.data(), .backward = backward_.data(), .taps = taps};
   for (std::size_t i = 0; i < 2; ++i) {
-    inputs_[i].prepare(forward_.size() + delay_);
-    outputs_[i].prepare(backward_.size());
+    states_[i].resize(taps + dsp::kernels::kLanes);
+    run_.state[i] = states_[i].data();
+    waiting_[i].resize(delay_);
   }
+  reset();
 }
 
 void PathPair::reset() noexcept {
-  for (TapLine& line : inputs_) line.reset();
-  for (TapLine& line : outputs_) line.reset();
+  for (auto& state : states_) std::ranges::fill(state, 0.0);
+  for (auto& ring : waiting_) std::ranges::fill(ring, 0.0);
+  pushed_ = {};
+  run_.in[0] = run_.in[1] = run_.out[0] = run_.out[1] = 0.0;
+  at_ = 0;
 }
 
 void PathPair::renew(const PathModel& model) STILLCUT_RT {
@@ -45,6 +52,11 @@ void PathFilter::prepare(const PathModel& model) {
   delay_ = static_cast<std::size_t>(model.delay);
   inputs_.prepare(forward_.size() + delay_);
   outputs_.prepare(backward_.size());
+}
+
+void PathFilter::renew(const PathModel& model) STILLCUT_RT {
+  std::copy(model.forward.begin(), model.forward.end(), forward_.begin());
+  std::copy(model.backward.begin(), model.backward.end(), backward_.begin());
 }
 
 void PathFilter::reset() noexcept {

@@ -39,6 +39,17 @@ double PathModel::largestPole() const {
   return Eigen::EigenSolver<Eigen::MatrixXd>(companion, false).eigenvalues().cwiseAbs().maxCoeff();
 }
 
+int leadingDelay(const PathModel& model) {
+  constexpr double kHeard = 0.01;  // of the energy
+  const std::vector<double> impulse = model.impulse(model.delay + 4 * kMostTaps);
+  double whole = 0.0;
+  for (const double r : impulse) whole += r * r;
+  double come = 0.0;
+  std::size_t n = 0;
+  while (n + 1 < impulse.size() && (come += impulse[n] * impulse[n]) < kHeard * whole) ++n;
+  return static_cast<int>(n) + 1;
+}
+
 Status checkPath(const PathModel& model, const std::string& where) {
   const auto finite = [](const std::vector<double>& c) {
     return std::all_of(c.begin(), c.end(), [](double v) { return std::isfinite(v); });

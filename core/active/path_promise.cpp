@@ -5,26 +5,13 @@
 #include <limits>
 #include <numbers>
 
-#include "core/active/lms.h"
-
 namespace stillcut::active {
 
 namespace {
 
 constexpr double kCoherent = 0.8;
-constexpr double kHeard = 0.01;  // of the energy
 
 }  // namespace
-
-int leadingDelay(const PathModel& model) {
-  const std::vector<double> impulse = model.impulse(model.delay + 4 * kMostTaps);
-  double whole = 0.0;
-  for (const double r : impulse) whole += r * r;
-  double come = 0.0;
-  std::size_t n = 0;
-  while (n + 1 < impulse.size() && (come += impulse[n] * impulse[n]) < kHeard * whole) ++n;
-  return static_cast<int>(n) + 1;
-}
 
 ActivePath promiseOf(const IdentifiedPath& path, std::span<const Hertz> lines, Hertz rate) {
   const PathReport& r = path.report;

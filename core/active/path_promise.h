@@ -14,9 +14,6 @@ namespace stillcut::active {
 // Without lines: over everything that the record tells of. `identified` is left to the caller.
 ActivePath promiseOf(const IdentifiedPath& path, std::span<const Hertz> lines, Hertz rate);
 
-// First of the path's impulse response that is heard: where a hundredth of its energy has come [samples, 1 or more].
-int leadingDelay(const PathModel& model);
-
 PathFit fitOf(const IdentifiedPath& path, const ActivePath& promise);
 
 }  // namespace stillcut::active

@@ -23,14 +23,14 @@ class TapLine {
     std::fill(values_.begin() + static_cast<std::ptrdiff_t>(room_), values_.end(), 0.0);
   }
   void push(double value) noexcept {
-    if (at_ == 0) {  // once in `room_` values: bring the newest back to the end
-      std::copy(values_.begin(), values_.begin() + static_cast<std::ptrdiff_t>(size_),
+    if (at_ == 1) {  // once in `room_` values: bring the newest back to the end
+      std::copy(values_.begin() + 1, values_.begin() + 1 + static_cast<std::ptrdiff_t>(size_),
                 values_.begin() + static_cast<std::ptrdiff_t>(room_));
       at_ = room_;
     }
     values_[--at_] = value;
   }
-  // data()[k] is the value k steps ago; size() of them, a multiple of kLanes.
+  // data()[k] is the value k steps ago; size() of them, a multiple of kLanes. data()[-1] may be read.
   const double* data() const noexcept { return values_.data() + at_; }
   std::size_t size() const noexcept { return size_; }
 

@@ -51,22 +51,26 @@ LoopHealth DivergenceWatch::watch(double error, double without, double output, b
 
 LoopHealth DivergenceWatch::judge() const STILLCUT_RT {
   if (filled_ <= kGrowing) return LoopHealth::Fine;
-  double before = 0.0;  // the loudest window before those that are judged
-  for (std::size_t w = kGrowing; w < filled_; ++w) before = std::max(before, back(w).error);
-  const bool loud = back(0).error > kBeyond * before && before > 0.0;
   int limited = 0;
   for (std::size_t w = 0; w < kSaturating; ++w) limited += back(w).limited;
-  if (loud && 2 * limited > static_cast<int>(kSaturating) * length_) return LoopHealth::Saturated;
+  if (2 * limited > static_cast<int>(kSaturating) * length_ && loud()) return LoopHealth::Saturated;
   bool worse = true;
   for (std::size_t w = 0; w < kSaturating; ++w) {
     worse = worse && back(w).error > kWorse * back(w).without && back(w).output > slight_;
   }
   if (worse) return LoopHealth::Worse;
-  bool growing = loud;
+  bool growing = true;
   for (std::size_t w = 0; w < kGrowing && growing; ++w) {
     growing = back(w).error > kGrowth * back(w + 1).error && back(w).output > kGrowth * back(w + 1).output;
   }
-  return growing ? LoopHealth::Diverging : LoopHealth::Fine;
+  return growing && loud() ? LoopHealth::Diverging : LoopHealth::Fine;
+}
+
+// Beyond the loudest window before those that are judged: a long look back, taken only where the rest speaks for it.
+bool DivergenceWatch::loud() const STILLCUT_RT {
+  double before = 0.0;
+  for (std::size_t w = kGrowing; w < filled_; ++w) before = std::max(before, back(w).error);
+  return back(0).error > kBeyond * before && before > 0.0;
 }
 
 }  // namespace stillcut::safety

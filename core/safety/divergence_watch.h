@@ -43,6 +43,7 @@ class DivergenceWatch {
     int limited = 0;
   };
   LoopHealth judge() const STILLCUT_RT;
+  bool loud() const STILLCUT_RT;
   const Window& back(std::size_t windows) const STILLCUT_RT { return ring_[(newest_ + kWindows - windows) % kWindows]; }
 
   std::array<Window, kWindows> ring_{};

@@ -1,9 +1,11 @@
 // What the actuator loop costs: one sample of one axis, controller, weighting and gate, for each length of filter.
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <random>
+#include <vector>
 
 #include "core/active/active_loop.h"
 #include "core/active/fxlms.h"
@@ -91,8 +93,11 @@ void blocks(benchmark::State& state) {
 }
 BENCHMARK(blocks)->ArgNames({"rate", "taps"})->Args({5000, 35})->Args({48000, 35})->Args({48000, 512});
 
-// Single calls of one axis at 35 taps: the longest of a million, and of all but one in ten thousand.
+// Single calls of one axis at 35 taps. Whatever else the machine does lengthens some call of any million; what the loop
+// itself takes at worst (an old end of a delay line copied, a window judged) comes at the same call of every course.
+// So: of each call the shortest over all courses, and the longest of these.
 void worstCall(benchmark::State& state) {
+  constexpr std::size_t kCalls = 20000;
   active::FxlmsOptions options;
   options.filter = {.taps = 35, .step = 0.02, .normalised = true};
   active::FxlmsController controller;
@@ -104,20 +109,29 @@ void worstCall(benchmark::State& state) {
   if (!gate.prepare(limits, Hertz(kRate)).ok()) std::abort();
   gate.engage();
   rt::DeadlineStats taken;
-  double error = 1e-3;
+  std::vector<double> shortest(kCalls, 1.0);
   for (auto _ : state) {
-    gate.renew();
-    const auto began = std::chrono::steady_clock::now();
-    const double wanted = controller.process(error);
-    const double written = gate.pass(wanted, error, controller.disturbance()).value();
-    controller.written(written);
-    taken.record(Seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()));
-    error = -error + 1e-12 * written;
+    controller.reset();
+    double error = 1e-3;
+    for (double& best : shortest) {
+      gate.renew();
+      const auto began = std::chrono::steady_clock::now();
+      const double wanted = controller.process(error);
+      const double written = gate.pass(wanted, error, controller.disturbance()).value();
+      controller.written(written);
+      const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+      taken.record(Seconds(took));
+      best = std::min(best, took);
+      error = -error + 1e-12 * written;
+    }
   }
-  state.counters["worst_us"] = 1e6 * taken.worst().value;
+  const double worst = *std::ranges::max_element(shortest);
+  state.counters["own_worst_us"] = 1e6 * worst;
+  state.counters["of_target"] = worst / 2e-6;
+  state.counters["any_worst_us"] = 1e6 * taken.worst().value;
   state.counters["p99.99_us"] = 1e6 * taken.quantile(0.9999).value;
 }
-BENCHMARK(worstCall)->Iterations(1000000);
+BENCHMARK(worstCall)->Iterations(100);
 
 BENCHMARK(oneSample)->ArgNames({"taps", "weighted"})->Args({35, 0})->Args({35, 1})->Args({512, 1});
 

@@ -197,15 +197,16 @@ struct CrossScan {
   std::size_t place = 0;      // its bin, the first of equals; 0: none
 };
 
-// Two signals through the same recursive filter of one sample: out = sum forward in + sum backward past.
+// Two signals through the same recursive filter of one sample, in transposed form: each state moves on by one place and
+// takes up what the newest input and output add to all later outputs; the first place is the new output. Nothing is
+// summed over taps, so no output waits for more than one addition.
 struct PairRun {
-  const double* forward = nullptr;
-  std::size_t forwardTaps = 0;  // in whole lanes
-  const double* backward = nullptr;
-  std::size_t backwardTaps = 0;  // in whole lanes
-  const double* in[2] = {};      // newest first
-  const double* past[2] = {};    // what came out, newest first
-  double out[2] = {};
+  const double* forward = nullptr;   // both `taps` long, in whole lanes
+  const double* backward = nullptr;  //
+  std::size_t taps = 0;
+  double* state[2] = {};  // taps and kLanes zeros
+  double in[2] = {};      // of the sample before
+  double out[2] = {};     // of the sample before, then of this one
 };
 
 // Leakage of one signal and its copy with control into up to `lanes` lines: turns the oscillators sample by sample and
@@ -261,7 +262,12 @@ struct Kernels {
   double (*tapSum)(const double* a, const double* b, std::size_t n) noexcept = nullptr;
   // a = keep a + step b over `taps` values; the rest of the last lanes becomes 0
   void (*tapSteer)(double* a, double keep, double step, const double* b, std::size_t taps) noexcept = nullptr;
-  void (*tapPair)(PairRun&) noexcept = nullptr;
+  // The same, b being one new value and then older ones, newest first. A value that was written a moment ago and is
+  // read back as part of a vector holds the processor up for longer than the sum takes. older[-1] must be readable.
+  double (*newTapSum)(const double* a, double b, const double* older, std::size_t n) noexcept = nullptr;
+  void (*newTapSteer)(double* a, double keep, double step, double b, const double* older,
+                      std::size_t taps) noexcept = nullptr;
+  void (*filterPair)(PairRun&) noexcept = nullptr;
   void (*lineSums)(const LineRun&) noexcept = nullptr;
 };
 

@@ -100,6 +100,27 @@ STILLCUT_INLINE void store(double* p, Lanes a) {
   for (std::size_t i = 0; i < kParts; ++i) storeNative(p + i * kNative, a.part[i]);
 }
 
+// One lane down: those of `a` but the first, then the first of `b`.
+STILLCUT_INLINE Lanes movedOn(Lanes a, Lanes b) {
+  return each([&](std::size_t i) {
+    const Native upper = i + 1 < kParts ? a.part[(i + 1) % kParts] : b.part[0];
+#if STILLCUT_NATIVE == 8
+    return __builtin_shufflevector(a.part[i], upper, 1, 2, 3, 4, 5, 6, 7, 8);
+#elif STILLCUT_NATIVE == 4
+    return __builtin_shufflevector(a.part[i], upper, 1, 2, 3, 4);
+#else
+    return __builtin_shufflevector(a.part[i], upper, 1, 2);
+#endif
+  });
+}
+
+// A value and the seven that are older than it.
+STILLCUT_INLINE Lanes loadAfter(double newest, const double* older) {
+  Lanes a = load(older - 1);
+  a.part[0][0] = newest;
+  return a;
+}
+
 // Eight interleaved complex numbers.
 struct ComplexLanes {
   Lanes re;

@@ -28,7 +28,9 @@ void operatorSums(const OperatorRun& run) noexcept;
 void separate(const SeparationRun& run) noexcept;
 double tapSum(const double* a, const double* b, std::size_t n) noexcept;
 void tapSteer(double* a, double keep, double step, const double* b, std::size_t taps) noexcept;
-void tapPair(PairRun& run) noexcept;
+double newTapSum(const double* a, double b, const double* older, std::size_t n) noexcept;
+void newTapSteer(double* a, double keep, double step, double b, const double* older, std::size_t taps) noexcept;
+void filterPair(PairRun& run) noexcept;
 void lineSums(const LineRun& run) noexcept;
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -27,7 +27,9 @@ void fill(Kernels& k) noexcept {
   k.separate = separate;
   k.tapSum = tapSum;
   k.tapSteer = tapSteer;
-  k.tapPair = tapPair;
+  k.newTapSum = newTapSum;
+  k.newTapSteer = newTapSteer;
+  k.filterPair = filterPair;
   k.lineSums = lineSums;
 }
 

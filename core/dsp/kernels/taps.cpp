@@ -3,6 +3,26 @@
 
 namespace stillcut::dsp::kernels::STILLCUT_SET {
 
+namespace {
+
+STILLCUT_INLINE void steer(double* a, double keep, double step, Lanes first, const double* b, std::size_t taps) {
+  // 1 for what is left of the taps in the last lanes, 0 after it.
+  static constexpr double kLast[2 * kLanes] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
+  const Lanes kept = all(keep);
+  const Lanes stepped = all(step);
+  const std::size_t whole = taps / kLanes * kLanes;
+  Lanes values = first;
+  for (std::size_t k = 0; k < whole; k += kLanes) {
+    store(a + k, kept * load(a + k) + stepped * values);
+    values = load(b + k + kLanes);
+  }
+  if (whole == taps) return;
+  const Lanes last = load(kLast + kLanes - (taps - whole));
+  store(a + whole, (kept * load(a + whole) + stepped * values) * last);
+}
+
+}  // namespace
+
 double tapSum(const double* a, const double* b, std::size_t n) noexcept {
   Lanes even = all(0.0);  // two chains: one waits for its addition while the other is added to
   Lanes odd = all(0.0);
@@ -15,33 +35,42 @@ double tapSum(const double* a, const double* b, std::size_t n) noexcept {
   return total(even + odd);
 }
 
-void tapSteer(double* a, double keep, double step, const double* b, std::size_t taps) noexcept {
-  // 1 for what is left of the taps in the last lanes, 0 after it.
-  static constexpr double kLast[2 * kLanes] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
-  const Lanes kept = all(keep);
-  const Lanes stepped = all(step);
-  const std::size_t whole = taps / kLanes * kLanes;
-  for (std::size_t k = 0; k < whole; k += kLanes) store(a + k, kept * load(a + k) + stepped * load(b + k));
-  if (whole == taps) return;
-  const Lanes last = load(kLast + kLanes - (taps - whole));
-  store(a + whole, (kept * load(a + whole) + stepped * load(b + whole)) * last);
+// The newest last: whatever waits for it then waits for one addition.
+double newTapSum(const double* a, double b, const double* older, std::size_t n) noexcept {
+  Lanes even = all(0.0);
+  Lanes odd = all(0.0);
+  std::size_t k = kLanes;
+  for (; k + 2 * kLanes <= n; k += 2 * kLanes) {
+    even = even + load(a + k) * load(older + k - 1);
+    odd = odd + load(a + k + kLanes) * load(older + k + kLanes - 1);
+  }
+  if (k < n) even = even + load(a + k) * load(older + k - 1);
+  return total((even + odd) + load(a) * loadAfter(b, older));
 }
 
-void tapPair(PairRun& run) noexcept {
-  Lanes in[2] = {all(0.0), all(0.0)};  // four chains
-  Lanes past[2] = {all(0.0), all(0.0)};
-  for (std::size_t k = 0; k < run.forwardTaps; k += kLanes) {
-    const Lanes c = load(run.forward + k);
-    in[0] = in[0] + c * load(run.in[0] + k);
-    in[1] = in[1] + c * load(run.in[1] + k);
+void tapSteer(double* a, double keep, double step, const double* b, std::size_t taps) noexcept {
+  steer(a, keep, step, load(b), b, taps);
+}
+
+void newTapSteer(double* a, double keep, double step, double b, const double* older, std::size_t taps) noexcept {
+  steer(a, keep, step, loadAfter(b, older), older - 1, taps);
+}
+
+void filterPair(PairRun& run) noexcept {
+  const Lanes in[2] = {all(run.in[0]), all(run.in[1])};
+  const Lanes out[2] = {all(run.out[0]), all(run.out[1])};
+  Lanes now[2] = {load(run.state[0]), load(run.state[1])};
+  for (std::size_t k = 0; k < run.taps; k += kLanes) {
+    const Lanes a = load(run.forward + k);
+    const Lanes b = load(run.backward + k);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Lanes next = load(run.state[i] + k + kLanes);
+      const Lanes moved = movedOn(now[i], next) + (a * in[i] + b * out[i]);
+      store(run.state[i] + k, moved);
+      if (k == 0) run.out[i] = moved.part[0][0];
+      now[i] = next;
+    }
   }
-  for (std::size_t k = 0; k < run.backwardTaps; k += kLanes) {
-    const Lanes c = load(run.backward + k);
-    past[0] = past[0] + c * load(run.past[0] + k);
-    past[1] = past[1] + c * load(run.past[1] + k);
-  }
-  run.out[0] = total(in[0] + past[0]);
-  run.out[1] = total(in[1] + past[1]);
 }
 
 void lineSums(const LineRun& run) noexcept {

@@ -31,6 +31,7 @@ struct Loop {
 
 struct Course {
   int beyond = -1;  // sample at which the error first was twice the largest of the disturbance
+  int atEnd = -1;   // sample at which the output first was cut off, once the ramp was over
   int letGo = -1;
   int zero = -1;  // after letting go, the output is zero from here on
   ActuatorRelease why = ActuatorRelease::None;
@@ -60,6 +61,7 @@ Course run(const Loop& loop, int samples) {
     const double y = gate.pass(wanted, e, controller.disturbance()).value();
     controller.written(y);
     path.push(y);
+    if (course.atEnd < 0 && n > 1000 && gate.limited()) course.atEnd = n;
     if (course.letGo < 0 && gate.state() == ActuatorState::RampOut) course.letGo = n;
     if (y != 0.0) course.zero = -1;
     if (course.letGo >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
@@ -123,10 +125,28 @@ TEST(GatedLoop, ASaturatedActuatorThatHelpsNoLongerIsCaught) {
     return std::min(growth, 1e3) * std::sin(2.0 * std::numbers::pi * 471.0 / kRate * n);
   };
   const Course course = run(loop, 20000);
-  EXPECT_GE(course.letGo, 8000);
-  // The stroke is at its end at growth 3 or so, 18 ms after the beginning; the error doubles 12 ms later.
-  EXPECT_LE(course.letGo, 8000 + 300);
+  EXPECT_EQ(course.why, ActuatorRelease::Saturated);
+  ASSERT_GE(course.atEnd, 8000);  // until then the loop follows
+  EXPECT_GE(course.letGo, course.atEnd);
+  EXPECT_LE(course.letGo - course.atEnd, 100);  // 20 ms
   EXPECT_LE(course.zero - course.letGo, 25);
+}
+
+// However fast the chatter grows that outgrows the stroke.
+TEST(GatedLoop, ASaturatedActuatorIsCaughtWithinTwentyMillisecondsAtAnyGrowth) {
+  for (const double growth : {20.0, 40.0, 100.0, 300.0}) {
+    Loop loop;
+    loop.amplitude = 1.5;
+    loop.disturbance = [growth](int n) {
+      const double grown = n < 8000 ? 1.0 : std::exp(growth * (n - 8000) / kRate);
+      return std::min(grown, 1e3) * std::sin(2.0 * std::numbers::pi * 471.0 / kRate * n);
+    };
+    const Course course = run(loop, 20000);
+    ASSERT_GE(course.atEnd, 8000) << growth;
+    ASSERT_GE(course.letGo, course.atEnd) << growth;
+    EXPECT_LE(course.letGo - course.atEnd, 100) << growth;
+    EXPECT_LE(course.zero - course.letGo, 25) << growth;
+  }
 }
 
 // A disturbance beyond the stroke, but steady: no reason to let go, and no wind-up.

@@ -1,6 +1,8 @@
 // Every instruction set against the baseline, bit by bit, and the baseline against plain sums.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -290,6 +292,15 @@ TEST(Kernels, SumsAndStepsOfAdaptiveFiltersAreThoseWrittenOut) {
       out.push_back(k.tapSum(a.data(), b.data(), n));
       return out;
     });
+    const Values split = sameWithEverySet([&](const Kernels& k) {
+      Values older = b;
+      older[0] = 1e300;  // the newest is given apart
+      Values out = a;
+      k.newTapSteer(out.data(), 0.99, -0.3, b[0], &older[1], taps);
+      out.push_back(k.newTapSum(a.data(), b[0], &older[1], n));
+      return out;
+    });
+    for (std::size_t k = 0; k <= n; ++k) EXPECT_NEAR(split[k], all[k], 1e-12) << k;
     double sum = 0.0;
     for (std::size_t k = 0; k < n; ++k) {
       EXPECT_NEAR(all[k], k < taps ? 0.99 * a[k] - 0.3 * b[k] : 0.0, 1e-15) << k;
@@ -300,22 +311,37 @@ TEST(Kernels, SumsAndStepsOfAdaptiveFiltersAreThoseWrittenOut) {
 }
 
 TEST(Kernels, APairOfSignalsGoesThroughOneRecursiveFilter) {
-  for (const auto& [forward, backward] : {std::pair<std::size_t, std::size_t>{40, 40}, {8, 0}, {512, 16}}) {
-    const Values a = noise(forward, 1), b = noise(backward, 2);
-    const Values x = noise(forward, 3), y = noise(forward, 4), u = noise(backward, 5), v = noise(backward, 6);
+  constexpr std::size_t kSamples = 100;
+  for (const std::size_t taps : {8U, 40U, 512U}) {
+    Values a = noise(taps, 1), b = noise(taps, 2);
+    for (double& v : b) v /= static_cast<double>(8 * taps);  // stable
+    const std::array<Values, 2> in{noise(kSamples, 3), noise(kSamples, 4)};
     const Values all = sameWithEverySet([&](const Kernels& k) {
-      PairRun run{a.data(), forward, b.data(), backward, {x.data(), y.data()}, {u.data(), v.data()}, {}};
-      k.tapPair(run);
-      return Values{run.out[0], run.out[1]};
+      std::array<Values, 2> states;
+      PairRun run{.forward = a.data(), .backward = b.data(), .taps = taps};
+      for (std::size_t i = 0; i < 2; ++i) {
+        states[i].assign(taps + kLanes, 0.0);
+        run.state[i] = states[i].data();
+      }
+      Values out;
+      for (std::size_t n = 0; n < kSamples; ++n) {
+        run.in[0] = in[0][n], run.in[1] = in[1][n];
+        k.filterPair(run);
+        out.insert(out.end(), {run.out[0], run.out[1]});
+      }
+      return out;
     });
-    const auto sum = [&](const Values& in, const Values& past) {
-      double s = 0.0;
-      for (std::size_t k = 0; k < forward; ++k) s += a[k] * in[k];
-      for (std::size_t k = 0; k < backward; ++k) s += b[k] * past[k];
-      return s;
-    };
-    EXPECT_NEAR(all[0], sum(x, u), 1e-11);
-    EXPECT_NEAR(all[1], sum(y, v), 1e-11);
+    // The equation written out: r(n + 1) = sum a_k x(n - k) + sum b_k r(n - k).
+    for (std::size_t i = 0; i < 2; ++i) {
+      Values r;
+      for (std::size_t n = 0; n < kSamples; ++n) {
+        double sum = 0.0;
+        for (std::size_t t = 0; t < std::min(taps, n + 1); ++t) sum += a[t] * in[i][n - t];
+        for (std::size_t t = 0; t < std::min(taps, n); ++t) sum += b[t] * r[n - 1 - t];
+        r.push_back(sum);
+        ASSERT_NEAR(all[2 * n + i], sum, 1e-10) << taps << " " << n;
+      }
+    }
   }
 }
 
