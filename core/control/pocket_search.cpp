@@ -103,19 +103,26 @@ NextSpeed PocketSearch::fromLobes(const SearchView& view) const STILLCUT_RT {
   return best;
 }
 
-// Another speed that chattered with as many waves, on the side to which the present one points, and which points back:
-// the nearest; nullptr: none.
+// The nearest other speed that chattered, no farther than the next pocket, on the side to which the present one points,
+// and which points back, by the same mode or by another: what is stable for both lies between. nullptr: none.
 const PocketSearch::Failure* PocketSearch::across(const SearchView& view, int waves) const STILLCUT_RT {
   const double way = (speedForWaves(view.chatter, teeth_, waves) - view.present).value;
   const Failure* nearest = nullptr;
+  double least = view.present.value / (waves + 1);
   for (std::size_t i = 0; i + 1 < tried_; ++i) {
     const Failure& f = failure_[i];
     const double distance = (f.speed - view.present).value;
-    const double back = (speedForWaves(f.chatter, teeth_, waves) - f.speed).value;
-    if (pocketOf(f.chatter, f.speed) != waves || distance * way <= 0.0 || back * way >= 0.0) continue;
-    if (nearest == nullptr || std::abs(distance) < std::abs((nearest->speed - view.present).value)) nearest = &f;
+    if (distance * way <= 0.0 || wayFrom(f) * way >= 0.0 || std::abs(distance) > least) continue;
+    least = std::abs(distance);
+    nearest = &f;
   }
   return nearest;
+}
+
+// Which way its own chatter points, and how far [rev/min].
+double PocketSearch::wayFrom(const Failure& failure) const STILLCUT_RT {
+  const int waves = pocketOf(failure.chatter, failure.speed);
+  return (speedForWaves(failure.chatter, teeth_, waves) - failure.speed).value;
 }
 
 // Where the rule points at a pocket's centre. Two speeds that point at each other have it between them (two modes, or a
@@ -127,14 +134,16 @@ PocketSearch::Centre PocketSearch::centreOf(const SearchView& view, int waves) c
   if (const Failure* other = across(view, waves)) {
     const double way = (next - view.present).value;
     if (way < 0.0 && next > other->speed + (view.present - other->speed) * kBetween) return {next, true};
-    const double back = (speedForWaves(other->chatter, teeth_, waves) - other->speed).value;
+    const double back = wayFrom(*other);
     const double share = std::clamp(way / (way - back), kBetween, 1.0 - kBetween);
     return {view.present + (other->speed - view.present) * share, true};
   }
   if (tried_ < 2) return {next, false};
   const Failure& before = failure_[tried_ - 2];
-  if (pocketOf(before.chatter, before.speed) != waves) return {next, false};
   const Rpm predicted = speedForWaves(before.chatter, teeth_, waves);
+  const bool sameRow = std::abs((predicted - view.present).value) < kSamePlace / (waves + 1) * view.present.value ||
+                       pocketOf(before.chatter, before.speed) == waves;
+  if (!sameRow) return {next, false};
   const double repeats = (predicted - next) / (before.speed - view.present);
   if (!(repeats > 0.0) || repeats > kSteepest) return {next, false};
   const double halfway = 0.5 * view.present.value / (waves + 1);  // to the neighbouring pocket

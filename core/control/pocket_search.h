@@ -63,6 +63,7 @@ class PocketSearch {
   bool wasTried(Rpm speed, int waves) const STILLCUT_RT;  // the same place of the same pocket
   NextSpeed fromLobes(const SearchView& view) const STILLCUT_RT;
   NextSpeed fromRule(const SearchView& view) const STILLCUT_RT;
+  double wayFrom(const Failure& failure) const STILLCUT_RT;
   const Failure* across(const SearchView& view, int waves) const STILLCUT_RT;
   Centre centreOf(const SearchView& view, int waves) const STILLCUT_RT;
 
