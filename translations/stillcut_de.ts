@@ -2669,6 +2669,10 @@
         <source>a loop of its own</source>
         <translation>ein eigener Regelkreis</translation>
     </message>
+    <message>
+        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
+        <translation>Weiteres Gerät, %1 Kanäle: %2 nach der Uhr dieses Rechners, auf %3 µs ausgerichtet</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3629,6 +3633,37 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupCalibrator</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>Pegel des Kalibrators, etwa 94 dB, 1 g oder 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>Frequenz des Kalibrators in Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>KALIBRIEREN</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>Den Kalibrator auf dem gewählten Kanal anhören</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>Kalibrator</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>Die Frequenz ist keine Zahl über 0.</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>Der Kalibrator wird angehört</translation>
     </message>
 </context>
 <context>

@@ -2668,6 +2668,10 @@
         <source>a loop of its own</source>
         <translation>a loop of its own</translation>
     </message>
+    <message>
+        <source>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</source>
+        <translation>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3628,6 +3632,37 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 to %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupCalibrator</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>Level of the calibrator, as 94 dB, 1 g or 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>Frequency of the calibrator in Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>CALIBRATE</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>Hear the calibrator on the chosen channel</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>Calibrator</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>The frequency is no number above 0.</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>Listening to the calibrator</translation>
     </message>
 </context>
 <context>

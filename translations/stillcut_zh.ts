@@ -2669,6 +2669,10 @@
         <source>a loop of its own</source>
         <translation>独立回路</translation>
     </message>
+    <message>
+        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
+        <translation>并接设备，%1 个通道：按本机时钟 %2，对齐误差 %3 µs</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3629,6 +3633,37 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 至 %2</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupCalibrator</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>校准器的级，如 94 dB、1 g 或 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>校准器频率，Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>在所选通道上听校准器</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>校准器</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>频率不是大于 0 的数。</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>正在听校准器</translation>
     </message>
 </context>
 <context>

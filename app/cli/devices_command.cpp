@@ -1,7 +1,6 @@
 // stillcut-cli devices: the devices samples can come from and the machine links commands can go to, by their ids; finds
 // what is plugged in or reachable, and tries a link step by step. It moves nothing.
 
-#include <array>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -98,12 +97,12 @@ int tryLink(const DeviceOptions& o) {
     std::fflush(stdout);
   }
   if (!trial.passed()) return kExitDevice;
-  std::string& saved = profile->link.settings[std::string(cnc::kSavedDelay)];
-  if (!saved.empty()) std::printf("     a look took %s ms when this was saved\n", saved.c_str());
+  const Seconds before = cnc::savedDelay(profile->link.settings, cnc::kSavedDelay);
+  if (before.value > 0.0) std::printf("     a look took %.2f ms when this was saved\n", 1e3 * before.value);
+  const Seconds effect = cnc::savedDelay(profile->link.settings, cnc::kSavedEffect);
+  if (effect.value > 0.0) std::printf("     an order took %.1f ms to act in the last run\n", 1e3 * effect.value);
   if (!o.save) return kExitDone;
-  std::array<char, 32> delay{};
-  std::snprintf(delay.data(), delay.size(), "%.2f", 1e3 * trial.look().value);
-  saved = delay.data();
+  cnc::saveDelay(profile->link.settings, cnc::kSavedDelay, trial.look());
   if (const Status written = config::saveProfile(*profile, catalog, o.profile); !written) return fail(written.error());
   std::printf("saved in %s\n", o.profile.c_str());
   return kExitDone;

@@ -103,6 +103,7 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.device = std::move(parts->device);
   spec.clock = std::move(parts->clock);
   spec.link = std::move(parts->link);
+  spec.linkEffect = cnc::savedDelay(profile.link.settings, cnc::kSavedEffect);
   spec.setup = profile.cut;
   auto known = stableSpeeds(profile, besideProfile(profile.model, path));
   if (!known) return known.error();

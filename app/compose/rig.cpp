@@ -135,7 +135,9 @@ Status Rig::prepare(SetUpFault& fault) {
   } else if (spec_.watched) {
     spec_.feed = std::make_unique<pipeline::TunedFeed>(std::move(spec_.feed), inputs_);
   }
-  if (spec_.link) linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_);
+  if (spec_.link) {
+    linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_, spec_.linkEffect);
+  }
   makeLoop();
   return Done{};
 }

@@ -29,6 +29,7 @@ struct RigSpec {
   std::unique_ptr<pipeline::StepSource> steps;  // empty: `device`, live
   std::unique_ptr<pipeline::MachineFeed> feed;  // empty: the link's mailbox and the operator's ring
   std::unique_ptr<cnc::CncLink> link;           // empty: no machine
+  Seconds linkEffect{};                         // from an order to its effect, as measured before; 0: never
   CutSetup setup;                               // rate, channels and block size are overwritten by the source's format
   config::ParamSet params;
   bool autoAllowed = false;  // Auto may be chosen at all

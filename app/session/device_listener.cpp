@@ -50,8 +50,15 @@ ui::Heard DeviceListener::heard() {
   if (!rig_) return heard;
   heard.info = &info_;
   heard.snapshot = rig_->read();
+  heard.clocks = joinedClocks(rig_->device());
   if (rig_->finished()) heard.problem = QString::fromStdString(rig_->device().fault());
   return heard;
+}
+
+std::vector<ui::JoinedClock> joinedClocks(const daq::DaqSource& device) {
+  std::vector<ui::JoinedClock> clocks;
+  for (const daq::AlignedClock& clock : device.clocks()) clocks.push_back({clock.channels, clock.rate, clock.residual});
+  return clocks;
 }
 
 }  // namespace stillcut::app

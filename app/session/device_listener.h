@@ -30,4 +30,7 @@ class DeviceListener {
   BackgroundTask task_;
 };
 
+// Thread: any, while the device is read.
+std::vector<ui::JoinedClock> joinedClocks(const daq::DaqSource& device);
+
 }  // namespace stillcut::app

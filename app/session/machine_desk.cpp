@@ -7,6 +7,7 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
+#include "app/session/calibration_trial.h"
 #include "app/session/machine_trial.h"
 #include "app/session/session_view.h"
 #include "app/session/tool_library.h"
@@ -32,11 +33,19 @@ std::vector<ui::PartOption> methods(const Table& table) {
   return all;
 }
 
+bool sameLink(config::PartChoice a, config::PartChoice b) {
+  for (config::PartChoice* link : {&a, &b}) {
+    for (const std::string_view delay : {cnc::kSavedDelay, cnc::kSavedEffect}) link->settings.erase(std::string(delay));
+  }
+  return a.id == b.id && a.settings == b.settings;
+}
+
 }  // namespace
 
 bool MachineDesk::poll() {
   const bool opened = listener_.poll();
-  return task_.collect() || opened;
+  const bool calibrated = calibrating_.collect();
+  return task_.collect() || calibrated || opened;
 }
 
 std::vector<ui::PartOption> MachineDesk::sources() const {
@@ -110,24 +119,63 @@ Result<QString> MachineDesk::save(const config::Profile& profile, const QString&
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
   const config::ParamCatalog catalog = fullCatalog();
   // What could not be read again is not written.
-  const auto sound = config::parseProfile(config::profileText(profile, catalog), file, catalog, knownIds());
+  const config::Profile complete = withDelays(profile);
+  const auto sound = config::parseProfile(config::profileText(complete, catalog), file, catalog, knownIds());
   if (!sound) return sound.error();
-  if (const Status saved = config::saveProfile(profile, catalog, file); !saved) return saved.error();
+  if (const Status saved = config::saveProfile(complete, catalog, file); !saved) return saved.error();
   return QString::fromStdString(file);
 }
 
+// What was measured of this very link goes with it.
+config::Profile MachineDesk::withDelays(config::Profile profile) const {
+  const auto put = [&](const LinkDelays& delays) {
+    if (profile.link.id.empty() || !sameLink(delays.link, profile.link)) return;
+    if (delays.look.value > 0.0) cnc::saveDelay(profile.link.settings, cnc::kSavedDelay, delays.look);
+    if (delays.effect.value > 0.0) cnc::saveDelay(profile.link.settings, cnc::kSavedEffect, delays.effect);
+  };
+  put(tried_);
+  if (measured) put(measured());
+  return profile;
+}
+
+std::string MachineDesk::profileFileOrNew(const QString& name) const {
+  return profileFile(name.isEmpty() ? QStringLiteral("new") : name);
+}
+
 void MachineDesk::listen(const config::Profile& profile, const QString& name) {
-  listener_.listen(profile, profileFile(name.isEmpty() ? QStringLiteral("new") : name));
+  listener_.listen(profile, profileFileOrNew(name));
+}
+
+ui::Heard MachineDesk::heard() {
+  ui::Heard heard = listener_.heard();
+  if (heard.state == ui::Heard::State::Off && clocks) heard.clocks = clocks();
+  return heard;
+}
+
+void MachineDesk::calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
+                            Hertz frequency) {
+  listener_.stop();  // most devices can be opened once
+  calibration_ = {ui::CalibrationTrial::State::Runs, channel, {}, {}};
+  calibrating_.start(
+      ui::TaskState::What::None, {},
+      [this, profile, path = profileFileOrNew(name), channel, text = level.toStdString(),
+       frequency](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        return BackgroundTask::Apply(
+            [this, said = calibrateChannel(profile, path, channel, text, frequency)] { calibration_ = said; });
+      });
 }
 
 void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
   listener_.stop();  // most devices can be opened once
   trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Runs, {}}};
-  task_.start(ui::TaskState::What::None, {},
-              [this, profile, path = profileFile(name.isEmpty() ? QStringLiteral("new") : name)](
-                  BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                return BackgroundTask::Apply([this, steps = tryProfile(profile, path)] { trial_ = steps; });
-              });
+  task_.start(
+      ui::TaskState::What::None, {},
+      [this, profile, path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        return BackgroundTask::Apply([this, link = profile.link, tried = tryProfile(profile, path)] {
+          trial_ = tried.steps;
+          tried_ = {link, tried.look, {}};
+        });
+      });
 }
 
 Status MachineDesk::start(const QString& name) {

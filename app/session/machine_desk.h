@@ -12,6 +12,12 @@
 
 namespace stillcut::app {
 
+// Of a link: how long a look at the machine took, and an order to act; 0: not measured.
+struct LinkDelays {
+  config::PartChoice link;
+  Seconds look{}, effect{};
+};
+
 class MachineDesk final : public ui::SetupDesk {
  public:
   // Empty: nothing can be kept.
@@ -20,7 +26,9 @@ class MachineDesk final : public ui::SetupDesk {
   std::function<config::Profile()> running;
   std::function<Status(const std::string& profile)> begin;
   std::function<Status()> beginDemonstration;
-  std::string inForce;  // file of the profile that runs; empty: none
+  std::function<LinkDelays()> measured;                  // by the run
+  std::function<std::vector<ui::JoinedClock>()> clocks;  // of the run's device
+  std::string inForce;                                   // file of the profile that runs; empty: none
 
   bool poll() override;
   std::vector<ui::PartOption> sources() const override;
@@ -36,7 +44,10 @@ class MachineDesk final : public ui::SetupDesk {
   config::Profile draft() const override { return running ? running() : config::Profile(); }
   void listen(const config::Profile& profile, const QString& name) override;
   void stopListening() override { listener_.stop(); }
-  ui::Heard heard() override { return listener_.heard(); }
+  ui::Heard heard() override;
+  void calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
+                 Hertz frequency) override;
+  const ui::CalibrationTrial& calibration() const override { return calibration_; }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }
   Status start(const QString& name) override;
@@ -46,10 +57,14 @@ class MachineDesk final : public ui::SetupDesk {
 
  private:
   std::string profileFile(const QString& name) const;
+  std::string profileFileOrNew(const QString& name) const;
+  config::Profile withDelays(config::Profile profile) const;
 
   QString folder_;
   std::vector<ui::TrialStep> trial_;
-  BackgroundTask task_;
+  LinkDelays tried_;
+  ui::CalibrationTrial calibration_;
+  BackgroundTask task_, calibrating_;
   DeviceListener listener_;
 };
 

@@ -73,24 +73,28 @@ class Steps {
 };
 
 // The same steps and sentences as on the command line: the first is the link's, what follows the machine's.
-void tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
+Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
   cnc::LinkTrial trial(link, clock);
   QStringList said;
   while (trial.next()) {
     const cnc::TrialStep& step = trial.steps().back();
     const What what = trial.steps().size() == 1 ? What::Link : What::Machine;
-    if (!step.good) return steps.bad(what, text(step.said));
+    if (!step.good) {
+      steps.bad(what, text(step.said));
+      return {};
+    }
     if (what == What::Link) {
       steps.good(what, text(step.said));
     } else {
       steps.good(what, (said << text(step.said)).join(QStringLiteral("\n")));
     }
   }
+  return trial.look();
 }
 
 }  // namespace
 
-std::vector<ui::TrialStep> tryProfile(const config::Profile& profile, const std::string& path) {
+ProfileTrial tryProfile(const config::Profile& profile, const std::string& path) {
   Steps steps;
   if (profile.link.id.empty()) {
     steps.leaveOut(What::Link);
@@ -101,13 +105,13 @@ std::vector<ui::TrialStep> tryProfile(const config::Profile& profile, const std:
   auto parts = sound ? makeProfileParts(*sound, path) : Result<ProfileParts>(sound.error());
   if (!parts) {
     steps.bad(What::Settings, parts.error());
-    return steps.take();
+    return {steps.take(), {}};
   }
   steps.good(What::Settings, {});
   const auto format = parts->device->open();
   if (!format) {
     steps.bad(What::Device, format.error());
-    return steps.take();
+    return {steps.take(), {}};
   }
   steps.good(What::Device,
              QStringLiteral("%1 Hz, %2 channel(s)").arg(format->rate.value, 0, 'f', 0).arg(format->channels.size()));
@@ -115,11 +119,11 @@ std::vector<ui::TrialStep> tryProfile(const config::Profile& profile, const std:
     steps.good(What::Samples, *heard);
   } else {
     steps.bad(What::Samples, heard.error());
-    return steps.take();
+    return {steps.take(), {}};
   }
-  if (!parts->link) return steps.take();
-  tryLink(*parts->link, *parts->clock, steps);
-  return steps.take();
+  if (!parts->link) return {steps.take(), {}};
+  const Seconds look = tryLink(*parts->link, *parts->clock, steps);
+  return {steps.take(), look};
 }
 
 }  // namespace stillcut::app

@@ -5,11 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/config/profile.h"
 #include "ui/models/setup_desk.h"
 
 namespace stillcut::app {
 
-std::vector<ui::TrialStep> tryProfile(const config::Profile& profile, const std::string& path);
+struct ProfileTrial {
+  std::vector<ui::TrialStep> steps;
+  Seconds look{};  // how long one at the machine takes; 0: its link has not passed
+};
+
+ProfileTrial tryProfile(const config::Profile& profile, const std::string& path);
 
 }  // namespace stillcut::app

@@ -30,6 +30,8 @@ Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string con
   replays_.mayShow = [this] { return mayShowReplay(); };
   replays_.tuned = [this] { return tunedSettings(); };
   machine_.running = [this] { return runningProfile(); };
+  machine_.measured = [this] { return LinkDelays{runningProfile().link, {}, effect_}; };
+  machine_.clocks = [this] { return joinedClocks(rig_->device()); };
   machine_.begin = [this](const std::string& path) { return switchTo([&path] { return openProfileSession(path); }); };
 }
 
@@ -86,6 +88,7 @@ Status Session::switchTo(const Opening& open) {
   machine_.inForce = profile_;
   tuned_.clear();
   authority_ = Authority::Off;
+  effect_ = {};
   ++runs_;
   start();
   return Done{};
@@ -106,6 +109,7 @@ config::Profile Session::runningProfile() const {
 const Snapshot* Session::pull() {
   const Snapshot* live = rig_->read();
   if (live != nullptr) authority_ = live->authority;
+  if (live != nullptr && live->machine.link.effect.value > 0.0) effect_ = live->machine.link.effect;
   if (lobes_ && live != nullptr && !lobes_->started()) {
     const PathHealth& health = live->health;
     lobes_->setStart(live->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));

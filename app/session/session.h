@@ -104,6 +104,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   mutable std::vector<ui::TunablePart> parts_;  // of run partsOf_
   mutable std::optional<std::uint32_t> partsOf_;
   Authority authority_ = Authority::Off;  // as last seen
+  Seconds effect_{};                      // of an order on the machine, as last seen
   std::map<std::string, std::string> tuned_;
   RuleTables rules_;                    // as last told
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from

@@ -19,6 +19,8 @@ namespace stillcut::cnc {
 
 class EffectGauge {
  public:
+  // `before`: what an earlier run has measured, which holds until an effect was seen; 0: nothing.
+  explicit EffectGauge(Seconds before = {}) : before_(before) {}
   // Our factors on the programmed values; 1 and 1: let go.
   void ordered(Ratio speed, Ratio feed, Instant now) noexcept {
     const bool speedIsNew = speed_.note(speed, now);
@@ -39,8 +41,8 @@ class EffectGauge {
 
   // When the newest order that differs from the one before was given; 0: none was.
   Instant newest() const noexcept { return newest_; }
-  // 0: none was seen.
-  Seconds typical() const noexcept { return gauge_.typical(); }
+  // 0: none was seen, now or before.
+  Seconds typical() const noexcept { return gauge_.typical().value > 0.0 ? gauge_.typical() : before_; }
 
  private:
   static constexpr Duration kLatest = std::chrono::seconds(6);
@@ -94,6 +96,7 @@ class EffectGauge {
     std::size_t count_ = 0;
   };
 
+  Seconds before_;
   Knob speed_, feed_;
   DelayGauge gauge_;
   Instant newest_{};

@@ -1,6 +1,7 @@
 #include "core/cnc/registry.h"
 
 #include <array>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -122,7 +123,23 @@ constexpr std::array<LinkEntry, 5> kLinks{{
     {"analog", "Override voltages through a Comedi card: map, a file of calibration tables", makeAnalog},
 }};
 
+bool isDelay(const std::string& text) {
+  const auto ms = wireNumber(text);
+  return ms && *ms >= 0.0;
+}
+
 }  // namespace
+
+Seconds savedDelay(const std::map<std::string, std::string>& settings, std::string_view which) {
+  const auto text = settings.find(std::string(which));
+  return text != settings.end() && isDelay(text->second) ? Seconds(1e-3 * *wireNumber(text->second)) : Seconds();
+}
+
+void saveDelay(std::map<std::string, std::string>& settings, std::string_view which, Seconds delay) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", 1e3 * delay.value);
+  settings[std::string(which)] = text.data();
+}
 
 std::span<const LinkEntry> linkTable() {
   return kLinks;
@@ -133,9 +150,10 @@ Result<std::unique_ptr<CncLink>> makeLink(std::string_view id, const LinkRequest
   for (const LinkEntry& e : kLinks) {
     if (e.id == id) {
       LinkRequest its = request;
-      if (const auto delay = its.settings.extract(std::string(kSavedDelay)); !delay.empty()) {
-        const auto ms = wireNumber(delay.mapped());
-        if (!ms || *ms < 0.0) return Error{"link '" + std::string(id) + "'", "'delay_ms' is no delay", delay.mapped()};
+      for (const std::string_view which : {kSavedDelay, kSavedEffect}) {
+        const auto delay = its.settings.extract(std::string(which));
+        if (delay.empty() || isDelay(delay.mapped())) continue;
+        return Error{"link '" + std::string(id) + "'", "'" + std::string(which) + "' is no delay", delay.mapped()};
       }
       return e.make(its);
     }

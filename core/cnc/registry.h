@@ -41,9 +41,12 @@ struct LinkEntry {
   Result<std::unique_ptr<CncLink>> (*make)(const LinkRequest& request);
 };
 
-// The setting every link may have: how long a look at the machine took when the link was tried and saved, ms. For the
-// next trial to compare with; a link measures anew.
-inline constexpr std::string_view kSavedDelay = "delay_ms";
+// The settings every link may have, ms. How long a look at the machine took when the link was tried: for the next trial
+// to compare with. How long an order took to act in the last run: until the next one has measured it anew.
+inline constexpr std::string_view kSavedDelay = "delay_ms", kSavedEffect = "effect_ms";
+// 0: there is none, or it is no delay (which makeLink() refuses).
+Seconds savedDelay(const std::map<std::string, std::string>& settings, std::string_view which);
+void saveDelay(std::map<std::string, std::string>& settings, std::string_view which, Seconds delay);
 
 std::span<const LinkEntry> linkTable();
 // Unknown id: an error that names the known ones.

@@ -19,8 +19,10 @@ namespace stillcut::pipeline {
 
 class LinkRunner {
  public:
-  LinkRunner(cnc::CncLink& link, rt::Mailbox<OverrideCommand>& commands, rt::Mailbox<MachineState>& states)
-      : link_(link), commands_(commands), states_(states) {}
+  // `effect`: how long an order took to act when it was measured before; 0: never.
+  LinkRunner(cnc::CncLink& link, rt::Mailbox<OverrideCommand>& commands, rt::Mailbox<MachineState>& states,
+             Seconds effect = {})
+      : link_(link), commands_(commands), states_(states), effect_(effect) {}
   // Whatever ends the run, the programmed values come back.
   ~LinkRunner() { finish(); }
   LinkRunner(const LinkRunner&) = delete;

@@ -70,6 +70,12 @@ class FakeSetupDesk final : public SetupDesk {
     ears = {};
   }
   Heard heard() override { return ears; }
+  void calibrate(const config::Profile& profile, const QString&, int channel, const QString& level,
+                 Hertz frequency) override {
+    calibrated = QStringLiteral("%1 %2 %3").arg(channel).arg(level).arg(frequency.value);
+    tone = {CalibrationTrial::State::Runs, channel, {}, profile.cut.channels[static_cast<std::size_t>(channel)]};
+  }
+  const CalibrationTrial& calibration() const override { return tone; }
   void tryOut(const config::Profile& profile, const QString&) override {
     steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},
              {TrialStep::What::Device, TrialStep::State::Good, QStringLiteral("25600 Hz, 2 channel(s)")},
@@ -100,8 +106,9 @@ class FakeSetupDesk final : public SetupDesk {
   std::map<QString, config::Profile> kept;
   std::vector<ToolEntry> shop;
   std::vector<TrialStep> steps;
-  QString inForce, listenedTo;
+  QString inForce, listenedTo, calibrated;
   Heard ears;
+  CalibrationTrial tone;
   int demonstrations = 0;
   bool changed = false, refuse = false;
 };

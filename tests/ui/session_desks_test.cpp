@@ -233,6 +233,53 @@ TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
   }
 }
 
+// What a trial and a run have measured of a link goes into its profile, and into no other.
+TEST(MachineDesk, MeasuredDelaysAreSavedWithTheLinkTheyAreOf) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.teeth = 4;
+  profile.cut.nominalSpeed = Rpm(8500.0);
+  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+  profile.link = {"simulated", {}};
+  desk.measured = [&] { return LinkDelays{profile.link, {}, Seconds(0.096)}; };
+  desk.tryOut(profile, QStringLiteral("mill"));
+  waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill")).ok());
+  auto back = desk.load(QStringLiteral("mill"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(back->link.settings["effect_ms"], "96.00");
+  EXPECT_TRUE(back->link.settings.contains("delay_ms"));
+  profile.link = {"grbl", {{"device", "/dev/ttyUSB7"}}};
+  desk.measured = nullptr;
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("other")).ok());
+  back = desk.load(QStringLiteral("other"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_FALSE(back->link.settings.contains("effect_ms"));
+  EXPECT_FALSE(back->link.settings.contains("delay_ms"));
+}
+
+// A pure tone from a scenario's sensor cannot be had; that the way from desk to device and back is walked is seen in
+// what is said of it.
+TEST(MachineDesk, CalibratesAgainstTheChosenDevice) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.teeth = 4;
+  profile.cut.nominalSpeed = Rpm(8500.0);
+  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+  desk.calibrate(profile, {}, 0, QStringLiteral("1 g"), Hertz(40.0));
+  EXPECT_EQ(desk.calibration().state, ui::CalibrationTrial::State::Runs);
+  waitFor(desk, [&] { return desk.calibration().state != ui::CalibrationTrial::State::Runs; });
+  EXPECT_EQ(desk.calibration().state, ui::CalibrationTrial::State::Bad);
+  EXPECT_TRUE(desk.calibration().said.contains(QStringLiteral("tone"))) << desk.calibration().said.toStdString();
+  desk.calibrate(profile, {}, 9, QStringLiteral("1 g"), Hertz(1000.0));
+  waitFor(desk, [&] { return desk.calibration().state != ui::CalibrationTrial::State::Runs; });
+  EXPECT_TRUE(desk.calibration().said.contains(QStringLiteral("has no channel 9")));
+}
+
 TEST(MachineDesk, ProfilesAreKeptAndComeBack) {
   const QTemporaryDir folder;
   MachineDesk desk;

@@ -193,6 +193,61 @@ TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
   EXPECT_TRUE(desk_.listenedTo.isEmpty()) << "nobody looks: the device is free";
 }
 
+TEST_F(SetupPageTest, JoinedDevicesTellHowWellTheyAreAligned) {
+  openSetup();
+  press("setup-sensors");
+  desk_.ears.clocks = {{2, Hertz(25598.7), Seconds(4.2e-6)}};
+  session_.touch();
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("Joined device, 2 channels")));
+  EXPECT_TRUE(told(QStringLiteral("aligned within 4.2")));
+}
+
+TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
+  openSetup();
+  press("setup-sensors");
+  EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "no device is chosen";
+  press("source-alsa");
+  press("channel-add");
+  press("channel-add");
+  find<QTableView>("channels")->setCurrentIndex(find<QTableView>("channels")->model()->index(1, 0));
+  find<QLineEdit>("calibrator-level")->setText(QStringLiteral("1 g"));
+  find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("159,2"));
+  press("calibrator-begin");
+  EXPECT_EQ(desk_.calibrated, QStringLiteral("1 1 g 159.2"));
+  EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "one at a time";
+  EXPECT_TRUE(told(QStringLiteral("Listening to the calibrator")));
+  desk_.tone.found.scale = 98.7;
+  desk_.tone.state = CalibrationTrial::State::Good;
+  desk_.tone.said = QStringLiteral("y: a tone of 159.2 Hz");
+  desk_.changed = true;
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("a tone of 159.2 Hz")));
+  press("setup-profile");
+  find<QLineEdit>("profile-name")->setText(QStringLiteral("mill"));
+  press("profile-save");
+  ASSERT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
+  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[1].scale, 98.7);
+  EXPECT_NE(desk_.kept[QStringLiteral("mill")].cut.channels[0].scale, 98.7);
+}
+
+TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
+  openSetup();
+  press("setup-sensors");
+  press("source-alsa");
+  press("channel-add");
+  find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("much"));
+  press("calibrator-begin");
+  EXPECT_TRUE(desk_.calibrated.isEmpty());
+  EXPECT_TRUE(told(QStringLiteral("The frequency is no number")));
+  find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("1000"));
+  press("calibrator-begin");
+  desk_.tone = {CalibrationTrial::State::Bad, 0, QStringLiteral("no tone within 5 % of 1000 Hz"), {}};
+  desk_.changed = true;
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("no tone within 5 %")));
+}
+
 TEST(SetupModels, PassTheModelTester) {
   SetupDraft draft;
   ChannelModel channels(draft);

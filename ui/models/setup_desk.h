@@ -28,13 +28,30 @@ struct TrialStep {
   QString detail;  // what was found, or what is wrong; in English
 };
 
+// A device beside the first of several joined ones, by this computer's clock.
+struct JoinedClock {
+  int channels = 0;
+  Hertz rate{};
+  Seconds residual{};  // rms of what its stamps are off from a straight line: what "at the same time" means
+};
+
+// What a calibrator's tone says of a channel of the chosen device.
+struct CalibrationTrial {
+  enum class State { Off, Runs, Good, Bad };
+  State state = State::Off;
+  int channel = 0;
+  QString said;       // what was heard, or why nothing comes of it; in English
+  ChannelInfo found;  // Good: the channel, set right
+};
+
 // What the chosen device delivers before any profile is in force.
 struct Heard {
   enum class State { Off, Opening, Running, Failed };
   State state = State::Off;
   const SessionInfo* info = nullptr;  // both null until samples come; valid until the next call
   const Snapshot* snapshot = nullptr;
-  QString problem;  // why it could not be opened, or why it has ended
+  QString problem;                    // why it could not be opened, or why it has ended
+  std::vector<JoinedClock> clocks{};  // Off: of what runs
 };
 
 class SetupDesk {
@@ -65,6 +82,11 @@ class SetupDesk {
   virtual void listen(const config::Profile& profile, const QString& name) = 0;
   virtual void stopListening() = 0;
   virtual Heard heard() = 0;
+
+  // Hears the calibrator on `channel` for some seconds; whoever listens to the device stops. `level`: "94 dB", "1 g".
+  virtual void calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
+                         Hertz frequency) = 0;
+  virtual const CalibrationTrial& calibration() const = 0;
 
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
   virtual const std::vector<TrialStep>& trial() const = 0;

@@ -10,6 +10,7 @@
 #include "ui/models/format.h"
 #include "ui/models/say.h"
 #include "ui/models/sensor_view.h"
+#include "ui/pages/setup_calibrator.h"
 #include "ui/plots/level_spectrum.h"
 #include "ui/widgets/settings_form.h"
 #include "ui/widgets/text_label.h"
@@ -36,6 +37,16 @@ QScrollArea* scrolled(QWidget* content) {
   column->addStretch(1);
   scroll->setWidget(box);
   return scroll;
+}
+
+QStringList clockLines(const std::vector<JoinedClock>& clocks) {
+  QStringList lines;
+  for (const JoinedClock& clock : clocks) {
+    lines << say("Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs")
+                 .arg(clock.channels)
+                 .arg(frequency(clock.rate, Hertz(clock.rate.value * 1e-5)), significant(1e6 * clock.residual.value));
+  }
+  return lines;
 }
 
 double typed(const QLineEdit* edit) {
@@ -128,6 +139,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       form_(new SettingsForm),
       channels_(draft),
       table_(new QTableView),
+      calibrator_(new SetupCalibrator(desk, draft, [this] { return table_->currentIndex().row(); })),
       live_(new LevelSpectrum) {
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
@@ -173,6 +185,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   right->addLayout(heading);
   for (TextLabel* label : {state_, findings_, levels_}) right->addWidget(label);
   right->addWidget(live_, 1);
+  right->addWidget(calibrator_);
   findings_->setTone(Tone::Onset);
   listen_->setCheckable(true);
   connect(listen_, &TouchButton::clicked, this, [this] {
@@ -197,6 +210,7 @@ void SetupSensors::refresh() {
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
                                             : described(desk_.sources(), profile.source.id));
   form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
+  calibrator_->refresh();
 }
 
 // The chosen device while it is listened to, else what runs.
@@ -227,7 +241,7 @@ void SetupSensors::display(const Picture& picture) {
                                                          : view.headline);
   findings_->setText(view.findings.join(u'\n'));
   findings_->setVisible(!view.findings.isEmpty());
-  levels_->setText((view.channels + QStringList{view.rate}).join(u'\n').trimmed());
+  levels_->setText((view.channels + QStringList{view.rate} + clockLines(heard.clocks)).join(u'\n').trimmed());
 }
 
 void SetupSensors::hideEvent(QHideEvent* event) {

@@ -12,6 +12,7 @@ namespace stillcut::ui {
 
 class LevelSpectrum;
 class SettingsForm;
+class SetupCalibrator;
 
 class SetupMachine : public SetupTab {
   Q_OBJECT
@@ -48,6 +49,7 @@ class SetupSensors : public SetupTab {
   SettingsForm* form_;
   ChannelModel channels_;
   QTableView* table_;
+  SetupCalibrator* calibrator_;
   LevelSpectrum* live_;
 };
 

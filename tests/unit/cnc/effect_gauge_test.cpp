@@ -75,5 +75,15 @@ TEST_F(EffectGaugeTest, TheFeedIsTimedAsWell) {
   EXPECT_NEAR(typicalMs(gauge_), 20.0, 1e-6);
 }
 
+TEST_F(EffectGaugeTest, WhatAnEarlierRunMeasuredHoldsUntilAnEffectIsSeen) {
+  EffectGauge gauge(Seconds(0.096));
+  EXPECT_EQ(typicalMs(gauge), 96.0);
+  gauge.shown(Ratio(1.0), Ratio(1.0), ms(1.0));
+  gauge.ordered(Ratio(0.95), Ratio(1.0), ms(10.0));
+  EXPECT_EQ(typicalMs(gauge), 96.0);
+  gauge.shown(Ratio(0.95), Ratio(1.0), ms(50.0));
+  EXPECT_NEAR(typicalMs(gauge), 40.0, 1e-9);
+}
+
 }  // namespace
 }  // namespace stillcut::cnc

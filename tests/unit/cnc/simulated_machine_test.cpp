@@ -123,6 +123,22 @@ TEST(SimulatedMachine, TakesNothingWhileAnotherClientHasControl) {
   EXPECT_EQ(b.machine.read(b.now()).speedOverride.value, 1.0);
 }
 
+TEST(LinkRegistry, SavedDelaysAreEveryLinksAndComeBack) {
+  LinkRequest request;
+  const milling::Scenario scenario = demo();
+  request.scenario = &scenario;
+  request.port = std::make_shared<milling::PlantPort>();
+  saveDelay(request.settings, kSavedEffect, Seconds(0.0961));
+  EXPECT_NEAR(savedDelay(request.settings, kSavedEffect).value, 0.0961, 1e-9);
+  EXPECT_EQ(savedDelay(request.settings, kSavedDelay).value, 0.0);
+  EXPECT_TRUE(makeLink("simulated", request).ok());
+  request.settings["effect_ms"] = "soon";
+  EXPECT_EQ(savedDelay(request.settings, kSavedEffect).value, 0.0);
+  const auto refused = makeLink("simulated", request);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error().line(), "link 'simulated': 'effect_ms' is no delay (soon)");
+}
+
 TEST(LinkRegistry, MakesWhatItListsAndNamesTheKnown) {
   const milling::Scenario s = demo();
   LinkRequest request;

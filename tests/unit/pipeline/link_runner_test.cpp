@@ -151,6 +151,17 @@ TEST(LinkRunnerMeasures, NothingWhereTheMachineTellsNothing) {
   EXPECT_EQ(measuredEffect(false).value, 0.0);
 }
 
+// The strategies wait as long before the first order as they would after it.
+TEST(LinkRunnerMeasures, WhatAnEarlierRunMeasuredIsToldFromTheStart) {
+  rt::Mailbox<OverrideCommand> commands;
+  rt::Mailbox<MachineState> states;
+  test::CountingLink link;
+  LinkRunner runner(link, commands, states, Seconds(0.096));
+  runner.tick(Instant(toDuration(Seconds(1.0))));
+  ASSERT_TRUE(states.latest().has_value());
+  EXPECT_EQ(states.latest()->link.effect.value, 0.096);
+}
+
 TEST_F(LinkRunnerTest, TheEndOfAnIdleRunSendsNothing) {
   tickUntil(20.0);
   runner_.reset();
