@@ -59,13 +59,17 @@ class XuCut : public testing::TestWithParam<const char*> {};
 TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   const milling::Scenario cut = scenarioNamed(GetParam());
   const app::RunHistory alone = runAlone(cut);
+  // The single wall gets thinner than the limit depth: left alone it ends quiet too.
+  const auto& points = alone.points();
+  const auto last = std::find_if(points.rbegin(), points.rend(), [](const auto& p) { return p.cutting; });
+  ASSERT_NE(last, points.rend());
   double plain = 0.0;
   for (const char* strategy : {"fuzzy", "fuzzy-learning", "fuzzy-direct"}) {
     const FuzzyEnd end = fuzzyRun(cut, strategy, alone);
     EXPECT_LT(end.coherence, 0.8) << strategy;
     EXPECT_LT(end.energy, 1.5) << strategy;
     EXPECT_GE(end.report.mrrRatio, 0.5) << strategy;
-    EXPECT_LT(end.report.finalRatio, 0.1) << strategy;
+    EXPECT_LT(end.report.finalRatio, last->chattering ? 0.1 : 1.0) << strategy;
     if (plain == 0.0) plain = end.travel;
     if (std::string(strategy) == "fuzzy-direct") {
       EXPECT_LT(end.travel, plain);
@@ -73,7 +77,8 @@ TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Xu, XuCut, testing::Values("xu-steel", "xu-aluminium", "xu-thin-wall-double"),
+INSTANTIATE_TEST_SUITE_P(Xu, XuCut,
+                         testing::Values("xu-steel", "xu-aluminium", "xu-thin-wall-double", "xu-thin-wall-single"),
                          [](const auto& which) {
                            std::string name(which.param);
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -96,9 +96,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // The depth goes on rising after the move, and the tool leaves the cut: neither is a reason to move again.
         Ending{"demo", "stable", 1, 1.0}, Ending{"van-dijk-ramp", "stable", 3, 60.0},
-        Ending{"caliskan-2", "stable", 3, 20.0}, Ending{"liao-1", "stable", 3, -1.0},
-        Ending{"liao-2", "stable", 3, -1.0}, Ending{"xu-steel", "stable", 3, -1.0},
+        Ending{"caliskan-1", "stable", 3, 5.0}, Ending{"caliskan-2", "stable", 3, 20.0},
+        Ending{"liao-1", "stable", 3, -1.0}, Ending{"liao-2", "stable", 3, -1.0}, Ending{"xu-steel", "stable", 3, -1.0},
         Ending{"xu-aluminium", "stable", 3, -1.0}, Ending{"xu-thin-wall-single", "stable", 3, -1.0},
+        // Nothing is cut, or nothing chatters: nothing is moved.
+        Ending{"air-cut", "stable", 0, 0.0}, Ending{"ford-stable", "stable", 0, 0.0},
+        // No pocket is in reach at 477 rev/min: said, and nothing is moved.
+        Ending{"ford-unstable", "no-stable-speed", 0, -1.0},
         // Three speeds are tried and the programmed one comes back.
         Ending{"caliskan-3", "no-stable-speed", 4, -1.0},
         // A sensor that rattles in its mount is no chatter, and nothing is moved on its word.
