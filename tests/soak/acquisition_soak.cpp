@@ -3,12 +3,11 @@
 // a block and memory. Exit code 0: nothing dropped, no gap, and memory flat after the first tenth (5 % and 8 MB at
 // most).
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 
 #include "app/compose/scenario_rig.h"
+#include "core/rt/wakeup.h"
 #include "tests/soak/resident.h"
 
 namespace stillcut::app {
@@ -25,11 +24,16 @@ int run(double seconds) {
   for (std::size_t i = 0; i < cut.sensors.size(); ++i) cut.sensors[i].name = std::to_string(i);
   auto built = buildScenarioRig(cut, {.methods = {}, .params = {}, .live = true, .watched = true});
   if (!built) return std::fprintf(stderr, "%s\n", built.error().line().c_str()), 2;
-  built->rig->start({});
+  // As a rig starts a device that is live, which the simulated one is not.
+  pipeline::EngineOptions options;
+  options.worker.scheduling = rt::Scheduling::Fifo;
+  options.ringBlocks = static_cast<int>(2.0 * cut.rate.value / cut.blockFrames);
+  built->rig->start(options);
   Snapshot last;
   double early = 0.0;
+  rt::Wakeup never;  // only its time-out is used
   while (!built->rig->finished()) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    never.waitFor(Seconds(0.1));
     if (const Snapshot* s = built->rig->read()) last = *s;
     if (early == 0.0 && sinceEpoch(last.time).value > 0.0 && static_cast<double>(last.health.blocks) > seconds * 10.0) {
       early = testing::residentMegabytes();
