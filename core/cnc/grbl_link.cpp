@@ -88,9 +88,9 @@ void GrblLink::listen(Instant now) noexcept {
           wordsKnown_ = true;
           toldWords_ = now;
           break;
-        case GrblLine::Welcome:  // it has restarted: overrides are back at 100 %
-          speed_.lost();
-          feed_.lost();
+        case GrblLine::Welcome:  // overrides are back at 100 %
+          speed_.restarted();
+          feed_.restarted();
           break;
         case GrblLine::AlarmNote:
           report_.state = GrblState::Alarm;
@@ -104,21 +104,25 @@ void GrblLink::listen(Instant now) noexcept {
 }
 
 void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
-  const bool askedSinceMove = waiting_ && asked_ >= moved_;
+  // GRBL writes a report before it takes the steps that came with the question: only the answer to a later question
+  // shows what was lost on the way.
+  const bool sinceMove = waiting_ && asked_ >= moved_;
+  const bool sure = sinceMove && answersSinceMove_ > 0;
+  if (sinceMove) ++answersSinceMove_;
   if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(askedAt_, std::max(now, clock_.now())));
   missed_ = 0;
   ever_ = true;
   heard_ = now;
   report_ = report;
   if (!report.speedOverride) return;
-  shownSinceMove_ = true;
   shownAt_ = now;
   speed_.seen(*report.speedOverride, now);
   feed_.seen(*report.feedOverride, now);
-  if (askedSinceMove) {  // what this does not show was lost on the way
+  if (sure) {
     speed_.refused();
     feed_.refused();
   }
+  settled_ = settled_ || (speed_.settled() && feed_.settled());
 }
 
 void GrblLink::ask(Instant now) noexcept {
@@ -132,10 +136,10 @@ void GrblLink::ask(Instant now) noexcept {
   if (!wire_->write(words ? "?$G\n" : "?")) drop(now);
 }
 
-// One step of a kind, then its "Ov:" is waited for.
+// One step of a kind, then its "Ov:" is waited for: the next step is relative to where this one led.
 void GrblLink::moveOverrides(Instant now) noexcept {
-  if (!shownSinceMove_ && now - moved_ <= kShowsWithin) return;
-  if (!shownSinceMove_) {
+  if (!settled_ && now - moved_ <= kShowsWithin) return;
+  if (!settled_) {
     speed_.refused();
     feed_.refused();
   }
@@ -156,7 +160,8 @@ void GrblLink::move(SharedKnob& knob, unsigned char firstByte, Instant now) noex
   }
   if (n == 0 || !wire_->write({bytes.data(), n})) return;
   knob.sent(steps.percent, now);
-  shownSinceMove_ = false;
+  settled_ = false;
+  answersSinceMove_ = 0;
   moved_ = now;
 }
 
@@ -217,14 +222,14 @@ void GrblLink::release(Instant now) noexcept {
   feed_.letGo();
   // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
   const Instant end = clock_.now() + kReleaseTime;
-  const auto goesOn = [&] { return clock_.now() < end && !(speed_.home() && feed_.home()); };
+  const auto goesOn = [&] { return clock_.now() < end && !(speed_.seenHome() && feed_.seenHome()); };
   for (Duration left = kReleaseTime; left > Duration::zero() && goesOn(); left -= kWait) {
     read(now);
     now = std::max(now, clock_.now());
   }
   // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
   const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
-  const bool home = speed_.home() && feed_.home();
+  const bool home = speed_.seenHome() && feed_.seenHome();
   if (!home && wire_->state() == WireState::Open) wire_->write({programmed.data(), programmed.size()});
 }
 

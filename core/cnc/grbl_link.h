@@ -62,8 +62,9 @@ class GrblLink final : public CncLink {
   GrblReport report_;
   GrblWords words_;
   bool wordsKnown_ = false;
-  bool shownSinceMove_ = true;  // "Ov:" has come since the last step
-  bool waiting_ = false;        // for a report
+  bool settled_ = true;       // the last step has shown, or is known to be lost
+  int answersSinceMove_ = 0;  // to questions asked after the last step
+  bool waiting_ = false;      // for a report
   int missed_ = 0;
   Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{}, shownAt_{}, toldWords_{};
   Instant askedAt_{};  // by the clock, for the round trip

@@ -75,7 +75,10 @@ void ModbusLink::broke(Instant now) noexcept {
   failures_ = 0;
   nextTry_ = now + kRetry;
   for (Seen& s : seen_) s = Seen{};
-  for (Order& o : orders_) o.written.reset();
+  for (Order& o : orders_) {
+    o.written.reset();
+    o.sure = false;
+  }
 }
 
 void ModbusLink::pump(Instant now) noexcept {
@@ -120,6 +123,7 @@ void ModbusLink::takeReply(Instant now) noexcept {
     seen_[which_].ever = true;
   } else {
     orders_[which_].written = writing_;
+    orders_[which_].sure = true;
     if (static_cast<MachineOrder>(which_) != MachineOrder::Heartbeat) acknowledged_ = answered;
   }
 }
@@ -135,6 +139,7 @@ bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
   o.when = now;
   askedAt_ = std::max(now, clock_.now());
   touched_ = true;
+  o.sure = false;
   if (bus_->write(r->table, r->address, r->words, *words)) return true;
   broke(now);
   return false;
@@ -146,12 +151,12 @@ bool ModbusLink::writeNext(Instant now) noexcept {
   std::array<MachineOrder, 3> sequence = kStanding;
   if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
   for (const MachineOrder o : sequence) {
-    if (!map_.at(o) || order(o).written == order(o).wanted) continue;
+    if (!map_.at(o) || stands(o, order(o).wanted)) continue;
     if (isFlag(o) && !inCommand_ && !home()) continue;  // control is given back last
     if (write(o, now)) return true;
   }
   if (!inCommand_) {
-    touched_ = !home() || (map_.at(MachineOrder::Control) && order(MachineOrder::Control).written != 0.0);
+    touched_ = !home() || (map_.at(MachineOrder::Control) && !stands(MachineOrder::Control, 0.0));
     return false;
   }
   const auto& beat = map_.at(MachineOrder::Heartbeat);
@@ -252,9 +257,13 @@ void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {
   pump(now);
 }
 
+bool ModbusLink::stands(MachineOrder which, double value) const noexcept {
+  return order(which).sure && order(which).written == value;
+}
+
 bool ModbusLink::home() const noexcept {
   for (const MachineOrder o : {MachineOrder::SpeedOverride, MachineOrder::FeedOverride}) {
-    if (map_.at(o) && order(o).written != 100.0) return false;
+    if (map_.at(o) && !stands(o, 100.0)) return false;
   }
   return true;
 }

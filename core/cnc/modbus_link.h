@@ -45,8 +45,9 @@ class ModbusLink final : public CncLink {
     Instant due{};
   };
   struct Order {
-    double wanted = 0.0;  // in the map's unit
-    std::optional<double> written;
+    double wanted = 0.0;            // in the map's unit
+    std::optional<double> written;  // acknowledged last
+    bool sure = false;              // nothing was sent since: a write may act and its reply be lost
     Instant when{};
   };
   enum class Underway : std::uint8_t { Nothing, Read, Write };
@@ -58,6 +59,7 @@ class ModbusLink final : public CncLink {
   bool write(MachineOrder which, Instant now) noexcept;
   void broke(Instant now) noexcept;
   bool home() const noexcept;
+  bool stands(MachineOrder which, double value) const noexcept;
   MachineState state(Instant now) const noexcept;
   // When the oldest of these was read; 0: none is in the map, or not all have been.
   Instant readAt(std::initializer_list<MachineSignal> of) const noexcept;

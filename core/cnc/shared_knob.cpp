@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace stillcut::cnc {
 namespace {
@@ -27,13 +28,20 @@ bool SharedKnob::mayBeOurs(int percent, Instant now) const noexcept {
   return false;
 }
 
+bool SharedKnob::everSent(int percent) const noexcept {
+  const std::uint64_t kept = std::min<std::uint64_t>(sentCount_, sent_.size());
+  return std::any_of(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(kept),
+                     [percent](const Sent& s) { return s.percent == percent; });
+}
+
 void SharedKnob::seen(int percent, Instant now) noexcept {
+  const bool stoodThere = std::exchange(rejoining_, false) && everSent(percent);
   if (underway_ && (*underway_ == percent || !mayBeOurs(*underway_, now))) underway_.reset();
   if (shown_ == percent) return;
   const bool first = !shown_ && sentCount_ == 0;
   shown_ = percent;
   if (first) base_ = percent;
-  if (first || percent == target() || mayBeOurs(percent, now)) return;
+  if (first || percent == target() || stoodThere || mayBeOurs(percent, now)) return;
   // Nobody here sent this: the operator's hand.
   grabbed_ = factor_ != 1.0;
   base_ = percent;
@@ -72,8 +80,14 @@ void SharedKnob::refused() noexcept {
 }
 
 void SharedKnob::lost() noexcept {
+  restarted();
+  rejoining_ = true;
+}
+
+void SharedKnob::restarted() noexcept {
   shown_.reset();
   underway_.reset();
+  rejoining_ = false;
 }
 
 }  // namespace stillcut::cnc

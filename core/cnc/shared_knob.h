@@ -32,11 +32,18 @@ class SharedKnob {
   void sent(int percent, Instant now) noexcept;
   // The peer refused: what was sent is not on its way.
   void refused() noexcept;
-  // The connection broke: the register must be seen again before anything is sent.
+  // The connection broke: the register must be seen again before anything is sent. What we ever sent on this base is
+  // still ours then, however long it has stood: nobody saw whose hand it was, and home is what the operator chose last.
   void lost() noexcept;
+  // The peer began anew, with values of its own: as lost(), but nothing that stands there is taken for ours.
+  void restarted() noexcept;
 
   // Nothing of ours stands in the register, or all that is left is on its way out.
   bool home() const { return sentCount_ == 0 || (shown_ && underway_.value_or(*shown_) == base_); }
+  // The base itself was seen, and nothing is on its way.
+  bool seenHome() const { return sentCount_ == 0 || (shown_ == base_ && !underway_); }
+  // All that was sent has been seen, or was given up.
+  bool settled() const { return !underway_; }
   bool known() const { return shown_.has_value(); }
   int shown() const { return shown_.value_or(100); }
   // Where it should stand: the base times our factor, within the register's range.
@@ -52,6 +59,7 @@ class SharedKnob {
     Instant when{};
   };
   bool mayBeOurs(int percent, Instant now) const noexcept;
+  bool everSent(int percent) const noexcept;
 
   int lowest_, highest_;
   std::optional<int> shown_;
@@ -60,6 +68,7 @@ class SharedKnob {
   double factor_ = 1.0;
   std::uint64_t engagement_ = 0;
   bool grabbed_ = false;
+  bool rejoining_ = false;       // lost, and not seen since
   std::array<Sent, 64> sent_{};  // a ring
   std::uint64_t sentCount_ = 0;
 };

@@ -1,5 +1,5 @@
 // A GRBL 1.1 controller behind a serial wire: real-time bytes without a reply, one flag per kind and loop, "Ov:" right
-// after a change and otherwise in every tenth report.
+// after a change and otherwise in every tenth report. A report that is asked for in the same loop is written first.
 #pragma once
 
 #include <algorithm>
@@ -17,17 +17,18 @@ class FakeGrbl final : public Peer {
   double f = 1200.0, s = 8800.0;
   std::string extra;     // further fields, as grblHAL has them
   bool ignores = false;  // real-time bytes are lost on the way
+  int loses = 0;         // so many of the next real-time bytes
   int reports = 0;
   std::string moved;  // 'f' or 's' for each step that was taken
 
-  void take(std::string_view bytes, Instant, const Answer& answer) override {
+  void take(std::string_view bytes, Instant now, const Answer& answer) override {
     // Everything of one write falls into one loop of the controller: equal bytes count once.
+    if (bytes.find('?') != std::string_view::npos) report(now, answer);
     std::array<bool, 256> seen{};
     for (const char c : bytes) {
       const auto byte = static_cast<unsigned char>(c);
-      if (byte >= 0x90 && byte <= 0x9D && !ignores && !std::exchange(seen[byte], true)) step(byte);
+      if (byte >= 0x90 && byte <= 0x9D && !ignores && !lost() && !std::exchange(seen[byte], true)) step(byte, now);
     }
-    if (bytes.find('?') != std::string_view::npos) report(answer);
     if (bytes.find("$G") != std::string_view::npos) {
       answer("[GC:G1 G54 G17 G21 G90 G94 M3 M9 T0 F" + std::to_string(f) + " S" + std::to_string(s) + "]\r\nok\r\n",
              0.005);
@@ -35,27 +36,34 @@ class FakeGrbl final : public Peer {
   }
 
  private:
-  void step(unsigned char byte) {
+  bool lost() { return loses > 0 && loses-- > 0; }
+  void step(unsigned char byte, Instant now) {
     static constexpr std::array<int, 5> kBy{0, 10, -10, 1, -1};
     const bool isFeed = byte < 0x95;
     if (byte >= 0x95 && byte < 0x99) return;  // rapids
     const int by = kBy[static_cast<std::size_t>(byte - (isFeed ? 0x90 : 0x99)) % 5];
     moved += isFeed ? 'f' : 's';
+    if (now != changedAt_) feedBefore_ = feed, spindleBefore_ = spindle;
+    changedAt_ = now;
     int& value = isFeed ? feed : spindle;
     value = by == 0 ? 100 : std::clamp(value + by, 10, 200);
     changed_ = true;
   }
-  void report(const Answer& answer) {
+  void report(Instant now, const Answer& answer) {
     ++reports;
+    const bool sameLoop = now == changedAt_;
     std::string r = "<" + state + "|MPos:1.000,2.000,0.000|FS:" + std::to_string(static_cast<int>(f * feed / 100)) +
                     "," + std::to_string(static_cast<int>(s * spindle / 100)) + extra;
-    if (changed_ || reports % 10 == 0) {
-      r += "|Ov:" + std::to_string(feed) + ",100," + std::to_string(spindle) + "|A:S";
+    if ((changed_ && !sameLoop) || reports % 10 == 0) {
+      r += "|Ov:" + std::to_string(sameLoop ? feedBefore_ : feed) + ",100," +
+           std::to_string(sameLoop ? spindleBefore_ : spindle) + "|A:S";
     }
-    changed_ = false;
+    changed_ = changed_ && sameLoop;
     answer(r + ">\r\n", 0.005);
   }
   bool changed_ = false;
+  int feedBefore_ = 100, spindleBefore_ = 100;
+  Instant changedAt_{};
 };
 
 }  // namespace stillcut::cnc::testing

@@ -160,6 +160,24 @@ TEST(Grbl, LostBytesAreSentAgain) {
   EXPECT_EQ(b.grbl.feed, 90);
 }
 
+// The report that is due with its "Ov:" just then was written before the step: it must not be stepped again.
+TEST(Grbl, AReportOlderThanTheStepIsNoLostStep) {
+  for (int reports = 0; reports < 10; ++reports) {
+    Bench b;
+    b.run(0.5);
+    const int until = b.grbl.reports + reports;
+    while (b.grbl.reports < until) b.run(0.005);
+    b.link->apply(b.gate.set(91.0), b.clock.now());
+    const MachineState m = b.run(1.0);
+    EXPECT_EQ(b.grbl.moved.size(), 4U) << reports;  // ten down and one up, of speed and feed
+    EXPECT_EQ(b.grbl.spindle, 91) << reports;
+    EXPECT_EQ(m.operatorSpeed.value, 1.0) << reports;
+    b.link->release(b.clock.now());
+    EXPECT_EQ(b.grbl.spindle, 100) << reports;
+    EXPECT_EQ(b.grbl.feed, 100) << reports;
+  }
+}
+
 // There is no acknowledgement that could lie: what was ordered counts once "Ov:" shows it. Home it goes all the same.
 TEST(Grbl, ControllerThatTakesNoOverrideIsSeenToTakeNone) {
   Bench b;
@@ -257,7 +275,7 @@ TEST(Grbl, PulledCableIsBackAtTheProgrammedValuesOnceItIsIn) {
   Bench b;
   b.run(0.5);
   b.link->apply(b.gate.set(90.0), b.clock.now());
-  b.run(0.5);
+  b.run(10.0);
   b.faults.refuse();
   b.wire->hangUp();
   EXPECT_FALSE(b.run(0.2).linkUp);
@@ -284,6 +302,18 @@ TEST(Grbl, ControllerThatAnswersNothingStillGetsTheBytesThatMeanProgrammed) {
   b.link->apply(b.gate.set(90.0), b.clock.now());
   b.run(0.5);
   b.faults.hang();
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+// What left us is not what arrived: the end waits until "Ov:" shows it, and sends again.
+TEST(Grbl, BytesLostAtTheEndAreSentAgain) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.grbl.loses = 2;
   b.link->release(b.clock.now());
   EXPECT_EQ(b.grbl.spindle, 100);
   EXPECT_EQ(b.grbl.feed, 100);

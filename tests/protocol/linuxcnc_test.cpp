@@ -166,7 +166,7 @@ TEST(LinuxCnc, PulledCableComesBackAndTheOverridesWithIt) {
   Bench b;
   b.run(0.2);
   b.link->apply(b.gate.set(90.0), b.clock.now());
-  b.run(1.0);
+  b.run(10.0);
   ASSERT_EQ(b.mill.spindle, 90);
   b.faults.refuse();
   for (ScriptedWire* w : {b.controlWire, b.watchWire, b.halWire}) w->hangUp();

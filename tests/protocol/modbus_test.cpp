@@ -22,6 +22,7 @@ struct FakePlc {
   bool lies = false;     // acknowledges and does nothing
   bool running = true;
   bool silent = false;  // no reply at all
+  int lostReply = -1;   // this register is written, and the reply is lost
   bool gone = false;    // no connection
   int operatorKnob = 100;
   int writes = 0;
@@ -62,7 +63,7 @@ class FakeBus final : public RegisterBus {
       for (int i = 0; i < count; ++i) plc_.words[{table, first + i}] = words[static_cast<std::size_t>(i)];
       if (first == 102) plc_.lastBeat = clock_.now();
     }
-    return begin({!plc_.refuses, {}});
+    return begin({!plc_.refuses && first != plc_.lostReply, {}});
   }
   bool busy() const noexcept override { return reply_.has_value(); }
   std::optional<BusReply> take() noexcept override {
@@ -295,6 +296,25 @@ TEST(Modbus, RefusedSilentAndLostAreInvalidAndComeBack) {
     b.plc.*fault = false;
     EXPECT_TRUE(b.run(1.5).valid);
   }
+}
+
+// Done, and its acknowledgement lost just before the release: what may stand there is brought home.
+TEST(Modbus, WriteWhoseReplyIsLostIsTakenForDone) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.3);
+  b.link->release(b.clock.now());  // 100 % is acknowledged
+  ASSERT_EQ(b.plc.holding(100), 1000);
+  b.plc.lostReply = 100;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  while (b.plc.holding(100) != 900 && b.clock.now() < instantFromNs(5'000'000'000)) b.run(0.001);
+  ASSERT_EQ(b.plc.holding(100), 900);
+  b.plc.lostReply = -1;
+  b.plc.lastBeat = b.clock.now() + std::chrono::seconds(10);  // no watchdog helps
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.plc.holding(100), 1000);
+  EXPECT_EQ(b.plc.holding(101), 1000);
 }
 
 TEST(Modbus, PulledCableRestoresTheProgrammedValuesOnceItIsIn) {

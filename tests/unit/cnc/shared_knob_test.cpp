@@ -126,6 +126,44 @@ TEST(SharedKnob, AfterALostConnectionItIsSeenAnew) {
   EXPECT_FALSE(knob.home());
 }
 
+// However long it stood: a hand that chose the same while the wire was down cannot be told apart.
+TEST(SharedKnob, WhatWeLeftThereIsOursAfterAnyBreak) {
+  SharedKnob knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.seen(90, at(60.0));
+  knob.lost();
+  knob.lost();  // the first try to come back failed
+  knob.letGo();
+  knob.seen(90, at(100.0));
+  EXPECT_FALSE(knob.home());
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.0);
+  EXPECT_EQ(knob.due(), 100);
+}
+
+TEST(SharedKnob, AnotherValueAfterABreakIsAHand) {
+  SharedKnob knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.lost();
+  knob.seen(70, at(100.0));
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_FALSE(knob.due().has_value());
+}
+
+TEST(SharedKnob, WhatAPeerShowsThatBeganAnewIsItsOwn) {
+  SharedKnob knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.restarted();
+  knob.want(Ratio(0.8), 1);
+  knob.seen(90, at(100.0));
+  EXPECT_TRUE(knob.grabbed());
+}
+
 // A register behind a wire that takes its time, an operator who turns whenever he likes, and factors that change. When
 // all is quiet again the register holds what the operator chose last, whoever wrote before.
 TEST(SharedKnob, InTheEndTheRegisterIsTheOperators) {
