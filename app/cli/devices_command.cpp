@@ -88,7 +88,7 @@ int tryLink(const DeviceOptions& o) {
   if (!profile) return fail(profile.error());
   const auto events = wireEvents();  // outlives the link and its wires
   const SteadyClock clock;
-  auto link = cnc::makeLink(profile->link.id, linkRequest(*profile, o.profile, clock));
+  auto link = cnc::makeLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone));
   if (!link) return fail(link.error());
   cnc::LinkTrial trial(**link, clock);
   while (trial.next()) {

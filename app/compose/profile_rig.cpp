@@ -11,6 +11,7 @@
 #include "app/io/iio_driver.h"
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
+#include "core/cnc/silent_output.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
@@ -34,6 +35,11 @@ Result<std::optional<milling::Scenario>> scenarioOf(const config::Profile& profi
   return std::optional(std::move(scenario).value());
 }
 
+std::unique_ptr<cnc::AnalogOutput> makeSilentOutput() {
+  auto card = makeComediOutput();
+  return card ? std::make_unique<cnc::SilentOutput>(std::move(card)) : nullptr;
+}
+
 }  // namespace
 
 config::KnownIds knownIds() {
@@ -46,13 +52,14 @@ config::KnownIds knownIds() {
   return known;
 }
 
-cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock) {
+cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock,
+                             AnalogOutputs outputs) {
   cnc::LinkRequest request;
   request.settings = profile.link.settings;
   request.folder = std::filesystem::path(path).parent_path().string();
   request.wires = makeWire;
   request.buses = busMaker();
-  request.analog = makeComediOutput;
+  request.analog = outputs == AnalogOutputs::Written ? makeComediOutput : makeSilentOutput;
   request.programmedSpeed = profile.cut.nominalSpeed;
   request.programmedFeed = profile.cut.nominalFeed;
   request.clock = &clock;
@@ -60,7 +67,7 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
 }
 
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
-                                      std::vector<config::AskedSetting>* asked) {
+                                      std::vector<config::AskedSetting>* asked, AnalogOutputs outputs) {
   if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
   auto scenario = scenarioOf(profile, path);
   if (!scenario) return scenario.error();
@@ -85,7 +92,7 @@ Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std:
   if (!device) return device.error();
   parts.device = std::move(device).value();
   if (profile.link.id.empty()) return parts;
-  cnc::LinkRequest request = linkRequest(profile, path, *clock);
+  cnc::LinkRequest request = linkRequest(profile, path, *clock, outputs);
   request.scenario = simulated;
   request.port = port;
   request.asked = asked;

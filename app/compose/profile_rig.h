@@ -20,12 +20,16 @@ struct ProfileParts {
   std::unique_ptr<daq::DaqSource> device;
   std::unique_ptr<cnc::CncLink> link;  // empty: no machine
 };
+// Analog outputs hold a voltage from open() on; a trial leaves them as they are.
+enum class AnalogOutputs { Written, LeftAlone };
 // `asked`, where given, is told of every setting the link asks for.
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
-                                      std::vector<config::AskedSetting>* asked = nullptr);
+                                      std::vector<config::AskedSetting>* asked = nullptr,
+                                      AnalogOutputs outputs = AnalogOutputs::Written);
 // What the profile's link is made from, on real wires; files that settings name are looked for beside `path`. `clock`
 // outlives the link.
-cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock);
+cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& path, const Clock& clock,
+                             AnalogOutputs outputs = AnalogOutputs::Written);
 
 // The source "simulated" takes the setting `scenario`, a file; its machine is the link "simulated".
 // `fault`: as for Rig::build.

@@ -74,6 +74,8 @@ void OverrideKeeper::show(Instant now) noexcept {
   if (held) {
     pins_.speedEnable = request_.speed.has_value();
     pins_.feedEnable = request_.feed.has_value();
+    tookSpeed_ = tookSpeed_ || pins_.speedEnable;
+    tookFeed_ = tookFeed_ || pins_.feedEnable;
     pins_.speed = request_.speed.value_or(request_.homeSpeed);
     pins_.feed = request_.feed.value_or(request_.homeFeed);
     pins_.adaptiveFeed = request_.adaptiveFeed;
@@ -82,12 +84,14 @@ void OverrideKeeper::show(Instant now) noexcept {
     return;
   }
   // On the way home the goal stays as it was; afterwards it follows the operator's knobs, and nobody looks.
-  const bool onTheWay = (pins_.speedEnable || pins_.feedEnable) && now - letGo_ <= kWayHome;
+  const bool onTheWay = (tookSpeed_ || tookFeed_) && now - letGo_ <= kWayHome;
   if (!onTheWay) {
-    pins_.speedEnable = pins_.feedEnable = false;
+    tookSpeed_ = tookFeed_ = false;
     pins_.homeSpeed = request_.homeSpeed;
     pins_.homeFeed = request_.homeFeed;
   }
+  pins_.speedEnable = tookSpeed_;
+  pins_.feedEnable = tookFeed_;
   pins_.speed = pins_.homeSpeed;
   pins_.feed = pins_.homeFeed;
   pins_.adaptiveFeed = 1.0;

@@ -59,6 +59,8 @@ class OverrideKeeper {
   cnc::HalRequest request_;
   KeeperPins pins_;
   bool armed_ = false;  // the watchdog has said ok in this engagement
+  // A percentage of ours may stand in the machine: the way home is walked, whatever the client says of it by then.
+  bool tookSpeed_ = false, tookFeed_ = false;
   int watchdogMs_ = 0;
 };
 

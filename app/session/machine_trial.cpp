@@ -102,7 +102,8 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
   }
   const config::ParamCatalog catalog = fullCatalog();
   const auto sound = config::parseProfile(config::profileText(profile, catalog), path, catalog, knownIds());
-  auto parts = sound ? makeProfileParts(*sound, path) : Result<ProfileParts>(sound.error());
+  auto parts =
+      sound ? makeProfileParts(*sound, path, nullptr, AnalogOutputs::LeftAlone) : Result<ProfileParts>(sound.error());
   if (!parts) {
     steps.bad(What::Settings, parts.error());
     return {steps.take(), {}};

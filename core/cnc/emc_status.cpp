@@ -95,7 +95,7 @@ bool EmcStatus::takePin(std::string_view words, Instant now) noexcept {
     return true;
   }
   if (pin == "motion.current-vel" && std::abs(*number) <= kFastestFeed / 60.0) {
-    currentFeed.set(MetresPerSecond(std::abs(*number) * 1e-3), now);
+    currentFeed.set(MetresPerSecond(std::abs(*number) * machineUnit), now);
     return true;
   }
   return false;

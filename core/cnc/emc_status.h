@@ -39,7 +39,8 @@ struct EmcStatus {
   Said<Rpm> commandedSpeed;  // spindle.0.speed-out: S times the override in force, within the spindle's range
   Said<bool> atSpeed, feedHold;
   Said<double> adaptiveFeed;          // 1: no change
-  Said<MetresPerSecond> currentFeed;  // motion.current-vel; machine units are mm
+  Said<MetresPerSecond> currentFeed;  // motion.current-vel
+  double machineUnit = 1e-3;          // [m], of [TRAJ] LINEAR_UNITS, whatever the program's G20 and G21 say
 
   // One reply line; false: it is none of these.
   bool take(std::string_view line, Instant now) noexcept;

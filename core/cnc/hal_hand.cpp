@@ -96,9 +96,12 @@ double HalHand::feedBySpeed(const SharedKnob& speed, double wanted, double prese
   return std::max(present, std::min(wanted, wanted * speed.shown() / speed.target()));
 }
 
-// What to write: the goal; and where that does not show, for a moment one per cent beside it, so that it changes.
-std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, int target, Instant now) noexcept {
-  if (knob.grabbed() || !knob.known()) return std::nullopt;
+// What to write. A knob that cannot be seen just now is not the operator's: what was written stays (`kept`). Else the
+// goal; and where that does not show, for a moment one per cent beside it, so that it changes.
+std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, int target, std::optional<int> kept,
+                                 Instant now) noexcept {
+  if (knob.grabbed()) return std::nullopt;
+  if (!knob.known()) return kept;
   if (target != turned.goal || knob.shown() == target) turned = {target, turned.written, false, now};
   if (now - turned.since > (turned.nudging ? kNudge : kShowsWithin)) {
     turned.nudging = !turned.nudging;
@@ -112,13 +115,14 @@ std::optional<int> HalHand::turn(SharedKnob& knob, Turned& turned, int target, I
 
 void HalHand::send(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
   HalRequest r;
-  // Let go of once both are seen to be home.
+  // Let go of once both are seen to be home; held again where one is seen that is not.
   const bool onTheWay = report_.standing == HalStanding::Held && !(arrived(knobs.speed) && arrived(knobs.feed));
-  r.hold = up() && (wanted || onTheWay);
+  const bool strayed = report_.standing == HalStanding::Home && (left(knobs.speed) || left(knobs.feed));
+  r.hold = up() && (wanted || onTheWay || strayed);
   r.homeSpeed = percentOf(knobs.speed.base());
   r.homeFeed = percentOf(knobs.feed.base());
   if (r.hold && report_.standing != HalStanding::Fallen) {  // fallen: not taken before we have let go
-    r.speed = turn(knobs.speed, speed_, knobs.speed.target(), now);
+    r.speed = turn(knobs.speed, speed_, knobs.speed.target(), last_.speed, now);
     const auto feed = [&](double goal, double present) {
       return wanted ? feedBySpeed(knobs.speed, goal, present) : goal;
     };
@@ -126,7 +130,7 @@ void HalHand::send(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
       r.adaptiveFeed = feed(std::clamp(knobs.adaptiveFeed.value, 0.0, 1.0), last_.hold ? last_.adaptiveFeed : 1.0);
     } else {
       const double goal = feed(knobs.feed.target(), last_.feed ? feed_.goal : knobs.feed.shown());
-      r.feed = turn(knobs.feed, feed_, static_cast<int>(goal), now);
+      r.feed = turn(knobs.feed, feed_, static_cast<int>(goal), last_.feed, now);
     }
   }
   std::array<char, kHalLine> text{};

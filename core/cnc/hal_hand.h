@@ -41,7 +41,10 @@ class HalHand final : public EmcHand {
     Instant since{};
   };
   static bool arrived(const SharedKnob& knob);
-  static std::optional<int> turn(SharedKnob& knob, Turned& turned, int target, Instant now) noexcept;
+  // Something of ours is seen to stand there.
+  static bool left(const SharedKnob& knob) { return knob.known() && !knob.home(); }
+  static std::optional<int> turn(SharedKnob& knob, Turned& turned, int target, std::optional<int> kept,
+                                 Instant now) noexcept;
   double feedBySpeed(const SharedKnob& speed, double wanted, double present) const noexcept;
   bool keepUp(Instant now) noexcept;
   void listen(Instant now) noexcept;

@@ -55,7 +55,9 @@ LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const 
       hand_(makeHand(settings, std::move(wires.control), clock)),
       watch_(std::move(wires.watch), settings.password),
       hal_(std::move(wires.hal), settings.password),
-      knobs_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}} {}
+      knobs_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}} {
+  if (settings.inches) status_.machineUnit = 0.0254;
+}
 
 LinuxCncLink::~LinuxCncLink() {
   release(clock_.now());

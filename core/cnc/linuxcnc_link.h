@@ -32,6 +32,7 @@ struct LinuxCncSettings {
   // stillcut-hal; port 0: there is none, and linuxcncrsh turns the knobs.
   WireAddress component{.host = "localhost", .port = 0, .device = {}};
   bool adaptiveFeed = false;               // with stillcut-hal: the feed by motion.adaptive-feed, which reduces only
+  bool inches = false;                     // [TRAJ] LINEAR_UNITS = inch
   std::string password = "EMC";            // of the connection
   std::string controlPassword = "EMCTOO";  // of "set enable"
   // linuxcncrsh enforces no limit of its own, so these are the machine's [DISPLAY] limits, %.

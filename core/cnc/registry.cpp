@@ -41,6 +41,7 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   s.component.host = s.rsh.host;
   if (settings.has("hal_component_port")) s.component.port = settings.whole("hal_component_port", 5008, 1, 65535);
   s.adaptiveFeed = settings.flag("adaptive_feed", s.adaptiveFeed);
+  s.inches = settings.flag("machine_in_inches", s.inches);
   s.password = settings.text("password", s.password);
   s.controlPassword = settings.text("control_password", s.controlPassword);
   s.lowestSpeed = settings.whole("lowest_speed_percent", s.lowestSpeed, 1, 100);

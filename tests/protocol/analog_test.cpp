@@ -11,8 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/cnc/link_trial.h"
+#include "core/cnc/silent_output.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
+#include "tests/support/virtual_clock.h"
 
 namespace stillcut::cnc {
 namespace {
@@ -183,6 +186,26 @@ TEST(Analog, MachineTellsNothingSoNothingIsClaimedOfIt) {
   link.release({});
   EXPECT_NEAR(card.volts[0], 5.0 * 50.0 / 70.0, 1e-9);  // for a restarted machine as well
   EXPECT_NEAR(card.volts[1], 5.0, 1e-9);
+}
+
+TEST(Analog, TrialLeavesTheOutputsAsTheyAre) {
+  Card card;
+  const test::VirtualClock clock;
+  {
+    AnalogLink link(mapOf("analog-hand-terminal.toml"),
+                    std::make_unique<SilentOutput>(std::make_unique<NotingOutput>(card)), Rpm(8000.0),
+                    fromMmPerMin(1000.0));
+    LinkTrial trial(link, clock);
+    while (trial.next()) {
+    }
+    EXPECT_TRUE(trial.passed());
+  }
+  EXPECT_TRUE(card.volts.empty());
+  card.gone = true;
+  AnalogLink absent(mapOf("analog-hand-terminal.toml"),
+                    std::make_unique<SilentOutput>(std::make_unique<NotingOutput>(card)), Rpm(8000.0),
+                    fromMmPerMin(1000.0));
+  EXPECT_FALSE(absent.open().ok());
 }
 
 TEST(Analog, AbsoluteSpeedIsInRevolutions) {

@@ -19,12 +19,14 @@ constexpr double kStep = 0.002;
 struct Bench {
   explicit Bench(bool adaptiveFeed = false) {
     LinuxCncLink::Wires wires;
-    const auto wire = [&](Peer& peer) { return std::make_unique<ScriptedWire>(clock, faults, peer); };
-    auto control = wire(hal);
+    const auto wire = [&](Peer& peer, WireFaults& its) { return std::make_unique<ScriptedWire>(clock, its, peer); };
+    auto control = wire(hal, faults);
     component = control.get();
     wires.control = std::move(control);
-    wires.watch = wire(watch);
-    wires.hal = wire(halrmt);
+    auto seen = wire(watch, watchFaults);
+    watchWire = seen.get();
+    wires.watch = std::move(seen);
+    wires.hal = wire(halrmt, faults);
     LinuxCncSettings settings;
     settings.component.port = 5008;
     settings.adaptiveFeed = adaptiveFeed;
@@ -53,11 +55,11 @@ struct Bench {
   }
 
   test::VirtualClock clock{instantFromNs(1'000'000'000)};
-  WireFaults faults;
+  WireFaults faults, watchFaults;
   FakeMill mill;
   FakeEmcClient watch{mill}, halrmt{mill};
   FakeHal hal{mill, clock};
-  ScriptedWire* component = nullptr;
+  ScriptedWire *component = nullptr, *watchWire = nullptr;
   CommandMaker gate;
   std::unique_ptr<LinuxCncLink> link;
 };
@@ -157,6 +159,47 @@ TEST(LinuxCncHal, KilledProgramOrPulledCableIsHomeWithinTheLease) {
   b.component->hangUp();
   b.leave(0.15);
   EXPECT_EQ(b.mill.spindle, 100);
+}
+
+// The component still hears us while linuxcncrsh is gone: what cannot be seen stays as ordered, and comes home.
+TEST(LinuxCncHal, OverridesComeHomeThoughLinuxcncrshAloneIsGone) {
+  for (const bool adaptive : {false, true}) {
+    Bench b(adaptive);
+    const OverrideCommand command = b.gate.set(90.0);
+    b.run(0.2);
+    b.link->apply(command, b.clock.now());
+    b.run(10.0);
+    ASSERT_EQ(b.mill.spindle, 90);
+    b.watchFaults.refuse();
+    b.watchWire->hangUp();
+    EXPECT_FALSE(b.run(0.1).valid);
+    EXPECT_EQ(b.mill.spindle, 90);
+    b.link->apply(b.gate.letGo(), b.clock.now());
+    b.run(0.3);
+    EXPECT_EQ(b.mill.spindle, 100);
+    EXPECT_EQ(b.mill.feed, 100);
+    b.watchFaults.refuse(false);
+    const MachineState m = b.run(2.0);
+    EXPECT_TRUE(m.valid);
+    EXPECT_EQ(m.operatorSpeed.value, 1.0);
+    EXPECT_EQ(b.mill.spindle, 100);
+    EXPECT_EQ(b.hal.keeper.report().standing, HalStanding::Home);
+  }
+}
+
+// An order of halui's on the way home was lost, and the way is over: the knob that is seen to stray is fetched.
+TEST(LinuxCncHal, KnobThatStrayedIsHeldAgainAndBroughtHome) {
+  Bench b;
+  b.engage(90.0);
+  b.component->hangUp();
+  b.hal.lost = 2;
+  b.leave(0.4);
+  ASSERT_EQ(b.mill.spindle, 90);
+  b.link->release(b.clock.now());
+  b.run(2.0);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+  EXPECT_EQ(b.hal.keeper.report().standing, HalStanding::Home);
 }
 
 TEST(LinuxCncHal, OperatorsHandIsLeftAloneAndSurvivesTheRelease) {

@@ -95,6 +95,7 @@ class FakeBus final : public RegisterBus {
 RegisterMap exampleMap() {
   auto map = loadRegisterMap(STILLCUT_SOURCE_DIR "/resources/machines/modbus-example.toml");
   if (!map) throw std::runtime_error(map.error().line());
+  map->watchdog = true;  // FakePlc has one
   return std::move(map).value();
 }
 
@@ -158,6 +159,12 @@ TEST(RegisterMap, BadMapsAreRefusedWithPlaceAndReason) {
     ASSERT_FALSE(map.ok()) << c.to;
     EXPECT_NE(map.error().line().find(c.says), std::string::npos) << map.error().line();
   }
+}
+
+TEST(RegisterMap, ExampleClaimsNoWatchdogThatNobodyHasSeen) {
+  const auto map = loadRegisterMap(STILLCUT_SOURCE_DIR "/resources/machines/modbus-example.toml");
+  ASSERT_TRUE(map.ok()) << map.error().line();
+  EXPECT_FALSE(map->watchdog);
 }
 
 TEST(Modbus, ReadsTheMachineAndWritesNothingUnasked) {

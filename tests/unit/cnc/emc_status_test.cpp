@@ -70,6 +70,10 @@ TEST(EmcStatus, PinsInTheirUnits) {
   EXPECT_EQ(s.commandedSpeed.value.value, 8500.0);
   EXPECT_TRUE(s.take("PINVAL motion.current-vel 45.3", at(1.0)));  // mm/s
   EXPECT_NEAR(s.currentFeed.value.value, 0.0453, 1e-15);
+  EmcStatus inches;
+  inches.machineUnit = 0.0254;
+  EXPECT_TRUE(inches.take("PINVAL motion.current-vel 2", at(1.0)));  // in/s
+  EXPECT_NEAR(inches.currentFeed.value.value, 0.0508, 1e-15);
   EXPECT_TRUE(s.take("PINVAL motion.adaptive-feed 0.7", at(1.0)));
   EXPECT_EQ(s.adaptiveFeed.value, 0.7);
   EXPECT_TRUE(s.take("PINVAL spindle.0.at-speed TRUE", at(1.0)));
