@@ -836,6 +836,22 @@
         <translation>Darüber werden die ältesten Aufzeichnungen ohne Marke gelöscht</translation>
     </message>
     <message>
+        <source>Feedback</source>
+        <translation>Rückführung</translation>
+    </message>
+    <message>
+        <source>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</source>
+        <translation>In der Simulation: was kleiner werden soll, die Schwingung an den Beschleunigungsaufnehmern oder die Kraft bei der Spindelfrequenz</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
         <source>Taps</source>
         <translation>Koeffizienten</translation>
     </message>

@@ -835,6 +835,22 @@
         <translation>The oldest recordings without a marker are deleted beyond it</translation>
     </message>
     <message>
+        <source>Feedback</source>
+        <translation>Feedback</translation>
+    </message>
+    <message>
+        <source>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</source>
+        <translation>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>acceleration</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>force</translation>
+    </message>
+    <message>
         <source>Taps</source>
         <translation>Taps</translation>
     </message>

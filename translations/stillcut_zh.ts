@@ -836,6 +836,22 @@
         <translation>超过时删除最早的无标记记录</translation>
     </message>
     <message>
+        <source>Feedback</source>
+        <translation>反馈</translation>
+    </message>
+    <message>
+        <source>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</source>
+        <translation>仿真中：要减小的量，加速度计测得的振动，或主轴频率处的力</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>加速度</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>力</translation>
+    </message>
+    <message>
         <source>Taps</source>
         <translation>抽头数</translation>
     </message>

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/path_command.h"
 #include "app/compose/build_info.h"
 #include "core/config/nearest_word.h"
 
@@ -73,6 +74,7 @@ int run(int argc, char** argv) {
   addDevices(app, exitCode);
   addScore(app, exitCode);
   addCalibrate(app, exitCode);
+  addPath(app, exitCode);
   addParameters(app, exitCode);
   try {
     app.parse(argc, argv);

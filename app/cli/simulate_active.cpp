@@ -1,6 +1,8 @@
 #include "app/cli/simulate_active.h"
 
 #include <cstdio>
+#include <fstream>
+#include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -17,18 +19,20 @@ using nlohmann::json;
 json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
   json axes = json::array();
   for (const AxisResult& axis : result.axes) {
-    const active::PathReport& path = axis.path.report;
-    axes.push_back({{"axis", axis.axis},
-                    {"released",
-                     axis.released == ActuatorRelease::None ? json(nullptr) : json(actuatorReleaseText(axis.released))},
-                    {"released_at_s", axis.released == ActuatorRelease::None ? json(nullptr) : json(axis.releasedAt)},
-                    {"stroke_used", axis.strokeUsed},
-                    {"limited_share", axis.limitedShare},
-                    {"path_residual", path.residual},
-                    {"loop_delay_ms", 1e3 * axis.promise.delay.value},
-                    {"delay_left_ms", 1e3 * axis.promise.delayLeft.value},
-                    {"promises_stable", axis.promise.promisesStable},
-                    {"path_phase_left_deg", path.phaseLeft * 360.0 / kTwoPi}});
+    json told = {
+        {"axis", axis.axis},
+        {"released", axis.released == ActuatorRelease::None ? json(nullptr) : json(actuatorReleaseText(axis.released))},
+        {"released_at_s", axis.released == ActuatorRelease::None ? json(nullptr) : json(axis.releasedAt)},
+        {"stroke_used", axis.strokeUsed},
+        {"limited_share", axis.limitedShare}};
+    if (const active::PathReport& path = axis.path.report; !path.frequency.empty()) {
+      told["path_residual"] = path.residual;
+      told["loop_delay_ms"] = 1e3 * axis.promise.delay.value;
+      told["delay_left_ms"] = 1e3 * axis.promise.delayLeft.value;
+      told["promises_stable"] = axis.promise.promisesStable;
+      told["path_phase_left_deg"] = path.phaseLeft * 360.0 / kTwoPi;
+    }
+    axes.push_back(std::move(told));
   }
   json lines = json::array();
   for (const Attenuation& a : result.attenuation) {
@@ -40,6 +44,7 @@ json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
           {"outcome", result.chatterControlled ? "chatter" : "stable"},
           {"chatter_alone", result.chatterAlone},
           {"chatter_hz", result.chatterHz},
+          {"growth_per_s", result.growth ? json(*result.growth) : json(nullptr)},
           {"alarm_delay_s", nullptr},
           {"command_delay_s", nullptr},
           {"quiet_delay_s", nullptr},
@@ -58,9 +63,14 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
   std::printf("%s: %s without control, %s with the active work-holder\n", scenario.name.c_str(),
               result.chatterAlone ? "chatter" : "stable", result.chatterControlled ? "chatter" : "stable");
   for (const AxisResult& axis : result.axes) {
-    std::printf("%s: path known to %.1f %%, %.1f ms late, %.0f of 90 degrees left, %.0f %% of the stroke used",
-                axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.promise.delay.value,
-                axis.path.report.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
+    if (axis.path.report.frequency.empty()) {
+      std::printf("%s: path known at the spindle's line, %.0f %% of the stroke used", axis.axis.c_str(),
+                  100.0 * axis.strokeUsed);
+    } else {
+      std::printf("%s: path known to %.1f %%, %.1f ms late, %.0f of 90 degrees left, %.0f %% of the stroke used",
+                  axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.promise.delay.value,
+                  axis.path.report.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
+    }
     if (axis.released != ActuatorRelease::None) {
       std::printf(", let go at %.3f s: %s", axis.releasedAt, actuatorReleaseText(axis.released).data());
     }
@@ -69,13 +79,28 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
   for (const Attenuation& a : result.attenuation) {
     std::printf("%s %7.1f Hz: %+6.1f dB\n", a.axis.c_str(), a.frequency, -a.db);
   }
-  std::printf("vibration over the last second: %.3f of the cut left alone\n", result.finalRatio);
+  std::printf("%s over the last second: %.3f of the cut left alone\n", result.growth ? "vibration" : "dynamic force",
+              result.finalRatio);
+}
+
+Status keepRecord(const std::string& path, const active::PathRecorder& record, Hertz rate) {
+  std::ofstream file(path);
+  file << "t,output_x,reading_x,output_y,reading_y\n" << std::setprecision(9);
+  // Of a sweep each axis has its own half.
+  const std::size_t frames = std::min(record.output(0).size(), record.output(1).size());
+  for (std::size_t n = 0; n < frames; ++n) {
+    file << static_cast<double>(n) / rate.value;
+    for (std::size_t a = 0; a < kActiveAxes; ++a) file << ',' << record.output(a)[n] << ',' << -record.reading(a)[n];
+    file << '\n';
+  }
+  return file.good() ? Status{Done{}} : Status{Error{path, "cannot be written", ""}};
 }
 
 }  // namespace
 
 int simulateActive(const milling::Scenario& scenario, const config::ParamSet& params, std::uint64_t seed,
-                   const std::string& out, bool asJson) {
+                   const ActiveFiles& files, bool asJson) {
+  const std::string& out = files.cut;
   ActiveOptions options;
   options.params = params;
   options.seed = seed;
@@ -90,6 +115,11 @@ int simulateActive(const milling::Scenario& scenario, const config::ParamSet& pa
     for (const milling::SensorSettings& s : scenario.sensors) scale.push_back(1.0 / s.gain);
     options.observe = [&](const SampleBlock& block, const milling::SimulatedCut&) {
       if (written) written = wav->write(block, scale);
+    };
+  }
+  if (!files.pathRecord.empty()) {
+    options.recorded = [&](const active::PathRecorder& record) {
+      if (written) written = keepRecord(files.pathRecord, record, scenario.rate);
     };
   }
   const auto result = runActive(scenario, options);

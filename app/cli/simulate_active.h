@@ -9,8 +9,12 @@
 
 namespace stillcut::app {
 
-// Prints what became of it, as text or as one JSON object; `out` names a .wav of the controlled cut, or nothing.
+struct ActiveFiles {
+  std::string cut;         // a .wav of the controlled cut, or nothing
+  std::string pathRecord;  // a .csv of what the paths were identified from, or nothing
+};
+// Prints what became of it, as text or as one JSON object.
 int simulateActive(const milling::Scenario& scenario, const config::ParamSet& params, std::uint64_t seed,
-                   const std::string& out, bool json);
+                   const ActiveFiles& files, bool json);
 
 }  // namespace stillcut::app

@@ -21,7 +21,7 @@ namespace stillcut::app {
 namespace {
 
 struct SimulateOptions {
-  std::string scenario, out;
+  std::string scenario, out, pathRecord;
   std::string strategy{control::kDefaultStrategy};
   std::uint64_t seed = 0;
   bool json = false;
@@ -120,6 +120,7 @@ Status checkOptions(const SimulateOptions& options) {
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
     return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
   }
+  if (const Status usable = checkOutPath(options.pathRecord, options.out); !usable) return usable;
   return checkOutPath(options.out);
 }
 
@@ -132,7 +133,10 @@ int simulate(const SimulateOptions& options) {
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
 
   if (options.strategy == "active") {
-    return simulateActive(*scenario, settings->params, options.seed, options.out, options.json);
+    return simulateActive(*scenario, settings->params, options.seed, {options.out, options.pathRecord}, options.json);
+  }
+  if (!options.pathRecord.empty()) {
+    return fail({"--path-record", "needs --strategy active", "no other strategy identifies a path"});
   }
   const auto begin = std::chrono::steady_clock::now();
   ScenarioOptions run;
@@ -170,6 +174,8 @@ void addSimulate(CLI::App& app, int& exitCode) {
   command->add_option("--strategy", options->strategy, "Strategy in charge; left out: the default one");
   command->add_option("--seed", options->seed, "Seed of the noise; left out: the scenario's own");
   command->add_option("--out", options->out, "Record to FILE.h5 (everything) or FILE.wav (samples)");
+  command->add_option("--path-record", options->pathRecord,
+                      "Of --strategy active: keep what the paths were identified from (.csv)");
   command->add_flag("--modes-known", options->modesKnown,
                     "The strategy knows the scenario's modes: it checks its targets against the stability lobes");
   command->add_flag("--json", options->json, "Print one JSON object");

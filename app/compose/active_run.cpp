@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "app/compose/active_setup.h"
+#include "app/compose/force_run.h"
+#include "app/compose/line_power.h"
 #include "core/active/simulated_duplex.h"
-#include "core/dsp/spectrum.h"
 
 namespace stillcut::app {
 namespace {
@@ -49,6 +51,7 @@ Result<active::PathPairFound> identify(const milling::Scenario& scenario, const 
     runBlock(device, in, out, [&](const active::AxisPair& errors) { return recorder.step(errors); });
   }
   if (Status whole = recorder.complete(); !whole) return whole.error();
+  if (options.recorded) options.recorded(recorder);
   active::PathRequest request = engine.path;
   request.sweep = engine.record.excitation == active::Excitation::Sweep;
   active::PathPairFound paths;
@@ -64,57 +67,78 @@ Result<active::PathPairFound> identify(const milling::Scenario& scenario, const 
 struct Course {
   Errors errors;
   std::array<double, 2> releasedAt{};
-  double tip = 0.0;  // mean square of the tip's acceleration over the last second
   bool chatter = false;
   double chatterHz = 0.0;
 };
 
-Course cut(const milling::Scenario& scenario, const ActiveOptions& options, active::ActiveLoop* loop) {
+std::size_t framesOf(const milling::Scenario& scenario) {
+  return static_cast<std::size_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
+}
+
+Course leftAlone(const milling::Scenario& scenario, const ActiveOptions& options) {
   Course course;
   active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
   device.cut(true);
   const auto format = device.open();
   if (!format) return course;
-  const auto total = static_cast<std::size_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
   const double last = scenario.programme.duration.value - 1.0;
   std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
-  double blocks = 0.0;
-  if (loop != nullptr) device.observe = options.observe;
-  while (course.errors[0].size() < total) {
-    if (loop != nullptr) loop->begin();
+  while (course.errors[0].size() < framesOf(scenario)) {
     runBlock(device, in, out, [&](const active::AxisPair& errors) {
       for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
-      return loop != nullptr ? loop->step(errors) : active::AxisPair{};
+      return active::AxisPair{};
     });
-    if (loop != nullptr) loop->renewModels();
     const milling::SimulatedCut& plant = device.plant();
-    for (std::size_t a = 0; a < 2 && loop != nullptr; ++a) {
-      if (course.releasedAt[a] > 0.0 || loop->gate(a).why() == ActuatorRelease::None) continue;
-      course.releasedAt[a] = plant.time().value;
-    }
-    if (plant.time().value < last) continue;
-    ++blocks;
-    for (const double e : in) course.tip += e * e;
-    course.chatter = course.chatter || plant.truth().chattering();
+    course.chatter = course.chatter || (plant.time().value >= last && plant.truth().chattering());
   }
-  for (std::vector<double>& e : course.errors) e.resize(total);
-  course.tip /= std::max(1.0, blocks);
   course.chatterHz = device.plant().truth().chatterFrequency().value;
   return course;
 }
 
-// Power within 5 Hz of a line over the last second.
-double powerAt(const std::vector<double>& x, double frequency, Hertz rate) {
-  const int length = static_cast<int>(rate.value);
-  if (static_cast<int>(x.size()) < length) return 0.0;
-  dsp::Spectrum spectrum;
-  spectrum.prepare(length, rate, dsp::WindowKind::Hann);
-  spectrum.transform(std::span(x).last(static_cast<std::size_t>(length)));
-  double sum = 0.0;
-  for (int k = 0; k < spectrum.bins(); ++k) {
-    if (std::abs(k * spectrum.binWidth() - frequency) <= 5.0) sum += spectrum.density(k);
+Course controlled(const milling::Scenario& scenario, const ActiveOptions& options, active::ActiveLoop& loop) {
+  Course course;
+  active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
+  device.cut(true);
+  const auto format = device.open();
+  if (!format) return course;
+  const double last = scenario.programme.duration.value - 1.0;
+  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
+  device.observe = options.observe;
+  loop.engage();
+  while (course.errors[0].size() < framesOf(scenario)) {
+    loop.begin();
+    runBlock(device, in, out, [&](const active::AxisPair& errors) {
+      for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
+      return loop.step(errors);
+    });
+    loop.renewModels();
+    const milling::SimulatedCut& plant = device.plant();
+    course.chatter = course.chatter || (plant.time().value >= last && plant.truth().chattering());
+    for (std::size_t a = 0; a < 2; ++a) {
+      if (course.releasedAt[a] > 0.0 || loop.gate(a).why() == ActuatorRelease::None) continue;
+      course.releasedAt[a] = plant.time().value;
+    }
   }
-  return sum;
+  return course;
+}
+
+// Mean square of both axes over a stretch of a course [frames].
+double power(const Errors& errors, std::size_t from, std::size_t to) {
+  double sum = 0.0;
+  for (const std::vector<double>& e : errors) {
+    for (std::size_t n = from; n < to; ++n) sum += e[n] * e[n];
+  }
+  return sum / static_cast<double>(to - from);
+}
+
+// Whether the controlled cut chatters. Its truth (chatter_truth.h) goes by the growth that the linearised cut has
+// without a controller, so of a cut that chatters when left alone it cannot tell a vibration that is held from one that
+// grows. But chatter that nothing holds grows until teeth leave the cut: to what it is when left alone.
+bool chatters(const Course& alone, const Course& held, double ratio, double growth) {
+  constexpr double kAsLoud = 0.5;
+  constexpr double kGrowing = 0.3;  // [1/s]: tenfold within a usual programme
+  if (growth > kGrowing) return true;
+  return alone.chatter ? ratio > kAsLoud : held.chatter;
 }
 
 // Lines worth telling: chatter, the modes an actuator of this bandwidth is for, tooth passing and spindle.
@@ -138,6 +162,7 @@ std::vector<double> linesOf(const milling::Scenario& s, double chatterHz, const 
 }  // namespace
 
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options) {
+  if (active::forceFeedback(options.params)) return runForce(scenario, options);
   if (Status ok = active::SimulatedDuplex::check(scenario); !ok) return ok.error();
   const active::EngineOptions engine = engineOptions(scenario, options);
   auto paths = identify(scenario, options, engine);
@@ -151,29 +176,32 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   }
   const auto loop = std::make_unique<active::ActiveLoop>();
   if (Status ok = loop->prepare(axes, scenario.rate); !ok) return ok.error();
-  loop->engage();
-  const Course alone = cut(scenario, options, nullptr);
-  const Course controlled = cut(scenario, options, loop.get());
+  const Course alone = leftAlone(scenario, options);
+  const Course held = controlled(scenario, options, *loop);
 
+  const std::size_t end = framesOf(scenario);
+  const auto second = std::min(end / 2, static_cast<std::size_t>(scenario.rate.value));
+  const double now = power(held.errors, end - second, end);
   ActiveResult result;
   result.chatterAlone = alone.chatter;
-  result.chatterControlled = controlled.chatter;
   result.chatterHz = alone.chatterHz;
-  result.finalRatio = std::sqrt(controlled.tip / alone.tip);
+  result.finalRatio = std::sqrt(now / power(alone.errors, end - second, end));
+  result.growth = 0.5 * std::log(now / power(held.errors, end - 2 * second, end - second));
+  result.chatterControlled = chatters(alone, held, result.finalRatio, *result.growth);
   for (std::size_t a = 0; a < 2; ++a) {
     AxisResult axis;
     axis.axis = kAxes[a];
     axis.promise = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
     axis.path = std::move((*paths)[a]);
     axis.released = loop->gate(a).why();
-    axis.releasedAt = controlled.releasedAt[a];
+    axis.releasedAt = held.releasedAt[a];
     axis.strokeUsed = loop->gate(a).strokeUsed();
     axis.limitedShare =
-        static_cast<double>(loop->gate(a).limitedSamples()) / static_cast<double>(alone.errors[a].size());
+        static_cast<double>(loop->gate(a).limitedSamples()) / static_cast<double>(held.errors[a].size());
     result.axes.push_back(std::move(axis));
     for (const double f : linesOf(scenario, alone.chatterHz, kAxes[a])) {
-      const double before = powerAt(alone.errors[a], f, scenario.rate);
-      const double after = powerAt(controlled.errors[a], f, scenario.rate);
+      const double before = linePower(std::span(alone.errors[a]).first(end), f, scenario.rate);
+      const double after = linePower(std::span(held.errors[a]).first(end), f, scenario.rate);
       if (before > 0.0 && after > 0.0) {
         result.attenuation.push_back({kAxes[a], f, 10.0 * std::log10(before / after), before});
       }

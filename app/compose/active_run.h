@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,12 @@ struct ActiveOptions {
   config::ParamSet params;  // active.*
   // Every frame of the controlled cut, samples in device units.
   std::function<void(const SampleBlock&, const milling::SimulatedCut&)> observe;
+  std::function<void(const active::PathRecorder&)> recorded;  // what the paths are identified from
 };
 
 struct AxisResult {
   std::string axis;
-  active::IdentifiedPath path;
+  active::IdentifiedPath path;  // without a report under force feedback: it is of one line
   ActivePath promise;
   ActuatorRelease released = ActuatorRelease::None;
   double releasedAt = 0.0;  // [s]
@@ -42,13 +44,15 @@ struct Attenuation {
 struct ActiveResult {
   std::vector<AxisResult> axes;
   std::vector<Attenuation> attenuation;
-  bool chatterAlone = false, chatterControlled = false;  // true chatter in the last second
-  double finalRatio = 0.0;  // rms of the tip's acceleration, with over without, last second
-  double chatterHz = 0.0;   // of the cut left alone
+  bool chatterAlone = false;       // true chatter in the last second
+  bool chatterControlled = false;  // it grows, or is as loud as without control
+  std::optional<double> growth;    // of the vibration under control, over the last two seconds [1/s]
+  double finalRatio = 0.0;         // rms of the tip's acceleration, with over without, last second
+  double chatterHz = 0.0;          // of the cut left alone
 };
 
 // Refuses a scenario without a work-holder or without an accelerometer on each axis, and a path that cannot be
-// identified.
+// identified. With active.feedback = force: force_run.h.
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options);
 
 }  // namespace stillcut::app

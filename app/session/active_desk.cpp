@@ -1,5 +1,6 @@
 #include "app/session/active_desk.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/compose/active_setup.h"
@@ -69,8 +70,11 @@ const Clock& activeClock() {
 }
 
 std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario) {
-  constexpr int kFrames = 1;  // as the paper's loop
-  auto device = std::make_unique<active::SimulatedDuplex>(scenario, kFrames, scenario.seed, &activeClock());
+  constexpr int kFrames = 1;          // as the paper's loop
+  constexpr Seconds kLongCut{600.0};  // it goes on as it ends: begun anew, it would meet a table at rest elsewhere
+  milling::Scenario longer = scenario;
+  longer.programme.duration = std::max(scenario.programme.duration, kLongCut);
+  auto device = std::make_unique<active::SimulatedDuplex>(longer, kFrames, scenario.seed, &activeClock());
   active::SimulatedDuplex* simulated = device.get();
   const active::EngineOptions options = activeOptions(*scenario.workHolder, config::ParamSet());
   return std::make_unique<ActiveDesk>(std::move(device), options, activeClock(), simulated);

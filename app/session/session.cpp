@@ -191,7 +191,8 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   const auto scenario = milling::loadScenario(path);
   if (!scenario) return scenario.error();
   ScenarioOptions options;
-  options.methods.strategy = scenario->strategy;
+  // A work-holder is no strategy of the machine's: beside its loop the cut is watched.
+  options.methods.strategy = scenario->strategy == "active" ? "monitor" : scenario->strategy;
   options.live = live;
   options.watched = true;
   auto built = buildScenarioRig(*scenario, options);

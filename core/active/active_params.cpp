@@ -14,6 +14,12 @@ using config::realParam;
 
 constexpr std::array<std::string_view, 2> kReferences{"error", "internal-model"};
 
+constexpr std::array<std::string_view, 2> kFeedbacks{"acceleration", "force"};
+
+constexpr ParamDecl kFeedback =
+    locked(choiceParam("active.feedback", "Feedback", 0, kFeedbacks,
+                       "In simulation: what is to fall, vibration by the accelerometers or the force at the spindle's "
+                       "frequency"));
 constexpr ParamDecl kTaps = locked(integerParam("active.taps", "Taps", 35, 1, kMostTaps,
                                                 "Length of the adaptive filter of each axis (Ford 2013 table 3: 35)"));
 constexpr ParamDecl kStep =
@@ -51,9 +57,9 @@ constexpr ParamDecl kAuxiliary = locked(
 constexpr ParamDecl kBlockFrames = locked(integerParam("active.block-frames", "Frames of a block", 1, 1, 4096,
                                                        "In simulation: how many samples the device takes at a time"));
 
-constexpr std::array<const ParamDecl*, 14> kAll{&kTaps,       &kStep,     &kNormalised,    &kLeak,       &kReference,
-                                                &kPathTaps,   &kEmphasis, &kEmphasisWidth, &kExcitation, &kRecordLevel,
-                                                &kRecordTime, &kModelAge, &kAuxiliary,     &kBlockFrames};
+constexpr std::array<const ParamDecl*, 15> kAll{
+    &kFeedback,      &kTaps,       &kStep,        &kNormalised, &kLeak,     &kReference, &kPathTaps,   &kEmphasis,
+    &kEmphasisWidth, &kExcitation, &kRecordLevel, &kRecordTime, &kModelAge, &kAuxiliary, &kBlockFrames};
 
 }  // namespace
 
@@ -97,6 +103,10 @@ double auxiliaryShare(const config::ParamSet& params) {
 
 int simulatedFrames(const config::ParamSet& params) {
   return params.integer(kBlockFrames);
+}
+
+bool forceFeedback(const config::ParamSet& params) {
+  return params.choice(kFeedback) == 1;
 }
 
 }  // namespace stillcut::active

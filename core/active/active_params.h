@@ -15,6 +15,7 @@ PathRequest pathRequest(const config::ParamSet& params);
 RecordRequest recordRequest(const config::ParamSet& params);
 Seconds oldestModel(const config::ParamSet& params);
 double auxiliaryShare(const config::ParamSet& params);  // of the stroke, rms; 0: no on-line identification
-int simulatedFrames(const config::ParamSet& params);    // in a block of a simulated device
+bool forceFeedback(const config::ParamSet& params);
+int simulatedFrames(const config::ParamSet& params);  // in a block of a simulated device
 
 }  // namespace stillcut::active

@@ -43,6 +43,20 @@ TEST(ErrorWeighting, IsAsWideAsItIsAskedToBe) {
   }
 }
 
+// Of noise through a resonance of that width the loop foresees 80 % of the amplitude over its delay, and no line
+// becomes wider than it was asked to be.
+TEST(ErrorWeighting, IsNoWiderThanTheLoopForesees) {
+  const Emphasis asked{{Hertz(1000.0)}, 20.0, Hertz(40.0)};
+  EXPECT_EQ(foreseen(asked, Seconds(0.0)).width.value, 40.0);
+  EXPECT_EQ(foreseen(asked, Seconds(0.4e-3)).width.value, 40.0);
+  const Seconds block(32.0 / 5000.0);
+  const Emphasis narrow = foreseen(asked, block);
+  EXPECT_LT(narrow.width.value, 40.0);
+  EXPECT_NEAR(std::exp(-0.5 * kTwoPi * narrow.width.value * block.value), 0.8, 1e-12);
+  EXPECT_EQ(narrow.gain, asked.gain);
+  EXPECT_EQ(narrow.lines, asked.lines);
+}
+
 TEST(ErrorWeighting, WithoutLinesOrWithLinesThatCannotBeItChangesNothing) {
   for (const Emphasis& none : {Emphasis{}, Emphasis{{Hertz(0.0), Hertz(4000.0), Hertz(1e6), Hertz(-3.0)}}}) {
     ErrorWeighting weighting;

@@ -43,7 +43,7 @@ struct Course {
 };
 
 // A tone and a little noise; the path becomes `late` samples later within `samples`.
-Course run(double auxiliary, double late, int samples, double wander = 0.02) {
+Course run(double auxiliary, double late, int samples, double wander = 0.02, double tone = 1.0) {
   AxisOptions axis;
   axis.controller.filter = {.taps = 35, .step = 0.02, .normalised = true};
   axis.path = kPath;
@@ -63,7 +63,7 @@ Course run(double auxiliary, double late, int samples, double wander = 0.02) {
   Course course;
   double left = 0.0, alone = 0.0;
   for (int n = 0; n < samples; ++n) {
-    const double d = std::sin(kTwoPi * kLine.value / kRate.value * n) + noise[static_cast<std::size_t>(n)];
+    const double d = tone * std::sin(kTwoPi * kLine.value / kRate.value * n) + noise[static_cast<std::size_t>(n)];
     const double e = d - path.arrive(late * n / samples);
     loop.begin();
     path.push(loop.step({e, 0.0})[0]);
@@ -90,6 +90,12 @@ TEST(Online, WithItTheDriftIsFollowed) {
   EXPECT_EQ(course.letGo, -1);
   EXPECT_GE(course.renewals, 2);
   EXPECT_LT(course.left, 0.3);
+}
+
+// In air the noise is louder than all that is heard: it is ours, and no reason to let go.
+TEST(Online, ItsOwnNoiseIsNoFaultOfTheControl) {
+  const Course course = run(0.03, 0.0, 30000, 0.02, 0.0);
+  EXPECT_EQ(course.letGo, -1);
 }
 
 // Too little noise for good estimates: whatever is taken over, the control stays as good.
