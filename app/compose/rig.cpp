@@ -181,9 +181,7 @@ Status Rig::recordInto(const std::string& folder, const std::string& job, const 
   const record::RecordPlan plan = record::recordPlan(spec_.params);
   const record::NextPath nextPath = [folder, job, plan, tool = header.setup.tool,
                                      told = std::move(told)]() -> Result<std::string> {
-    const bool history = plan.mode == record::RecordMode::Features;
-    const auto deleted =
-        record::applyRetention(folder, history ? plan.history : plan.keepFor, plan.keepBytes, record::nowUtc());
+    const auto deleted = record::applyRetention(folder, plan, record::nowUtc());
     if (!deleted) return deleted.error();
     for (const record::Deleted& file : deleted.value()) told(file);
     return record::newSessionPath(folder, job, tool, record::nowUtc());

@@ -3,11 +3,14 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <optional>
 
 #include "core/record/hdf5_file.h"
 #include "core/record/journal.h"
+#include "core/record/session_layout.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_open.h"
 #include "core/record/session_reader.h"
@@ -37,16 +40,27 @@ struct Candidate {
   std::int64_t changed_ns = 0;
 };
 
-// A session that nobody has marked. What cannot be read stays: somebody may want to mend it.
-bool mayGo(const std::string& path) {
+enum class Holds : std::uint8_t { Everything, FeaturesOnly };
+
+// What a session holds that nobody has marked; nothing: it stays. What cannot be read stays too: somebody may want to
+// mend it.
+std::optional<Holds> mayGo(const std::string& path) {
   std::error_code unknown;
-  if (fs::exists(journalPath(path), unknown) || !isHdf5File(path)) return false;
+  if (fs::exists(journalPath(path), unknown) || !isHdf5File(path)) return std::nullopt;
+  Holds holds = Holds::Everything;
   {
     const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-    if (!opened || !readSessionFormat(opened->file.get(), path)) return false;
+    if (!opened || !readSessionFormat(opened->file.get(), path)) return std::nullopt;
+    if (readInteger(opened->file.get(), kFeaturesOnly).value_or(0) != 0) holds = Holds::FeaturesOnly;
   }
   const Result<std::vector<Marker>> markers = readMarkers(path);
-  return markers.ok() && markers->empty();
+  if (!markers || !markers->empty()) return std::nullopt;
+  return holds;
+}
+
+std::string inWords(Seconds age) {
+  const long hours = std::lround(age.value / 3600.0);
+  return hours >= 48 ? std::to_string(hours / 24) + " days" : std::to_string(hours) + " hours";
 }
 
 std::vector<Candidate> sessionsBelow(const std::string& folder) {
@@ -83,22 +97,26 @@ Result<std::string> newSessionPath(const std::string& folder, const std::string&
   return path.string();
 }
 
-Result<std::vector<Deleted>> applyRetention(const std::string& folder, Seconds keepFor, std::uint64_t keepBytes,
+Result<std::vector<Deleted>> applyRetention(const std::string& folder, const RecordPlan& plan,
                                             std::int64_t now_utc_ns) {
+  const Seconds features = plan.mode == RecordMode::Features ? plan.history : plan.keepFor;
   std::vector<Candidate> files = sessionsBelow(folder);
   std::uint64_t total = 0;
   for (const Candidate& f : files) total += f.bytes;
   std::vector<Deleted> deleted;
   for (const Candidate& f : files) {
-    const bool old = static_cast<double>(now_utc_ns - f.changed_ns) * 1e-9 > keepFor.value;
-    if ((!old && total <= keepBytes) || !mayGo(f.path)) continue;
+    const Seconds age(static_cast<double>(now_utc_ns - f.changed_ns) * 1e-9);
+    const bool beyond = total > plan.keepBytes;
+    if (!beyond && age <= std::min(features, plan.keepFor)) continue;
+    const std::optional<Holds> holds = mayGo(f.path);
+    if (!holds) continue;
+    const Seconds keep = *holds == Holds::FeaturesOnly ? features : plan.keepFor;
+    if (!beyond && age <= keep) continue;
     std::error_code problem;
     if (!fs::remove(f.path, problem)) return Error{f.path, "cannot be deleted", problem.message()};
     total -= f.bytes;
-    const long hours = std::lround(keepFor.value / 3600.0);
-    const std::string age = hours >= 48 ? std::to_string(hours / 24) + " days" : std::to_string(hours) + " hours";
-    deleted.push_back(
-        {f.path, old ? "older than " + age : "more than " + std::to_string(keepBytes / 1'000'000) + " MB"});
+    deleted.push_back({f.path, age > keep ? "older than " + inWords(keep)
+                                          : "more than " + std::to_string(plan.keepBytes / 1'000'000) + " MB"});
   }
   return deleted;
 }

@@ -20,10 +20,10 @@ struct Deleted {
   std::string file;
   std::string why;  // "older than 90 days"
 };
-// Deletes sessions below `folder` that are older than `keepFor`, and then the oldest until the rest has at most
-// `keepBytes`. Never one with a marker, nor one with a journal (still written, or cut off and not yet opened), nor
-// anything that is no session. Age goes by the file's last change.
-Result<std::vector<Deleted>> applyRetention(const std::string& folder, Seconds keepFor, std::uint64_t keepBytes,
-                                            std::int64_t now_utc_ns);
+// Deletes sessions below `folder` that are older than plan.keepFor, and then the oldest until the rest has at most
+// plan.keepBytes. A plan that keeps features alone deletes such files by plan.history instead, and no others sooner.
+// Never one with a marker, nor one with a journal (still written, or cut off and not yet opened), nor anything that is
+// no session. Age goes by the file's last change.
+Result<std::vector<Deleted>> applyRetention(const std::string& folder, const RecordPlan& plan, std::int64_t now_utc_ns);
 
 }  // namespace stillcut::record

@@ -8,6 +8,8 @@
 namespace stillcut::record {
 
 inline constexpr const char* kSessionFormat = "stillcut-session";
+// 1: a history of features, steps without their samples. Files without it are not.
+inline constexpr const char* kFeaturesOnly = "features_only";
 inline constexpr const char* kBlocksPath = "steps/blocks";
 inline constexpr const char* kMachinePath = "steps/machine";
 inline constexpr const char* kDecisionsPath = "steps/decisions";

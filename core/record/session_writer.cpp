@@ -19,7 +19,7 @@
 namespace stillcut::record {
 namespace {
 
-bool writeHeader(hid_t file, const SessionHeader& header) {
+bool writeHeader(hid_t file, const SessionHeader& header, bool samples) {
   const CutSetup& s = header.setup;
   const Hdf5Id setup(H5Gcreate2(file, "setup", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
   return writeText(file, "format", kSessionFormat) && writeInteger(file, "format_version", kSessionVersion) &&
@@ -27,9 +27,9 @@ bool writeHeader(hid_t file, const SessionHeader& header) {
          writeText(file, "configuration", header.configuration) &&
          writeText(file, "reason_codes", reasonIdentifiers()) &&
          writeInteger(file, "simulated", header.simulated ? 1 : 0) &&
-         writeText(file, "operator", header.operatorName) && writeInteger(file, "started_utc_ns", nowUtc()) && setup &&
-         writeText(setup.get(), "machine", s.machine) && writeText(setup.get(), "tool", s.tool) &&
-         writeInteger(setup.get(), "teeth", s.teeth) &&
+         writeInteger(file, kFeaturesOnly, samples ? 0 : 1) && writeText(file, "operator", header.operatorName) &&
+         writeInteger(file, "started_utc_ns", nowUtc()) && setup && writeText(setup.get(), "machine", s.machine) &&
+         writeText(setup.get(), "tool", s.tool) && writeInteger(setup.get(), "teeth", s.teeth) &&
          writeNumber(setup.get(), "tool_diameter_m", s.toolDiameter.value) &&
          writeNumber(setup.get(), "nominal_speed_rpm", s.nominalSpeed.value) &&
          writeNumber(setup.get(), "nominal_feed_m_s", s.nominalFeed.value) &&
@@ -100,7 +100,7 @@ struct SessionWriter::Impl {
   }
   bool create(const std::string& part, const SessionHeader& header) {
     file = Hdf5Id(H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, journaledAccess(*journaled).get()));
-    if (!file || !writeHeader(file.get(), header)) return false;
+    if (!file || !writeHeader(file.get(), header, keepSamples)) return false;
     samples.resize(header.setup.channels.size());
     for (std::size_t c = 0; c < samples.size(); ++c) {
       if (!samples[c].create(file.get(), static_cast<int>(c), header.setup.channels[c])) return false;

@@ -135,9 +135,10 @@ TEST(SessionFolder, NamesFilesByJobToolAndTime) {
   EXPECT_FALSE(newSessionPath("/proc", "a", "b", kTime).ok());
 }
 
-std::string session(const TempFolder& folder, const char* name, std::int64_t age_s, std::int64_t now_ns) {
+std::string session(const TempFolder& folder, const char* name, std::int64_t age_s, std::int64_t now_ns,
+                    const SessionWriterOptions& options = {}) {
   const std::string path = folder / name;
-  auto writer = SessionWriter::create(path, exampleHeader());
+  auto writer = SessionWriter::create(path, exampleHeader(), options);
   EXPECT_TRUE(writer.ok());
   const StepRecord step = quietStep(0);
   EXPECT_TRUE((*writer)->add(step.input, step.output).ok());
@@ -165,7 +166,10 @@ TEST(SessionFolder, RetentionDeletesTheOldestAndNeverWhatIsMarked) {
   const std::string other = folder.file("other.h5", "not a session at all");
   ASSERT_EQ(utimensat(AT_FDCWD, other.c_str(), times, 0), 0);
 
-  auto deleted = applyRetention(folder / "", Seconds(90.0 * kDay), 1ULL << 40U, now);
+  RecordPlan plan;
+  plan.keepFor = Seconds(90.0 * kDay);
+  plan.keepBytes = 1ULL << 40U;
+  auto deleted = applyRetention(folder / "", plan, now);
   ASSERT_TRUE(deleted.ok()) << deleted.error().line();
   ASSERT_EQ(deleted->size(), 1U);
   EXPECT_EQ(deleted.value()[0].file, old);
@@ -175,14 +179,59 @@ TEST(SessionFolder, RetentionDeletesTheOldestAndNeverWhatIsMarked) {
   const std::uint64_t all = std::filesystem::file_size(middle) + std::filesystem::file_size(fresh) +
                             std::filesystem::file_size(marked) + std::filesystem::file_size(alive) +
                             std::filesystem::file_size(other);
-  deleted = applyRetention(folder / "", Seconds(90.0 * kDay), all - 1, now);
+  plan.keepBytes = all - 1;
+  deleted = applyRetention(folder / "", plan, now);
   ASSERT_TRUE(deleted.ok());
   ASSERT_EQ(deleted->size(), 1U);
   EXPECT_EQ(deleted.value()[0].file, middle) << "the oldest that nobody has marked";
-  deleted = applyRetention(folder / "", Seconds(90.0 * kDay), 1, now);
+  plan.keepBytes = 1;
+  deleted = applyRetention(folder / "", plan, now);
   ASSERT_TRUE(deleted.ok());
   for (const std::string& kept : {marked, alive, other}) EXPECT_TRUE(std::filesystem::exists(kept)) << kept;
   EXPECT_FALSE(std::filesystem::exists(fresh));
+}
+
+std::vector<std::string> filesOf(const Result<std::vector<Deleted>>& deleted) {
+  std::vector<std::string> files;
+  EXPECT_TRUE(deleted.ok());
+  if (!deleted) return files;
+  for (const Deleted& d : *deleted) files.push_back(d.file);
+  return files;
+}
+
+TEST(SessionFolder, AHistoryOfFeaturesDeletesItsOwnAndNoFullRecordingSooner) {
+  const TempFolder folder;
+  constexpr std::int64_t kHour = 3600;
+  const std::int64_t now = nowUtc();
+  SessionWriterOptions featuresOnly;
+  featuresOnly.samples = false;
+  const std::string full = session(folder, "full.h5", 48 * kHour, now);
+  const std::string features = session(folder, "features.h5", 48 * kHour, now, featuresOnly);
+  const std::string young = session(folder, "young.h5", 23 * kHour, now, featuresOnly);
+  const std::string longAgo = session(folder, "longAgo.h5", 91 * 24 * kHour, now);
+  RecordPlan plan = recordPlan(config::ParamSet());
+  ASSERT_EQ(plan.history.value, 24.0 * kHour);
+  ASSERT_EQ(plan.keepFor.value, 90.0 * 24.0 * kHour);
+
+  for (const RecordMode mode : {RecordMode::Continuous, RecordMode::AroundEvents}) {
+    plan.mode = mode;
+    const std::string again = session(folder, "again.h5", 91 * 24 * kHour, now);
+    EXPECT_THAT(filesOf(applyRetention(folder / "", plan, now)), testing::Contains(again));
+    EXPECT_TRUE(std::filesystem::exists(features)) << "nobody keeps a history, nobody ends one";
+  }
+  ASSERT_FALSE(std::filesystem::exists(longAgo));
+  plan.mode = RecordMode::Features;
+  const std::string again = session(folder, "again.h5", 91 * 24 * kHour, now);
+  EXPECT_THAT(filesOf(applyRetention(folder / "", plan, now)), testing::UnorderedElementsAre(features, again));
+  EXPECT_TRUE(std::filesystem::exists(full)) << "two days old, and kept for ninety";
+  EXPECT_TRUE(std::filesystem::exists(young));
+
+  // A history that is longer than recordings are kept.
+  plan.history = Seconds(100.0 * 24.0 * kHour);
+  const std::string old = session(folder, "old.h5", 95 * 24 * kHour, now);
+  const std::string oldFeatures = session(folder, "oldFeatures.h5", 95 * 24 * kHour, now, featuresOnly);
+  EXPECT_THAT(filesOf(applyRetention(folder / "", plan, now)), testing::ElementsAre(old));
+  EXPECT_TRUE(std::filesystem::exists(oldFeatures));
 }
 
 }  // namespace
