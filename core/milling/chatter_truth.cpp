@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kEventRatio = 0.2;
 constexpr double kMarkRatio = 0.5;
+// In power; the gains of the difference at two lines are less far apart, or one of them all but repeats.
+constexpr double kClearlyLouder = 10.0;
 constexpr double kOverRatio = 0.1;   // below it chatter has ended
 constexpr double kMostRatio = 50.0;  // nearly everything is chatter: the difference of squares means little
 constexpr double kSureGrowth = 1.0;  // e-folds; a stable cut's disturbance may rise for a while after a change, less
@@ -221,6 +223,7 @@ ChatterOnset ChatterTruth::onset() const {
 }
 
 // Near a line of the linearised cut; large chatter shifts a little. Noise elsewhere, in another mode, is not meant.
+// Where two modes become unstable one after the other, the linearised cut follows them late: then what is there counts.
 bool ChatterTruth::expected(double hz) const noexcept {
   if (!(eventFoldHz_ > 0.0)) return true;
   const double order = hz / eventFoldHz_;
@@ -245,17 +248,24 @@ Hertz ChatterTruth::chatterFrequency() const {
     }
     return std::norm(sum);
   };
-  double best = 0.0, bestPower = -1.0;
+  double best = 0.0, bestPower = -1.0, loudest = 0.0, loudestPower = -1.0;
   const double top = std::min(0.45 * differenceRate_, 2.0 * settings_.highestHz);
   const int lines = static_cast<int>(std::ceil(0.5 * top));
   for (int i = 1; i < lines; ++i) {
     const double hz = 2.0 * i;
-    if (!expected(hz)) continue;
     const double p = power(hz);
-    if (p > bestPower) {
+    if (p > loudestPower) {
+      loudestPower = p;
+      loudest = hz;
+    }
+    if (p > bestPower && expected(hz)) {
       bestPower = p;
       best = hz;
     }
+  }
+  if (loudestPower > kClearlyLouder * bestPower) {
+    best = loudest;
+    bestPower = loudestPower;
   }
   double step = 1.0;
   for (int halving = 0; halving < 8; ++halving, step *= 0.5) {  // down to 8 mHz
