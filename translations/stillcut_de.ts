@@ -2689,6 +2689,10 @@
         <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
         <translation>Weiteres Gerät, %1 Kanäle: %2 nach der Uhr dieses Rechners, auf %3 µs ausgerichtet</translation>
     </message>
+    <message>
+        <source>No program runs, or the machine is off</source>
+        <translation>Kein Programm läuft, oder die Maschine ist aus</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

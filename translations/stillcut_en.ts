@@ -2688,6 +2688,10 @@
         <source>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</source>
         <translation>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</translation>
     </message>
+    <message>
+        <source>No program runs, or the machine is off</source>
+        <translation>No program runs, or the machine is off</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

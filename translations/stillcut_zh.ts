@@ -2689,6 +2689,10 @@
         <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
         <translation>并接设备，%1 个通道：按本机时钟 %2，对齐误差 %3 µs</translation>
     </message>
+    <message>
+        <source>No program runs, or the machine is off</source>
+        <translation>没有程序在运行，或机床已关闭</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

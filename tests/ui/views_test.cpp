@@ -176,6 +176,20 @@ TEST(MachineView, AFeedPerToothThatIsNotHeldIsShown) {
   EXPECT_EQ(makeMachineView(s.picture()).note, QString("Knobs %1, %2").arg(percent(1.0), percent(0.8)));
 }
 
+// What keeps our overrides from acting has a sentence of its own each.
+TEST(MachineView, WhatHindersIsToldApart) {
+  QStringList said;
+  for (bool MachineState::*whole : {&MachineState::linkUp, &MachineState::controlOurs, &MachineState::overridesEnabled,
+                                    &MachineState::programRunning}) {
+    Scene s = stableScene();
+    s.snapshot.machine.*whole = false;
+    const QString note = makeMachineView(s.picture()).note;
+    EXPECT_FALSE(note.isEmpty());
+    EXPECT_FALSE(said.contains(note)) << note.toStdString();
+    said << note;
+  }
+}
+
 TEST(Bars, LimitsBecomeMarksAndAbsentDetectorsNoBar) {
   Scene s = chatterScene();
   s.info.limits.energyRatioOnset = 0.1;

@@ -29,6 +29,7 @@ QString whatHinders(const MachineState& m, Seconds age) {
   if (age > kOldAfter) return say("Values are %1 old").arg(duration(age));
   if (!m.controlOurs) return say("Another program has the overrides");
   if (!m.overridesEnabled) return say("The program has switched overrides off");
+  if (!m.programRunning) return say("No program runs, or the machine is off");
   if (m.feedHold) return say("Feed hold");
   return {};
 }
