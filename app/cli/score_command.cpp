@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/cli/command.h"
 #include "app/cli/setting_options.h"
@@ -36,6 +37,7 @@ struct Outcome {
   Totals now;     // with --set
   Totals before;  // without; empty when nothing was set
   std::vector<std::string> unmarked;
+  std::vector<Error> unreadable;  // of a folder: one bad file is no reason to score none
 };
 
 std::vector<std::string> detectorsFor(const std::string& wanted) {
@@ -64,6 +66,29 @@ Result<ScoreRequest> understand(const ScoreOptions& given) {
   return request;
 }
 
+Status scoreOne(const std::string& file, const std::vector<std::string>& settings, ScoreRequest& request,
+                Outcome& outcome) {
+  const auto truth = truthOf(file);
+  if (!truth) return truth.error();
+  if (!truth.value()) {
+    outcome.unmarked.push_back(file);
+    return Done{};
+  }
+  std::optional<FileScore> before;
+  if (!settings.empty()) {
+    request.settings.clear();
+    auto scored = scoreRecording(file, *truth.value(), request);
+    if (!scored) return scored.error();
+    before = std::move(*scored);
+  }
+  request.settings = settings;
+  auto now = scoreRecording(file, *truth.value(), request);
+  if (!now) return now.error();
+  if (before) outcome.before.add(std::move(*before));
+  outcome.now.add(std::move(*now));
+  return Done{};
+}
+
 Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   std::error_code problem;
   const bool folder = std::filesystem::is_directory(given.path, problem);
@@ -71,24 +96,12 @@ Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   if (!folder && !std::filesystem::exists(given.path, problem)) return Error{given.path, "there is no such file", ""};
   Outcome outcome;
   for (const std::string& file : files) {
-    const auto truth = truthOf(file);
-    if (!truth) return truth.error();
-    if (!truth.value()) {
-      outcome.unmarked.push_back(file);
-      continue;
-    }
-    const bool whatIf = !given.settings.settings.empty();
-    request.settings.clear();
-    if (whatIf) {
-      auto before = scoreRecording(file, *truth.value(), request);
-      if (!before) return before.error();
-      outcome.before.add(std::move(*before));
-    }
-    request.settings = given.settings.settings;
-    auto score = scoreRecording(file, *truth.value(), request);
-    if (!score) return score.error();
-    outcome.now.add(std::move(*score));
+    const Status scored = scoreOne(file, given.settings.settings, request, outcome);
+    if (scored) continue;
+    if (!folder) return scored.error();
+    outcome.unreadable.push_back(scored.error());
   }
+  if (outcome.now.files.empty() && !outcome.unreadable.empty()) return outcome.unreadable.front();
   if (outcome.now.files.empty()) {
     return Error{given.path, "nothing to score", "no session with markers, no TRUTH.csv, no case beside a recording"};
   }
@@ -135,6 +148,8 @@ void printJson(const Outcome& outcome, const std::vector<std::string>& settings)
         {{"file", f.file}, {"truth", f.truth.from}, {"length_s", f.length.value}, {"detectors", toJson(f.byDetector)}});
   }
   json["without_truth"] = outcome.unmarked;
+  json["unreadable"] = nlohmann::ordered_json::array();
+  for (const Error& problem : outcome.unreadable) json["unreadable"].push_back(problem.line());
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
@@ -153,6 +168,7 @@ void printRow(const std::string& detector, const AlarmScore& s) {
 
 void printTable(const Outcome& outcome, const ScoreOptions& given) {
   std::printf("%zu recording(s) with truth, %zu without\n", outcome.now.files.size(), outcome.unmarked.size());
+  for (const Error& problem : outcome.unreadable) std::printf("not scored: %s\n", problem.line().c_str());
   std::printf("%-14s %6s %6s %7s %6s %8s %9s %10s %10s\n", "detector", "spans", "found", "missed", "false", "quiet h",
               "false/h", "delay", "p95");
   for (const auto& [detector, score] : outcome.now.byDetector) printRow(detector, score);

@@ -77,12 +77,16 @@ void AlarmScore::add(const AlarmScore& other) {
   delays_s.insert(delays_s.end(), other.delays_s.begin(), other.delays_s.end());
 }
 
-AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms) {
+AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms, Seconds length) {
   AlarmScore score;
   score.alarms = static_cast<int>(alarms.size());
+  const bool listened = std::any_of(truth.begin(), truth.end(), [](const TruthSpan& s) { return s.touched; });
+  if (listened) score.quiet = length;
   for (const TruthSpan& span : truth) {
-    if (span.kind == SpanKind::Quiet) score.quiet += span.end - span.begin;
+    const Seconds spanned = span.end - span.begin;
+    if (span.kind == SpanKind::Quiet && !listened) score.quiet += spanned;
     if (span.kind != SpanKind::Chatter) continue;
+    if (listened) score.quiet = std::max(Seconds(), score.quiet - spanned);
     ++score.spans;
     const auto first = std::find_if(alarms.begin(), alarms.end(),
                                     [&span](const Alarm& a) { return a.end >= span.begin && a.begin <= span.end; });

@@ -18,6 +18,7 @@ struct TruthSpan {
   Seconds begin{}, end{};
   SpanKind kind = SpanKind::Ignored;
   std::string label;
+  bool touched = false;  // by one touch during the cut: as long as the alarm it speaks of
 };
 // "chatter..." and "true-alarm" are chatter; "transition...", "entry", "exit", "note" and unknown words are ignored;
 // every other label of a table of truth (stable, idle, spindle_runup, entry_stable ..., false-alarm) is quiet.
@@ -47,7 +48,7 @@ struct AlarmScore {
   int found = 0;
   int alarms = 0;                // all
   int falseAlarms = 0;           // that reach into quiet spans
-  Seconds quiet{};               // length of the quiet spans
+  Seconds quiet{};               // length in which no alarm was to come
   std::vector<double> delays_s;  // of each span found, from its marked beginning; 0: before it
 
   int missed() const { return spans - found; }
@@ -57,6 +58,8 @@ struct AlarmScore {
   double delayQuantile(double share) const;
   void add(const AlarmScore& other);
 };
-AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms);
+// Quiet is what is marked so. Where somebody touched true or false during the cut, all of its `length` was listened to,
+// and quiet is what no chatter covers.
+AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms, Seconds length = {});
 
 }  // namespace stillcut::app

@@ -187,16 +187,20 @@ Result<std::optional<RecordedTruth>> fromSession(const std::string& path) {
     ratios.push_back(sample.value);
   }
   const auto known = [&counts](const std::string& name) {
+    std::optional<double> found;
     for (const auto& [key, value] : counts.value().truthValues) {
-      if (key == name) return value;
+      if (key == name) found = value;
     }
-    return kNever;
+    return found;
   };
-  if (truth.spans.empty()) {
-    truth.spans = spansOfRatio(times, ratios, {Seconds(known("onset_1pct_s")), Seconds(known("onset_20pct_s"))});
-  }
+  // Notes and entries say nothing about chatter. A simulation that was killed had not yet said when it began.
+  const bool judged = std::any_of(truth.spans.begin(), truth.spans.end(),
+                                  [](const TruthSpan& s) { return s.kind != SpanKind::Ignored; });
+  const auto slight = known("onset_1pct_s");
+  const auto clear = known("onset_20pct_s");
+  if (!judged && slight && clear) truth.spans = spansOfRatio(times, ratios, {Seconds(*slight), Seconds(*clear)});
   if (truth.spans.empty()) return std::optional<RecordedTruth>();
-  if (const double hz = known("chatter_hz"); hz > 0.0) truth.chatter = Hertz(hz);
+  if (const double hz = known("chatter_hz").value_or(0.0); hz > 0.0) truth.chatter = Hertz(hz);
   return std::optional(std::move(truth));
 }
 
@@ -233,19 +237,23 @@ std::vector<TruthSpan> spansOfMarkers(const std::vector<Marker>& markers, Instan
     if (to > from) {
       spans.push_back({from, to, kind, marker.label});
     } else if (marker.label == kLabelHeard) {
-      spans.push_back({std::max(Seconds(), from - kHeard), from, kind, marker.label});
+      spans.push_back({std::max(Seconds(), from - kHeard), from, kind, marker.label, true});
     } else if (marker.label == kLabelTrueAlarm || marker.label == kLabelFalseAlarm) {
       const auto after = std::find_if(alarms.begin(), alarms.end(), [from](const Alarm& a) { return a.begin > from; });
       if (after == alarms.begin()) continue;
       const Alarm& meant = *std::prev(after);
-      spans.push_back({meant.begin, std::max(meant.end, meant.begin + Seconds(1e-3)), kind, marker.label});
+      spans.push_back({meant.begin, std::max(meant.end, meant.begin + Seconds(1e-3)), kind, marker.label, true});
     }
   }
   return spans;
 }
 
 Result<std::optional<RecordedTruth>> truthOf(const std::string& recording) {
-  if (record::isHdf5File(recording)) return fromSession(recording);
+  if (record::isHdf5File(recording)) {
+    const auto reader = record::openRecording(recording);
+    if (!reader) return reader.error();
+    if ((*reader)->format().setup) return fromSession(recording);
+  }
   const fs::path path(recording);
   std::error_code ignored;
   const std::string table = (path.parent_path() / "TRUTH.csv").string();

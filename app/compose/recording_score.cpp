@@ -74,7 +74,7 @@ Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& t
   if (const std::string fault = rig.device().fault(); !fault.empty()) return Error{"", fault, ""};
   FileScore score{path, truth, begin ? secondsBetween(*begin, end) : Seconds(), {}, {}};
   for (std::size_t d = 0; d < lists.size(); ++d) {
-    score.byDetector[request.detectors[d]] = scoreAlarms(truth.spans, lists[d].alarms());
+    score.byDetector[request.detectors[d]] = scoreAlarms(truth.spans, lists[d].alarms(), score.length);
     score.alarms[request.detectors[d]] = lists[d].alarms();
   }
   return score;

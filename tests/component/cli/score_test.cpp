@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/record/session_markers.h"
@@ -90,6 +91,40 @@ TEST(Score, ASessionKnowsItsOwnTruthAndTheOperatorsTouches) {
   const json marked = json::parse(touched.out)["detectors"]["energy-ratio"];
   EXPECT_EQ(marked["spans"], 0);
   EXPECT_EQ(marked["false_alarms"], 1);
+  // Somebody listened to the whole cut: one false alarm in all of it, not in the half second that it lasted.
+  EXPECT_NEAR(marked["quiet_s"].get<double>(), 2.0, 0.1);
+  EXPECT_NEAR(marked["false_per_hour"].get<double>(), 1800.0, 90.0);
+}
+
+TEST(Score, ANoteLeavesTheSimulationsTruth) {
+  const record::TempFolder folder;
+  writeScenario(folder / "cut.toml");
+  ASSERT_EQ(runCli(folder / "", {"simulate", "cut.toml", "--strategy", "monitor", "--out", "cut.h5"}).exitCode, 0);
+  const std::string path = folder / "cut.h5";
+  const Outcome before = runCli(folder / "", {"score", "cut.h5", "--detector", "energy-ratio", "--json"});
+  const auto counts = record::countSession(path);
+  ASSERT_TRUE(counts.ok());
+  const Instant at = counts->begin + std::chrono::milliseconds(500);
+  ASSERT_TRUE(record::addMarker(path, {0, at, at + std::chrono::seconds(1), "note", "engineer", "coolant", 0}).ok());
+  const Outcome after = runCli(folder / "", {"score", "cut.h5", "--detector", "energy-ratio", "--json"});
+  EXPECT_EQ(after.out, before.out);
+}
+
+// Its own export is a plain HDF5 file without truth, and a torn file is said; the rest is scored.
+TEST(Score, OneBadFileOfAFolderIsNamedAndTheRestIsScored) {
+  const record::TempFolder folder;
+  writeScenario(folder / "cut.toml");
+  ASSERT_EQ(runCli(folder / "", {"simulate", "cut.toml", "--strategy", "monitor", "--out", "cut.h5"}).exitCode, 0);
+  ASSERT_EQ(runCli(folder / "", {"convert", "cut.h5", "plain.h5"}).exitCode, 0);
+  std::ofstream(folder / "torn.h5", std::ios::binary) << "\x89HDF\r\n\x1a\n and no more";
+  const Outcome scored = runCli(folder / "", {"score", ".", "--detector", "energy-ratio", "--json"});
+  ASSERT_EQ(scored.exitCode, 0) << scored.err;
+  const json told = json::parse(scored.out);
+  EXPECT_EQ(told["files"].size(), 1U);
+  ASSERT_EQ(told["without_truth"].size(), 1U);
+  EXPECT_THAT(told["without_truth"][0].get<std::string>(), HasSubstr("plain.h5"));
+  ASSERT_EQ(told["unreadable"].size(), 1U);
+  EXPECT_THAT(told["unreadable"][0].get<std::string>(), HasSubstr("torn.h5"));
 }
 
 TEST(Score, WhatCannotBeScoredIsNamed) {
