@@ -15,12 +15,12 @@ ActiveDesk::ActiveDesk(std::unique_ptr<active::DuplexDevice> device, const activ
 
 Status ActiveDesk::identify() {
   if (fitting_.state().running) return Error{"active work-holder", "the last record is still being worked on", ""};
-  if (simulated_ != nullptr) simulated_->cut(false);
   if (!engine_.isOpen()) {
     fits_.reset();
     if (Status opened = engine_.open(); !opened) return opened;
   }
   if (Status begun = engine_.identify(); !begun) return begun;
+  if (simulated_ != nullptr) simulated_->cut(false);  // not before: a cut that is held goes on
   problem_.clear();
   awaited_ = true;
   return Done{};
@@ -28,7 +28,9 @@ Status ActiveDesk::identify() {
 
 Status ActiveDesk::start() {
   Status begun = engine_.start();
-  if (begun) problem_.clear();
+  if (!begun) return begun;
+  problem_.clear();
+  if (simulated_ != nullptr) simulated_->cut(true);  // the tool enters under control; chatter that is grown is not held
   return begun;
 }
 
@@ -61,7 +63,6 @@ void ActiveDesk::take(const Result<active::PathPairFound>& found) {
   }
   fits_.emplace();
   for (std::size_t a = 0; a < kActiveAxes; ++a) (*fits_)[a] = active::fitOf((*found)[a], engine_.paths()[a]);
-  if (simulated_ != nullptr) simulated_->cut(true);
 }
 
 const Clock& activeClock() {

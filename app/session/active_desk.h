@@ -15,7 +15,7 @@ namespace stillcut::app {
 
 class ActiveDesk final : public ui::ActiveDesk {
  public:
-  // `simulated`: the same device where it is a simulated one: it identifies in air and cuts afterwards.
+  // `simulated`: the same device where it is a simulated one: it identifies in air and cuts from the start on.
   ActiveDesk(std::unique_ptr<active::DuplexDevice> device, const active::EngineOptions& options, const Clock& clock,
              active::SimulatedDuplex* simulated = nullptr);
 
