@@ -2,8 +2,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <filesystem>
 #include <fstream>
+#include <utility>
+#include <vector>
 
+#include "core/record/journal.h"
 #include "core/record/journaled_driver.h"
 #include "core/record/sensor_notes.h"
 #include "core/record/session_layout.h"
@@ -12,6 +17,8 @@
 
 namespace stillcut::record {
 namespace {
+
+constexpr const char* kNoSession = "is an HDF5 file, but not a Stillcut session";
 
 Result<RecordedChannel> readChannel(hid_t file, int index, const std::string& path) {
   const std::string where = path + ":" + samplesPath(index);
@@ -67,8 +74,8 @@ bool isHdf5File(const std::string& path) {
 
 namespace {
 
-// Beside a writer, after a crash that cannot be repaired here, or of a file whose end is missing (full disk, copy cut
-// short). The last keeps HDF5 from opening unless it is told, with h5clear's own property, not to compare lengths.
+// Beside a writer, after a crash, or of a file whose end may be missing: HDF5 opens those only when it is told, with
+// h5clear's own property, not to compare lengths. Without `journaled`: beside a writer.
 Hdf5Id openAsItIs(const std::string& path, JournaledFile* journaled) {
   const Hdf5Id access = journaled != nullptr ? journaledAccess(*journaled) : Hdf5Id(H5Pcreate(H5P_FILE_ACCESS));
   const hbool_t yes = 1;
@@ -84,36 +91,102 @@ Hdf5Id openAsItIs(const std::string& path, JournaledFile* journaled) {
   return Hdf5Id();
 }
 
+// Tables and channels grow at their ends: when the last chunk is there, the others are.
+bool lastChunkIsThere(hid_t dataset) {
+  const Hdf5Id properties(H5Dget_create_plist(dataset));
+  const Hdf5Id space(H5Dget_space(dataset));
+  const int dimensions = H5Sget_simple_extent_ndims(space.get());
+  std::array<hsize_t, 2> size{};
+  std::array<hsize_t, 2> chunk{};
+  if (dimensions < 1 || dimensions > 2 || H5Pget_layout(properties.get()) != H5D_CHUNKED) return true;
+  if (H5Sget_simple_extent_dims(space.get(), size.data(), nullptr) < 0 ||
+      H5Pget_chunk(properties.get(), dimensions, chunk.data()) < 0 || chunk[0] == 0) {
+    return false;
+  }
+  if (size[0] == 0) return true;
+  constexpr hsize_t kLargestChunk = 16U << 20U;
+  const std::array<hsize_t, 2> first{(size[0] - 1) / chunk[0] * chunk[0], 0};
+  hsize_t bytes = 0;
+  if (H5Dget_chunk_storage_size(dataset, first.data(), &bytes) < 0 || bytes == 0 || bytes > kLargestChunk) return false;
+  std::vector<std::byte> content(bytes);
+  std::uint32_t filters = 0;
+  return H5Dread_chunk(dataset, H5P_DEFAULT, first.data(), &filters, content.data()) >= 0;
+}
+
+herr_t visit(hid_t parent, const char* name, const H5O_info_t* info, void* /*unused*/) {
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  const Hdf5Id dataset(H5Dopen2(parent, name, H5P_DEFAULT));
+  return dataset && lastChunkIsThere(dataset.get()) ? 0 : -1;
+}
+
+// What was closed is exactly as long as HDF5 has noted. A writer that died with a journal may have noted more than it
+// had written, but nothing in it that anything refers to.
+Status checkWhole(const JournaledFile& bytes, hid_t file, const std::string& path, bool journal) {
+  hsize_t noted = 0;
+  const bool known = H5Fget_filesize(file, &noted) >= 0;
+  if (known && (journal || noted <= bytes.size()) &&
+      H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, nullptr, H5O_INFO_BASIC) >= 0) {
+    return Done{};
+  }
+  return Error{path, "is cut short: its end is missing",
+               noted > bytes.size()
+                   ? std::to_string(bytes.size()) + " of " + std::to_string(noted) + " bytes are there; copy it again"
+                   : "what is there is left as it is"};
+}
+
 }  // namespace
+
+Result<Recovery> recoverSession(const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::exists(journalPath(path), unknown)) {
+    const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    if (file && readText(file.get(), "format") != kSessionFormat) return Error{path, kNoSession, ""};
+  }
+  return recoverFromJournal(path);
+}
+
+Status checkUnclosed(const std::string& path, bool journal) {
+  const Result<std::unique_ptr<JournaledFile>> bytes = JournaledFile::open(path, JournaledFile::Access::Read);
+  if (!bytes) return bytes.error();
+  const Hdf5Id file = openAsItIs(path, bytes.value().get());
+  if (!file) return Error{path, "the session file cannot be repaired", hdf5Cause()};
+  if (readText(file.get(), "format") != kSessionFormat) return Error{path, kNoSession, ""};
+  return checkWhole(*bytes.value(), file.get(), path, journal);
+}
 
 Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
   quietHdf5();
   const Result<Recovery> recovery =
-      repair == Repair::Yes ? recoverFromJournal(path) : Result<Recovery>(Recovery::NothingToDo);
+      repair == Repair::Yes ? recoverSession(path) : Result<Recovery>(Recovery::NothingToDo);
   if (!recovery) return recovery.error();
   OpenedSession opened;
   if (recovery.value() == Recovery::Recovered) {
     opened.closedCleanly = false;
     (void)repairSession(path).ok();  // what that cannot mend may still be readable
   }
-  if (recovery.value() == Recovery::NotWritable) {
-    Result<std::unique_ptr<JournaledFile>> beside = JournaledFile::open(path, JournaledFile::Access::Read);
-    if (!beside) return beside.error();
-    opened.journaled = std::move(*beside);
-  } else {
+  if (recovery.value() != Recovery::NotWritable) {
     opened.file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     if (opened.file) return opened;
   }
   const std::string cause = hdf5Cause();
   opened.closedCleanly = false;
+  if (recovery.value() != Recovery::WriterAlive) {
+    Result<std::unique_ptr<JournaledFile>> bytes = JournaledFile::open(path, JournaledFile::Access::Read);
+    if (!bytes) return bytes.error();
+    opened.journaled = std::move(*bytes);
+  }
   opened.file = openAsItIs(path, opened.journaled.get());
-  if (opened.file) return opened;
-  return Error{path, "the session file cannot be opened", cause};
+  if (!opened.file) return Error{path, "the session file cannot be opened", cause};
+  if (opened.journaled) {
+    const bool journal = recovery.value() != Recovery::NothingToDo;
+    if (Status whole = checkWhole(*opened.journaled, opened.file.get(), path, journal); !whole) return whole.error();
+  }
+  return opened;
 }
 
 Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path) {
   if (readText(file, "format") != kSessionFormat) {
-    return Error{path, "is an HDF5 file, but not a Stillcut session", ""};
+    return Error{path, kNoSession, ""};
   }
   const std::int64_t version = readInteger(file, "format_version").value_or(0);
   if (version < kOldestSessionVersion || version > kSessionVersion) {

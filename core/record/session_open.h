@@ -18,9 +18,14 @@ struct OpenedSession {
 };
 
 // A file left by a crash is repaired where it can be written, else read as if it had been; one that is still being
-// written is opened as a reader beside its writer.
+// written is opened as a reader beside its writer. One that is cut short (a copy that broke off, a full disk) is
+// refused and left as it is: what is missing would read as zeros.
 enum class Repair : std::uint8_t { Yes, No };  // No: a glance, nothing is changed
 Result<OpenedSession> openSessionFile(const std::string& path, Repair repair = Repair::Yes);
+// Completes what a dead writer has begun, unless the file has been replaced by one that is no session.
+Result<Recovery> recoverSession(const std::string& path);
+// An error: a file that was not closed is no session, or cut short. Nothing is written.
+Status checkUnclosed(const std::string& path, bool journal);
 // Everything in the header, checked against nonsense. `frames` and `blocks` are left 0.
 Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path);
 

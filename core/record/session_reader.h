@@ -17,7 +17,7 @@ bool isHdf5File(const std::string& path);
 Result<std::unique_ptr<RecordingReader>> openSession(const std::string& path, const ReadOptions& options = {});
 
 // Clears the marks that a writer leaves when it is killed, as h5clear -s does, so that h5py and MATLAB open the file.
-// True: something was repaired; false: there was nothing to do.
+// True: something was repaired; false: there was nothing to do. What is no session, or cut short, is left as it is.
 Result<bool> repairSession(const std::string& path);
 
 // How much of what a session holds, for `info`.

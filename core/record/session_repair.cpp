@@ -41,11 +41,15 @@ Status clearMarks(const std::string& path, JournaledFile& journaled) {
 Result<bool> repairSession(const std::string& path) {
   quietHdf5();
   if (!isHdf5File(path)) return Error{path, "is no session file", ""};
-  const Result<Recovery> recovery = recoverFromJournal(path);
+  const Result<Recovery> recovery = recoverSession(path);
   if (!recovery) return recovery.error();
   if (recovery.value() == Recovery::WriterAlive) return Error{path, "is still being recorded", ""};
   const bool marked = !Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (!marked && recovery.value() == Recovery::NothingToDo) return false;
+  const bool journal = recovery.value() != Recovery::NothingToDo;
+  if (!marked && !journal) return false;
+  if (marked) {
+    if (const Status whole = checkUnclosed(path, journal); !whole) return whole.error();
+  }
   Result<std::unique_ptr<JournaledFile>> journaled = JournaledFile::open(path, JournaledFile::Access::Write);
   if (!journaled) return journaled.error();
   if (marked) {
