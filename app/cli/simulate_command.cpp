@@ -112,10 +112,17 @@ Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOpt
   return run;
 }
 
-// What can be known to be wrong before the cut is run.
-Status checkOptions(const SimulateOptions& options) {
-  if (options.strategy != "active") {
-    if (const auto strategy = control::makeStrategy(options.strategy); !strategy) return strategy.error();
+Status checkStrategy(const std::string& id) {
+  if (id == "active") return Done{};
+  const auto strategy = control::makeStrategy(id);
+  return strategy ? Status(Done{}) : Status(strategy.error());
+}
+
+// What can be known to be wrong before the cut is run. The scenario's own strategy is the desktop's; misspelt, it is
+// said here as well.
+Status check(const SimulateOptions& options, const milling::Scenario& scenario) {
+  for (const std::string& id : {options.strategy, scenario.strategy}) {
+    if (const Status known = checkStrategy(id); !known) return known;
   }
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
     return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
@@ -130,7 +137,7 @@ int simulate(const SimulateOptions& options) {
   scenario->grantsAuto = true;
   const auto settings = options.settings.read();
   if (!settings) return fail(settings.error());
-  if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
+  if (const Status usable = check(options, *scenario); !usable) return fail(usable.error());
 
   if (options.strategy == "active") {
     return simulateActive(*scenario, settings->params, options.seed, {options.out, options.pathRecord}, options.json);
