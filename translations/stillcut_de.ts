@@ -1143,6 +1143,238 @@
         <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
         <translation>Was diese Regel vom Vorschub verlangt: 5 nichts, 1 voll hinunter, 9 voll hinauf (Bild 3.8)</translation>
     </message>
+    <message>
+        <source>Host</source>
+        <translation>Rechner</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Hal port</source>
+        <translation>HAL-Port</translation>
+    </message>
+    <message>
+        <source>Hal component port</source>
+        <translation>Port der HAL-Komponente</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Adaptiver Vorschub</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Passwort</translation>
+    </message>
+    <message>
+        <source>Control password</source>
+        <translation>Steuerpasswort</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation>Baud</translation>
+    </message>
+    <message>
+        <source>Reports in inches</source>
+        <translation>Meldet in Zoll</translation>
+    </message>
+    <message>
+        <source>Ask words</source>
+        <translation>Modalwörter abfragen</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Zuordnung</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>24</source>
+        <translation>24</translation>
+    </message>
+    <message>
+        <source>32</source>
+        <translation>32</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingänge</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Messbereich</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>common</source>
+        <translation>gemeinsam</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>differenziell</translation>
+    </message>
+    <message>
+        <source>Uri</source>
+        <translation>URI</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation>binär</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Sync</source>
+        <translation>Synchronwort</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Zähler</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>u8</source>
+        <translation>u8</translation>
+    </message>
+    <message>
+        <source>u16</source>
+        <translation>u16</translation>
+    </message>
+    <message>
+        <source>u32</source>
+        <translation>u32</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Zeitpunkte je Paket</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>Abtastwert</translation>
+    </message>
+    <message>
+        <source>i8</source>
+        <translation>i8</translation>
+    </message>
+    <message>
+        <source>i16</source>
+        <translation>i16</translation>
+    </message>
+    <message>
+        <source>i24</source>
+        <translation>i24</translation>
+    </message>
+    <message>
+        <source>i32</source>
+        <translation>i32</translation>
+    </message>
+    <message>
+        <source>f32</source>
+        <translation>f32</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Bytefolge</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little-endian</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big-endian</translation>
+    </message>
+    <message>
+        <source>Checksum</source>
+        <translation>Prüfsumme</translation>
+    </message>
+    <message>
+        <source>sum8</source>
+        <translation>sum8</translation>
+    </message>
+    <message>
+        <source>xor8</source>
+        <translation>xor8</translation>
+    </message>
+    <message>
+        <source>crc16</source>
+        <translation>crc16</translation>
+    </message>
+    <message>
+        <source>crc32</source>
+        <translation>crc32</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Mit Zähler</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>Schall</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Machine in inches</source>
+        <translation>Maschine in Zoll</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1810,10 +2042,6 @@
         <translation>%1, ruhig nach %2, %3 Marken</translation>
     </message>
     <message>
-        <source>%1, %2 more time</source>
-        <translation>%1, %2 mehr Zeit</translation>
-    </message>
-    <message>
         <source>chatter %1</source>
         <translation>Rattern %1</translation>
     </message>
@@ -2474,10 +2702,6 @@
         <translation>%1: gefunden %2 von %3, falsch %4 (%5 je Stunde), Verzug %6</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>Lese %1</translation>
-    </message>
-    <message>
         <source>Every detector runs on it: %1</source>
         <translation>Jeder Detektor läuft darüber: %1</translation>
     </message>
@@ -2692,6 +2916,14 @@
     <message>
         <source>No program runs, or the machine is off</source>
         <translation>Kein Programm läuft, oder die Maschine ist aus</translation>
+    </message>
+    <message>
+        <source>Reading %1: %2</source>
+        <translation>%1 wird gelesen: %2</translation>
+    </message>
+    <message>
+        <source>time +%1</source>
+        <translation>Zeit +%1</translation>
     </message>
 </context>
 <context>

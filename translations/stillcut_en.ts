@@ -839,8 +839,8 @@
         <translation>Feedback</translation>
     </message>
     <message>
-        <source>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</source>
-        <translation>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle&apos;s frequency</translation>
+        <source>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle's frequency</source>
+        <translation>In simulation: what is to fall, vibration by the accelerometers or the force at the spindle's frequency</translation>
     </message>
     <message>
         <source>acceleration</source>
@@ -1141,6 +1141,238 @@
     <message>
         <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
         <translation>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</translation>
+    </message>
+    <message>
+        <source>Host</source>
+        <translation>Host</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Hal port</source>
+        <translation>Hal port</translation>
+    </message>
+    <message>
+        <source>Hal component port</source>
+        <translation>Hal component port</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>Adaptive feed</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Password</translation>
+    </message>
+    <message>
+        <source>Control password</source>
+        <translation>Control password</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Device</translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation>Baud</translation>
+    </message>
+    <message>
+        <source>Reports in inches</source>
+        <translation>Reports in inches</translation>
+    </message>
+    <message>
+        <source>Ask words</source>
+        <translation>Ask words</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Map</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenario</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>24</source>
+        <translation>24</translation>
+    </message>
+    <message>
+        <source>32</source>
+        <translation>32</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Block</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Inputs</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Range</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>ground</translation>
+    </message>
+    <message>
+        <source>common</source>
+        <translation>common</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>differential</translation>
+    </message>
+    <message>
+        <source>Uri</source>
+        <translation>Uri</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigger</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation>binary</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>text</translation>
+    </message>
+    <message>
+        <source>Sync</source>
+        <translation>Sync</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>Counter</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>none</translation>
+    </message>
+    <message>
+        <source>u8</source>
+        <translation>u8</translation>
+    </message>
+    <message>
+        <source>u16</source>
+        <translation>u16</translation>
+    </message>
+    <message>
+        <source>u32</source>
+        <translation>u32</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>Instants</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>Sample</translation>
+    </message>
+    <message>
+        <source>i8</source>
+        <translation>i8</translation>
+    </message>
+    <message>
+        <source>i16</source>
+        <translation>i16</translation>
+    </message>
+    <message>
+        <source>i24</source>
+        <translation>i24</translation>
+    </message>
+    <message>
+        <source>i32</source>
+        <translation>i32</translation>
+    </message>
+    <message>
+        <source>f32</source>
+        <translation>f32</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>Byte order</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>little</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>big</translation>
+    </message>
+    <message>
+        <source>Checksum</source>
+        <translation>Checksum</translation>
+    </message>
+    <message>
+        <source>sum8</source>
+        <translation>sum8</translation>
+    </message>
+    <message>
+        <source>xor8</source>
+        <translation>xor8</translation>
+    </message>
+    <message>
+        <source>crc16</source>
+        <translation>crc16</translation>
+    </message>
+    <message>
+        <source>crc32</source>
+        <translation>crc32</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>Counted</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>velocity</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>displacement</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>sound</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>current</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>speed</translation>
+    </message>
+    <message>
+        <source>Machine in inches</source>
+        <translation>Machine in inches</translation>
     </message>
 </context>
 <context>
@@ -1809,10 +2041,6 @@
         <translation>%1, quiet after %2, %3 marked</translation>
     </message>
     <message>
-        <source>%1, %2 more time</source>
-        <translation>%1, %2 more time</translation>
-    </message>
-    <message>
         <source>chatter %1</source>
         <translation>chatter %1</translation>
     </message>
@@ -2473,10 +2701,6 @@
         <translation>%1: found %2 of %3, false %4 (%5 per hour), delay %6</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>Reading %1</translation>
-    </message>
-    <message>
         <source>Every detector runs on it: %1</source>
         <translation>Every detector runs on it: %1</translation>
     </message>
@@ -2691,6 +2915,14 @@
     <message>
         <source>No program runs, or the machine is off</source>
         <translation>No program runs, or the machine is off</translation>
+    </message>
+    <message>
+        <source>Reading %1: %2</source>
+        <translation>Reading %1: %2</translation>
+    </message>
+    <message>
+        <source>time +%1</source>
+        <translation>time +%1</translation>
     </message>
 </context>
 <context>

@@ -1143,6 +1143,238 @@
         <source>What this rule asks of the feed: 5 nothing, 1 down and 9 up at full (figure 3.8)</source>
         <translation>此规则对进给的要求：5 不变，1 全力降低，9 全力提高（图 3.8）</translation>
     </message>
+    <message>
+        <source>Host</source>
+        <translation>主机</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>端口</translation>
+    </message>
+    <message>
+        <source>Hal port</source>
+        <translation>HAL 端口</translation>
+    </message>
+    <message>
+        <source>Hal component port</source>
+        <translation>HAL 组件端口</translation>
+    </message>
+    <message>
+        <source>Adaptive feed</source>
+        <translation>自适应进给</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>密码</translation>
+    </message>
+    <message>
+        <source>Control password</source>
+        <translation>控制密码</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>Baud</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Reports in inches</source>
+        <translation>以英寸报告</translation>
+    </message>
+    <message>
+        <source>Ask words</source>
+        <translation>查询模态字</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>映射</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>采样率</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>位数</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>24</source>
+        <translation>24</translation>
+    </message>
+    <message>
+        <source>32</source>
+        <translation>32</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>块</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>量程</translation>
+    </message>
+    <message>
+        <source>ground</source>
+        <translation>接地</translation>
+    </message>
+    <message>
+        <source>common</source>
+        <translation>公共端</translation>
+    </message>
+    <message>
+        <source>differential</source>
+        <translation>差分</translation>
+    </message>
+    <message>
+        <source>Uri</source>
+        <translation>URI</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>触发</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>格式</translation>
+    </message>
+    <message>
+        <source>binary</source>
+        <translation>二进制</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>文本</translation>
+    </message>
+    <message>
+        <source>Sync</source>
+        <translation>同步字</translation>
+    </message>
+    <message>
+        <source>Counter</source>
+        <translation>计数器</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>u8</source>
+        <translation>u8</translation>
+    </message>
+    <message>
+        <source>u16</source>
+        <translation>u16</translation>
+    </message>
+    <message>
+        <source>u32</source>
+        <translation>u32</translation>
+    </message>
+    <message>
+        <source>Instants</source>
+        <translation>每包采样时刻数</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>采样类型</translation>
+    </message>
+    <message>
+        <source>i8</source>
+        <translation>i8</translation>
+    </message>
+    <message>
+        <source>i16</source>
+        <translation>i16</translation>
+    </message>
+    <message>
+        <source>i24</source>
+        <translation>i24</translation>
+    </message>
+    <message>
+        <source>i32</source>
+        <translation>i32</translation>
+    </message>
+    <message>
+        <source>f32</source>
+        <translation>f32</translation>
+    </message>
+    <message>
+        <source>Byte order</source>
+        <translation>字节序</translation>
+    </message>
+    <message>
+        <source>little</source>
+        <translation>小端</translation>
+    </message>
+    <message>
+        <source>big</source>
+        <translation>大端</translation>
+    </message>
+    <message>
+        <source>Checksum</source>
+        <translation>校验和</translation>
+    </message>
+    <message>
+        <source>sum8</source>
+        <translation>sum8</translation>
+    </message>
+    <message>
+        <source>xor8</source>
+        <translation>xor8</translation>
+    </message>
+    <message>
+        <source>crc16</source>
+        <translation>crc16</translation>
+    </message>
+    <message>
+        <source>crc32</source>
+        <translation>crc32</translation>
+    </message>
+    <message>
+        <source>Counted</source>
+        <translation>带计数</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>displacement</source>
+        <translation>位移</translation>
+    </message>
+    <message>
+        <source>sound</source>
+        <translation>声音</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>电流</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>转速</translation>
+    </message>
+    <message>
+        <source>Machine in inches</source>
+        <translation>机床使用英寸</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1810,10 +2042,6 @@
         <translation>%1，%2 后平稳，振纹 %3</translation>
     </message>
     <message>
-        <source>%1, %2 more time</source>
-        <translation>%1，多用 %2</translation>
-    </message>
-    <message>
         <source>chatter %1</source>
         <translation>颤振 %1</translation>
     </message>
@@ -2474,10 +2702,6 @@
         <translation>%1：找到 %2 / %3，误报 %4（每小时 %5），延迟 %6</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
         <source>Every detector runs on it: %1</source>
         <translation>所有检测器正在运行：%1</translation>
     </message>
@@ -2692,6 +2916,14 @@
     <message>
         <source>No program runs, or the machine is off</source>
         <translation>没有程序在运行，或机床已关闭</translation>
+    </message>
+    <message>
+        <source>Reading %1: %2</source>
+        <translation>正在读取 %1：%2</translation>
+    </message>
+    <message>
+        <source>time +%1</source>
+        <translation>时间 +%1</translation>
     </message>
 </context>
 <context>

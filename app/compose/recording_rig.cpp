@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/compose/catalog.h"
 #include "app/compose/run_text.h"
 #include "app/compose/scenario_reader.h"
 #include "core/daq/replay_source.h"
@@ -13,25 +14,51 @@ namespace {
 
 constexpr double kBlock_s = 0.005;  // of imported files: how fine their verdicts are in time
 
-// A session: machine state and operator inputs come with each block, as they were.
+// A session: machine state and operator inputs come with each block, as they were. `chosen`: parameters that whoever
+// runs it again has chosen; what was made of them during the cut is left out.
 class SessionStepSource final : public pipeline::StepSource {
  public:
-  explicit SessionStepSource(daq::ReplaySource& source) : source_(source) {}
+  explicit SessionStepSource(daq::ReplaySource& source, std::vector<std::uint32_t> chosen = {})
+      : source_(source), chosen_(std::move(chosen)) {}
   bool read(StepInput& step) noexcept override {
     if (!source_.read(step.block)) return false;
     const StepInput* recorded = source_.recordedStep();
     step.machine = recorded != nullptr ? recorded->machine : MachineState{};
     step.machine.time += source_.shift();
     step.machine.link.shift(source_.shift());
-    step.inputCount = recorded != nullptr ? recorded->inputCount : 0;
-    if (recorded != nullptr) step.inputs = recorded->inputs;
+    step.inputs = {};
+    step.inputCount = 0;
+    for (int i = 0; recorded != nullptr && i < recorded->inputCount; ++i) {
+      const OperatorInput& input = recorded->inputs[static_cast<std::size_t>(i)];
+      if (overruled(input)) continue;
+      step.inputs[static_cast<std::size_t>(step.inputCount++)] = input;
+    }
     return true;
   }
   void stop() noexcept override { source_.stop(); }
 
  private:
+  bool overruled(const OperatorInput& input) const noexcept {
+    return input.action == OperatorAction::SetParameter &&
+           std::find(chosen_.begin(), chosen_.end(), input.parameter) != chosen_.end();
+  }
+
   daq::ReplaySource& source_;
+  std::vector<std::uint32_t> chosen_;
 };
+
+// What is set now and was not so when the recorded run began.
+std::vector<std::uint32_t> chosenNow(const record::RecordingFormat& format, const config::ParamSet& params) {
+  const auto recorded = parseRunText(format.configuration, "configuration");
+  const config::ParamSet before = recorded ? recorded->params : config::ParamSet();
+  const config::ParamCatalog catalog = fullCatalog();
+  std::vector<std::uint32_t> chosen;
+  for (const config::ParamDecl* decl : catalog.all()) {
+    const bool same = before.isSet(*decl) && before.text(*decl) == params.text(*decl);
+    if (params.isSet(*decl) && !same) chosen.push_back(config::parameterId(decl->key));
+  }
+  return chosen;
+}
 
 Result<std::unique_ptr<record::RecordingReader>> openAny(const std::string& path, const record::ReadOptions& read) {
   return isScenarioFile(path) ? openScenario(path) : record::openRecording(path, read);
@@ -72,7 +99,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   const bool isSession = format.blocks > 0;
   const bool toldSpeed = options.speed.value > 0.0 || !options.log.empty();
   if (isSession && !toldSpeed) {
-    spec.steps = std::make_unique<SessionStepSource>(*source);
+    spec.steps = std::make_unique<SessionStepSource>(*source, chosenNow(format, options.params));
     spec.feed = std::make_unique<pipeline::RecordedMachineFeed>();
   } else {
     spec.feed = std::make_unique<pipeline::SpeedLogFeed>(options.log);

@@ -10,6 +10,7 @@
 #include "core/pipeline/intervention_log.h"
 #include "core/pipeline/spectrum_tap.h"
 #include "core/record/open_recording.h"
+#include "core/record/session_overview.h"
 
 namespace stillcut::app {
 namespace {
@@ -75,22 +76,26 @@ class Thinned {
   std::vector<Entry> entries_;
 };
 
+void describeFormat(SessionSummary& summary, const std::string& path, const record::RecordingFormat& format) {
+  summary.file = path;
+  summary.kind = format.kind;
+  summary.programVersion = format.programVersion;
+  summary.configuration = format.configuration;
+  summary.session = format.setup.has_value();
+  summary.simulated = format.simulated;
+  summary.closedCleanly = format.closedCleanly;
+  if (format.setup) summary.setup = *format.setup;
+  summary.setup.rate = format.rate;
+  summary.setup.blockFrames = format.blockFrames > 0 ? format.blockFrames : kBlockFrames;
+  summary.setup.channels.clear();
+  for (const record::RecordedChannel& c : format.channels) summary.setup.channels.push_back(c.info);
+}
+
 class Builder {
  public:
-  Builder(std::string path, const record::RecordingFormat& format)
-      : channels_(format.channels), curve_(kMostPoints), columns_(kMostColumns), tally_(format.channels) {
-    summary_.file = std::move(path);
-    summary_.kind = format.kind;
-    summary_.programVersion = format.programVersion;
-    summary_.configuration = format.configuration;
-    summary_.session = format.setup.has_value();
-    summary_.simulated = format.simulated;
-    summary_.closedCleanly = format.closedCleanly;
-    if (format.setup) summary_.setup = *format.setup;
-    summary_.setup.rate = format.rate;
-    summary_.setup.blockFrames = format.blockFrames > 0 ? format.blockFrames : kBlockFrames;
-    summary_.setup.channels.clear();
-    for (const record::RecordedChannel& c : channels_) summary_.setup.channels.push_back(c.info);
+  Builder(const std::string& path, const record::RecordingFormat& format)
+      : curve_(kMostPoints), columns_(kMostColumns), tally_(format.channels) {
+    describeFormat(summary_, path, format);
     tap_.prepare(summary_.setup);
   }
 
@@ -177,7 +182,6 @@ class Builder {
   }
 
   SessionSummary summary_;
-  std::vector<record::RecordedChannel> channels_;
   Thinned<SummaryPoint> curve_;
   Thinned<SpectrumColumn> columns_;
   SensorTally tally_;
@@ -193,8 +197,36 @@ class Builder {
 
 }  // namespace
 
+Result<SessionSummary> glimpseOf(const std::string& path) {
+  SessionSummary summary;
+  {
+    const auto reader = record::openRecording(path);
+    if (!reader) return reader.error();
+    describeFormat(summary, path, (*reader)->format());
+    summary.length = (*reader)->format().length();
+  }
+  if (!summary.session) return summary;
+  const auto overview = record::SessionOverview::open(path);
+  if (!overview) return overview.error();
+  const Instant begin = (*overview)->begin(), end = (*overview)->end();
+  if (!(end > begin)) return summary;
+  summary.length = secondsBetween(begin, end);
+  constexpr int kColumns = 2048;
+  const auto columns = (*overview)->overview(0, begin, end, kColumns);
+  if (!columns) return columns.error();
+  for (int k = 0; k < kColumns; ++k) {
+    const record::MinMax& column = columns.value()[static_cast<std::size_t>(k)];
+    SummaryPoint point;
+    point.time = summary.length * ((k + 0.5) / kColumns);
+    point.gap = std::isnan(column.min);
+    point.vibration = point.gap ? 0.0 : 0.5 * (static_cast<double>(column.max) - column.min);
+    summary.curve.push_back(point);
+  }
+  return summary;
+}
+
 Result<SessionSummary> summarizeRecording(const std::string& path, const record::ReadOptions& options,
-                                          const record::TimeSpan& span) {
+                                          const record::TimeSpan& span, const std::function<bool(double)>& goOn) {
   auto reader = record::openRecording(path, options);
   if (!reader) return reader.error();
   if (!span.whole()) {
@@ -206,12 +238,16 @@ Result<SessionSummary> summarizeRecording(const std::string& path, const record:
   SampleBlock block;
   const int frames = format.blockFrames > 0 ? format.blockFrames : kBlockFrames;
   block.allocate(static_cast<int>(format.channels.size()), frames);
+  const double allFrames = std::max(static_cast<double>(format.frames), 1.0);
+  double framesRead = 0.0;
   std::uint64_t blocks = 0;
   for (;; ++blocks) {
     const Result<bool> more = (*reader)->read(block);
     if (!more) return more.error();
     if (!*more) break;
     builder.add(block, (*reader)->recordedStep());
+    framesRead += block.frames;
+    if (goOn && !goOn(framesRead / allFrames)) return Error{path, "stopped", ""};
   }
   if (blocks == 0) return Error{path, "holds no samples", ""};
   return builder.finish();

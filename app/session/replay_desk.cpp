@@ -85,8 +85,12 @@ void ReplayDesk::closeRun() {
 bool ReplayDesk::poll() {
   const bool listed = lister_.collect();
   const bool done = task_.collect();
-  if (done && !run_ && summary_) reopen();  // what was open stays where another could not be opened
-  return std::exchange(changed_, false) || listed || done;
+  const bool read = whole_.collect();
+  if (done && !run_ && summary_) {  // what was open stays where another could not be opened
+    reopen();
+    if (!summaryWhole_) readWhole();
+  }
+  return std::exchange(changed_, false) || listed || done || read;
 }
 
 void ReplayDesk::setFolder(const QString& folder) {
@@ -96,11 +100,12 @@ void ReplayDesk::setFolder(const QString& folder) {
 
 void ReplayDesk::open(const QString& path) {
   closeRun();  // two may not read files of this library while one looks whether it survives the other
+  whole_.cancel();
   task_.start(ui::TaskState::What::Reading, path,
               [this, file = path.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
                 const auto opened = std::make_shared<Opened>();
                 opened->path = file;
-                auto summary = summarizeRecording(file);
+                auto summary = glimpseOf(file);
                 if (!summary) return summary.error();
                 opened->summary = std::make_shared<const SessionSummary>(std::move(summary).value());
                 if (opened->summary->session) {
@@ -119,10 +124,28 @@ void ReplayDesk::open(const QString& path) {
               });
 }
 
+// Beside everything else: what is open can be used meanwhile.
+void ReplayDesk::readWhole() {
+  whole_.start(
+      ui::TaskState::What::Reading, path_,
+      [this, file = path_.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
+        auto read = summarizeRecording(file, {}, {}, [&progress](double part) {
+          progress.part.store(part, std::memory_order_relaxed);
+          return !progress.stop.load(std::memory_order_relaxed);
+        });
+        if (!read) return read.error();
+        return BackgroundTask::Apply([this, summary = std::make_shared<const SessionSummary>(std::move(read).value())] {
+          summary_ = summary;
+          summaryWhole_ = true;
+        });
+      });
+}
+
 void ReplayDesk::takeOpened(const std::shared_ptr<Opened>& opened) {
   closeRun();
   path_ = QString::fromStdString(opened->path);
   summary_ = opened->summary;
+  summaryWhole_ = false;
   begin_ = opened->begin;
   markers_ = opened->markers;
   tracks_.clear();
@@ -135,6 +158,7 @@ void ReplayDesk::takeOpened(const std::shared_ptr<Opened>& opened) {
   info_.sourceLabel = QStringLiteral("replay of %1").arg(QFileInfo(path_).fileName());
   run_ = std::make_unique<ReplayRun>(std::move(opened->rig), opened->control);
   run_->start();
+  readWhole();
   if (everywhere_) ++generation_;
 }
 
@@ -177,6 +201,8 @@ bool ReplayDesk::reopen() {
 Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& change) {
   const ui::ReplayState before = replay();
   closeRun();
+  const bool reading = whole_.state().running;
+  whole_.cancel();
   const Status done = change(path_.toStdString());
   auto markers = record::readMarkers(path_.toStdString());
   if (markers) markers_ = std::move(markers).value();
@@ -186,6 +212,7 @@ Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& c
     goTo(before.position);
     if (before.playing) play();
   }
+  if (reading) readWhole();
   return done;
 }
 
@@ -264,6 +291,17 @@ Status ReplayDesk::mark(Seconds from, Seconds to, const QString& label, const QS
 
 Status ReplayDesk::removeMark(std::uint64_t number) {
   return changeFile([number](const std::string& file) { return record::removeMarker(file, number); });
+}
+
+// What somebody asked for goes before what is read beside it.
+ui::TaskState ReplayDesk::task() const {
+  const ui::TaskState asked = task_.state(), read = whole_.state();
+  const bool tellsRead = read.running || !read.problem.isEmpty();
+  return asked.running || !asked.problem.isEmpty() || !tellsRead ? asked : read;
+}
+
+void ReplayDesk::cancel() {
+  (task_.state().running ? task_ : whole_).cancel();
 }
 
 void ReplayDesk::runDetectors(const QStringList& settings) {

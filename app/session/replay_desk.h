@@ -38,6 +38,7 @@ class ReplayDesk final : public ui::SessionDesk {
   void open(const QString& path) override;
   QString openedPath() const override { return path_; }
   std::shared_ptr<const SessionSummary> summary() const override { return summary_; }
+  bool summaryWhole() const override { return summaryWhole_; }
 
   ui::ReplayState replay() const override;
   const Snapshot* replayed() override { return run_ ? run_->read() : nullptr; }
@@ -62,11 +63,12 @@ class ReplayDesk final : public ui::SessionDesk {
   void score(bool wholeFolder) override;
   const std::vector<ui::ScoreLine>& scores() const override { return scores_; }
   void exportSpan(Seconds from, Seconds to, const QString& file) override;
-  ui::TaskState task() const override { return task_.state(); }
-  void cancel() override { task_.cancel(); }
+  ui::TaskState task() const override;
+  void cancel() override;
 
  private:
   struct Opened;
+  void readWhole();
   void takeOpened(const std::shared_ptr<Opened>& opened);
   void closeRun();
   void reopenIfFinished();
@@ -76,6 +78,7 @@ class ReplayDesk final : public ui::SessionDesk {
 
   QString path_;
   std::shared_ptr<const SessionSummary> summary_;
+  bool summaryWhole_ = false;
   Instant begin_{};  // of the first sample, on the recording's clock
   std::vector<Marker> markers_;
   std::vector<ui::DetectorTrack> tracks_;
@@ -89,6 +92,7 @@ class ReplayDesk final : public ui::SessionDesk {
   std::uint32_t generation_ = 0;
   SessionLister lister_;
   BackgroundTask task_;
+  BackgroundTask whole_;  // reads the whole of what is open
 };
 
 }  // namespace stillcut::app

@@ -1,6 +1,7 @@
 #include "core/config/part_settings.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +25,25 @@ std::string shortly(double value) {
 }
 
 }  // namespace
+
+SettingName settingName(std::string_view key) {
+  struct Unit {
+    std::string_view ending, shown;
+  };
+  constexpr std::array<Unit, 5> kUnits{{{"_percent", "%"}, {"_mm", "mm"}, {"_hz", "Hz"}, {"_ms", "ms"}, {"_s", "s"}}};
+  SettingName name{std::string(key), {}};
+  for (const Unit& unit : kUnits) {
+    if (!key.ends_with(unit.ending)) continue;
+    name.unit = unit.shown;
+    name.words.resize(key.size() - unit.ending.size());
+    break;
+  }
+  for (char& c : name.words) c = c == '_' || c == '-' ? ' ' : c;
+  if (!name.words.empty() && name.words[0] >= 'a' && name.words[0] <= 'z') {
+    name.words[0] = static_cast<char>(name.words[0] - 'a' + 'A');
+  }
+  return name;
+}
 
 const std::string* PartSettings::find(std::string_view key) {
   read_.push_back(key);

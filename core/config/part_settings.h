@@ -24,6 +24,12 @@ struct AskedSetting {
   std::vector<std::string> words;  // of a choice
 };
 
+// How a form shows a key: "lowest_speed_percent" is "Lowest speed" in "%".
+struct SettingName {
+  std::string words, unit;  // no unit: empty
+};
+SettingName settingName(std::string_view key);
+
 class PartSettings {
  public:
   // `where` names the part in errors: "link 'linuxcnc'".

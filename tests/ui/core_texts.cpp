@@ -3,12 +3,15 @@
 //   core_texts --check FILE   says whether it is what would be written
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <iostream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
 
 #include "app/compose/catalog.h"
+#include "app/session/machine_desk.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
@@ -41,6 +44,34 @@ class Lines {
   std::ostringstream out_;
 };
 
+// Names and choices of what a device or a link asks for; some questions follow from the answer to another.
+using Settings = std::map<std::string, std::string>;
+void addSettings(Lines& lines, const std::function<std::vector<config::AskedSetting>(const Settings&)>& ask) {
+  const auto add = [&](const std::vector<config::AskedSetting>& asked) {
+    for (const config::AskedSetting& setting : asked) {
+      lines.add("Core", config::settingName(setting.key).words);
+      for (const std::string& word : setting.words) lines.add("Core", word);
+    }
+  };
+  const auto first = ask({});
+  add(first);
+  for (const config::AskedSetting& setting : first) {
+    if (setting.kind == config::AskedSetting::Kind::Flag) add(ask({{setting.key, "true"}}));
+    for (const std::string& word : setting.words) add(ask({{setting.key, word}}));
+  }
+}
+
+void addPart(Lines& lines, const std::string& link, const std::string& source) {
+  addSettings(lines, [&](const Settings& given) {
+    config::Profile profile;
+    profile.link = {link, given};
+    profile.source = {source, given};
+    profile.cut.channels.resize(1);
+    const app::MachineDesk desk;
+    return link.empty() ? desk.sourceSettings(profile) : desk.linkSettings(profile);
+  });
+}
+
 std::string fileText() {
   Lines lines;
   const config::ParamCatalog catalog = app::fullCatalog();
@@ -55,6 +86,11 @@ std::string fileText() {
     lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);
   for (const auto& entry : daq::sourceTable()) lines.add("Core", entry.description);
+  for (const auto& entry : cnc::linkTable()) addPart(lines, std::string(entry.id), {});
+  for (const auto& entry : daq::sourceTable()) addPart(lines, {}, std::string(entry.id));
+  for (int k = 0; k <= static_cast<int>(SensorQuantity::SpindleSpeed); ++k) {
+    lines.add("Core", name(static_cast<SensorQuantity>(k)));
+  }
   for (int code = 0; code <= static_cast<int>(ReasonCode::ChatterLeftCut); ++code) {
     lines.add("Reason", pattern(static_cast<ReasonCode>(code)));
   }

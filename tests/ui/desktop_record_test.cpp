@@ -11,6 +11,7 @@
 #include "app/compose/recording_score.h"
 #include "app/compose/scenario_rig.h"
 #include "app/session/session.h"
+#include "core/detect/spectral.h"
 #include "core/record/session_markers.h"
 #include "tests/component/demo_cut.h"
 #include "ui/models/session_desk.h"
@@ -125,6 +126,9 @@ TEST_F(RecordedDesktop, AChangedThresholdIsAnsweredInASentence) {
     options.methods.strategy = "monitor";
     auto built = buildScenarioRig(test::demoCut(), options);
     ASSERT_TRUE(built.ok() && built->rig->recordTo(path_, "").ok());
+    // Touched during the cut, and back to automatic: may not overrule what is asked afterwards.
+    built->rig->send({OperatorAction::SetParameter, Authority::Off, 0, config::parameterId(detect::kSpeThreshold.key),
+                      config::kAutomatic});
     built->rig->runToEnd({});
     ASSERT_TRUE(built->rig->recorder()->finish().ok());
     const Instant late = instantFromNs(4'500'000'000);

@@ -46,6 +46,7 @@ FakeSession::FakeSession() {
   earlier.speedAfter = Rpm(kProgrammed);
   earlier.feedBefore = fromMmPerMin(1440);
   earlier.feedAfter = fromMmPerMin(kFeed);
+  earlier.cycleTime = Ratio(1.214);
   earlier.severityBefore = Ratio(0.71);
   earlier.severityAfter = Ratio(0.02);
   earlier.vibrationBefore = 11.4;

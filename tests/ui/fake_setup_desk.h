@@ -12,7 +12,8 @@ class FakeSetupDesk final : public SetupDesk {
  public:
   bool poll() override { return std::exchange(changed, false); }
   std::vector<PartOption> sources() const override {
-    return {{QStringLiteral("simulated"), QStringLiteral("A simulated cut from a scenario file")},
+    return {{QStringLiteral("simulated"),
+             QStringLiteral("A simulated cut from a scenario file, in real time or as fast as possible")},
             {QStringLiteral("alsa"), QStringLiteral("A sound card")}};
   }
   std::vector<PartOption> links() const override {
@@ -25,7 +26,7 @@ class FakeSetupDesk final : public SetupDesk {
             {QStringLiteral("coherence"), QStringLiteral("Coherence")}};
   }
   std::vector<PartOption> strategies() const override {
-    return {{QStringLiteral("monitor"), QStringLiteral("Monitor only")},
+    return {{QStringLiteral("monitor"), QStringLiteral("Monitoring only")},
             {QStringLiteral("stable-pocket"), QStringLiteral("Next stable pocket, checked")}};
   }
   std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const override {

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "app/compose/scenario_rig.h"
+#include "app/compose/session_summary_builder.h"
 #include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
 #include "app/session/session.h"
@@ -96,6 +97,27 @@ TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
   waitFor(second, [&] { return second.replay().open; });
   ASSERT_EQ(second.markers().size(), 1U);
   EXPECT_EQ(second.markers()[0].note, "deep slot");
+}
+
+TEST_F(ReplayDeskTest, IsOpenAtOnceAndReadsTheWholeMeanwhile) {
+  const auto glimpse = glimpseOf(path_.toStdString());
+  ASSERT_TRUE(glimpse.ok()) << glimpse.error().line();
+  EXPECT_NEAR(glimpse->length.value, 5.0, 0.1);
+  EXPECT_TRUE(glimpse->spectrogram.empty()) << "that would have needed every sample";
+  double quiet = 0.0, loud = 0.0;
+  for (const SummaryPoint& point : glimpse->curve) {
+    double& most = point.time.value < 1.5 ? quiet : loud;
+    most = std::max(most, point.vibration);
+  }
+  EXPECT_GT(loud, 1.5 * quiet) << "the chatter stands in the curve";
+  ASSERT_NE(desk_.summary(), nullptr);
+  EXPECT_FALSE(desk_.summary()->curve.empty());
+  desk_.runDetectors({});
+  waitFor(desk_, [this] { return desk_.summaryWhole(); });
+  waitForTask();
+  EXPECT_EQ(desk_.summary()->alarms, 1U);
+  EXPECT_FALSE(desk_.summary()->spectrogram.empty());
+  EXPECT_EQ(desk_.tracks().size(), 4U);
 }
 
 TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
@@ -357,6 +379,23 @@ TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
   const auto wrong = loadTools(path);
   ASSERT_FALSE(wrong.ok());
   EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
+}
+
+TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
+  auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  int automatic = 0;
+  for (const ui::TunablePart& part : (*session)->tunableParts()) {
+    for (const config::ParamDecl* decl : part.params) {
+      if (!decl->mayBeAutomatic) continue;
+      ++automatic;
+      EXPECT_NE(decl->meaning.find("auto: "), std::string_view::npos) << decl->key;
+      if (part.running && part.role == ui::TunablePart::Role::Detector) {
+        EXPECT_EQ(part.chosen.count(decl->key), 1U) << decl->key;
+      }
+    }
+  }
+  EXPECT_GT(automatic, 10);
 }
 
 TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {

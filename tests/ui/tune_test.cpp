@@ -145,6 +145,11 @@ TEST_F(TunePageTest, LockedRowsSayWhyAndCannotBeMoved) {
   ParamRow* locked = row("energy-ratio.harmonics");
   ASSERT_NE(locked, nullptr);
   EXPECT_TRUE(locked->view().locked.contains(QStringLiteral("Locked")));
+  QString told;
+  for (const TextLabel* label : locked->findChildren<TextLabel*>()) told += label->text() + u'\n';
+  EXPECT_TRUE(told.contains(QStringLiteral("auto: 12 tooth passings"))) << "why: " << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("Automatic: chose 48"))) << "and what came of it: " << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("Locked while the cut runs"))) << told.toStdString();
   EXPECT_FALSE(find<TouchButton>("energy-ratio.harmonics-more")->isEnabled());
   EXPECT_FALSE(find<ValueSlider>("energy-ratio.harmonics-slider")->isEnabled());
   session_.snapshot().running = false;

@@ -270,6 +270,19 @@ TEST(Cards, NewestFirstAndNoMoreThanKept) {
   EXPECT_EQ(cards.back().number, 2U);
 }
 
+TEST(Cards, TellWhatTheQuietSpeedCostsInTime) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.finished = i.quiet = true;
+  i.speedBefore = Rpm(8500.0);
+  i.speedAfter = Rpm(7012.0);
+  i.cycleTime = Ratio(8500.0 / 7012.0);
+  EXPECT_EQ(makeCards(s.picture()).front().cost, QStringLiteral("time +21") + QChar(0xa0) + u'%');
+  i.cycleTime = Ratio(1.0);
+  EXPECT_TRUE(makeCards(s.picture()).front().cost.isEmpty());
+}
+
 TEST(SeverityTrend, FollowsTheSlope) {
   for (const auto& [slope, wanted] : {std::pair{1.0, Trend::Growing}, {0.0, Trend::Steady}, {-1.0, Trend::Fading}}) {
     SeverityTrend trend;

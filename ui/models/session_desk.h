@@ -72,10 +72,11 @@ class SessionDesk {
   virtual void setFolder(const QString& folder) = 0;  // lists it anew
   virtual const std::vector<SessionEntry>& entries() const = 0;
 
-  // Reads its summary, then opens it paused at its beginning.
+  // Opens it paused at its beginning, with what can be told at once; the whole of it is read meanwhile.
   virtual void open(const QString& path) = 0;
   virtual QString openedPath() const = 0;
   virtual std::shared_ptr<const SessionSummary> summary() const = 0;  // null: nothing is open
+  virtual bool summaryWhole() const { return true; }  // false: alarms, spectrogram and sensors are not known yet
 
   virtual ReplayState replay() const = 0;
   virtual const Snapshot* replayed() = 0;  // its newest picture; null: none

@@ -49,7 +49,7 @@ QString taskText(const TaskState& task) {
     case TaskState::What::None:
       return {};
     case TaskState::What::Reading:
-      return task.running ? say("Reading %1").arg(file) : QString();
+      return task.running ? say("Reading %1: %2").arg(file, percent(task.part)) : QString();
     case TaskState::What::Detectors:
       return task.running ? say("Every detector runs on it: %1").arg(percent(task.part))
                           : say("Every detector has run on it");

@@ -1,6 +1,5 @@
 #include "ui/models/setup_draft.h"
 
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -207,22 +206,8 @@ QVariant ToolModel::data(const QModelIndex& index, int role) const {
 }
 
 QString settingLabel(const std::string& key) {
-  struct Unit {
-    const char *ending, *shown;
-  };
-  constexpr std::array<Unit, 5> kUnits{
-      {{"_percent", " [%]"}, {"_mm", " [mm]"}, {"_hz", " [Hz]"}, {"_ms", " [ms]"}, {"_s", " [s]"}}};
-  std::string words = key;
-  std::string unit;
-  for (const Unit& u : kUnits) {
-    if (!words.ends_with(u.ending)) continue;
-    unit = u.shown;
-    words.resize(words.size() - std::string_view(u.ending).size());
-    break;
-  }
-  for (char& c : words) c = c == '_' || c == '-' ? ' ' : c;
-  if (!words.empty() && words[0] >= 'a' && words[0] <= 'z') words[0] = static_cast<char>(words[0] - 'a' + 'A');
-  return sayCore(words) + QString::fromStdString(unit);
+  const config::SettingName name = config::settingName(key);
+  return sayCore(name.words) + (name.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(fromUtf8(name.unit)));
 }
 
 }  // namespace stillcut::ui

@@ -106,8 +106,7 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   card.headline = headlineOf(i, picture.units);
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
-  if (i.finished && longer >= 0.5)
-    card.speed = say("%1, %2 more time").arg(card.speed, join(number(longer), QStringLiteral("%")));
+  if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));
   // The proof: how much of the vibration is the cut's own. The vibration alone may stay, when the quiet speed lies
   // where the teeth excite a mode.
   card.ratio =

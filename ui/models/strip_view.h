@@ -35,6 +35,7 @@ struct CardView {
   quint64 number = 0;
   QString time, headline;
   QString speed, ratio, vibration;  // "8 800 -> 8 565 rpm" with a true arrow
+  QString cost;                     // "time +21 %"; empty: none
   Tone tone = Tone::Normal;
   bool operator==(const CardView&) const = default;
 };

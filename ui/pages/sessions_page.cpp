@@ -290,13 +290,20 @@ void SessionsPage::refresh() {
   list_->refresh();
   const auto summary = any ? desk_->summary() : nullptr;
   title_->setText(summary ? QFileInfo(QString::fromStdString(summary->file)).fileName() : tr("No recording is open"));
-  facts_->setText(summary ? tr("%1 · %2 · alarms: %3 · in chatter %4")
-                                .arg(QString::fromStdString(summary->kind), timeText(summary->length))
-                                .arg(summary->alarms)
-                                .arg(duration(summary->chatterTime))
-                          : QString());
+  const bool whole = summary != nullptr && desk_->summaryWhole();
+  if (whole) {
+    facts_->setText(tr("%1 · %2 · alarms: %3 · in chatter %4")
+                        .arg(QString::fromStdString(summary->kind), timeText(summary->length))
+                        .arg(summary->alarms)
+                        .arg(duration(summary->chatterTime)));
+  } else {
+    facts_->setText(summary != nullptr ? QStringLiteral("%1 · %2").arg(QString::fromStdString(summary->kind),
+                                                                       timeText(summary->length))
+                                       : QString());
+  }
   const bool open = summary != nullptr;
-  for (TouchButton* button : {run_, score_, cut_, pdf_, everywhere_}) button->setEnabled(open);
+  for (TouchButton* button : {run_, score_, cut_, everywhere_}) button->setEnabled(open);
+  pdf_->setEnabled(whole);
   for (const char* name : {"mark-true", "mark-false", "mark-heard", "mark-note"}) {
     findChild<TouchButton*>(QLatin1String(name))->setEnabled(open && summary->session);
   }

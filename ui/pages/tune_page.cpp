@@ -57,6 +57,7 @@ void TunePage::build() {
   list_->setModel(&parts_);
   list_->setWordWrap(true);
   list_->setResizeMode(QListView::Adjust);
+  list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // names are broken to the width that stays
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& index) { showPart(parts_.part(index.row())); });

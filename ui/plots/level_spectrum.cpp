@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/models/format.h"
+#include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"
 
 namespace stillcut::ui {
@@ -38,7 +39,7 @@ void LevelSpectrum::applyTheme(const Theme& theme) {
 void LevelSpectrum::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
-  const QRectF box = QRectF(rect()).adjusted(theme_.px(6), theme_.px(6), -theme_.px(6), -theme_.px(26));
+  const QRectF box = QRectF(rect()).adjusted(theme_.px(56), theme_.px(12), -theme_.px(6), -theme_.px(26));
   p.fillRect(box, theme_.colors.track);
   p.setFont(theme_.font(type_size::kTick));
   if (!alive_) {
@@ -46,7 +47,8 @@ void LevelSpectrum::paintEvent(QPaintEvent*) {
     p.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, tr("No samples come"));
     return;
   }
-  const float top = *std::max_element(level_.begin() + 1, level_.end());
+  // The axis moves in steps of ten decibels, not with every picture.
+  const double top = 10.0 * std::ceil(*std::max_element(level_.begin() + 1, level_.end()) / 10.0);
   QPainterPath path;
   path.moveTo(box.bottomLeft());
   for (std::size_t k = 1; k < level_.size(); ++k) {
@@ -58,6 +60,7 @@ void LevelSpectrum::paintEvent(QPaintEvent*) {
   p.setPen(Qt::NoPen);
   p.setBrush(theme_.colors.fill);
   p.drawPath(path);
+  drawLeftAxis(p, box.toRect(), {top - kSpan_dB, top}, QStringLiteral("dB"), theme_);
   p.setPen(theme_.colors.secondary);
   for (const double tick : niceTicks(0.0, top_hz_, 4)) {
     const double x = box.left() + tick / std::max(top_hz_, 1.0) * box.width();

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "ui/models/format.h"
+#include "ui/plots/nice_ticks.h"
 
 namespace stillcut::ui {
 namespace {
@@ -27,6 +28,19 @@ QImage triangleMarker(int size, const QColor& color) {
   p.setBrush(color);
   p.drawPolygon(QPolygonF{{size / 2.0, 0.0}, {double(size), double(size)}, {0.0, double(size)}});
   return image;
+}
+
+// A new range with round numbers. The old distance of ticks must not meet the new range: Qt would lay out every one.
+void setRound(QValueAxis& axis, double from, double to, int most) {
+  axis.setTickType(QValueAxis::TicksFixed);
+  axis.setRange(from, to);
+  const std::vector<double> ticks = niceTicks(from, to, most);
+  if (ticks.size() < 2) return;
+  const double step = ticks[1] - ticks[0];
+  axis.setTickAnchor(ticks[0]);
+  axis.setTickInterval(step);
+  axis.setLabelFormat(QStringLiteral("%.%1f").arg(decimalsFor(step)));
+  axis.setTickType(QValueAxis::TicksDynamic);
 }
 
 }  // namespace
@@ -59,7 +73,6 @@ LobeChart::LobeChart(QWidget* parent)
     series->attachAxis(speed_);
     series->attachAxis(depth_);
   }
-  speed_->setLabelFormat(QStringLiteral("%.0f"));
   showFrame();
 }
 
@@ -79,11 +92,10 @@ void LobeChart::setUnits(UnitSystem units) {
 
 void LobeChart::showFrame() {
   const double lowest = frame_.lowest.value, highest = std::max(frame_.highest.value, lowest + 1.0);
-  speed_->setRange(lowest, highest);
-  depth_->setRange(0.0, std::max(shown(frame_.maxDepth), 1e-6));
+  setRound(*speed_, lowest, highest, 6);
+  setRound(*depth_, 0.0, std::max(shown(frame_.maxDepth), 1e-6), 5);
   speed_->setTitleText(tr("spindle speed [rpm]"));
   depth_->setTitleText(units_ == UnitSystem::Inch ? tr("depth of cut [in]") : tr("depth of cut [mm]"));
-  depth_->setLabelFormat(units_ == UnitSystem::Inch ? QStringLiteral("%.3f") : QStringLiteral("%.1f"));
 }
 
 void LobeChart::setDiagram(const LobeDiagram* diagram, const LobeFrame& frame) {

@@ -15,7 +15,8 @@ void InterventionCard::display(const CardView& view) {
   if (view == view_) return;
   view_ = view;
   setAccessibleName(view.headline);
-  setAccessibleDescription(QStringList{view.time, view.speed, view.ratio, view.vibration}.join(QStringLiteral(", ")));
+  setAccessibleDescription(
+      QStringList{view.time, view.speed, view.ratio, view.vibration, view.cost}.join(QStringLiteral(", ")));
   update();
 }
 
@@ -43,13 +44,19 @@ void InterventionCard::paintEvent(QPaintEvent*) {
                {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignLeft, 0.8});
   text.centred(upper.adjusted(timeWidth, 0, 0, 0), view_.headline,
                {type_size::kBody, true, theme_.onPanel(view_.tone), Qt::AlignLeft, 0.75});
-  // Three columns at fixed shares, so that the cards line up under each other.
-  constexpr std::array<double, 4> kEdges{0.0, 0.34, 0.74, 1.0};
-  const std::array<const QString*, 3> parts{&view_.speed, &view_.ratio, &view_.vibration};
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const QRectF box(lower.left() + lower.width() * kEdges[k], lower.top(),
-                     lower.width() * (kEdges[k + 1] - kEdges[k]) - theme_.px(8), lower.height());
-    text.centred(box, *parts[k], {type_size::kBody, false, theme_.colors.text, Qt::AlignLeft, 0.8});
+  // Each column has its share of what all of them ask for.
+  const QFontMetricsF metrics(theme_.font(type_size::kBody));
+  const std::array<const QString*, 4> parts{&view_.speed, &view_.ratio, &view_.vibration, &view_.cost};
+  const double gap = theme_.px(14);
+  double asked = 0.0;
+  for (const QString* part : parts) asked += part->isEmpty() ? 0.0 : metrics.horizontalAdvance(*part) + gap;
+  double x = lower.left();
+  for (const QString* part : parts) {
+    if (part->isEmpty()) continue;
+    const double share = (metrics.horizontalAdvance(*part) + gap) / asked * lower.width();
+    text.centred(QRectF(x, lower.top(), share - theme_.px(6), lower.height()), *part,
+                 {type_size::kBody, false, theme_.colors.text, Qt::AlignLeft, 0.8});
+    x += share;
   }
   clipped_ = text.clipped();
 }

@@ -132,10 +132,14 @@ void ParamRow::refresh() {
   label_->setText(view_.otherSide ? tr("%1   (A and B differ)").arg(view_.label) : view_.label);
   meaning_->setText(view_.meaning);
   meaning_->setVisible(!view_.meaning.isEmpty());
-  const QString note = !view_.locked.isEmpty()      ? view_.locked
-                       : !view_.automatic.isEmpty() ? tr("Automatic: %1").arg(view_.automatic)
-                       : view_.changed              ? tr("Default: %1").arg(join(view_.fallback, view_.unit))
-                                                    : QString();
+  QStringList notes;
+  if (!view_.automatic.isEmpty()) notes << tr("Automatic: %1").arg(view_.automatic);
+  if (!view_.locked.isEmpty()) {
+    notes << view_.locked;
+  } else if (view_.changed && view_.automatic.isEmpty()) {
+    notes << tr("Default: %1").arg(join(view_.fallback, view_.unit));
+  }
+  const QString note = notes.join(u'\n');
   note_->setTone(Tone::Normal);
   note_->setText(note);
   note_->setVisible(!note.isEmpty());
