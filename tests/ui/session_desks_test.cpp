@@ -1,4 +1,5 @@
 // The desks behind the Sessions, Tune and Set up pages on real recordings, simulated machines and files of a folder.
+// Over 400 lines: the desks belong to one session of the window and are driven with the same helpers and recordings.
 
 #include <gtest/gtest.h>
 
