@@ -15,6 +15,7 @@
 #include <random>
 
 #include "app/compose/recording_rig.h"
+#include "app/compose/run_text.h"
 #include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
 #include "core/detect/registry.h"
@@ -38,6 +39,7 @@ record::SessionHeader header(int channels, double rate_Hz, int blockFrames) {
   record::SessionHeader h;
   h.setup.rate = Hertz(rate_Hz);
   h.setup.blockFrames = blockFrames;
+  h.configuration = app::runText({}, "");
   for (int c = 0; c < channels; ++c) {
     h.setup.channels.push_back({std::string(1, static_cast<char>('a' + c)), SensorQuantity::Acceleration, 1.0, "x"});
   }
