@@ -126,7 +126,48 @@ class MatColumn final : public Column {
   std::size_t next_ = 0;
 };
 
-// The elements must tile the file: a header that lies about a size, or a file cut short, ends here.
+// The elements must tile the file, and those inside an array that array: matio believes every length it reads.
+class ElementCheck {
+ public:
+  ElementCheck(std::ifstream& file, bool little) : file_(file), little_(little) {}
+
+  // The elements from `at` to `end`. False: one reaches beyond.
+  bool tile(std::uint64_t at, std::uint64_t end, int depth) {
+    constexpr std::uint32_t kMatrix = 14;
+    constexpr int kDeepest = 16;  // arrays in cells in structs ...
+    while (at < end) {
+      std::uint32_t type = 0, bytes = 0;
+      if (depth > kDeepest || at + 8 > end || !readTag(at, type, bytes)) return false;
+      const bool isSmall = type >> 16U != 0;  // its few bytes stand in the tag itself
+      const std::uint64_t inside = at + 8, next = isSmall ? inside : inside + bytes;
+      if (next > end) return false;
+      if (!isSmall && type == kMatrix && !tile(inside, next, depth + 1)) return false;
+      const std::uint64_t padded = inside + (next - inside + 7) / 8 * 8;  // but for whole variables
+      at = std::min(depth == 0 ? next : padded, end);
+      if (depth == 0) ++variables_;
+    }
+    return true;
+  }
+  std::size_t variables() const { return variables_; }
+
+ private:
+  bool readTag(std::uint64_t at, std::uint32_t& type, std::uint32_t& bytes) {
+    std::array<unsigned char, 8> tag{};
+    file_.seekg(static_cast<std::streamoff>(at));
+    file_.read(reinterpret_cast<char*>(tag.data()), tag.size());
+    for (std::size_t i = 0; i < 4; ++i) {
+      type = type << 8U | tag[little_ ? 3 - i : i];
+      bytes = bytes << 8U | tag[little_ ? 7 - i : 4 + i];
+    }
+    return static_cast<bool>(file_);
+  }
+
+  std::ifstream& file_;
+  bool little_;
+  std::size_t variables_ = 0;
+};
+
+// A header that lies about a size, or a file cut short, ends here.
 Status checkElements(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<unsigned char, 128> head{};
@@ -137,19 +178,12 @@ Status checkElements(const std::string& path) {
   if (!file || problem || (!little && !(head[126] == 'M' && head[127] == 'I'))) {
     return Error{path, "is no MATLAB file of version 5 or 7", "its header is damaged"};
   }
-  std::uint64_t at = head.size();
-  for (std::size_t n = 0; at < size; ++n) {
-    std::array<unsigned char, 8> tag{};
-    file.seekg(static_cast<std::streamoff>(at));
-    file.read(reinterpret_cast<char*>(tag.data()), tag.size());
-    std::uint32_t bytes = 0;
-    for (std::size_t i = 0; i < 4; ++i) bytes = bytes << 8U | tag[little ? 7 - i : 4 + i];
-    if (!file || at + 8 + bytes > size) {
-      return Error{path, "variable " + std::to_string(n) + " is longer than the file", "a truncated file"};
-    }
-    if (n == kMostVariables) return Error{path, "holds more than 4096 variables", ""};
-    at += 8 + std::uint64_t{bytes};
+  ElementCheck check(file, little);
+  if (!check.tile(head.size(), size, 0)) {
+    return Error{path, "variable " + std::to_string(check.variables()) + " is longer than the file",
+                 "a truncated or damaged file"};
   }
+  if (check.variables() > kMostVariables) return Error{path, "holds more than 4096 variables", ""};
   return Done{};
 }
 

@@ -149,5 +149,21 @@ TEST(MatImport, ALyingLengthIsRefusedBeforeMemoryIsTaken) {
   EXPECT_THAT(readAll(folder.file("lie.mat", bytes)).error, HasSubstr("'x' promises more numbers than the file holds"));
 }
 
+// The name's own length: matio would take four gigabytes for it.
+TEST(MatImport, ALengthThatLiesInsideAnArrayIsRefused) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.mat";
+  {
+    MatWriter mat(path, MAT_FT_MAT5, MAT_COMPRESSION_NONE);
+    mat.array("a_long_name", MAT_C_DOUBLE, MAT_T_DOUBLE, wave(300, 0.1), 300);
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(in), {}};
+  const std::size_t name = bytes.find("a_long_name");
+  ASSERT_NE(name, std::string::npos);
+  bytes.replace(name - 4, 4, std::string("\xff\xff\xff\xea", 4));
+  EXPECT_THAT(readAll(folder.file("lie.mat", bytes)).error, HasSubstr("variable 0 is longer than the file"));
+}
+
 }  // namespace
 }  // namespace stillcut::record
