@@ -81,7 +81,7 @@ class PtyGrbl {
       {
         const std::lock_guard lock(mutex_);
         grbl_.take({bytes, static_cast<std::size_t>(n)}, SteadyClock().now(),
-                   [&](std::string text, double) { reply += text; });
+                   [&](const std::string& text, double) { reply += text; });
       }
       for (std::size_t at = 0; at < reply.size(); at += 7) {  // in pieces, as adapters deliver
         const std::string_view piece = std::string_view(reply).substr(at, 7);
