@@ -29,5 +29,6 @@ void addDevices(CLI::App& app, int& exitCode);
 void addScore(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
 void addParameters(CLI::App& app, int& exitCode);
+void addPath(CLI::App& app, int& exitCode);
 
 }  // namespace stillcut::app

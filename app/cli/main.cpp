@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/cli/path_command.h"
 #include "app/compose/build_info.h"
 #include "core/config/nearest_word.h"
 

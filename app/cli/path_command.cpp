@@ -1,6 +1,5 @@
 // stillcut-cli path RECORDING: the model of an actuator's path from a recording of what was written and what a sensor
 // read of it, as the active work-holder makes it of its own record.
-#include "app/cli/path_command.h"
 
 #include <cstdio>
 #include <fstream>

@@ -75,51 +75,50 @@ std::size_t framesOf(const milling::Scenario& scenario) {
   return static_cast<std::size_t>(std::llround(scenario.programme.duration.value * scenario.rate.value));
 }
 
-Course leftAlone(const milling::Scenario& scenario, const ActiveOptions& options) {
-  Course course;
-  active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
+// The whole cut through a device of its own: `step` makes strokes of errors, `afterBlock` looks at what a block did.
+template <class Step, class AfterBlock>
+Course course(const milling::Scenario& scenario, active::SimulatedDuplex& device, Step step, AfterBlock afterBlock) {
+  Course made;
   device.cut(true);
   const auto format = device.open();
-  if (!format) return course;
+  if (!format) return made;
   const double last = scenario.programme.duration.value - 1.0;
   std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
-  while (course.errors[0].size() < framesOf(scenario)) {
+  while (made.errors[0].size() < framesOf(scenario)) {
     runBlock(device, in, out, [&](const active::AxisPair& errors) {
-      for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
-      return active::AxisPair{};
+      for (std::size_t a = 0; a < 2; ++a) made.errors[a].push_back(errors[a]);
+      return step(errors);
     });
     const milling::SimulatedCut& plant = device.plant();
-    course.chatter = course.chatter || (plant.time().value >= last && plant.truth().chattering());
+    made.chatter = made.chatter || (plant.time().value >= last && plant.truth().chattering());
+    afterBlock(made, plant);
   }
-  course.chatterHz = device.plant().truth().chatterFrequency().value;
-  return course;
+  made.chatterHz = device.plant().truth().chatterFrequency().value;
+  return made;
+}
+
+Course leftAlone(const milling::Scenario& scenario, const ActiveOptions& options) {
+  active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
+  return course(
+      scenario, device, [](const active::AxisPair&) { return active::AxisPair{}; },
+      [](Course&, const milling::SimulatedCut&) {});
 }
 
 Course controlled(const milling::Scenario& scenario, const ActiveOptions& options, active::ActiveLoop& loop) {
-  Course course;
   active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
-  device.cut(true);
-  const auto format = device.open();
-  if (!format) return course;
-  const double last = scenario.programme.duration.value - 1.0;
-  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
   device.observe = options.observe;
   loop.engage();
-  while (course.errors[0].size() < framesOf(scenario)) {
-    loop.begin();
-    runBlock(device, in, out, [&](const active::AxisPair& errors) {
-      for (std::size_t a = 0; a < 2; ++a) course.errors[a].push_back(errors[a]);
-      return loop.step(errors);
-    });
-    loop.renewModels();
-    const milling::SimulatedCut& plant = device.plant();
-    course.chatter = course.chatter || (plant.time().value >= last && plant.truth().chattering());
-    for (std::size_t a = 0; a < 2; ++a) {
-      if (course.releasedAt[a] > 0.0 || loop.gate(a).why() == ActuatorRelease::None) continue;
-      course.releasedAt[a] = plant.time().value;
-    }
-  }
-  return course;
+  loop.begin();
+  return course(
+      scenario, device, [&](const active::AxisPair& errors) { return loop.step(errors); },
+      [&](Course& made, const milling::SimulatedCut& plant) {
+        loop.renewModels();
+        for (std::size_t a = 0; a < 2; ++a) {
+          if (made.releasedAt[a] > 0.0 || loop.gate(a).why() == ActuatorRelease::None) continue;
+          made.releasedAt[a] = plant.time().value;
+        }
+        loop.begin();  // the next block
+      });
 }
 
 // Mean square of both axes over a stretch of a course [frames].

@@ -9,11 +9,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "app/compose/catalog.h"
-#include "app/compose/rig.h"
-#include "app/io/alsa_driver.h"
-#include "core/daq/registry.h"
 #include "core/rt/wakeup.h"
+#include "tests/soak/heard_device.h"
 #include "tests/soak/resident.h"
 #include "tests/support/null_sink.h"
 
@@ -80,22 +77,11 @@ int run(double seconds) {
     return std::fprintf(stderr, "%s\n", missing.c_str()), 77;
   }
   const auto clock = std::make_shared<SteadyClock>();
-  daq::SourceRequest request;
-  request.settings = {{"device", "heard"}, {"rate_hz", std::to_string(kRate)}};
-  request.channels = {{.name = "x", .scale = 100.0, .axis = "x"}, {.name = "y", .scale = 100.0, .axis = "y"}};
-  request.pcm = makeAlsaDriver;
-  request.clock = clock.get();
-  auto device = daq::makeSource("alsa", request);
+  auto device = heardDevice(kRate, *clock);
   if (!device) return std::fprintf(stderr, "%s\n", device.error().line().c_str()), 2;
   auto follows = std::make_unique<Follows>(std::move(device).value());
   const Follows& heard = *follows;
-  RigSpec spec;
-  spec.clock = clock;
-  spec.device = std::move(follows);
-  spec.setup.teeth = 4;
-  spec.setup.nominalSpeed = Rpm(8500.0);
-  spec.watched = true;
-  auto built = Rig::build(std::move(spec));
+  auto built = rigOn(std::move(follows), clock);
   if (!built) return std::fprintf(stderr, "%s\n", built.error().line().c_str()), 2;
   std::int32_t next = 1;
   const testing::NullSinkPlayer player(kRate, kChannels, [&next](std::span<std::int32_t> out) {

@@ -1,0 +1,35 @@
+// What a null sink of PulseAudio plays, as an audio-class device of two accelerometers under the whole pipeline.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/compose/catalog.h"
+#include "app/compose/rig.h"
+#include "app/io/alsa_driver.h"
+#include "core/base/time.h"
+#include "core/daq/registry.h"
+
+namespace stillcut::app {
+
+inline Result<std::unique_ptr<daq::DaqSource>> heardDevice(int rate, const Clock& clock) {
+  daq::SourceRequest request;
+  request.settings = {{"device", "heard"}, {"rate_hz", std::to_string(rate)}};
+  request.channels = {{.name = "x", .scale = 100.0, .axis = "x"}, {.name = "y", .scale = 100.0, .axis = "y"}};
+  request.pcm = makeAlsaDriver;
+  request.clock = &clock;
+  return daq::makeSource("alsa", request);
+}
+
+inline Result<std::unique_ptr<Rig>> rigOn(std::unique_ptr<daq::DaqSource> device, std::shared_ptr<const Clock> clock) {
+  RigSpec spec;
+  spec.clock = std::move(clock);
+  spec.device = std::move(device);
+  spec.setup.teeth = 4;
+  spec.setup.nominalSpeed = Rpm(8500.0);
+  spec.watched = true;
+  return Rig::build(std::move(spec));
+}
+
+}  // namespace stillcut::app
