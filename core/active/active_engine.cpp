@@ -239,6 +239,7 @@ void ActiveEngine::block(std::span<const double> in, std::span<double> out) STIL
     out[frames + f] = strokes[1];
   }
   if (recorder != nullptr && recorder->over()) {
+    recorder->tell(telling_.axes);
     recording_.store(nullptr, std::memory_order_release);
     recorded_.store(true, std::memory_order_release);
   }
@@ -247,6 +248,7 @@ void ActiveEngine::block(std::span<const double> in, std::span<double> out) STIL
 void ActiveEngine::cut() STILLCUT_RT {
   if (PathRecorder* recorder = recording_.load(std::memory_order_acquire); recorder != nullptr) {
     recorder->cut();
+    recorder->tell(telling_.axes);
     recording_.store(nullptr, std::memory_order_release);
     recorded_.store(true, std::memory_order_release);
   }

@@ -53,6 +53,7 @@ std::string NullSink::start(int rate, int channels, const std::string& channelMa
   std::ofstream(folder_ / "alsa.conf") << "</usr/share/alsa/alsa.conf>\n"
                                        << "pcm.heard { type pulse " << server << " device \"sink.monitor\" }\n"
                                        << "pcm.played { type pulse " << server << " device \"sink\" }\n"
+                                       << "pcm.looped { type asym playback.pcm played capture.pcm heard }\n"
                                        << "pcm.fixed { type plug slave { pcm heard rate " << rate << " } }\n";
   ::setenv("ALSA_CONFIG_PATH", (folder_ / "alsa.conf").c_str(), 1);
   ::setenv("XDG_RUNTIME_DIR", folder, 1);

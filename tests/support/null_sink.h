@@ -1,6 +1,7 @@
 // A PulseAudio server of the test's own with one null sink, reached through ALSA's pulse plugin: what is played to the
-// ALSA device "played" is heard, bit by bit, at "heard". It stands in for an audio-class device. "fixed" is the same
-// behind ALSA's own converters, with the sink's rate as the only one that needs none.
+// ALSA device "played" is heard, bit by bit, at "heard". It stands in for an audio-class device. "looped" is
+// both as one device, "fixed" is "heard" behind ALSA's own converters, with the sink's rate as the only one that needs
+// none.
 #pragma once
 
 #include <sys/types.h>

@@ -211,6 +211,9 @@ TEST_F(Engine, ALostBlockEndsAnIdentification) {
   const auto found = engine_->fit();
   ASSERT_FALSE(found.ok());
   EXPECT_NE(found.error().line().find("lost a block"), std::string::npos);
+  const ActiveSnapshot told = newest();
+  EXPECT_EQ(told.axes[0].state, ActuatorState::Off);
+  EXPECT_EQ(told.axes[0].release, ActuatorRelease::DeviceFault);
 }
 
 TEST_F(Engine, ASweepIdentifiesTheSamePaths) {

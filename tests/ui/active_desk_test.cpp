@@ -1,0 +1,165 @@
+// The desk of the active work-holder on a simulated cut, as fast as it goes: identify, look, start, watch, stop.
+#include "app/session/active_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "app/compose/active_setup.h"
+#include "app/session/session.h"
+#include "core/milling/scenario.h"
+
+namespace stillcut::app {
+namespace {
+
+// Time that the device makes: a block is as long as its samples.
+class BlockTime final : public active::DuplexDevice {
+ public:
+  BlockTime(std::unique_ptr<active::SimulatedDuplex> device, ManualClock& clock)
+      : device_(std::move(device)), clock_(clock) {}
+  std::string name() const override { return device_->name(); }
+  Result<active::DuplexFormat> open() override {
+    auto opened = device_->open();
+    if (opened) block_ = Seconds(opened->frames / opened->rate.value);
+    return opened;
+  }
+  active::DuplexEvent read(std::span<double> in) noexcept override {
+    const active::DuplexEvent event = device_->read(in);
+    clock_.set(clock_.now() + toDuration(block_));
+    return event;
+  }
+  active::DuplexEvent write(std::span<const double> out) noexcept override { return device_->write(out); }
+  void stop() noexcept override { device_->stop(); }
+  void close() noexcept override { device_->close(); }
+
+ private:
+  std::unique_ptr<active::SimulatedDuplex> device_;
+  ManualClock& clock_;
+  Seconds block_{};
+};
+
+class OnFord : public testing::Test {
+ protected:
+  void openDesk(const char* cut) {
+    auto scenario = milling::loadScenario(std::string(STILLCUT_SOURCE_DIR "/resources/scenarios/") + cut + ".toml");
+    ASSERT_TRUE(scenario.ok()) << scenario.error().line();
+    auto device = std::make_unique<active::SimulatedDuplex>(*scenario, 1, 1);
+    simulated_ = device.get();
+    active::EngineOptions options = activeOptions(*scenario->workHolder, {});
+    options.record.duration = Seconds(2.0);
+    desk_ = std::make_unique<ActiveDesk>(std::make_unique<BlockTime>(std::move(device), clock_), options, clock_,
+                                         simulated_);
+  }
+  // Until the loop's clock has gone on by so much.
+  template <class Done>
+  void watch(double seconds, Done done) {
+    const Instant end = clock_.now() + toDuration(Seconds(seconds));
+    while (clock_.now() < end && !done()) {
+      desk_->poll();
+      std::this_thread::yield();
+    }
+  }
+  ActiveSnapshot newest() {
+    const ActiveSnapshot* told = desk_->pull();
+    return told != nullptr ? *told : ActiveSnapshot{};
+  }
+
+  // Identifies and starts; the tool enters under control.
+  void control() {
+    ASSERT_TRUE(desk_->identify().ok());
+    watch(600.0, [&] { return desk_->fit(1) != nullptr || !desk_->problem().isEmpty(); });
+    ASSERT_TRUE(desk_->problem().isEmpty()) << desk_->problem().toStdString();
+    const Status begun = desk_->start();
+    ASSERT_TRUE(begun.ok()) << begun.error().line();
+    watch(9.0, [] { return false; });
+  }
+
+  ManualClock clock_;
+  active::SimulatedDuplex* simulated_ = nullptr;
+  std::unique_ptr<ActiveDesk> desk_;
+};
+
+TEST_F(OnFord, TellsWhatItIdentified) {
+  openDesk("ford-unstable");
+  EXPECT_EQ(desk_->pull(), nullptr);
+  EXPECT_EQ(desk_->fit(0), nullptr);
+  EXPECT_FALSE(desk_->start().ok());  // without a model
+
+  ASSERT_TRUE(desk_->identify().ok());
+  EXPECT_FALSE(desk_->identify().ok());  // one at a time
+  watch(600.0, [&] { return desk_->fit(1) != nullptr || !desk_->problem().isEmpty(); });
+  ASSERT_TRUE(desk_->problem().isEmpty()) << desk_->problem().toStdString();
+  for (const int axis : {0, 1}) {
+    const PathFit* fit = desk_->fit(axis);
+    ASSERT_NE(fit, nullptr);
+    EXPECT_EQ(fit->frequency.size(), fit->measured.size());
+    EXPECT_EQ(fit->frequency.size(), fit->modelled.size());
+    EXPECT_EQ(fit->frequency.size(), fit->coherence.size());
+    EXPECT_LT(fit->path.residual, 0.1);
+    EXPECT_TRUE(fit->path.promisesStable);
+  }
+  EXPECT_EQ(desk_->fit(2), nullptr);
+}
+
+TEST_F(OnFord, HoldsTheUnstableCutUntilItIsStopped) {
+  openDesk("ford-unstable");
+  control();
+  const ActiveSnapshot held = newest();
+  EXPECT_TRUE(held.open);
+  for (const ActiveAxis& axis : held.axes) {
+    EXPECT_EQ(axis.state, ActuatorState::On) << actuatorReleaseText(axis.release);
+    EXPECT_LT(axis.strokePeak, 1.0);
+    EXPECT_EQ(axis.lineCount, 3);
+  }
+  EXPECT_FALSE(desk_->identify().ok());  // while the table moves
+  desk_->stop();
+  watch(1.0, [] { return false; });
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::Off);
+  EXPECT_EQ(newest().axes[0].release, ActuatorRelease::Asked);
+}
+
+TEST_F(OnFord, TellsWhatItEarnsOnTheLineOfTheStableCut) {
+  openDesk("ford-stable");
+  control();
+  const ActiveAxis y = newest().axes[1];
+  ASSERT_EQ(y.lineCount, 2);
+  EXPECT_EQ(y.lines[1].frequency, Hertz(1000.0));
+  ASSERT_TRUE(y.lines[1].known);
+  EXPECT_GT(y.lines[1].gain_dB, 16.0);
+  EXPECT_LT(y.errorRms, y.withoutRms);
+  EXPECT_FALSE(desk_->setStep(2.0).ok());
+  EXPECT_FALSE(desk_->setLeak(0.5).ok());
+  EXPECT_TRUE(desk_->setLeak(0.9999).ok());
+}
+
+TEST_F(OnFord, ADeviceThatIsGoneIsSaidAndMustBeIdentifiedAnew) {
+  openDesk("ford-unstable");
+  ASSERT_TRUE(desk_->identify().ok());
+  watch(600.0, [&] { return desk_->fit(0) != nullptr; });
+  ASSERT_NE(desk_->fit(0), nullptr);
+  simulated_->stop();
+  while (!desk_->poll()) std::this_thread::yield();
+  EXPECT_EQ(desk_->fit(0), nullptr);
+  EXPECT_FALSE(desk_->problem().isEmpty());
+  EXPECT_FALSE(desk_->start().ok());
+  EXPECT_TRUE(desk_->identify().ok());
+  EXPECT_TRUE(desk_->problem().isEmpty());
+}
+
+TEST(ActiveSession, AScenarioOfAWorkHolderOpensWithItsDesk) {
+  for (const char* name : {"ford-unstable", "ford-stable"}) {
+    const auto session =
+        openScenarioSession(std::string(STILLCUT_SOURCE_DIR "/resources/scenarios/") + name + ".toml", false);
+    ASSERT_TRUE(session.ok()) << session.error().line();
+    ASSERT_NE((*session)->active(), nullptr);
+    EXPECT_TRUE((*session)->active()->device().contains(QLatin1String(name)));
+    EXPECT_TRUE((*session)->advance());
+  }
+  const auto without = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
+  ASSERT_TRUE(without.ok());
+  EXPECT_EQ((*without)->active(), nullptr);
+}
+
+}  // namespace
+}  // namespace stillcut::app
