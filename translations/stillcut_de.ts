@@ -3888,37 +3888,6 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::SetupCalibrator</name>
-    <message>
-        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
-        <translation>Pegel des Kalibrators, etwa 94 dB, 1 g oder 10</translation>
-    </message>
-    <message>
-        <source>Frequency of the calibrator in Hz</source>
-        <translation>Frequenz des Kalibrators in Hz</translation>
-    </message>
-    <message>
-        <source>CALIBRATE</source>
-        <translation>KALIBRIEREN</translation>
-    </message>
-    <message>
-        <source>Hear the calibrator on the chosen channel</source>
-        <translation>Den Kalibrator auf dem gewählten Kanal anhören</translation>
-    </message>
-    <message>
-        <source>Calibrator</source>
-        <translation>Kalibrator</translation>
-    </message>
-    <message>
-        <source>The frequency is no number above 0.</source>
-        <translation>Die Frequenz ist keine Zahl über 0.</translation>
-    </message>
-    <message>
-        <source>Listening to the calibrator</source>
-        <translation>Der Kalibrator wird angehört</translation>
-    </message>
-</context>
-<context>
     <name>stillcut::ui::SetupDraft</name>
     <message>
         <source>no machine link is chosen: the program will only watch</source>
@@ -4131,6 +4100,57 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>Zuerst prüfen: jeder Schritt sagt, was gefunden wurde. Nichts wird befohlen.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensorTrial</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>Pegel des Kalibrators, etwa 94 dB, 1 g oder 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>Frequenz des Kalibrators in Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>KALIBRIEREN</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>Den Kalibrator auf dem gewählten Kanal anhören</translation>
+    </message>
+    <message>
+        <source>KNOCK</source>
+        <translation>KLOPFEN</translation>
+    </message>
+    <message>
+        <source>Hear knocks along the axis of the chosen channel</source>
+        <translation>Schläge entlang der Achse des gewählten Kanals hören</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>Kalibrator</translation>
+    </message>
+    <message>
+        <source>Is it this sensor that lies along its axis?</source>
+        <translation>Liegt dieser Sensor wirklich entlang seiner Achse?</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>Die Frequenz ist keine Zahl über 0.</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>Der Kalibrator wird angehört</translation>
+    </message>
+    <message>
+        <source>Knock along the axis now, a few times</source>
+        <translation>Jetzt einige Male entlang der Achse klopfen</translation>
+    </message>
+    <message>
+        <source>Knock along %1 now, a few times, near the sensor</source>
+        <translation>Jetzt einige Male entlang %1 klopfen, nahe am Sensor</translation>
     </message>
 </context>
 <context>

@@ -3887,37 +3887,6 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::SetupCalibrator</name>
-    <message>
-        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
-        <translation>Level of the calibrator, as 94 dB, 1 g or 10</translation>
-    </message>
-    <message>
-        <source>Frequency of the calibrator in Hz</source>
-        <translation>Frequency of the calibrator in Hz</translation>
-    </message>
-    <message>
-        <source>CALIBRATE</source>
-        <translation>CALIBRATE</translation>
-    </message>
-    <message>
-        <source>Hear the calibrator on the chosen channel</source>
-        <translation>Hear the calibrator on the chosen channel</translation>
-    </message>
-    <message>
-        <source>Calibrator</source>
-        <translation>Calibrator</translation>
-    </message>
-    <message>
-        <source>The frequency is no number above 0.</source>
-        <translation>The frequency is no number above 0.</translation>
-    </message>
-    <message>
-        <source>Listening to the calibrator</source>
-        <translation>Listening to the calibrator</translation>
-    </message>
-</context>
-<context>
     <name>stillcut::ui::SetupDraft</name>
     <message>
         <source>no machine link is chosen: the program will only watch</source>
@@ -4130,6 +4099,57 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>Try it out first: each step says what was found. Nothing is commanded.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensorTrial</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>Level of the calibrator, as 94 dB, 1 g or 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>Frequency of the calibrator in Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>CALIBRATE</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>Hear the calibrator on the chosen channel</translation>
+    </message>
+    <message>
+        <source>KNOCK</source>
+        <translation>KNOCK</translation>
+    </message>
+    <message>
+        <source>Hear knocks along the axis of the chosen channel</source>
+        <translation>Hear knocks along the axis of the chosen channel</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>Calibrator</translation>
+    </message>
+    <message>
+        <source>Is it this sensor that lies along its axis?</source>
+        <translation>Is it this sensor that lies along its axis?</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>The frequency is no number above 0.</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>Listening to the calibrator</translation>
+    </message>
+    <message>
+        <source>Knock along the axis now, a few times</source>
+        <translation>Knock along the axis now, a few times</translation>
+    </message>
+    <message>
+        <source>Knock along %1 now, a few times, near the sensor</source>
+        <translation>Knock along %1 now, a few times, near the sensor</translation>
     </message>
 </context>
 <context>

@@ -3888,37 +3888,6 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::SetupCalibrator</name>
-    <message>
-        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
-        <translation>校准器的级，如 94 dB、1 g 或 10</translation>
-    </message>
-    <message>
-        <source>Frequency of the calibrator in Hz</source>
-        <translation>校准器频率，Hz</translation>
-    </message>
-    <message>
-        <source>CALIBRATE</source>
-        <translation>校准</translation>
-    </message>
-    <message>
-        <source>Hear the calibrator on the chosen channel</source>
-        <translation>在所选通道上听校准器</translation>
-    </message>
-    <message>
-        <source>Calibrator</source>
-        <translation>校准器</translation>
-    </message>
-    <message>
-        <source>The frequency is no number above 0.</source>
-        <translation>频率不是大于 0 的数。</translation>
-    </message>
-    <message>
-        <source>Listening to the calibrator</source>
-        <translation>正在听校准器</translation>
-    </message>
-</context>
-<context>
     <name>stillcut::ui::SetupDraft</name>
     <message>
         <source>no machine link is chosen: the program will only watch</source>
@@ -4131,6 +4100,57 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>请先试运行：每一步说明结果。不发出指令。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupSensorTrial</name>
+    <message>
+        <source>Level of the calibrator, as 94 dB, 1 g or 10</source>
+        <translation>校准器的级，如 94 dB、1 g 或 10</translation>
+    </message>
+    <message>
+        <source>Frequency of the calibrator in Hz</source>
+        <translation>校准器频率，Hz</translation>
+    </message>
+    <message>
+        <source>CALIBRATE</source>
+        <translation>校准</translation>
+    </message>
+    <message>
+        <source>Hear the calibrator on the chosen channel</source>
+        <translation>在所选通道上听校准器</translation>
+    </message>
+    <message>
+        <source>KNOCK</source>
+        <translation>敲击</translation>
+    </message>
+    <message>
+        <source>Hear knocks along the axis of the chosen channel</source>
+        <translation>听取沿所选通道轴向的敲击</translation>
+    </message>
+    <message>
+        <source>Calibrator</source>
+        <translation>校准器</translation>
+    </message>
+    <message>
+        <source>Is it this sensor that lies along its axis?</source>
+        <translation>该传感器是否确实沿其轴向安装？</translation>
+    </message>
+    <message>
+        <source>The frequency is no number above 0.</source>
+        <translation>频率不是大于 0 的数。</translation>
+    </message>
+    <message>
+        <source>Listening to the calibrator</source>
+        <translation>正在听校准器</translation>
+    </message>
+    <message>
+        <source>Knock along the axis now, a few times</source>
+        <translation>现在沿轴向敲击几下</translation>
+    </message>
+    <message>
+        <source>Knock along %1 now, a few times, near the sensor</source>
+        <translation>现在沿 %1 在传感器附近敲击几下</translation>
     </message>
 </context>
 <context>

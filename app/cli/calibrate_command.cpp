@@ -7,8 +7,8 @@
 #include "app/cli/command.h"
 #include "app/cli/reading_options.h"
 #include "app/compose/catalog.h"
+#include "app/compose/heard_samples.h"
 #include "app/compose/profile_rig.h"
-#include "app/compose/tone_samples.h"
 #include "app/io/wires.h"
 #include "core/daq/calibrator.h"
 
@@ -68,16 +68,19 @@ int run(const CalibrateOptions& o) {
   }
   const auto events = wireEvents();  // outlives the source and its wires
   SetUpFault fault = SetUpFault::Input;
-  auto heard = o.profile.empty() ? readTone(o.recording, *reading)
-                                 : listenToTone(profile, o.profile, channel, Seconds(o.seconds), fault);
+  const auto heard = o.profile.empty() ? hearRecording(o.recording, *reading)
+                                       : hearDevice(profile, o.profile, channel, Seconds(o.seconds), fault);
   if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
-  const auto level = daq::levelFrom(o.level, heard->channel.quantity);
+  const auto at =
+      static_cast<std::size_t>(o.profile.empty() ? 0 : channel);  // a recording: the chosen one alone is read
+  const ChannelInfo& before = heard->channels[at];
+  const auto level = daq::levelFrom(o.level, before.quantity);
   if (!level) return fail(level.error());
-  const auto found = daq::calibrate(heard->samples, heard->rate, {Hertz(o.frequency), *level});
+  const auto found = daq::calibrate(heard->samples[at], heard->rate, {Hertz(o.frequency), *level});
   if (!found) return fail(found.error());
-  ChannelInfo now = heard->channel;
+  ChannelInfo now = before;
   daq::applyCalibration(*found, now);
-  print(*found, heard->channel, now);
+  print(*found, before, now);
   return o.save ? save(std::move(profile), catalog, o, channel, now) : kExitDone;
 }
 

@@ -28,6 +28,7 @@ void addConvert(CLI::App& app, int& exitCode);
 void addDevices(CLI::App& app, int& exitCode);
 void addScore(CLI::App& app, int& exitCode);
 void addCalibrate(CLI::App& app, int& exitCode);
+void addKnock(CLI::App& app, int& exitCode);
 void addParameters(CLI::App& app, int& exitCode);
 void addPath(CLI::App& app, int& exitCode);
 

@@ -73,6 +73,7 @@ int run(int argc, char** argv) {
   addDevices(app, exitCode);
   addScore(app, exitCode);
   addCalibrate(app, exitCode);
+  addKnock(app, exitCode);
   addPath(app, exitCode);
   addParameters(app, exitCode);
   try {

@@ -105,6 +105,7 @@ int watch(Rig& rig, const RunOptions& options) {
     std::printf("device of %d more channels: %.3f Hz by this computer's clock, aligned with a residual of %.1f us\n",
                 clock.channels, clock.rate.value, 1e6 * clock.residual.value);
   }
+  if (const std::string& doubt = rig.deviceFormat().doubt; !doubt.empty()) std::printf("device: %s\n", doubt.c_str());
   if (const Status written = flights.finish(); !written) fail(written.error());
   const std::string fault = rig.device().fault();
   if (!fault.empty()) fail({"", fault, ""});

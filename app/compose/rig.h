@@ -58,6 +58,7 @@ class Rig {
   // Taken by one thread, not the worker.
   safety::FlightRecorder& flights() { return chain_->flights(); }
   const daq::DaqSource& device() const { return *spec_.device; }
+  const daq::SourceFormat& deviceFormat() const { return format_; }
   cnc::LinkInfo linkInfo() const;
   bool hasLink() const { return spec_.link != nullptr; }
 

@@ -147,6 +147,12 @@ class AlsaDriver final : public daq::PcmDriver {
     const int set = ::snd_pcm_hw_params(pcm_, hw);
     if (set < 0) return Error{where, "does not take these settings together", ::snd_strerror(set)};
     format.periodFrames = static_cast<int>(period);
+    // A plugin that reads elsewhere: PulseAudio, PipeWire, JACK. What those convert, they convert unseen.
+    if (::snd_pcm_type(pcm_) == SND_PCM_TYPE_IOPLUG) {
+      format.doubt = "'" + request.device +
+                     "' is a sound server's, which may change the rate and mix channels; hw: names the " +
+                     "device itself";
+    }
     rate_ = request.rate.value;
     const Status begun = begin(period);
     if (!begun) return Error{where, begun.error().what, begun.error().why};

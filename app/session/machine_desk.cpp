@@ -7,8 +7,8 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
-#include "app/session/calibration_trial.h"
 #include "app/session/machine_trial.h"
+#include "app/session/sensor_trial.h"
 #include "app/session/session_view.h"
 #include "app/session/tool_library.h"
 #include "core/cnc/registry.h"
@@ -44,8 +44,8 @@ bool sameLink(config::PartChoice a, config::PartChoice b) {
 
 bool MachineDesk::poll() {
   const bool opened = listener_.poll();
-  const bool calibrated = calibrating_.collect();
-  return task_.collect() || calibrated || opened;
+  const bool answered = asking_.collect();
+  return task_.collect() || answered || opened;
 }
 
 std::vector<ui::PartOption> MachineDesk::sources() const {
@@ -152,17 +152,24 @@ ui::Heard MachineDesk::heard() {
   return heard;
 }
 
+void MachineDesk::ask(std::function<ui::SensorTrial()> sensors) {
+  listener_.stop();  // most devices can be opened once
+  sensorTrial_ = {ui::SensorTrial::State::Runs, {}, {}};
+  asking_.start(ui::TaskState::What::None, {},
+                [this, sensors = std::move(sensors)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+                  return BackgroundTask::Apply([this, said = sensors()] { sensorTrial_ = said; });
+                });
+}
+
 void MachineDesk::calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
                             Hertz frequency) {
-  listener_.stop();  // most devices can be opened once
-  calibration_ = {ui::CalibrationTrial::State::Runs, channel, {}, {}};
-  calibrating_.start(
-      ui::TaskState::What::None, {},
-      [this, profile, path = profileFileOrNew(name), channel, text = level.toStdString(),
-       frequency](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        return BackgroundTask::Apply(
-            [this, said = calibrateChannel(profile, path, channel, text, frequency)] { calibration_ = said; });
-      });
+  ask([profile, path = profileFileOrNew(name), channel, text = level.toStdString(), frequency] {
+    return calibrateChannel(profile, path, channel, text, frequency);
+  });
+}
+
+void MachineDesk::knock(const config::Profile& profile, const QString& name, int channel) {
+  ask([profile, path = profileFileOrNew(name), channel] { return knockAlong(profile, path, channel); });
 }
 
 void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {

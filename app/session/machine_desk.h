@@ -47,7 +47,8 @@ class MachineDesk final : public ui::SetupDesk {
   ui::Heard heard() override;
   void calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
                  Hertz frequency) override;
-  const ui::CalibrationTrial& calibration() const override { return calibration_; }
+  void knock(const config::Profile& profile, const QString& name, int channel) override;
+  const ui::SensorTrial& sensorTrial() const override { return sensorTrial_; }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }
   Status start(const QString& name) override;
@@ -56,6 +57,7 @@ class MachineDesk final : public ui::SetupDesk {
   Status saveTools(const std::vector<ui::ToolEntry>& tools) override;
 
  private:
+  void ask(std::function<ui::SensorTrial()> sensors);
   std::string profileFile(const QString& name) const;
   std::string profileFileOrNew(const QString& name) const;
   config::Profile withDelays(config::Profile profile) const;
@@ -63,8 +65,8 @@ class MachineDesk final : public ui::SetupDesk {
   QString folder_;
   std::vector<ui::TrialStep> trial_;
   LinkDelays tried_;
-  ui::CalibrationTrial calibration_;
-  BackgroundTask task_, calibrating_;
+  ui::SensorTrial sensorTrial_;
+  BackgroundTask task_, asking_;
   DeviceListener listener_;
 };
 

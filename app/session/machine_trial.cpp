@@ -114,8 +114,10 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
     steps.bad(What::Device, format.error());
     return {steps.take(), {}};
   }
+  const QString delivers =
+      QStringLiteral("%1 Hz, %2 channel(s)").arg(format->rate.value, 0, 'f', 0).arg(format->channels.size());
   steps.good(What::Device,
-             QStringLiteral("%1 Hz, %2 channel(s)").arg(format->rate.value, 0, 'f', 0).arg(format->channels.size()));
+             format->doubt.empty() ? delivers : QStringLiteral("%1; %2").arg(delivers, text(format->doubt)));
   if (const auto heard = listen(*parts->device, *format); heard) {
     steps.good(What::Samples, *heard);
   } else {

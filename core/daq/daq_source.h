@@ -15,6 +15,7 @@ struct SourceFormat {
   Hertz rate{};
   int blockFrames = 0;  // frames in a full block
   std::vector<ChannelInfo> channels;
+  std::string doubt{};  // what may be wrong with the samples and cannot be seen in them; one line, or empty
 };
 
 // How a device that was joined to another runs against this computer's clock.

@@ -81,6 +81,7 @@ Result<SourceFormat> JoinedSource::open() {
     }
     followers_.push_back(std::make_unique<Follower>(part, *format, format_.rate));
     format_.channels.insert(format_.channels.end(), format->channels.begin(), format->channels.end());
+    if (format_.doubt.empty()) format_.doubt = format->doubt;
   }
   return format_;
 }

@@ -44,6 +44,7 @@ Result<SourceFormat> PcmSource::open() {
   format.rate = request_.rate;
   format.blockFrames = blockFrames_;
   format.channels = channels_;
+  format.doubt = format_.doubt;
   for (std::size_t c = 0; c < inputs_.size() && !format_.siOfFullScale.empty(); ++c) {
     format.channels[c].scale *= format_.siOfFullScale[static_cast<std::size_t>(inputs_[c])];
   }

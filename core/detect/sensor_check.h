@@ -15,7 +15,7 @@
 //   wrong rate       against the clock (rate_watch.h)
 //   aliased          a line between the harmonics goes with the speed as a folded order does (alias_watch.h)
 // Which of two axes is x cannot be told from a cut: the forces turn with the tool and both axes hear the same lines at
-// strengths that tool, feed direction and structure decide. A swap without a doubling is not looked for.
+// strengths that tool, feed direction and structure decide. Knocks tell it when sensors are set up (daq/axis_knock.h).
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 

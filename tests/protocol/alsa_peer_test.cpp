@@ -188,6 +188,19 @@ TEST(PulseRates, AStreamThatSomebodyStretchedIsNotBelieved) {
   EXPECT_TRUE((*rig)->stop());
 }
 
+TEST_F(PulseTest, ADeviceBehindASoundServerIsToldFromOneOfItsOwn) {
+  auto source = heard({{"device", "heard"}, {"rate_hz", std::to_string(kRate)}}, 1);
+  ASSERT_TRUE(source) << source.error().line();
+  const auto opened = (*source)->open();
+  ASSERT_TRUE(opened) << opened.error().line();
+  EXPECT_NE(opened->doubt.find("a sound server's"), std::string::npos) << opened->doubt;
+  auto direct = heard({{"device", "null"}, {"rate_hz", std::to_string(kRate)}}, 1);
+  ASSERT_TRUE(direct) << direct.error().line();
+  const auto bare = (*direct)->open();
+  ASSERT_TRUE(bare) << bare.error().line();
+  EXPECT_EQ(bare->doubt, "");
+}
+
 TEST_F(PulseTest, ARateThatWouldBeConvertedIsRefusedWithTheOneThereIs) {
   auto source = heard({{"device", "fixed"}, {"rate_hz", "48000"}}, 1);
   ASSERT_TRUE(source) << source.error().line();

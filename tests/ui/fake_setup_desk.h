@@ -74,9 +74,13 @@ class FakeSetupDesk final : public SetupDesk {
   void calibrate(const config::Profile& profile, const QString&, int channel, const QString& level,
                  Hertz frequency) override {
     calibrated = QStringLiteral("%1 %2 %3").arg(channel).arg(level).arg(frequency.value);
-    tone = {CalibrationTrial::State::Runs, channel, {}, profile.cut.channels[static_cast<std::size_t>(channel)]};
+    askedByHand = {SensorTrial::State::Runs, {}, {{channel, profile.cut.channels[static_cast<std::size_t>(channel)]}}};
   }
-  const CalibrationTrial& calibration() const override { return tone; }
+  void knock(const config::Profile& profile, const QString&, int channel) override {
+    knockedAlong = channel;
+    askedByHand = {SensorTrial::State::Runs, {}, {{channel, profile.cut.channels[static_cast<std::size_t>(channel)]}}};
+  }
+  const SensorTrial& sensorTrial() const override { return askedByHand; }
   void tryOut(const config::Profile& profile, const QString&) override {
     steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},
              {TrialStep::What::Device, TrialStep::State::Good, QStringLiteral("25600 Hz, 2 channel(s)")},
@@ -109,7 +113,8 @@ class FakeSetupDesk final : public SetupDesk {
   std::vector<TrialStep> steps;
   QString inForce, listenedTo, calibrated;
   Heard ears;
-  CalibrationTrial tone;
+  SensorTrial askedByHand;
+  int knockedAlong = -1;
   int demonstrations = 0;
   bool changed = false, refuse = false;
 };

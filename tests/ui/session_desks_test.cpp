@@ -294,13 +294,17 @@ TEST(MachineDesk, CalibratesAgainstTheChosenDevice) {
   profile.cut.nominalSpeed = Rpm(8500.0);
   profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
   desk.calibrate(profile, {}, 0, QStringLiteral("1 g"), Hertz(40.0));
-  EXPECT_EQ(desk.calibration().state, ui::CalibrationTrial::State::Runs);
-  waitFor(desk, [&] { return desk.calibration().state != ui::CalibrationTrial::State::Runs; });
-  EXPECT_EQ(desk.calibration().state, ui::CalibrationTrial::State::Bad);
-  EXPECT_TRUE(desk.calibration().said.contains(QStringLiteral("tone"))) << desk.calibration().said.toStdString();
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
+  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Bad);
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("tone"))) << desk.sensorTrial().said.toStdString();
   desk.calibrate(profile, {}, 9, QStringLiteral("1 g"), Hertz(1000.0));
-  waitFor(desk, [&] { return desk.calibration().state != ui::CalibrationTrial::State::Runs; });
-  EXPECT_TRUE(desk.calibration().said.contains(QStringLiteral("has no channel 9")));
+  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 9")));
+  desk.knock(profile, {}, 8);
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
+  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 8")));
 }
 
 TEST(MachineDesk, ProfilesAreKeptAndComeBack) {

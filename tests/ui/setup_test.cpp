@@ -217,9 +217,9 @@ TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
   EXPECT_EQ(desk_.calibrated, QStringLiteral("1 1 g 159.2"));
   EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "one at a time";
   EXPECT_TRUE(told(QStringLiteral("Listening to the calibrator")));
-  desk_.tone.found.scale = 98.7;
-  desk_.tone.state = CalibrationTrial::State::Good;
-  desk_.tone.said = QStringLiteral("y: a tone of 159.2 Hz");
+  desk_.askedByHand.found.front().second.scale = 98.7;
+  desk_.askedByHand.state = SensorTrial::State::Good;
+  desk_.askedByHand.said = QStringLiteral("y: a tone of 159.2 Hz");
   desk_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("a tone of 159.2 Hz")));
@@ -229,6 +229,35 @@ TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
   ASSERT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
   EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[1].scale, 98.7);
   EXPECT_NE(desk_.kept[QStringLiteral("mill")].cut.channels[0].scale, 98.7);
+}
+
+TEST_F(SetupPageTest, KnocksExchangeTheAxes) {
+  openSetup();
+  press("setup-sensors");
+  press("source-alsa");
+  press("channel-add");
+  press("channel-add");
+  QAbstractItemModel* channels = find<QTableView>("channels")->model();
+  find<QTableView>("channels")->setCurrentIndex(channels->index(1, 0));
+  EXPECT_TRUE(find<TouchButton>("knock-begin")->isEnabled());
+  press("knock-begin");
+  EXPECT_EQ(desk_.knockedAlong, 1);
+  EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "one at a time";
+  EXPECT_TRUE(told(QStringLiteral("Knock along")));
+  ChannelInfo first = desk_.askedByHand.found.front().second, second = first;
+  first.axis = "y";
+  second.axis = "x";
+  desk_.askedByHand = {
+      SensorTrial::State::Good, QStringLiteral("'x' and 'y' are exchanged"), {{0, first}, {1, second}}};
+  desk_.changed = true;
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("are exchanged")));
+  press("setup-profile");
+  find<QLineEdit>("profile-name")->setText(QStringLiteral("mill"));
+  press("profile-save");
+  ASSERT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
+  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[0].axis, "y");
+  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[1].axis, "x");
 }
 
 TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
@@ -242,7 +271,7 @@ TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
   EXPECT_TRUE(told(QStringLiteral("The frequency is no number")));
   find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("1000"));
   press("calibrator-begin");
-  desk_.tone = {CalibrationTrial::State::Bad, 0, QStringLiteral("no tone within 5 % of 1000 Hz"), {}};
+  desk_.askedByHand = {SensorTrial::State::Bad, QStringLiteral("no tone within 5 % of 1000 Hz"), {}};
   desk_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("no tone within 5 %")));

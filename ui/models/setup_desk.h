@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -35,13 +36,12 @@ struct JoinedClock {
   Seconds residual{};  // rms of what its stamps are off from a straight line: what "at the same time" means
 };
 
-// What a calibrator's tone says of a channel of the chosen device.
-struct CalibrationTrial {
+// What a calibrator's tone, or knocks along an axis, say of the channels of the chosen device.
+struct SensorTrial {
   enum class State { Off, Runs, Good, Bad };
   State state = State::Off;
-  int channel = 0;
-  QString said;       // what was heard, or why nothing comes of it; in English
-  ChannelInfo found;  // Good: the channel, set right
+  QString said;                                    // what was heard, or why nothing comes of it; in English
+  std::vector<std::pair<int, ChannelInfo>> found;  // Good: the channels that are not right as they are, set right
 };
 
 // What the chosen device delivers before any profile is in force.
@@ -86,7 +86,10 @@ class SetupDesk {
   // Hears the calibrator on `channel` for some seconds; whoever listens to the device stops. `level`: "94 dB", "1 g".
   virtual void calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
                          Hertz frequency) = 0;
-  virtual const CalibrationTrial& calibration() const = 0;
+  // Hears knocks along the axis of `channel` for some seconds: is it this sensor that lies along it? The forces of a
+  // cut turn with the tool and cannot tell.
+  virtual void knock(const config::Profile& profile, const QString& name, int channel) = 0;
+  virtual const SensorTrial& sensorTrial() const = 0;  // of whichever was asked last
 
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
   virtual const std::vector<TrialStep>& trial() const = 0;

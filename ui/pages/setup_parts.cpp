@@ -10,7 +10,7 @@
 #include "ui/models/format.h"
 #include "ui/models/say.h"
 #include "ui/models/sensor_view.h"
-#include "ui/pages/setup_calibrator.h"
+#include "ui/pages/setup_sensor_trial.h"
 #include "ui/plots/level_spectrum.h"
 #include "ui/widgets/settings_form.h"
 #include "ui/widgets/text_label.h"
@@ -139,7 +139,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       form_(new SettingsForm),
       channels_(draft),
       table_(new QTableView),
-      calibrator_(new SetupCalibrator(desk, draft, [this] { return table_->currentIndex().row(); })),
+      trial_(new SetupSensorTrial(desk, draft, [this] { return table_->currentIndex().row(); })),
       live_(new LevelSpectrum) {
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
@@ -185,7 +185,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   right->addLayout(heading);
   for (TextLabel* label : {state_, findings_, levels_}) right->addWidget(label);
   right->addWidget(live_, 1);
-  right->addWidget(calibrator_);
+  right->addWidget(trial_);
   findings_->setTone(Tone::Onset);
   listen_->setCheckable(true);
   connect(listen_, &TouchButton::clicked, this, [this] {
@@ -210,7 +210,7 @@ void SetupSensors::refresh() {
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
                                             : described(desk_.sources(), profile.source.id));
   form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
-  calibrator_->refresh();
+  trial_->refresh();
 }
 
 // The chosen device while it is listened to, else what runs.

@@ -12,7 +12,7 @@ namespace stillcut::ui {
 
 class LevelSpectrum;
 class SettingsForm;
-class SetupCalibrator;
+class SetupSensorTrial;
 
 class SetupMachine : public SetupTab {
   Q_OBJECT
@@ -49,7 +49,7 @@ class SetupSensors : public SetupTab {
   SettingsForm* form_;
   ChannelModel channels_;
   QTableView* table_;
-  SetupCalibrator* calibrator_;
+  SetupSensorTrial* trial_;
   LevelSpectrum* live_;
 };
 

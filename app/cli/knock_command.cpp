@@ -1,0 +1,92 @@
+// stillcut-cli knock [RECORDING]: knocks along the axis of a channel tell which sensor lies along it, from a profile's
+// device or from a recording of them.
+
+#include <cstdio>
+
+#include "app/cli/command.h"
+#include "app/cli/reading_options.h"
+#include "app/compose/catalog.h"
+#include "app/compose/heard_samples.h"
+#include "app/compose/profile_rig.h"
+#include "app/io/wires.h"
+#include "core/daq/axis_knock.h"
+
+namespace stillcut::app {
+namespace {
+
+struct KnockOptions {
+  std::string recording, profile;
+  int along = 0;
+  double seconds = 8.0;
+  bool save = false;
+  ReadingOptions reading;
+};
+
+Status checkOptions(const KnockOptions& o) {
+  if (o.recording.empty() == o.profile.empty()) {
+    return Error{"knock", o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
+                 "name a RECORDING of the knocks, or --profile of the machine whose axes are checked"};
+  }
+  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
+  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
+  return Done{};
+}
+
+int save(config::Profile profile, const config::ParamCatalog& catalog, const KnockOptions& o,
+         const std::vector<ChannelInfo>& now) {
+  if (profile.cut.channels.size() != now.size()) {
+    return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
+  }
+  for (std::size_t c = 0; c < now.size(); ++c) profile.cut.channels[c].axis = now[c].axis;
+  if (const Status saved = config::saveProfile(profile, catalog, o.profile); !saved) return fail(saved.error());
+  std::printf("saved in %s\n", o.profile.c_str());
+  return kExitDone;
+}
+
+int run(const KnockOptions& o) {
+  if (const Status usable = checkOptions(o); !usable) return fail(usable.error());
+  const auto reading = o.reading.understand();
+  if (!reading) return fail(reading.error());
+  const config::ParamCatalog catalog = fullCatalog();
+  config::Profile profile;
+  if (!o.profile.empty()) {
+    auto loaded = config::loadProfile(o.profile, catalog, knownIds());
+    if (!loaded) return fail(loaded.error());
+    profile = std::move(loaded).value();
+    std::printf("knock along the axis of channel %d now, some times within %.0f s\n", o.along, o.seconds);
+    std::fflush(stdout);
+  }
+  const auto events = wireEvents();  // outlives the source and its wires
+  SetUpFault fault = SetUpFault::Input;
+  const auto heard = o.profile.empty() ? hearRecording(o.recording, *reading)
+                                       : hearDevice(profile, o.profile, o.along, Seconds(o.seconds), fault);
+  if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
+  if (const Status there = checkChannel(heard->channels.size(), o.recording, o.along); !there)
+    return fail(there.error());
+  std::vector<ChannelInfo> now = heard->channels;
+  for (ChannelInfo& channel : now) {  // most recordings name a channel by its axis and say no more
+    const bool isAxis = channel.name == "x" || channel.name == "y" || channel.name == "z";
+    if (channel.axis.empty() && isAxis) channel.axis = channel.name;
+  }
+  const auto knocks = daq::hearKnocks(heard->samples, heard->rate, now, static_cast<std::size_t>(o.along));
+  if (!knocks) return fail(knocks.error());
+  std::printf("%s\n", daq::knockSentence(*knocks, now).c_str());
+  daq::applyKnocks(*knocks, now);
+  return o.save ? save(std::move(profile), catalog, o, now) : kExitDone;
+}
+
+}  // namespace
+
+void addKnock(CLI::App& app, int& exitCode) {
+  auto o = std::make_shared<KnockOptions>();
+  CLI::App* command = app.add_subcommand("knock", "Find exchanged axes by knocking along one");
+  command->add_option("RECORDING", o->recording, "Recording of the knocks; left out: the device of --profile is heard");
+  command->add_option("--along", o->along, "The channel along whose axis you knock, from 0")->capture_default_str();
+  command->add_option("--profile", o->profile, "Listen to the device of this profile (.toml)");
+  command->add_option("--seconds", o->seconds, "How long, from 2 to 60")->capture_default_str();
+  command->add_flag("--save", o->save, "Exchange the axes in the profile where they are found exchanged");
+  o->reading.add(*command);
+  command->callback([o, &exitCode] { exitCode = run(*o); });
+}
+
+}  // namespace stillcut::app

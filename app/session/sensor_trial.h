@@ -1,0 +1,18 @@
+// What the chosen sensors are asked by hand: a calibrator's tone on one, knocks along the axis of one.
+// Thread: any one; takes some seconds. The device is closed again.
+#pragma once
+
+#include <string>
+
+#include "core/config/profile.h"
+#include "ui/models/setup_desk.h"
+
+namespace stillcut::app {
+
+// `level`: "94 dB", "1 g", "10", rms.
+ui::SensorTrial calibrateChannel(const config::Profile& profile, const std::string& path, int channel,
+                                 const std::string& level, Hertz frequency);
+// Whether it is `channel` that lies along its axis.
+ui::SensorTrial knockAlong(const config::Profile& profile, const std::string& path, int channel);
+
+}  // namespace stillcut::app

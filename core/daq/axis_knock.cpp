@@ -1,0 +1,117 @@
+#include "core/daq/axis_knock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <utility>
+
+namespace stillcut::daq {
+namespace {
+
+constexpr double kShortest = 2.0;  // s
+constexpr double kFirst = 0.005;   // s after the beginning of a blow
+constexpr double kQuiet = 0.1;     // s between two blows: the ringing of one begins no other
+constexpr double kBlow = 100.0;    // of the usual power: 20 dB
+constexpr double kClear = 6.0;     // dB: twice the motion of any other axis
+constexpr const char* kWhere = "knock";
+
+std::string number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+// [SI squared], around the mean.
+std::vector<double> powerOf(std::span<const float> x, double scale) {
+  double mean = 0.0;
+  for (const float v : x) mean += static_cast<double>(v) / static_cast<double>(x.size());
+  std::vector<double> power(x.size());
+  std::ranges::transform(x, power.begin(), [&](float v) {
+    const double away = scale * (static_cast<double>(v) - mean);
+    return away * away;
+  });
+  return power;
+}
+
+// Where blows begin, by the power of all compared channels.
+std::vector<std::size_t> blowsIn(const std::vector<std::vector<double>>& powers, double rate) {
+  std::vector<double> all(powers.front().size(), 0.0);
+  for (const std::vector<double>& power : powers) {
+    for (std::size_t n = 0; n < all.size(); ++n) all[n] += power[n];
+  }
+  std::vector<double> sorted = all;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  const double limit = kBlow * *middle;
+  const auto quiet = static_cast<std::size_t>(kQuiet * rate);
+  std::vector<std::size_t> blows;
+  std::size_t calm = quiet;
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    const bool loud = all[n] > limit;
+    if (loud && calm >= quiet) blows.push_back(n);
+    calm = loud ? 0 : calm + 1;
+  }
+  return blows;
+}
+
+}  // namespace
+
+Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
+                              const std::vector<ChannelInfo>& channels, std::size_t told) {
+  if (told >= channels.size() || channels[told].axis.empty()) {
+    return Error{kWhere, "the chosen channel has no axis", "say which one it should lie along"};
+  }
+  const ChannelInfo& chosen = channels[told];
+  std::vector<std::size_t> compared;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const ChannelInfo& other = channels[c];
+    if (other.quantity == chosen.quantity && other.place == chosen.place && !other.axis.empty()) compared.push_back(c);
+  }
+  if (compared.size() < 2) {
+    return Error{kWhere, "'" + chosen.name + "' has no other axis beside it", "there is nothing to exchange it with"};
+  }
+  if (static_cast<double>(samples[told].size()) < kShortest * rate.value) {
+    return Error{kWhere, "too short", "two seconds are needed"};
+  }
+  std::vector<std::vector<double>> powers;
+  for (const std::size_t c : compared) powers.push_back(powerOf(samples[c], channels[c].scale));
+  const std::vector<std::size_t> blows = blowsIn(powers, rate.value);
+  if (blows.empty()) {
+    return Error{kWhere, "none was heard", "knock along " + chosen.axis + ", hard, with the machine quiet"};
+  }
+  const auto first = static_cast<std::size_t>(std::max(1.0, kFirst * rate.value));
+  std::vector<std::pair<double, std::size_t>> energies;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    double energy = 0.0;
+    for (const std::size_t at : blows) {
+      for (std::size_t n = at; n < std::min(at + first, powers[i].size()); ++n) energy += powers[i][n];
+    }
+    energies.emplace_back(energy, compared[i]);
+  }
+  std::ranges::sort(energies, std::ranges::greater{});
+  const double lead = energies[1].first > 0.0 ? 10.0 * std::log10(energies[0].first / energies[1].first) : 99.0;
+  if (lead < kClear) {
+    return Error{kWhere,
+                 "'" + channels[energies[0].second].name + "' and '" + channels[energies[1].second].name +
+                     "' heard it within " + number(lead) + " dB of each other",
+                 "knock straight along " + chosen.axis + ", close to the sensor"};
+  }
+  return KnockHeard{told, energies[0].second, lead, static_cast<int>(blows.size())};
+}
+
+std::string knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
+  const ChannelInfo& told = channels[heard.told];
+  const ChannelInfo& loudest = channels[heard.loudest];
+  const std::string most = std::to_string(heard.knocks) + (heard.knocks == 1 ? " knock" : " knocks") + " along " +
+                           told.axis + ": '" + loudest.name + "' heard most, " + number(heard.lead) +
+                           " dB above the next";
+  if (heard.loudest == heard.told) return most + ": it is right";
+  return most + ": '" + told.name + "' and '" + loudest.name + "' are exchanged";
+}
+
+void applyKnocks(const KnockHeard& heard, std::vector<ChannelInfo>& channels) {
+  std::swap(channels[heard.told].axis, channels[heard.loudest].axis);
+}
+
+}  // namespace stillcut::daq
