@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/record/utf_text.h"
 #include "core/record/variable_channels.h"
 
 namespace stillcut::record {
@@ -106,9 +107,7 @@ void takeText(hid_t dataset, const std::string& name, const Shape& shape, Hdf5Li
   if (length == 0 || length > kLongestText) return;
   std::vector<std::uint16_t> letters(static_cast<std::size_t>(length));
   if (H5Dread(dataset, H5T_NATIVE_UINT16, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()) < 0) return;
-  std::string text;
-  for (const std::uint16_t c : letters) appendUtf8(text, c);
-  listing.texts.emplace_back(name, cleanName(text));
+  listing.texts.emplace_back(name, cleanName(fromUtf16(letters)));
 }
 
 void takeDataset(Walk& walk, const std::string& path) {

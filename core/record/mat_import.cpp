@@ -3,12 +3,12 @@
 #include <matio.h>
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <utility>
 
+#include "core/record/mat_elements.h"
+#include "core/record/utf_text.h"
 #include "core/record/variable_channels.h"
 
 namespace stillcut::record {
@@ -126,88 +126,23 @@ class MatColumn final : public Column {
   std::size_t next_ = 0;
 };
 
-// The elements must tile the file, and those inside an array that array: matio believes every length it reads.
-class ElementCheck {
- public:
-  ElementCheck(std::ifstream& file, bool little) : file_(file), little_(little) {}
-
-  // The elements from `at` to `end`. False: one reaches beyond.
-  bool tile(std::uint64_t at, std::uint64_t end, int depth) {
-    constexpr std::uint32_t kMatrix = 14;
-    constexpr int kDeepest = 16;  // arrays in cells in structs ...
-    while (at < end) {
-      std::uint32_t type = 0, bytes = 0;
-      if (depth > kDeepest || at + 8 > end || !readTag(at, type, bytes)) return false;
-      const bool isSmall = type >> 16U != 0;  // its few bytes stand in the tag itself
-      const std::uint64_t inside = at + 8, next = isSmall ? inside : inside + bytes;
-      if (next > end) return false;
-      if (!isSmall && type == kMatrix && !tile(inside, next, depth + 1)) return false;
-      const std::uint64_t padded = inside + (next - inside + 7) / 8 * 8;  // but for whole variables
-      at = std::min(depth == 0 ? next : padded, end);
-      if (depth == 0) ++variables_;
-    }
-    return true;
-  }
-  std::size_t variables() const { return variables_; }
-
- private:
-  bool readTag(std::uint64_t at, std::uint32_t& type, std::uint32_t& bytes) {
-    std::array<unsigned char, 8> tag{};
-    file_.seekg(static_cast<std::streamoff>(at));
-    file_.read(reinterpret_cast<char*>(tag.data()), tag.size());
-    for (std::size_t i = 0; i < 4; ++i) {
-      type = type << 8U | tag[little_ ? 3 - i : i];
-      bytes = bytes << 8U | tag[little_ ? 7 - i : 4 + i];
-    }
-    return static_cast<bool>(file_);
-  }
-
-  std::ifstream& file_;
-  bool little_;
-  std::size_t variables_ = 0;
-};
-
-// A header that lies about a size, or a file cut short, ends here.
-Status checkElements(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::array<unsigned char, 128> head{};
-  file.read(reinterpret_cast<char*>(head.data()), head.size());
-  std::error_code problem;
-  const std::uint64_t size = std::filesystem::file_size(path, problem);
-  const bool little = head[126] == 'I' && head[127] == 'M';
-  if (!file || problem || (!little && !(head[126] == 'M' && head[127] == 'I'))) {
-    return Error{path, "is no MATLAB file of version 5 or 7", "its header is damaged"};
-  }
-  ElementCheck check(file, little);
-  if (!check.tile(head.size(), size, 0)) {
-    return Error{path, "variable " + std::to_string(check.variables()) + " is longer than the file",
-                 "a truncated or damaged file"};
-  }
-  if (check.variables() > kMostVariables) return Error{path, "holds more than 4096 variables", ""};
-  return Done{};
-}
-
 bool isNumeric(const matvar_t& v) {
   return v.class_type >= MAT_C_DOUBLE && v.class_type <= MAT_C_UINT64 && v.isComplex == 0;
 }
 
 std::string textOf(mat_t* mat, matvar_t& variable) {
-  std::string text;
-  if (Mat_VarReadDataAll(mat, &variable) != 0 || variable.data == nullptr) return text;
+  if (Mat_VarReadDataAll(mat, &variable) != 0 || variable.data == nullptr) return "";
   const std::size_t letters = variable.dims[0] * variable.dims[1];
-  const auto* bytes = static_cast<const unsigned char*>(variable.data);
+  const auto* bytes = static_cast<const char*>(variable.data);
   const bool wide = variable.data_type == MAT_T_UINT16 || variable.data_type == MAT_T_UTF16;
-  if (variable.nbytes < letters * (wide ? 2 : 1)) return text;
-  for (std::size_t i = 0; i < letters; ++i) {
-    std::uint16_t letter = bytes[i];
-    if (wide) std::memcpy(&letter, bytes + 2 * i, 2);
-    if (variable.data_type == MAT_T_UTF8) {
-      text += static_cast<char>(letter);
-    } else {
-      appendUtf8(text, letter);
-    }
+  if (variable.nbytes < letters * (wide ? 2 : 1)) return "";
+  if (wide) {
+    std::vector<std::uint16_t> units(letters);
+    std::memcpy(units.data(), bytes, letters * 2);
+    return cleanName(fromUtf16(units));
   }
-  return cleanName(text);
+  // Letters of more than one byte are counted once.
+  return cleanName({bytes, variable.data_type == MAT_T_UTF8 ? variable.nbytes : letters});
 }
 
 class MatListing {
@@ -297,7 +232,7 @@ class MatListing {
 
 Result<std::unique_ptr<RecordingReader>> openMat5(const std::string& path, const std::string& inner,
                                                   const ReadOptions& options) {
-  if (const Status s = checkElements(path); !s) return s.error();
+  if (const Status s = checkMatElements(path); !s) return s.error();
   const MatFile mat(Mat_Open(path.c_str(), MAT_ACC_RDONLY), CloseMat{});
   if (!mat || Mat_GetVersion(mat.get()) != MAT_FT_MAT5) {
     return Error{path, "is no MATLAB file of version 5 or 7", "its header is damaged"};

@@ -1,5 +1,6 @@
 // MATLAB version 5, written in one pass over the recording: the number of frames is known, so the place of every sample
 // is, and matio, which wants whole arrays in memory, is not needed. Source: MAT-File Format, The MathWorks, chapter 1.
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstring>
@@ -7,11 +8,13 @@
 
 #include "core/record/part_file.h"
 #include "core/record/recording_sink.h"
+#include "core/record/utf_text.h"
 
 namespace stillcut::record {
 namespace {
 
-constexpr std::uint32_t kInt8 = 1, kUint16 = 4, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14;  // element types
+constexpr std::uint32_t kInt8 = 1, kInt32 = 5, kUint32 = 6, kDouble = 9, kMatrix = 14,
+                        kUtf16 = 17;  // element types
 constexpr std::uint32_t kCharClass = 4, kDoubleClass = 6;
 constexpr std::uint64_t kLargest = 0x7fffff00;  // of one variable, in MATLAB of this version [bytes]
 
@@ -51,34 +54,36 @@ std::string numberMatrix(const std::string& name, std::uint32_t rows, const std:
 }
 
 std::string textMatrix(const std::string& name, const std::string& utf8) {
+  // A pair of halves is two letters for MATLAB and one for others (SciPy), which then refuse the whole file.
   std::vector<std::uint16_t> letters;
-  for (std::size_t i = 0; i < utf8.size(); ++i) {
-    const auto c = static_cast<unsigned char>(utf8[i]);
-    if (c >= 0xC0U && c < 0xE0U && i + 1 < utf8.size()) {
-      letters.push_back(
-          static_cast<std::uint16_t>((c & 0x1FU) << 6U | (static_cast<unsigned char>(utf8[++i]) & 0x3FU)));
-    } else {
-      letters.push_back(c < 0x80U ? c : '?');
-    }
+  for (const std::uint16_t unit : toUtf16(utf8)) {
+    const bool highHalf = unit >= 0xD800 && unit < 0xDC00, lowHalf = unit >= 0xDC00 && unit < 0xE000;
+    if (!lowHalf) letters.push_back(highHalf ? '?' : unit);
   }
   const auto bytes = static_cast<std::uint32_t>(letters.size() * 2);
   const auto columns = static_cast<std::uint32_t>(letters.size());
-  std::string out = matrixHead(name, kCharClass, 1, columns, kUint16, bytes);
+  std::string out = matrixHead(name, kCharClass, 1, columns, kUtf16, bytes);
   out.append(reinterpret_cast<const char*>(letters.data()), bytes);
   pad(out);
   return out;
 }
 
-// A name MATLAB takes, different from those before it.
+// What stands beside a channel under its name with these endings.
+constexpr std::array<const char*, 5> kBeside{"", "_name", "_unit", "_quantity", "_axis"};
+
+// A name MATLAB takes, different from those before it and what is beside them.
 std::string variableName(const std::string& name, std::set<std::string>& taken) {
   constexpr std::size_t kLongest = 48;
   std::string plain;
   for (const char c : name) plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   if (plain.empty() || std::isalpha(static_cast<unsigned char>(plain[0])) == 0) plain = "ch_" + plain;
   plain.resize(std::min(plain.size(), kLongest));
+  const auto isTaken = [&taken](const std::string& candidate) {
+    return std::any_of(kBeside.begin(), kBeside.end(), [&](const char* by) { return taken.contains(candidate + by); });
+  };
   std::string unique = plain;
-  for (int n = 2; taken.contains(unique); ++n) unique = plain + "_" + std::to_string(n);
-  taken.insert(unique);
+  for (int n = 2; isTaken(unique); ++n) unique = plain + "_" + std::to_string(n);
+  for (const char* by : kBeside) taken.insert(unique + by);
   return unique;
 }
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/record/column_reader.h"
-#include "core/record/uff/number_scan.h"
 #include "core/record/uff/uff58_cursor.h"
+#include "core/record/variable_channels.h"
 
 namespace stillcut::record {
 namespace {
@@ -70,8 +70,8 @@ std::string nameOf(const Uff58Header& header, int dataset) {
 
 RecordedChannel channelOf(const Uff58Header& header, int dataset) {
   const std::string& unit = header.ordinate.unit;
-  RecordedChannel channel = channelFromWords(uff::printable(nameOf(header, dataset)),
-                                             isUnset(unit) ? unitOfQuantity(header.ordinate.quantity) : unit);
+  RecordedChannel channel = channelFromWords(
+      cleanName(nameOf(header, dataset)), isUnset(unit) ? unitOfQuantity(header.ordinate.quantity) : cleanName(unit));
   constexpr std::array<const char*, 4> kAxes{"", "x", "y", "z"};
   const int direction = std::abs(header.responseDirection);
   if (channel.info.axis.empty() && direction < 4) channel.info.axis = kAxes[static_cast<std::size_t>(direction)];

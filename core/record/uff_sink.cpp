@@ -8,6 +8,7 @@
 #include "core/record/part_file.h"
 #include "core/record/recording_sink.h"
 #include "core/record/uff/uff58.h"
+#include "core/record/utf_text.h"
 
 namespace stillcut::record {
 namespace {
@@ -22,9 +23,10 @@ uff::Uff58Header headerOf(const RecordedChannel& channel, const ExportPlan& plan
   constexpr std::array<Q, 7> kQuantities{Q::Acceleration,    Q::Velocity, Q::Displacement, Q::Pressure,
                                          Q::ExcitationForce, Q::General,  Q::General};
   uff::Uff58Header header;
-  header.id[0] = channel.info.name;
+  constexpr std::size_t kIdentification = 80, kResponseName = 10;  // columns of the format
+  header.id[0] = cutUtf8(channel.info.name, kIdentification);
   header.function = uff::Uff58Function::TimeResponse;
-  header.responseName = channel.info.name.substr(0, 10);
+  header.responseName = cutUtf8(channel.info.name, kResponseName);
   const std::size_t axis = std::string("xyz").find(channel.info.axis);
   if (channel.info.axis.size() == 1 && axis != std::string::npos) header.responseDirection = static_cast<int>(axis) + 1;
   header.doublePrecision = text;

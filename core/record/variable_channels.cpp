@@ -9,6 +9,7 @@
 
 #include "core/record/sensor_notes.h"
 #include "core/record/unit_names.h"
+#include "core/record/utf_text.h"
 
 namespace stillcut::record {
 namespace {
@@ -156,26 +157,12 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
 
 std::string cleanName(std::string_view text) {
   constexpr std::size_t kLongest = 80;
-  std::string clean(text.substr(0, kLongest));
+  const std::string utf8 = utf8Of(text);
+  std::string clean(cutUtf8(utf8, kLongest));
   for (char& c : clean) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
   }
   return clean;
-}
-
-void appendUtf8(std::string& text, std::uint16_t letter) {
-  if (letter < 0x80) {
-    text += static_cast<char>(letter);
-  } else if (letter < 0x800) {
-    text += static_cast<char>(0xC0U | letter >> 6U);
-    text += static_cast<char>(0x80U | (letter & 0x3FU));
-  } else if (letter >= 0xD800 && letter < 0xE000) {
-    text += '?';
-  } else {
-    text += static_cast<char>(0xE0U | letter >> 12U);
-    text += static_cast<char>(0x80U | (letter >> 6U & 0x3FU));
-    text += static_cast<char>(0x80U | (letter & 0x3FU));
-  }
 }
 
 }  // namespace stillcut::record

@@ -37,9 +37,7 @@ struct FileContents {
 // options, from a number (rate_hz, fs, sample_rate ... in Hz; dt, ts ... in s), or from an array named time or t.
 Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const ReadOptions& options);
 
-// Text of a file made fit for one line: control characters become '?', at most 80 bytes.
+// Text of a file made fit for one line: UTF-8 whatever it was, control characters become '?', at most 80 bytes.
 std::string cleanName(std::string_view text);
-// One letter as MATLAB stores it; halves of surrogate pairs become '?'.
-void appendUtf8(std::string& text, std::uint16_t letter);
 
 }  // namespace stillcut::record

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <matio.h>
+#include <sys/resource.h>
+#include <zlib.h>
 
 #include <cmath>
 #include <fstream>
@@ -46,6 +48,44 @@ std::vector<double> wave(std::size_t n, double step) {
   std::vector<double> values(n);
   for (std::size_t i = 0; i < n; ++i) values[i] = std::sin(step * static_cast<double>(i));
   return values;
+}
+
+ReadOptions atOneKilohertz() {
+  ReadOptions options;
+  options.rate = Hertz(1000.0);
+  return options;
+}
+
+std::string contentOf(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string inflated(const std::string& packed) {
+  std::string whole(1U << 20U, '\0');
+  uLongf bytes = whole.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(whole.data()), &bytes, reinterpret_cast<const Bytef*>(packed.data()),
+                       packed.size()),
+            Z_OK);
+  whole.resize(bytes);
+  return whole;
+}
+
+std::string deflated(const std::string& whole) {
+  std::string packed(compressBound(whole.size()), '\0');
+  uLongf bytes = packed.size();
+  EXPECT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &bytes, reinterpret_cast<const Bytef*>(whole.data()),
+                     whole.size()),
+            Z_OK);
+  packed.resize(bytes);
+  return packed;
+}
+
+// The most this process has ever held.
+double peakMegabytes() {
+  struct rusage usage {};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
 struct Kind {
@@ -162,7 +202,40 @@ TEST(MatImport, ALengthThatLiesInsideAnArrayIsRefused) {
   const std::size_t name = bytes.find("a_long_name");
   ASSERT_NE(name, std::string::npos);
   bytes.replace(name - 4, 4, std::string("\xff\xff\xff\xea", 4));
-  EXPECT_THAT(readAll(folder.file("lie.mat", bytes)).error, HasSubstr("variable 0 is longer than the file"));
+  EXPECT_THAT(readAll(folder.file("lie.mat", bytes)).error, HasSubstr("variable 0: a length inside it is wrong"));
+}
+
+// The same lie, packed: what comes out of a variable has to be there as well.
+TEST(MatImport, ALengthThatLiesInsideACompressedVariableIsRefusedInBoundedMemory) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.mat";
+  {
+    MatWriter mat(path, MAT_FT_MAT5, MAT_COMPRESSION_ZLIB);
+    mat.array("a_long_name", MAT_C_DOUBLE, MAT_T_DOUBLE, wave(300, 0.1), 300);
+  }
+  ASSERT_EQ(readAll(path + ":/a_long_name", atOneKilohertz()).error, "");
+  const std::string bytes = contentOf(path);
+  const std::string whole = inflated(bytes.substr(136));
+  const std::size_t name = whole.find("a_long_name");
+  ASSERT_NE(name, std::string::npos);
+  struct Lie {
+    std::size_t at;
+    std::string length;
+  };
+  // The name's length, and with it the array's own: both would have to be believed for four gigabytes.
+  const std::string huge("\xf0\xff\xff\xea", 4), array("\xff\xff\xff\xef", 4);
+  for (const std::vector<Lie>& lies : {std::vector<Lie>{{name - 4, huge}}, {{name - 4, huge}, {4, array}}}) {
+    const double before = peakMegabytes();
+    std::string changed = whole;
+    for (const Lie& lie : lies) changed.replace(lie.at, 4, lie.length);
+    const std::string packed = deflated(changed);
+    std::string tag("\x0f\x00\x00\x00", 4);
+    const auto length = static_cast<std::uint32_t>(packed.size());
+    tag.append(reinterpret_cast<const char*>(&length), 4);
+    const WholeRecording all = readAll(folder.file("lie.mat", bytes.substr(0, 128) + tag + packed), atOneKilohertz());
+    EXPECT_THAT(all.error, HasSubstr("variable 0: a length inside it is wrong"));
+    EXPECT_LT(peakMegabytes() - before, 64.0);
+  }
 }
 
 }  // namespace
