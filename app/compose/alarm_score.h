@@ -18,7 +18,7 @@ struct TruthSpan {
   Seconds begin{}, end{};
   SpanKind kind = SpanKind::Ignored;
   std::string label;
-  bool touched = false;  // by one touch during the cut: as long as the alarm it speaks of
+  bool touched = false;  // by one touch: as long as the alarm it speaks of, or the moment before "I hear it"
 };
 // "chatter..." and "true-alarm" are chatter; "transition...", "entry", "exit", "note" and unknown words are ignored;
 // every other label of a table of truth (stable, idle, spindle_runup, entry_stable ..., false-alarm) is quiet.
@@ -58,8 +58,8 @@ struct AlarmScore {
   double delayQuantile(double share) const;
   void add(const AlarmScore& other);
 };
-// Quiet is what is marked so. Where somebody touched true or false during the cut, all of its `length` was listened to,
-// and quiet is what no chatter covers.
+// Quiet is what is marked so. Where somebody touched true, false or "I hear it" during the cut, all of its `length` was
+// listened to, and quiet is what no chatter covers.
 AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms, Seconds length = {});
 
 }  // namespace stillcut::app

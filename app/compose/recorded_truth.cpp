@@ -216,10 +216,18 @@ std::vector<TruthSpan> spansOfRatio(const std::vector<Seconds>& times, const std
     const bool before = times[i] < onsets.slight;
     const bool chatter = times[i] >= onsets.clear && ratios[i] > kChatter;
     const bool grew = std::isnan(onsets.slight.value) && ratios[i] >= kQuiet;
-    if (!chatter && !grew && !before && ratios[i] >= kQuiet) continue;
-    const SpanKind kind = chatter ? SpanKind::Chatter : grew ? SpanKind::Grew : SpanKind::Quiet;
-    const bool goesOn = !spans.empty() && spans.back().kind == kind && times[i] - spans.back().end <= kBeat;
-    if (!goesOn) spans.push_back({times[i], times[i], kind, chatter ? "chatter" : grew ? "growth" : "stable"});
+    TruthSpan span{times[i], times[i], SpanKind::Quiet, "stable"};
+    if (chatter) {
+      span.kind = SpanKind::Chatter;
+      span.label = "chatter";
+    } else if (grew) {
+      span.kind = SpanKind::Grew;
+      span.label = "growth";
+    } else if (!before && ratios[i] >= kQuiet) {
+      continue;
+    }
+    const bool goesOn = !spans.empty() && spans.back().kind == span.kind && times[i] - spans.back().end <= kBeat;
+    if (!goesOn) spans.push_back(span);
     spans.back().end = times[i];
   }
   std::erase_if(spans, [](const TruthSpan& s) { return s.end <= s.begin; });
