@@ -1823,8 +1823,16 @@
         <translation>Sensorprüfung</translation>
     </message>
     <message>
-        <source>Settings in force</source>
-        <translation>Geltende Einstellungen</translation>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Settings changed during the cut</source>
+        <translation>Während des Schnitts geändert</translation>
+    </message>
+    <message>
+        <source>Settings at the beginning</source>
+        <translation>Einstellungen zu Beginn</translation>
     </message>
 </context>
 <context>
@@ -2925,6 +2933,46 @@
         <source>time +%1</source>
         <translation>Zeit +%1</translation>
     </message>
+    <message>
+        <source>at the next event</source>
+        <translation>beim nächsten Ereignis</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>Marked as</source>
+        <translation>Markiert als</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Set to</source>
+        <translation>Gesetzt auf</translation>
+    </message>
+    <message>
+        <source>one this program does not know</source>
+        <translation>einer, den dieses Programm nicht kennt</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3322,6 +3370,97 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::MarkSheet</name>
+    <message>
+        <source>Label</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Label of the span</source>
+        <translation>Name der Spanne</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>Notiz der nächsten Markierung</translation>
+    </message>
+    <message>
+        <source>SPAN</source>
+        <translation>SPANNE</translation>
+    </message>
+    <message>
+        <source>Mark the selected span with the label</source>
+        <translation>Gewählte Spanne mit dem Namen markieren</translation>
+    </message>
+    <message>
+        <source>CHANGE</source>
+        <translation>ÄNDERN</translation>
+    </message>
+    <message>
+        <source>Give the chosen marker this label and note</source>
+        <translation>Der gewählten Markierung diesen Namen und diese Notiz geben</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>ENTFERNEN</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>Gewählte Markierung entfernen</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>RATTERN</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>Echten Alarm markieren</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>FALSCH</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>Fehlalarm markieren</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>ICH HÖRE ES</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>Ich höre es jetzt</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>NOTIZ</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>Mit der Notiz markieren</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markierungen</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>Markiert: %1</translation>
+    </message>
+    <message>
+        <source>Marker changed</source>
+        <translation>Markierung geändert</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>Markierung entfernt</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::MarkerModel</name>
     <message>
         <source>, </source>
@@ -3655,12 +3794,28 @@
         <translation>Ordner der Aufnahmen</translation>
     </message>
     <message>
-        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
-        <translation>Keine Aufnahmen hier. Ein Schnitt wird mit --record oder durch das Profil aufgenommen.</translation>
-    </message>
-    <message>
         <source>There are no recordings to work on here.</source>
         <translation>Hier gibt es keine Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>ECHT</translation>
+    </message>
+    <message>
+        <source>Recordings of the folder</source>
+        <translation>Aufnahmen des Ordners</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Simulated cuts, replayed as recordings are</source>
+        <translation>Simulierte Schnitte, wiedergegeben wie Aufnahmen</translation>
+    </message>
+    <message>
+        <source>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</source>
+        <translation>Hier sind keine Aufnahmen. Aufgenommen wird, wie es auf AUFBAU, AUFNAHME steht.</translation>
     </message>
 </context>
 <context>
@@ -3718,58 +3873,6 @@
     <message>
         <source>Compare, score and export</source>
         <translation>Vergleichen, bewerten und ausgeben</translation>
-    </message>
-    <message>
-        <source>CHATTER</source>
-        <translation>RATTERN</translation>
-    </message>
-    <message>
-        <source>Mark a true alarm</source>
-        <translation>Echten Alarm markieren</translation>
-    </message>
-    <message>
-        <source>FALSE</source>
-        <translation>FALSCH</translation>
-    </message>
-    <message>
-        <source>Mark a false alarm</source>
-        <translation>Fehlalarm markieren</translation>
-    </message>
-    <message>
-        <source>I HEAR IT</source>
-        <translation>GEHÖRT</translation>
-    </message>
-    <message>
-        <source>I hear it now</source>
-        <translation>Ich höre es jetzt</translation>
-    </message>
-    <message>
-        <source>NOTE</source>
-        <translation>NOTIZ</translation>
-    </message>
-    <message>
-        <source>Mark with the note</source>
-        <translation>Mit der Notiz markieren</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Note of the next marker</source>
-        <translation>Notiz der nächsten Markierung</translation>
-    </message>
-    <message>
-        <source>REMOVE</source>
-        <translation>WEG</translation>
-    </message>
-    <message>
-        <source>Remove the chosen marker</source>
-        <translation>Gewählte Markierung entfernen</translation>
-    </message>
-    <message>
-        <source>Marker removed</source>
-        <translation>Markierung entfernt</translation>
     </message>
     <message>
         <source>ALL DETECTORS</source>
@@ -3844,10 +3947,6 @@
         <translation>Jede Seite zeigt wieder den Schnitt</translation>
     </message>
     <message>
-        <source>Marked: %1</source>
-        <translation>Markiert: %1</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
     </message>
@@ -3866,6 +3965,18 @@
     <message>
         <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
         <translation>Erst über das Bild ziehen oder eine markierte Spanne wählen: die Schleife wiederholt sie</translation>
+    </message>
+    <message>
+        <source>AS %1</source>
+        <translation>ALS %1</translation>
+    </message>
+    <message>
+        <source>The next format of EXPORT</source>
+        <translation>Das nächste Format von AUSGABE</translation>
+    </message>
+    <message>
+        <source>Not scored: %1</source>
+        <translation>Nicht gewertet: %1</translation>
     </message>
 </context>
 <context>
@@ -4018,6 +4129,10 @@
         <source>PROFILE</source>
         <translation>PROFIL</translation>
     </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>AUFNAHME</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupProfile</name>
@@ -4100,6 +4215,93 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>Zuerst prüfen: jeder Schritt sagt, was gefunden wurde. Nichts wird befohlen.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupRecording</name>
+    <message>
+        <source>Who is at the machine</source>
+        <translation>Wer an der Maschine ist</translation>
+    </message>
+    <message>
+        <source>Job: what is being made</source>
+        <translation>Auftrag: was gemacht wird</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Ordner der Aufnahmen</translation>
+    </message>
+    <message>
+        <source>RECORD EVERY CUT</source>
+        <translation>JEDEN SCHNITT AUFNEHMEN</translation>
+    </message>
+    <message>
+        <source>Record every cut of this machine</source>
+        <translation>Jeden Schnitt dieser Maschine aufnehmen</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>WAS JETZT LÄUFT</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Auftrag</translation>
+    </message>
+    <message>
+        <source>WHAT IS KEPT</source>
+        <translation>WAS BLEIBT</translation>
+    </message>
+    <message>
+        <source>nothing is recorded</source>
+        <translation>nichts wird aufgenommen</translation>
+    </message>
+    <message>
+        <source>Every sample, from the beginning of the cut to its end.</source>
+        <translation>Jeder Messwert, vom Anfang des Schnitts bis zum Ende.</translation>
+    </message>
+    <message>
+        <source>What surrounds alarms, faults and touches; the time before is held in memory until then.</source>
+        <translation>Was um Alarme, Störungen und Tastendrücke liegt; die Zeit davor wird bis dahin im Speicher gehalten.</translation>
+    </message>
+    <message>
+        <source>Verdicts and indicators without samples, as a history.</source>
+        <translation>Urteile und Kennwerte ohne Messwerte, als Verlauf.</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <translation>auftrag</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>werkzeug</translation>
+    </message>
+    <message>
+        <source>Files are named by job, tool and time: %1</source>
+        <translation>Dateien heißen nach Auftrag, Werkzeug und Zeit: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded. What is chosen here begins with START on the page PROFILE.</source>
+        <translation>Nichts wird aufgenommen. Was hier gewählt ist, gilt ab STARTEN auf der Seite PROFIL.</translation>
+    </message>
+    <message>
+        <source>Recording begins with the next event, and with what was before it.</source>
+        <translation>Die Aufnahme beginnt mit dem nächsten Ereignis und dem, was davor war.</translation>
+    </message>
+    <message>
+        <source>Writes %1</source>
+        <translation>Schreibt %1</translation>
+    </message>
+    <message>
+        <source>Recording has stopped; what was recorded is in %1</source>
+        <translation>Die Aufnahme ist stehen geblieben; was aufgenommen wurde, ist in %1</translation>
+    </message>
+    <message>
+        <source>Deleted because of the limits: %1, the last one %2</source>
+        <translation>Wegen der Grenzen gelöscht: %1, zuletzt %2</translation>
     </message>
 </context>
 <context>

@@ -1822,8 +1822,16 @@
         <translation>Sensor check</translation>
     </message>
     <message>
-        <source>Settings in force</source>
-        <translation>Settings in force</translation>
+        <source>Markers</source>
+        <translation>Markers</translation>
+    </message>
+    <message>
+        <source>Settings changed during the cut</source>
+        <translation>Settings changed during the cut</translation>
+    </message>
+    <message>
+        <source>Settings at the beginning</source>
+        <translation>Settings at the beginning</translation>
     </message>
 </context>
 <context>
@@ -2924,6 +2932,46 @@
         <source>time +%1</source>
         <translation>time +%1</translation>
     </message>
+    <message>
+        <source>at the next event</source>
+        <translation>at the next event</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Date</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operator</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Job</translation>
+    </message>
+    <message>
+        <source>Marked as</source>
+        <translation>Marked as</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>By</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Set to</source>
+        <translation>Set to</translation>
+    </message>
+    <message>
+        <source>one this program does not know</source>
+        <translation>one this program does not know</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3321,6 +3369,97 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::MarkSheet</name>
+    <message>
+        <source>Label</source>
+        <translation>Label</translation>
+    </message>
+    <message>
+        <source>Label of the span</source>
+        <translation>Label of the span</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>Note of the next marker</translation>
+    </message>
+    <message>
+        <source>SPAN</source>
+        <translation>SPAN</translation>
+    </message>
+    <message>
+        <source>Mark the selected span with the label</source>
+        <translation>Mark the selected span with the label</translation>
+    </message>
+    <message>
+        <source>CHANGE</source>
+        <translation>CHANGE</translation>
+    </message>
+    <message>
+        <source>Give the chosen marker this label and note</source>
+        <translation>Give the chosen marker this label and note</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>REMOVE</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>Remove the chosen marker</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>CHATTER</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>Mark a true alarm</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>FALSE</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>Mark a false alarm</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>I HEAR IT</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>I hear it now</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>NOTE</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>Mark with the note</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Markers</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>Marked: %1</translation>
+    </message>
+    <message>
+        <source>Marker changed</source>
+        <translation>Marker changed</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>Marker removed</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::MarkerModel</name>
     <message>
         <source>, </source>
@@ -3654,12 +3793,28 @@
         <translation>Folder of the recordings</translation>
     </message>
     <message>
-        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
-        <translation>No recordings here. A cut is recorded with --record, or by the profile.</translation>
-    </message>
-    <message>
         <source>There are no recordings to work on here.</source>
         <translation>There are no recordings to work on here.</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>RECORDED</translation>
+    </message>
+    <message>
+        <source>Recordings of the folder</source>
+        <translation>Recordings of the folder</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULATED</translation>
+    </message>
+    <message>
+        <source>Simulated cuts, replayed as recordings are</source>
+        <translation>Simulated cuts, replayed as recordings are</translation>
+    </message>
+    <message>
+        <source>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</source>
+        <translation>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</translation>
     </message>
 </context>
 <context>
@@ -3717,58 +3872,6 @@
     <message>
         <source>Compare, score and export</source>
         <translation>Compare, score and export</translation>
-    </message>
-    <message>
-        <source>CHATTER</source>
-        <translation>CHATTER</translation>
-    </message>
-    <message>
-        <source>Mark a true alarm</source>
-        <translation>Mark a true alarm</translation>
-    </message>
-    <message>
-        <source>FALSE</source>
-        <translation>FALSE</translation>
-    </message>
-    <message>
-        <source>Mark a false alarm</source>
-        <translation>Mark a false alarm</translation>
-    </message>
-    <message>
-        <source>I HEAR IT</source>
-        <translation>I HEAR IT</translation>
-    </message>
-    <message>
-        <source>I hear it now</source>
-        <translation>I hear it now</translation>
-    </message>
-    <message>
-        <source>NOTE</source>
-        <translation>NOTE</translation>
-    </message>
-    <message>
-        <source>Mark with the note</source>
-        <translation>Mark with the note</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>Note</translation>
-    </message>
-    <message>
-        <source>Note of the next marker</source>
-        <translation>Note of the next marker</translation>
-    </message>
-    <message>
-        <source>REMOVE</source>
-        <translation>REMOVE</translation>
-    </message>
-    <message>
-        <source>Remove the chosen marker</source>
-        <translation>Remove the chosen marker</translation>
-    </message>
-    <message>
-        <source>Marker removed</source>
-        <translation>Marker removed</translation>
     </message>
     <message>
         <source>ALL DETECTORS</source>
@@ -3843,10 +3946,6 @@
         <translation>Every page shows the cut again</translation>
     </message>
     <message>
-        <source>Marked: %1</source>
-        <translation>Marked: %1</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>Written: %1</translation>
     </message>
@@ -3865,6 +3964,18 @@
     <message>
         <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
         <translation>Drag over the picture or choose a marked span first: the loop repeats it</translation>
+    </message>
+    <message>
+        <source>AS %1</source>
+        <translation>AS %1</translation>
+    </message>
+    <message>
+        <source>The next format of EXPORT</source>
+        <translation>The next format of EXPORT</translation>
+    </message>
+    <message>
+        <source>Not scored: %1</source>
+        <translation>Not scored: %1</translation>
     </message>
 </context>
 <context>
@@ -4017,6 +4128,10 @@
         <source>PROFILE</source>
         <translation>PROFILE</translation>
     </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>RECORDING</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupProfile</name>
@@ -4099,6 +4214,93 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>Try it out first: each step says what was found. Nothing is commanded.</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupRecording</name>
+    <message>
+        <source>Who is at the machine</source>
+        <translation>Who is at the machine</translation>
+    </message>
+    <message>
+        <source>Job: what is being made</source>
+        <translation>Job: what is being made</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Folder of the recordings</translation>
+    </message>
+    <message>
+        <source>RECORD EVERY CUT</source>
+        <translation>RECORD EVERY CUT</translation>
+    </message>
+    <message>
+        <source>Record every cut of this machine</source>
+        <translation>Record every cut of this machine</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>WHAT RUNS NOW</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operator</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>Job</translation>
+    </message>
+    <message>
+        <source>WHAT IS KEPT</source>
+        <translation>WHAT IS KEPT</translation>
+    </message>
+    <message>
+        <source>nothing is recorded</source>
+        <translation>nothing is recorded</translation>
+    </message>
+    <message>
+        <source>Every sample, from the beginning of the cut to its end.</source>
+        <translation>Every sample, from the beginning of the cut to its end.</translation>
+    </message>
+    <message>
+        <source>What surrounds alarms, faults and touches; the time before is held in memory until then.</source>
+        <translation>What surrounds alarms, faults and touches; the time before is held in memory until then.</translation>
+    </message>
+    <message>
+        <source>Verdicts and indicators without samples, as a history.</source>
+        <translation>Verdicts and indicators without samples, as a history.</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <translation>job</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>tool</translation>
+    </message>
+    <message>
+        <source>Files are named by job, tool and time: %1</source>
+        <translation>Files are named by job, tool and time: %1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded. What is chosen here begins with START on the page PROFILE.</source>
+        <translation>Nothing is recorded. What is chosen here begins with START on the page PROFILE.</translation>
+    </message>
+    <message>
+        <source>Recording begins with the next event, and with what was before it.</source>
+        <translation>Recording begins with the next event, and with what was before it.</translation>
+    </message>
+    <message>
+        <source>Writes %1</source>
+        <translation>Writes %1</translation>
+    </message>
+    <message>
+        <source>Recording has stopped; what was recorded is in %1</source>
+        <translation>Recording has stopped; what was recorded is in %1</translation>
+    </message>
+    <message>
+        <source>Deleted because of the limits: %1, the last one %2</source>
+        <translation>Deleted because of the limits: %1, the last one %2</translation>
     </message>
 </context>
 <context>

@@ -1823,8 +1823,16 @@
         <translation>传感器检查</translation>
     </message>
     <message>
-        <source>Settings in force</source>
-        <translation>当前设置</translation>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Settings changed during the cut</source>
+        <translation>切削中更改的设置</translation>
+    </message>
+    <message>
+        <source>Settings at the beginning</source>
+        <translation>开始时的设置</translation>
     </message>
 </context>
 <context>
@@ -2925,6 +2933,46 @@
         <source>time +%1</source>
         <translation>时间 +%1</translation>
     </message>
+    <message>
+        <source>at the next event</source>
+        <translation>等待下一事件</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>Marked as</source>
+        <translation>标记为</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>标记者</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>Set to</source>
+        <translation>设为</translation>
+    </message>
+    <message>
+        <source>one this program does not know</source>
+        <translation>本程序不认识的参数</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -3322,6 +3370,97 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::MarkSheet</name>
+    <message>
+        <source>Label</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Label of the span</source>
+        <translation>区段的名称</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Note of the next marker</source>
+        <translation>下一标记的备注</translation>
+    </message>
+    <message>
+        <source>SPAN</source>
+        <translation>区段</translation>
+    </message>
+    <message>
+        <source>Mark the selected span with the label</source>
+        <translation>用此名称标记所选区段</translation>
+    </message>
+    <message>
+        <source>CHANGE</source>
+        <translation>更改</translation>
+    </message>
+    <message>
+        <source>Give the chosen marker this label and note</source>
+        <translation>把此名称和备注给所选标记</translation>
+    </message>
+    <message>
+        <source>REMOVE</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove the chosen marker</source>
+        <translation>删除所选标记</translation>
+    </message>
+    <message>
+        <source>CHATTER</source>
+        <translation>颤振</translation>
+    </message>
+    <message>
+        <source>Mark a true alarm</source>
+        <translation>标为真报警</translation>
+    </message>
+    <message>
+        <source>FALSE</source>
+        <translation>误报</translation>
+    </message>
+    <message>
+        <source>Mark a false alarm</source>
+        <translation>标为误报</translation>
+    </message>
+    <message>
+        <source>I HEAR IT</source>
+        <translation>我听到了</translation>
+    </message>
+    <message>
+        <source>I hear it now</source>
+        <translation>我现在听到</translation>
+    </message>
+    <message>
+        <source>NOTE</source>
+        <translation>备注</translation>
+    </message>
+    <message>
+        <source>Mark with the note</source>
+        <translation>用备注标记</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>Marked: %1</source>
+        <translation>已标记：%1</translation>
+    </message>
+    <message>
+        <source>Marker changed</source>
+        <translation>标记已更改</translation>
+    </message>
+    <message>
+        <source>Marker removed</source>
+        <translation>标记已删除</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::MarkerModel</name>
     <message>
         <source>, </source>
@@ -3655,12 +3794,28 @@
         <translation>记录文件夹</translation>
     </message>
     <message>
-        <source>No recordings here. A cut is recorded with --record, or by the profile.</source>
-        <translation>此处没有记录。用 --record 或由配置文件记录切削。</translation>
-    </message>
-    <message>
         <source>There are no recordings to work on here.</source>
         <translation>此处没有可用的记录。</translation>
+    </message>
+    <message>
+        <source>RECORDED</source>
+        <translation>实录</translation>
+    </message>
+    <message>
+        <source>Recordings of the folder</source>
+        <translation>文件夹中的记录</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模拟</translation>
+    </message>
+    <message>
+        <source>Simulated cuts, replayed as recordings are</source>
+        <translation>模拟切削，像记录一样回放</translation>
+    </message>
+    <message>
+        <source>No recordings here. Cuts are recorded as the page SET UP, RECORDING says.</source>
+        <translation>这里没有记录。是否记录由“设置”页的“记录”决定。</translation>
     </message>
 </context>
 <context>
@@ -3718,58 +3873,6 @@
     <message>
         <source>Compare, score and export</source>
         <translation>比较、评分和导出</translation>
-    </message>
-    <message>
-        <source>CHATTER</source>
-        <translation>颤振</translation>
-    </message>
-    <message>
-        <source>Mark a true alarm</source>
-        <translation>标为真报警</translation>
-    </message>
-    <message>
-        <source>FALSE</source>
-        <translation>误报</translation>
-    </message>
-    <message>
-        <source>Mark a false alarm</source>
-        <translation>标为误报</translation>
-    </message>
-    <message>
-        <source>I HEAR IT</source>
-        <translation>我听到</translation>
-    </message>
-    <message>
-        <source>I hear it now</source>
-        <translation>我现在听到</translation>
-    </message>
-    <message>
-        <source>NOTE</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>Mark with the note</source>
-        <translation>用备注标记</translation>
-    </message>
-    <message>
-        <source>Note</source>
-        <translation>备注</translation>
-    </message>
-    <message>
-        <source>Note of the next marker</source>
-        <translation>下一标记的备注</translation>
-    </message>
-    <message>
-        <source>REMOVE</source>
-        <translation>删除</translation>
-    </message>
-    <message>
-        <source>Remove the chosen marker</source>
-        <translation>删除所选标记</translation>
-    </message>
-    <message>
-        <source>Marker removed</source>
-        <translation>标记已删除</translation>
     </message>
     <message>
         <source>ALL DETECTORS</source>
@@ -3844,10 +3947,6 @@
         <translation>所有页面恢复显示切削</translation>
     </message>
     <message>
-        <source>Marked: %1</source>
-        <translation>已标记：%1</translation>
-    </message>
-    <message>
         <source>Written: %1</source>
         <translation>已写入：%1</translation>
     </message>
@@ -3866,6 +3965,18 @@
     <message>
         <source>Drag over the picture or choose a marked span first: the loop repeats it</source>
         <translation>请先在图上拖选或选择一段已标记的区间：循环将重复播放该段</translation>
+    </message>
+    <message>
+        <source>AS %1</source>
+        <translation>%1 格式</translation>
+    </message>
+    <message>
+        <source>The next format of EXPORT</source>
+        <translation>“导出”的下一种格式</translation>
+    </message>
+    <message>
+        <source>Not scored: %1</source>
+        <translation>未评分：%1</translation>
     </message>
 </context>
 <context>
@@ -4018,6 +4129,10 @@
         <source>PROFILE</source>
         <translation>配置</translation>
     </message>
+    <message>
+        <source>RECORDING</source>
+        <translation>记录</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupProfile</name>
@@ -4100,6 +4215,93 @@
     <message>
         <source>Try it out first: each step says what was found. Nothing is commanded.</source>
         <translation>请先试运行：每一步说明结果。不发出指令。</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupRecording</name>
+    <message>
+        <source>Who is at the machine</source>
+        <translation>机床旁的人</translation>
+    </message>
+    <message>
+        <source>Job: what is being made</source>
+        <translation>任务：加工什么</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>记录文件夹</translation>
+    </message>
+    <message>
+        <source>RECORD EVERY CUT</source>
+        <translation>记录每次切削</translation>
+    </message>
+    <message>
+        <source>Record every cut of this machine</source>
+        <translation>记录这台机床的每次切削</translation>
+    </message>
+    <message>
+        <source>WHAT RUNS NOW</source>
+        <translation>当前运行</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作者</translation>
+    </message>
+    <message>
+        <source>Job</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>WHAT IS KEPT</source>
+        <translation>保留什么</translation>
+    </message>
+    <message>
+        <source>nothing is recorded</source>
+        <translation>不记录</translation>
+    </message>
+    <message>
+        <source>Every sample, from the beginning of the cut to its end.</source>
+        <translation>从切削开始到结束的每个采样。</translation>
+    </message>
+    <message>
+        <source>What surrounds alarms, faults and touches; the time before is held in memory until then.</source>
+        <translation>报警、故障和触按前后的部分；之前的时间先保存在内存中。</translation>
+    </message>
+    <message>
+        <source>Verdicts and indicators without samples, as a history.</source>
+        <translation>只有判定和指标而没有采样的历史。</translation>
+    </message>
+    <message>
+        <source>job</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>tool</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>Files are named by job, tool and time: %1</source>
+        <translation>文件按任务、刀具和时间命名：%1</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded. What is chosen here begins with START on the page PROFILE.</source>
+        <translation>没有记录。这里的选择在“配置”页按“启动”后生效。</translation>
+    </message>
+    <message>
+        <source>Recording begins with the next event, and with what was before it.</source>
+        <translation>记录从下一事件及其之前的部分开始。</translation>
+    </message>
+    <message>
+        <source>Writes %1</source>
+        <translation>正在写入 %1</translation>
+    </message>
+    <message>
+        <source>Recording has stopped; what was recorded is in %1</source>
+        <translation>记录已停止；已记录的内容在 %1</translation>
+    </message>
+    <message>
+        <source>Deleted because of the limits: %1, the last one %2</source>
+        <translation>因限额已删除 %1 个，最后一个是 %2</translation>
     </message>
 </context>
 <context>

@@ -113,28 +113,30 @@ int watch(Rig& rig, const RunOptions& options) {
   return fault.empty() && recorded ? kExitDone : kExitDevice;
 }
 
+// What is asked for here goes before what the profile says.
+Status record(Rig& rig, const config::Profile& profile, const RunOptions& options) {
+  const auto told = [](const record::Deleted& file) {
+    std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
+  };
+  if (options.record.empty()) return recordAsProfileSays(rig, profile, options.profile, told);
+  const std::string origin = config::profileText(profile, fullCatalog());
+  std::error_code unknown;
+  return std::filesystem::is_directory(options.record, unknown) ? rig.recordInto(options.record, origin, told)
+                                                                : rig.recordTo(options.record, origin);
+}
+
 int run(const RunOptions& options) {
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
   const config::ParamCatalog catalog = fullCatalog();
   auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());
   if (!options.operatorName.empty()) profile->operatorName = options.operatorName;
+  if (!options.job.empty()) profile->recording.job = options.job;
   const auto events = wireEvents();  // outlives the rig and its wires
   SetUpFault fault = SetUpFault::Input;
   auto rig = buildProfileRig(*profile, options.profile, &fault);
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
-  if (!options.record.empty()) {
-    const std::string origin = config::profileText(*profile, catalog);
-    std::error_code unknown;
-    const Status recording =
-        std::filesystem::is_directory(options.record, unknown)
-            ? (*rig)->recordInto(options.record, options.job, origin,
-                                 [](const record::Deleted& file) {
-                                   std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
-                                 })
-            : (*rig)->recordTo(options.record, origin);
-    if (!recording) return fail(recording.error());
-  }
+  if (const Status recording = record(**rig, *profile, options); !recording) return fail(recording.error());
   std::signal(SIGINT, onSignal);
   std::signal(SIGTERM, onSignal);
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
@@ -147,8 +149,11 @@ void addRun(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "Monitor a machine without a screen");
   command->add_option("--profile", o->profile, "Profile of the machine (.toml)")->required();
-  command->add_option("--record", o->record, "Record to FILE.h5, or into a FOLDER as the parameters record.* say");
-  command->add_option("--job", o->job, "Name of the job, for the names of files in a FOLDER");
+  command->add_option(
+      "--record", o->record,
+      "Record to FILE.h5, or into a FOLDER as the parameters record.* say; left out: as the profile says");
+  command->add_option("--job", o->job,
+                      "Name of the job, kept in recordings and in their names; left out: as the profile says");
   command->add_option("--operator", o->operatorName, "Who signs markers; left out: as the profile says");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");

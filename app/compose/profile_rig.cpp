@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/compose/catalog.h"
 #include "app/compose/known_lobes.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/comedi_driver.h"
@@ -118,6 +119,7 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.params = profile.params;
   spec.autoAllowed = profile.allowAuto;
   spec.operatorName = profile.operatorName;
+  spec.job = profile.recording.job;
   spec.methods.detectors = {profile.detector};
   if (!profile.fallback.empty() && profile.fallback != profile.detector) {
     spec.methods.detectors.push_back(profile.fallback);
@@ -126,6 +128,17 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.methods.strategy = profile.strategy;
   spec.watched = true;
   return Rig::build(std::move(spec), fault);
+}
+
+std::string recordingFolder(const config::Profile& profile, const std::string& path) {
+  return profile.recording.folder.empty() ? "" : besideProfile(profile.recording.folder, path);
+}
+
+Status recordAsProfileSays(Rig& rig, const config::Profile& profile, const std::string& path,
+                           std::function<void(const record::Deleted&)> told) {
+  const std::string folder = recordingFolder(profile, path);
+  if (folder.empty()) return Done{};
+  return rig.recordInto(folder, config::profileText(profile, fullCatalog()), std::move(told));
 }
 
 }  // namespace stillcut::app

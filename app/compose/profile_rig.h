@@ -36,4 +36,10 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
 Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
                                              SetUpFault* fault = nullptr);
 
+// Before the first step: `rig` is recorded below the profile's folder, if it names one. `told`: see Rig::recordInto.
+Status recordAsProfileSays(Rig& rig, const config::Profile& profile, const std::string& path,
+                           std::function<void(const record::Deleted&)> told);
+// Where that is; empty: nowhere.
+std::string recordingFolder(const config::Profile& profile, const std::string& path);
+
 }  // namespace stillcut::app

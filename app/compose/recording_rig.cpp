@@ -60,15 +60,11 @@ std::vector<std::uint32_t> chosenNow(const record::RecordingFormat& format, cons
   return chosen;
 }
 
-Result<std::unique_ptr<record::RecordingReader>> openAny(const std::string& path, const record::ReadOptions& read) {
-  return isScenarioFile(path) ? openScenario(path) : record::openRecording(path, read);
-}
-
 void controlBy(const ReplayHand& hand, const std::string& path, const record::ReadOptions& read,
                daq::ReplayOptions& replay) {
   replay.control = hand.control;
   replay.clock = hand.clock;
-  replay.reopen = [path, read] { return openAny(path, read); };
+  replay.reopen = [path, read] { return openCut(path, read); };
 }
 
 // What filters and windows are sized for before the first block.
@@ -82,7 +78,7 @@ Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
 }  // namespace
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
-  auto reader = openAny(path, options.read);
+  auto reader = openCut(path, options.read);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
 

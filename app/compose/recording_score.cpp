@@ -8,8 +8,8 @@
 #include "app/compose/catalog.h"
 #include "app/compose/recording_rig.h"
 #include "app/compose/run_text.h"
+#include "app/compose/scenario_reader.h"
 #include "core/config/profile.h"
-#include "core/record/open_recording.h"
 
 namespace stillcut::app {
 namespace {
@@ -29,7 +29,7 @@ std::string counted(const AlarmScore& s) {
 Result<config::ParamSet> paramsFor(const std::string& path, const ScoreRequest& request) {
   config::ParamSet params = request.params;
   if (request.ownParams) {
-    auto reader = record::openRecording(path);
+    auto reader = openCut(path);
     if (!reader) return reader.error();
     if ((*reader)->format().setup) {
       auto run = parseRunText((*reader)->format().configuration, path + " (configuration)");

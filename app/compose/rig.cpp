@@ -158,6 +158,7 @@ record::SessionHeader Rig::sessionHeader(const std::string& origin) const {
   header.configuration = runText({spec_.methods, spec_.autoAllowed, spec_.params}, origin);
   header.programVersion = STILLCUT_VERSION;
   if (!spec_.operatorName.empty()) header.operatorName = spec_.operatorName;
+  header.job = spec_.job;
   header.simulated = spec_.link && spec_.link->describe().simulated;
   return header;
 }
@@ -175,26 +176,26 @@ Status Rig::recordTo(const std::string& path, const std::string& origin, const r
   return Done{};
 }
 
-Status Rig::recordInto(const std::string& folder, const std::string& job, const std::string& origin,
+Status Rig::recordInto(const std::string& folder, const std::string& origin,
                        std::function<void(const record::Deleted&)> told) {
   const record::SessionHeader header = sessionHeader(origin);
   const record::RecordPlan plan = record::recordPlan(spec_.params);
-  const record::NextPath nextPath = [folder, job, plan, tool = header.setup.tool,
+  const record::NextPath nextPath = [folder, plan, job = header.job, tool = header.setup.tool,
                                      told = std::move(told)]() -> Result<std::string> {
     const auto deleted = record::applyRetention(folder, plan, record::nowUtc());
     if (!deleted) return deleted.error();
     for (const record::Deleted& file : deleted.value()) told(file);
     return record::newSessionPath(folder, job, tool, record::nowUtc());
   };
+  const auto first = nextPath();  // in every mode: what cannot be kept is known before the cut
+  if (!first) return first.error();
   std::unique_ptr<record::StepSink> sink;
   if (plan.mode == record::RecordMode::AroundEvents) {
     sink = record::aroundEvents(header, plan, nextPath, {});
   } else if (plan.mode == record::RecordMode::Features) {
     sink = record::features(header, plan, nextPath, {});
   } else {
-    const auto path = nextPath();
-    if (!path) return path.error();
-    return recordTo(path.value(), origin);
+    return recordTo(first.value(), origin);
   }
   tapInto(record::Recorder::create(std::move(sink), header.setup));
   return Done{};

@@ -34,6 +34,7 @@ struct RigSpec {
   config::ParamSet params;
   bool autoAllowed = false;  // Auto may be chosen at all
   std::string operatorName;  // signs what is touched during the cut; empty: "operator"
+  std::string job;           // what is being made, for recordings; empty: not told
   Methods methods;
   bool watched = false;        // a screen reads snapshots
   bool deterministic = false;  // advance() and runToEnd() instead of start()
@@ -67,7 +68,7 @@ class Rig {
   Status recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options = {});
   // The same below `folder`, in files named by job, tool and time, as the parameters record.* say; what they let go is
   // deleted first, and told (on the thread that records, once it runs).
-  Status recordInto(const std::string& folder, const std::string& job, const std::string& origin,
+  Status recordInto(const std::string& folder, const std::string& origin,
                     std::function<void(const record::Deleted&)> told);
   // Null: nothing is recorded.
   record::Recorder* recorder() { return recorder_.get(); }

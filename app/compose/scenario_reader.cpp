@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/milling/simulated_cut.h"
+#include "core/record/open_recording.h"
 
 namespace stillcut::app {
 namespace {
@@ -42,7 +43,8 @@ bool isScenarioFile(const std::string& path) {
   return path.ends_with(".toml");
 }
 
-Result<std::unique_ptr<record::RecordingReader>> openScenario(const std::string& path) {
+Result<std::unique_ptr<record::RecordingReader>> openCut(const std::string& path, const record::ReadOptions& options) {
+  if (!isScenarioFile(path)) return record::openRecording(path, options);
   const auto scenario = milling::loadScenario(path);
   if (!scenario) return scenario.error();
   return std::unique_ptr<record::RecordingReader>(new ScenarioReader(*scenario));

@@ -11,6 +11,8 @@
 namespace stillcut::app {
 
 bool isScenarioFile(const std::string& path);  // by its suffix, .toml
-Result<std::unique_ptr<record::RecordingReader>> openScenario(const std::string& path);
+// A scenario or any recording, by its suffix or content.
+Result<std::unique_ptr<record::RecordingReader>> openCut(const std::string& path,
+                                                         const record::ReadOptions& options = {});
 
 }  // namespace stillcut::app

@@ -6,10 +6,12 @@
 #include <memory>
 #include <utility>
 
+#include "app/compose/catalog.h"
+#include "app/compose/scenario_reader.h"
 #include "app/compose/sensor_tally.h"
 #include "core/pipeline/intervention_log.h"
 #include "core/pipeline/spectrum_tap.h"
-#include "core/record/open_recording.h"
+#include "core/record/session_markers.h"
 #include "core/record/session_overview.h"
 
 namespace stillcut::app {
@@ -18,6 +20,7 @@ namespace {
 constexpr std::size_t kMostPoints = 4096;   // of the curves
 constexpr std::size_t kMostColumns = 2048;  // of the spectrogram
 constexpr std::size_t kMostEvents = 400;
+constexpr std::size_t kMostSettings = 400;
 constexpr int kBlockFrames = 1024;
 
 CutState worse(CutState a, CutState b) {
@@ -81,7 +84,10 @@ void describeFormat(SessionSummary& summary, const std::string& path, const reco
   summary.kind = format.kind;
   summary.programVersion = format.programVersion;
   summary.configuration = format.configuration;
-  summary.session = format.setup.has_value();
+  summary.session = format.setup.has_value() && !isScenarioFile(path);
+  summary.operatorName = format.operatorName;
+  summary.job = format.job;
+  summary.started_ns = format.started_ns;
   summary.simulated = format.simulated;
   summary.closedCleanly = format.closedCleanly;
   if (format.setup) summary.setup = *format.setup;
@@ -116,6 +122,15 @@ class Builder {
     for (; seen_ < tap_.count(); ++seen_) columns_.add(tap_.column(seen_));
     addPoint(block, step, verdict, vibration);
     if (step != nullptr) follow(*step, vibration);
+  }
+
+  // On the clock of the summary.
+  std::vector<Marker> sinceFirst(std::vector<Marker> markers) const {
+    for (Marker& marker : markers) {
+      marker.begin = Instant(marker.begin - first_);
+      marker.end = Instant(marker.end - first_);
+    }
+    return markers;
   }
 
   SessionSummary finish() {
@@ -171,6 +186,7 @@ class Builder {
         summary_.events.push_back(step.output.events[static_cast<std::size_t>(e)]);
       }
     }
+    for (int i = 0; i < step.input.inputCount; ++i) noteSetting(step.input.inputs[static_cast<std::size_t>(i)]);
     // The log finds the alarms again from what was decided; its own events are already in the file.
     output_ = step.output;
     output_.eventCount = 0;
@@ -181,7 +197,29 @@ class Builder {
     for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);
   }
 
+  // The parameters' names are those of this program; what it no longer knows is told as a change all the same.
+  void noteSetting(const OperatorInput& input) {
+    if (input.action != OperatorAction::SetParameter || summary_.settingChanges.size() >= kMostSettings) return;
+    SettingChange change;
+    change.time = secondsBetween(first_, last_);
+    const config::ParamDecl* decl = declOf(input.parameter);
+    config::ParamSet value;
+    if (decl != nullptr && value.set(*decl, input.value, "recorded")) {
+      change.key = decl->key;
+      change.value = value.text(*decl);
+    }
+    summary_.settingChanges.push_back(std::move(change));
+  }
+  const config::ParamDecl* declOf(std::uint32_t parameter) const {
+    const auto& all = catalog_.all();
+    const auto found = std::find_if(all.begin(), all.end(), [parameter](const config::ParamDecl* decl) {
+      return config::parameterId(decl->key) == parameter;
+    });
+    return found == all.end() ? nullptr : *found;
+  }
+
   SessionSummary summary_;
+  const config::ParamCatalog catalog_ = fullCatalog();
   Thinned<SummaryPoint> curve_;
   Thinned<SpectrumColumn> columns_;
   SensorTally tally_;
@@ -200,7 +238,7 @@ class Builder {
 Result<SessionSummary> glimpseOf(const std::string& path) {
   SessionSummary summary;
   {
-    const auto reader = record::openRecording(path);
+    const auto reader = openCut(path);
     if (!reader) return reader.error();
     describeFormat(summary, path, (*reader)->format());
     summary.length = (*reader)->format().length();
@@ -227,7 +265,7 @@ Result<SessionSummary> glimpseOf(const std::string& path) {
 
 Result<SessionSummary> summarizeRecording(const std::string& path, const record::ReadOptions& options,
                                           const record::TimeSpan& span, const std::function<bool(double)>& goOn) {
-  auto reader = record::openRecording(path, options);
+  auto reader = openCut(path, options);
   if (!reader) return reader.error();
   if (!span.whole()) {
     reader = record::openSpan(std::move(*reader), span, path);
@@ -250,7 +288,13 @@ Result<SessionSummary> summarizeRecording(const std::string& path, const record:
     if (goOn && !goOn(framesRead / allFrames)) return Error{path, "stopped", ""};
   }
   if (blocks == 0) return Error{path, "holds no samples", ""};
-  return builder.finish();
+  SessionSummary summary = builder.finish();
+  if (summary.session) {
+    auto markers = record::readMarkers(path);
+    if (!markers) return markers.error();
+    summary.markers = builder.sinceFirst(std::move(markers).value());
+  }
+  return summary;
 }
 
 }  // namespace stillcut::app

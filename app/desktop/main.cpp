@@ -1,5 +1,5 @@
 // stillcut: the desktop program.
-//   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5] [--theme light|dark|contrast] [--size WxH]
+//   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5|FOLDER] [--theme light|dark|contrast] [--size WxH]
 //            [--language en|de|zh] [--page ID]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
@@ -64,8 +64,9 @@ Result<Options> parse(const QStringList& arguments) {
                                     QStringLiteral("FILE"));
   const QCommandLineOption profile(QStringLiteral("profile"), QStringLiteral("Machine to monitor."),
                                    QStringLiteral("FILE"));
-  const QCommandLineOption record(QStringLiteral("record"), QStringLiteral("Record the session."),
-                                  QStringLiteral("FILE.h5"));
+  const QCommandLineOption record(QStringLiteral("record"),
+                                  QStringLiteral("Record to FILE.h5, or into a FOLDER as the parameters record.* say."),
+                                  QStringLiteral("FILE.h5|FOLDER"));
   const QCommandLineOption screenshot(QStringLiteral("screenshot"),
                                       QStringLiteral("Write a picture of a page and end."), QStringLiteral("FILE.png"));
   const QCommandLineOption page(QStringLiteral("page"),
@@ -165,6 +166,14 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
   return fail(options.screenshot.toStdString() + ": cannot be written");
 }
 
+// Where recordings are kept and looked for.
+QString recordingsOf(const Options& options) {
+  if (options.record.isEmpty())
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recordings");
+  const QFileInfo given(options.record);
+  return given.isDir() ? given.absoluteFilePath() : given.absolutePath();
+}
+
 bool needsNoDisplay(int argc, char** argv) {
   static constexpr std::array<std::string_view, 6> kQuiet{"--report", "--version", "-v", "--help", "-h", "--help-all"};
   return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::ranges::count(kQuiet, word) > 0; });
@@ -187,21 +196,22 @@ int run(int argc, char** argv) {
     return made ? 0 : fail(made.error().line());
   }
   const bool live = options->screenshot.isEmpty();
-  auto session = options->profile.isEmpty() ? openScenarioSession(options->scenario.toStdString(), live)
-                                            : openProfileSession(options->profile.toStdString());
+  auto session = options->profile.isEmpty()
+                     ? openScenarioSession(options->scenario.toStdString(), live)
+                     : openProfileSession(options->profile.toStdString(),
+                                          options->record.isEmpty() ? Recorded::AsProfileSays : Recorded::Otherwise);
   if (!session) return fail(session.error().line());
+  const bool recordFolder = QFileInfo(options->record).isDir();
   if (!options->record.isEmpty()) {
-    const Status recording = (*session)->recordTo(options->record.toStdString());
+    const std::string where = options->record.toStdString();
+    const Status recording = recordFolder ? (*session)->recordInto(where) : (*session)->recordTo(where);
     if (!recording) return fail(recording.error().line());
   }
 
   // Pictures are made of what the command line says alone.
   if (live) (*session)->keepStateIn(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
   (*session)->demonstrateWith((resourceFolder() / "scenarios/demo.toml").string());
-  (*session)->listRecordingsIn(options->record.isEmpty()
-                                   ? QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                                         QStringLiteral("/recordings")
-                                   : QFileInfo(options->record).absolutePath());
+  (*session)->keepRecordingsIn(recordingsOf(*options));
   ui::MainWindow window(**session, options->theme, options->language);
   if (live) window.restorePlace();
   window.showPage(options->page);

@@ -15,6 +15,7 @@
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
+#include "core/record/record_params.h"
 
 namespace stillcut::app {
 namespace {
@@ -86,6 +87,10 @@ std::vector<config::AskedSetting> MachineDesk::linkSettings(const config::Profil
   request.asked = &asked;
   (void)cnc::makeLink(profile.link.id, request).ok();
   return asked;
+}
+
+config::ParamTable MachineDesk::recordParams() const {
+  return record::recordParams();
 }
 
 std::string MachineDesk::profileFile(const QString& name) const {

@@ -22,12 +22,15 @@ class MachineDesk final : public ui::SetupDesk {
  public:
   // Empty: nothing can be kept.
   void keepIn(const QString& folder) { folder_ = folder; }
+  // Where recordings go when nobody says otherwise.
+  void recordIn(const QString& folder) { recordings_ = folder; }
   // The session: what runs, and how another cut takes its place.
   std::function<config::Profile()> running;
   std::function<Status(const std::string& profile)> begin;
   std::function<Status()> beginDemonstration;
   std::function<LinkDelays()> measured;                  // by the run
   std::function<std::vector<ui::JoinedClock>()> clocks;  // of the run's device
+  std::function<ui::RecordingNow()> recorded;            // by the run
   std::string inForce;                                   // file of the profile that runs; empty: none
 
   bool poll() override;
@@ -37,6 +40,9 @@ class MachineDesk final : public ui::SetupDesk {
   std::vector<ui::PartOption> strategies() const override;
   std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const override;
   std::vector<config::AskedSetting> linkSettings(const config::Profile& profile) const override;
+  config::ParamTable recordParams() const override;
+  QString usualRecordings() const override { return recordings_; }
+  ui::RecordingNow recordingNow() const override { return recorded ? recorded() : ui::RecordingNow(); }
   QStringList profiles() const override;
   QString profileInForce() const override;
   Result<config::Profile> load(const QString& name) const override;
@@ -62,7 +68,7 @@ class MachineDesk final : public ui::SetupDesk {
   std::string profileFileOrNew(const QString& name) const;
   config::Profile withDelays(config::Profile profile) const;
 
-  QString folder_;
+  QString folder_, recordings_;
   std::vector<ui::TrialStep> trial_;
   LinkDelays tried_;
   ui::SensorTrial sensorTrial_;

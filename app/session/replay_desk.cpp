@@ -6,12 +6,13 @@
 #include <utility>
 
 #include "app/compose/recording_rig.h"
-#include "app/compose/recording_score.h"
+#include "app/compose/scenario_reader.h"
 #include "app/compose/session_summary_builder.h"
+#include "app/session/detector_runs.h"
+#include "app/session/scenario_list.h"
 #include "app/session/session_view.h"
 #include "core/detect/registry.h"
 #include "core/record/convert_recording.h"
-#include "core/record/open_recording.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_overview.h"
 
@@ -28,29 +29,6 @@ struct ReplayDesk::Opened {
 };
 
 namespace {
-
-std::vector<std::string> allDetectors() {
-  std::vector<std::string> all;
-  for (const auto& row : detect::detectorTable()) all.emplace_back(row.id);
-  return all;
-}
-
-QString labelOf(const std::string& id) {
-  for (const auto& row : detect::detectorTable()) {
-    if (row.id == id) return viewText(row.make()->describe().label);
-  }
-  return QString::fromStdString(id);
-}
-
-std::vector<ui::AlarmSpan> spansOf(const std::vector<Alarm>& alarms) {
-  std::vector<ui::AlarmSpan> spans;
-  for (const Alarm& alarm : alarms) spans.push_back({alarm.begin, alarm.end});
-  return spans;
-}
-
-ui::ScoreLine lineOf(const std::string& detector, const AlarmScore& s) {
-  return {labelOf(detector), s.spans, s.found, s.alarms, s.falseAlarms, s.falsePerHour(), s.delayQuantile(0.5)};
-}
 
 Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayHand& hand, bool session) {
   auto built = session ? buildReplayRig(path, hand) : [&] {
@@ -83,7 +61,8 @@ void ReplayDesk::closeRun() {
 }
 
 bool ReplayDesk::poll() {
-  const bool listed = lister_.collect();
+  const bool simulated = scenarioTask_.collect();
+  const bool listed = lister_.collect() || simulated;
   const bool done = task_.collect();
   const bool read = whole_.collect();
   if (done && !run_ && summary_) {  // what was open stays where another could not be opened
@@ -95,6 +74,10 @@ bool ReplayDesk::poll() {
 
 void ReplayDesk::setFolder(const QString& folder) {
   lister_.list(folder);
+  scenarioTask_.start(ui::TaskState::What::None, folder,
+                      [this, folder](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+                        return BackgroundTask::Apply([this, found = scenariosFor(folder)] { scenarios_ = found; });
+                      });
   changed_ = true;
 }
 
@@ -150,6 +133,7 @@ void ReplayDesk::takeOpened(const std::shared_ptr<Opened>& opened) {
   markers_ = opened->markers;
   tracks_.clear();
   scores_.clear();
+  notScored_.clear();
   hand_ = {};
   opened->control->setPace(hand_.pace);
   opened->control->step();  // the first block: there is something to see
@@ -203,7 +187,7 @@ Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& c
   closeRun();
   const bool reading = whole_.state().running;
   whole_.cancel();
-  const Status done = change(path_.toStdString());
+  Status done = change(path_.toStdString());
   auto markers = record::readMarkers(path_.toStdString());
   if (markers) markers_ = std::move(markers).value();
   lister_.setMarkers(path_, static_cast<int>(markers_.size()));
@@ -269,7 +253,7 @@ void ReplayDesk::endLoop() {
 Status ReplayDesk::showEverywhere(bool on) {
   if (on && !run_) return Error{"replay", "nothing is open", ""};
   if (on && mayShow) {
-    if (const Status may = mayShow(); !may) return may;
+    if (Status may = mayShow(); !may) return may;
   }
   if (everywhere_ != on) ++generation_;
   everywhere_ = on;
@@ -287,6 +271,16 @@ Status ReplayDesk::mark(Seconds from, Seconds to, const QString& label, const QS
     const auto added = record::addMarker(file, marker);
     return added ? Status(Done{}) : Status(added.error());
   });
+}
+
+Status ReplayDesk::changeMark(std::uint64_t number, const QString& label, const QString& note) {
+  const auto found =
+      std::find_if(markers_.begin(), markers_.end(), [number](const Marker& m) { return m.number == number; });
+  if (found == markers_.end()) return Error{"marker", "is no longer there", ""};
+  Marker marker = *found;
+  marker.label = label.toStdString();
+  marker.note = note.toStdString();
+  return changeFile([&marker](const std::string& file) { return record::changeMarker(file, marker); });
 }
 
 Status ReplayDesk::removeMark(std::uint64_t number) {
@@ -311,28 +305,9 @@ void ReplayDesk::runDetectors(const QStringList& settings) {
   task_.start(
       ui::TaskState::What::Detectors, path_,
       [this, file = path_.toStdString(), wanted](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-        const auto truth = truthOf(file);
-        const RecordedTruth known = truth && truth.value() ? *truth.value() : RecordedTruth{};
-        ScoreRequest request;
-        request.detectors = allDetectors();
-        const double passes = wanted.empty() ? 1.0 : 2.0;
-        double pass = 0.0;
-        request.goOn = [&](double part) {
-          progress.part.store((pass + part) / passes, std::memory_order_relaxed);
-          return !progress.stop.load(std::memory_order_relaxed);
-        };
-        const auto before = scoreRecording(file, known, request);
-        if (!before) return before.error();
-        pass = 1.0;
-        request.settings = wanted;
-        const auto after = wanted.empty() ? before : scoreRecording(file, known, request);
-        if (!after) return after.error();
-        std::vector<ui::DetectorTrack> tracks;
-        for (const std::string& id : request.detectors) {
-          tracks.push_back({labelOf(id), spansOf(before->alarms.at(id)), spansOf(after->alarms.at(id)), !wanted.empty(),
-                            before->byDetector.at(id).falseAlarms, after->byDetector.at(id).falseAlarms});
-        }
-        return BackgroundTask::Apply([this, tracks = std::move(tracks)] { tracks_ = tracks; });
+        auto tracks = trackDetectors(file, wanted, progress);
+        if (!tracks) return tracks.error();
+        return BackgroundTask::Apply([this, tracks = std::move(tracks).value()] { tracks_ = tracks; });
       });
 }
 
@@ -345,28 +320,12 @@ void ReplayDesk::score(bool wholeFolder) {
   }
   task_.start(ui::TaskState::What::Scoring, wholeFolder ? folder() : path_,
               [this, files](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-                ScoreRequest request;
-                request.detectors = allDetectors();
-                std::map<std::string, AlarmScore> sums;
-                double done = 0.0;
-                request.goOn = [&](double part) {
-                  progress.part.store((done + part) / static_cast<double>(files.size()), std::memory_order_relaxed);
-                  return !progress.stop.load(std::memory_order_relaxed);
-                };
-                for (const std::string& file : files) {
-                  const auto truth = truthOf(file);
-                  if (!truth) return truth.error();
-                  if (truth.value()) {
-                    const auto scored = scoreRecording(file, *truth.value(), request);
-                    if (!scored) return scored.error();
-                    for (const auto& [id, one] : scored->byDetector) sums[id].add(one);
-                  }
-                  done += 1.0;
-                }
-                if (sums.empty()) return Error{"score", "nothing is marked here", "mark true and false alarms first"};
-                std::vector<ui::ScoreLine> lines;
-                for (const std::string& id : request.detectors) lines.push_back(lineOf(id, sums[id]));
-                return BackgroundTask::Apply([this, lines = std::move(lines)] { scores_ = lines; });
+                auto scores = scoreFiles(files, progress);
+                if (!scores) return scores.error();
+                return BackgroundTask::Apply([this, scores = std::move(scores).value()] {
+                  scores_ = scores.lines;
+                  notScored_ = scores.notScored;
+                });
               });
 }
 
@@ -375,7 +334,7 @@ void ReplayDesk::exportSpan(Seconds from, Seconds to, const QString& file) {
   task_.start(ui::TaskState::What::Exporting, file,
               [from, to, in = path_.toStdString(),
                out = file.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                const Status done = record::convertRecording(in, out, {}, {from, to});
+                const Status done = record::convertRecording(in, out, {}, {from, to}, openCut);
                 if (!done) return done.error();
                 return BackgroundTask::Apply{};
               });

@@ -35,6 +35,7 @@ class ReplayDesk final : public ui::SessionDesk {
   QString folder() const override { return lister_.folder(); }
   void setFolder(const QString& folder) override;
   const std::vector<ui::SessionEntry>& entries() const override { return lister_.entries(); }
+  const std::vector<ui::SessionEntry>& scenarios() const override { return scenarios_; }
   void open(const QString& path) override;
   QString openedPath() const override { return path_; }
   std::shared_ptr<const SessionSummary> summary() const override { return summary_; }
@@ -55,6 +56,7 @@ class ReplayDesk final : public ui::SessionDesk {
   const std::vector<Marker>& markers() const override { return markers_; }
   Seconds markerTime(const Marker& marker) const override { return secondsBetween(begin_, marker.begin); }
   Status mark(Seconds from, Seconds to, const QString& label, const QString& note) override;
+  Status changeMark(std::uint64_t number, const QString& label, const QString& note) override;
   Status removeMark(std::uint64_t number) override;
 
   QStringList tunedSettings() const override { return tuned ? tuned() : QStringList(); }
@@ -62,6 +64,7 @@ class ReplayDesk final : public ui::SessionDesk {
   const std::vector<ui::DetectorTrack>& tracks() const override { return tracks_; }
   void score(bool wholeFolder) override;
   const std::vector<ui::ScoreLine>& scores() const override { return scores_; }
+  const QStringList& notScored() const override { return notScored_; }
   void exportSpan(Seconds from, Seconds to, const QString& file) override;
   ui::TaskState task() const override;
   void cancel() override;
@@ -83,6 +86,7 @@ class ReplayDesk final : public ui::SessionDesk {
   std::vector<Marker> markers_;
   std::vector<ui::DetectorTrack> tracks_;
   std::vector<ui::ScoreLine> scores_;
+  QStringList notScored_;
   SteadyClock clock_;  // of the replay's pace
   std::unique_ptr<ReplayRun> run_;
   ui::SessionInfo info_;
@@ -91,6 +95,8 @@ class ReplayDesk final : public ui::SessionDesk {
   bool changed_ = true;
   std::uint32_t generation_ = 0;
   SessionLister lister_;
+  std::vector<ui::SessionEntry> scenarios_;
+  BackgroundTask scenarioTask_;
   BackgroundTask task_;
   BackgroundTask whole_;  // reads the whole of what is open
 };

@@ -31,12 +31,28 @@ Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string con
   replays_.tuned = [this] { return tunedSettings(); };
   machine_.running = [this] { return runningProfile(); };
   machine_.measured = [this] { return LinkDelays{runningProfile().link, {}, effect_}; };
+  machine_.recorded = [this] { return deletions_.told(rig_->recorder()); };
   machine_.clocks = [this] { return joinedClocks(rig_->device()); };
   machine_.begin = [this](const std::string& path) { return switchTo([&path] { return openProfileSession(path); }); };
 }
 
 Session::~Session() {
   (void)stop().ok();
+}
+
+Status Session::recordInto(const std::string& folder) {
+  recordings_ = QString::fromStdString(folder);
+  return rig_->recordInto(folder, configuration_, deletions_.teller());
+}
+
+Status Session::recordAsSaid(const config::Profile& profile, const std::string& path) {
+  recordings_ = QString::fromStdString(recordingFolder(profile, path));
+  return recordAsProfileSays(*rig_, profile, path, deletions_.teller());
+}
+
+void Session::keepRecordingsIn(const QString& folder) {
+  machine_.recordIn(folder);
+  replays_.setFolder(recordings_.isEmpty() ? folder : recordings_);
 }
 
 void Session::start() {
@@ -74,7 +90,7 @@ Status Session::switchTo(const Opening& open) {
   if (rig_->hasLink() && !rig_->linkInfo().simulated && authority_ != Authority::Off) {
     return Error{"start", "the machine is under our authority", "set it to Off first"};
   }
-  if (const Status kept = stop(); !kept) return kept;
+  if (Status kept = stop(); !kept) return kept;
   auto next = open();
   if (!next)
     return Error{next.error().where, next.error().what, next.error().why + "; the cut before has been stopped"};
@@ -85,6 +101,9 @@ Status Session::switchTo(const Opening& open) {
   profile_ = std::move((*next)->profile_);
   lobes_ = std::move((*next)->lobes_);
   active_ = std::move((*next)->active_);
+  deletions_ = std::move((*next)->deletions_);
+  recordings_ = (*next)->recordings_;
+  if (!recordings_.isEmpty()) replays_.setFolder(recordings_);
   machine_.inForce = profile_;
   tuned_.clear();
   authority_ = Authority::Off;
@@ -143,7 +162,9 @@ Status Session::mayShowReplay() const {
 
 QStringList Session::tunedSettings() const {
   QStringList settings;
-  for (const auto& [key, value] : tuned_) settings.push_back(QString::fromStdString(key + "=" + value));
+  for (const auto& [key, value] : tuned_) {
+    settings.push_back(QStringLiteral("%1=%2").arg(QString::fromStdString(key), QString::fromStdString(value)));
+  }
   return settings;
 }
 
@@ -184,6 +205,7 @@ ui::RecorderStatus Session::recorder() const {
   shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;
   shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
   shown.problem = QString::fromStdString(status.fault);
+  shown.waiting = status.recording && status.written > 0 && !status.writing;
   return shown;
 }
 
@@ -208,7 +230,7 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   return session;
 }
 
-Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
+Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Recorded recorded) {
   const config::ParamCatalog catalog = fullCatalog();
   const auto profile = config::loadProfile(path, catalog, knownIds());
   if (!profile) return profile.error();
@@ -225,6 +247,9 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path) {
     session->setActive(std::make_unique<ActiveDesk>(std::move(parts->device), parts->options, activeClock()));
   }
   session->madeFrom(path);
+  if (recorded == Recorded::AsProfileSays) {
+    if (const Status recording = session->recordAsSaid(*profile, path); !recording) return recording.error();
+  }
   auto lobes = LobeWorker::ofProfile(*profile, path);
   if (!lobes) return lobes.error();
   session->setLobes(std::move(lobes).value());

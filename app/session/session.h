@@ -12,6 +12,7 @@
 #include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
 #include "app/session/active_desk.h"
+#include "app/session/deletions.h"
 #include "app/session/lobe_worker.h"
 #include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
@@ -32,6 +33,10 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
 
   // Before start(): everything goes to the session file as well.
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
+  // The same below a folder, as the parameters record.* say.
+  Status recordInto(const std::string& folder);
+  // The same where `profile`, of the file `path`, says so.
+  Status recordAsSaid(const config::Profile& profile, const std::string& path);
   // The file that changed parameters are kept in.
   void madeFrom(const std::string& profile) { profile_ = machine_.inForce = profile; }
   // Before the window is made: where the screens keep what outlives a restart.
@@ -71,7 +76,8 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   ui::SessionDesk* sessions() override { return &replays_; }
   ui::ActiveDesk* active() override { return active_.get(); }
   ui::SetupDesk* setup() override { return &machine_; }
-  void listRecordingsIn(const QString& folder) { replays_.setFolder(folder); }
+  // Lists them, and puts them there when a profile does not say otherwise.
+  void keepRecordingsIn(const QString& folder);
 
   std::uint32_t tuningRun() const override { return generation(); }
   const std::vector<ui::TunablePart>& tunableParts() const override;
@@ -98,6 +104,8 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   ui::SessionInfo info_;
   std::string configuration_;
   QString stateFolder_;
+  QString recordings_;  // folder of this run's; empty: not recorded into one
+  Deletions deletions_;
   std::unique_ptr<LobeWorker> lobes_;
   std::unique_ptr<ActiveDesk> active_;
   std::string profile_;                         // the run was made from; empty: none
@@ -114,7 +122,10 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
 // at the start where the scenario grants it.
 Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bool live);
 
-// A live session on the device and the machine of a profile. Authority starts Off.
-Result<std::unique_ptr<Session>> openProfileSession(const std::string& path);
+// A live session on the device and the machine of a profile. Authority starts Off. It is recorded as the profile says,
+// unless it is recorded otherwise.
+enum class Recorded { AsProfileSays, Otherwise };
+Result<std::unique_ptr<Session>> openProfileSession(const std::string& path,
+                                                    Recorded recorded = Recorded::AsProfileSays);
 
 }  // namespace stillcut::app

@@ -143,6 +143,8 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   profile.fallback = idFrom(control, "fallback", "", known.detectors);
   profile.strategy = idFrom(control, "strategy", profile.strategy, known.strategies);
   profile.allowAuto = control.booleanOr("allow_auto", false);
+  const TomlTable recording = root.tableOr("recording");
+  profile.recording = {recording.textOr("folder", ""), recording.textOr("job", "")};
   ParamReading parameters{catalog, renames, version, {}, std::nullopt};
   parameters.read(root.tableOr("parameters"), "");
   if (const Status finished = in.finish(); !finished) return finished.error();
@@ -185,6 +187,13 @@ void writeCut(TomlWriter& out, const Profile& profile) {
     if (!channel.coupling.empty()) out.text("coupling", channel.coupling);
     if (!channel.place.empty()) out.text("place", channel.place);
   }
+}
+
+void writeRecording(TomlWriter& out, const RecordingChoice& recording) {
+  if (recording.folder.empty() && recording.job.empty()) return;
+  out.table("recording");
+  if (!recording.folder.empty()) out.text("folder", recording.folder);
+  if (!recording.job.empty()) out.text("job", recording.job);
 }
 
 }  // namespace
@@ -242,6 +251,7 @@ std::string profileText(const Profile& profile, const ParamCatalog& catalog) {
   if (!profile.fallback.empty()) out.text("fallback", profile.fallback);
   out.text("strategy", profile.strategy);
   out.boolean("allow_auto", profile.allowAuto);
+  writeRecording(out, profile.recording);
   writeParameters(out, profile.params, catalog);
   return out.content();
 }

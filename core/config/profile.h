@@ -16,6 +16,7 @@
 //   [link]       id        [link.settings]    keys of that machine link
 //   [active]     id        [active.settings]  keys of the active work-holder's device
 //   [control]    detector, fallback, strategy, allow_auto
+//   [recording]  folder, job                             every run is recorded below it; how: the parameters record.*
 //   [parameters.energy-ratio]  chatter = 0.2             a declared key, its part as a table
 //
 // Thread: set-up.
@@ -44,11 +45,18 @@ struct PartChoice {
   std::map<std::string, std::string> settings;
 };
 
+// Whether a run of this machine is recorded, and under which name.
+struct RecordingChoice {
+  std::string folder;  // empty: it is not; relative: beside the profile
+  std::string job;     // what is being made; empty: not told
+};
+
 struct Profile {
   CutSetup cut;       // rate and blockFrames are the source's affair and not part of a profile
   std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
   Metres depth{};     // of the cut; 0: unknown
   std::string operatorName;  // empty: not told
+  RecordingChoice recording;
   PartChoice source;
   PartChoice link;
   PartChoice active;                      // device of the active work-holder

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/model/cut_setup.h"
 #include "core/model/event.h"
+#include "core/model/marker.h"
 #include "core/model/operator_input.h"
 #include "core/model/snapshot.h"
 #include "core/model/verdict.h"
@@ -46,11 +47,20 @@ struct SummaryPoint {
   double feed_m_s = 0.0;  // as commanded; 0: unknown
 };
 
+// A parameter that somebody set during the cut.
+struct SettingChange {
+  Seconds time{};     // since the first sample
+  std::string key;    // "energy-ratio.chatter"; empty: of a program that had others
+  std::string value;  // as text
+};
+
 struct SessionSummary {
   std::string file;
   std::string kind;  // "Stillcut session", "WAV"
   std::string programVersion;
-  std::string configuration;  // TOML, as in force
+  std::string configuration;      // TOML, as in force
+  std::string operatorName, job;  // empty: not told
+  std::int64_t started_ns = 0;    // ns since 1970 UTC; 0: not told
   CutSetup setup;
   bool session = false;  // verdicts and decisions are in the file
   bool simulated = false;
@@ -66,6 +76,8 @@ struct SessionSummary {
   std::vector<Intervention> interventions;
   std::vector<Event> events;  // the first few hundred
   std::uint64_t eventCount = 0;
+  std::vector<Marker> markers;                // times since the first sample
+  std::vector<SettingChange> settingChanges;  // the first few hundred
 
   std::vector<SummaryPoint> curve;
   std::vector<SpectrumColumn> spectrogram;  // of the first channel

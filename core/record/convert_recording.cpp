@@ -5,7 +5,6 @@
 #include <memory>
 #include <vector>
 
-#include "core/record/open_recording.h"
 #include "core/record/recording_sink.h"
 
 namespace stillcut::record {
@@ -14,8 +13,8 @@ namespace {
 constexpr int kBlockFrames = 4096;
 
 Result<std::unique_ptr<RecordingReader>> openPart(const std::string& from, const ReadOptions& options,
-                                                  const TimeSpan& span) {
-  Result<std::unique_ptr<RecordingReader>> reader = openRecording(from, options);
+                                                  const TimeSpan& span, const OpenCut& open) {
+  Result<std::unique_ptr<RecordingReader>> reader = open(from, options);
   if (!reader || span.whole()) return reader;
   return openSpan(std::move(*reader), span, from);
 }
@@ -79,8 +78,8 @@ Status fillGap(RecordingSink& sink, const SampleBlock& after, GapStyle style, co
 }  // namespace
 
 Status convertRecording(const std::string& from, const std::string& to, const ReadOptions& options,
-                        const TimeSpan& span) {
-  Result<std::unique_ptr<RecordingReader>> reader = openPart(from, options, span);
+                        const TimeSpan& span, const OpenCut& open) {
+  Result<std::unique_ptr<RecordingReader>> reader = openPart(from, options, span, open);
   if (!reader) return reader.error();
   ExportPlan plan;
   plan.channels = (*reader)->format().channels;
@@ -88,7 +87,7 @@ Status convertRecording(const std::string& from, const std::string& to, const Re
   if (sinkNeedsLook(to)) {
     if (const Status s = look(**reader, to, plan); !s) return s.error();
     if (plan.frames == 0) return Error{from, "the span holds no samples", ""};
-    reader = openPart(from, options, span);
+    reader = openPart(from, options, span, open);
     if (!reader) return reader.error();
   }
   Result<std::unique_ptr<RecordingSink>> sink = createSink(to, plan);

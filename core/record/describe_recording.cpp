@@ -1,5 +1,7 @@
 #include "core/record/describe_recording.h"
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
@@ -42,7 +44,12 @@ std::string markerLine(const Marker& m, Instant begin) {
   return text + (m.note.empty() ? "" : " " + m.note) + "\n";
 }
 
-std::string sessionText(const RecordingFormat& format, const SessionCounts& counts) {
+std::string unclosedText(const std::string& path) {
+  const std::string text = "not closed: still being written, or cut off by a crash";
+  return access(path.c_str(), W_OK) == 0 ? text : text + "; read as it is, for it cannot be written to";
+}
+
+std::string sessionText(const std::string& path, const RecordingFormat& format, const SessionCounts& counts) {
   std::string text;
   if (format.setup) {
     text += "machine      " + format.setup->machine + "\ntool         " + format.setup->tool + "\n";
@@ -50,12 +57,15 @@ std::string sessionText(const RecordingFormat& format, const SessionCounts& coun
             number(toMmPerMin(format.setup->nominalFeed)) + " mm/min, " + std::to_string(format.setup->teeth) +
             " teeth\n";
   }
+  if (format.started_ns > 0) text += "recorded     " + utcText(format.started_ns) + "\n";
+  if (!format.operatorName.empty()) text += "operator     " + format.operatorName + "\n";
+  if (!format.job.empty()) text += "job          " + format.job + "\n";
   text += "program      " + format.programVersion + (format.simulated ? ", simulated machine" : "") + "\n";
   text += "steps        " + std::to_string(counts.steps) + ", with " + std::to_string(counts.gaps) + " gaps\n";
-  text += "recorded     " + std::to_string(counts.verdicts) + " verdicts, " + std::to_string(counts.commands) +
+  text += "holds        " + std::to_string(counts.verdicts) + " verdicts, " + std::to_string(counts.commands) +
           " commands, " + std::to_string(counts.events) + " events, " + std::to_string(counts.inputs) +
           " operator inputs\n";
-  if (!format.closedCleanly) text += "state        not closed: still being written, or cut off by a crash\n";
+  if (!format.closedCleanly) text += "state        " + unclosedText(path) + "\n";
   for (const Event& event : counts.firstEvents) {
     text += "event        " + number(sinceEpoch(event.time).value) + " s: " + sentence(event.reason) + "\n";
   }
@@ -69,6 +79,9 @@ nlohmann::ordered_json sessionJson(const RecordingFormat& format, const SessionC
   session["closed_cleanly"] = format.closedCleanly;
   session["simulated"] = format.simulated;
   session["program_version"] = format.programVersion;
+  session["started_utc"] = format.started_ns > 0 ? utcText(format.started_ns) : "";
+  session["operator"] = format.operatorName;
+  session["job"] = format.job;
   if (format.setup) {
     session["machine"] = format.setup->machine;
     session["tool"] = format.setup->tool;
@@ -122,7 +135,7 @@ std::string toText(const RecordingDescription& description) {
   text += "length       " + number(format.length().value) + " s, " + std::to_string(format.frames) + " frames\n";
   for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
   for (const std::string& skipped : format.skipped) text += "no channel   " + skipped + "\n";
-  if (description.session) text += sessionText(format, *description.session);
+  if (description.session) text += sessionText(description.path, format, *description.session);
   return text;
 }
 

@@ -104,6 +104,7 @@ bool Recorder::drain() {
     (sink_ ? written_ : dropped_).fetch_add(1);
     ring_.pop();
   }
+  writing_.store(sink_ != nullptr && sink_->writer() != nullptr);
   return sink_ != nullptr;
 }
 
@@ -167,6 +168,7 @@ RecorderStatus Recorder::status() const {
   s.recording = recording_.load();
   s.written = written_.load();
   s.dropped = dropped_.load();
+  s.writing = writing_.load();
   const std::scoped_lock lock(faultLock_);
   s.path = path_;
   s.fault = fault_;

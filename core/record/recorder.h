@@ -31,7 +31,8 @@ struct RecorderStatus {
   std::string fault;          // one line: why it stopped by itself; empty otherwise
   std::uint64_t written = 0;  // steps handed to the file
   std::uint64_t dropped = 0;  // steps that found no free slot, or came after the stop
-  std::string path;
+  std::string path;           // of the file, or of the last one
+  bool writing = false;       // a file is open: around events there is none most of the time
 };
 
 class Recorder {
@@ -75,6 +76,7 @@ class Recorder {
   std::atomic<bool> recording_{true};
   std::atomic<std::uint64_t> written_{0};
   std::atomic<std::uint64_t> dropped_{0};
+  std::atomic<bool> writing_{false};
   mutable std::mutex faultLock_;  // of the two below
   std::string fault_;
   std::string path_;

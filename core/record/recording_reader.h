@@ -41,6 +41,8 @@ struct RecordingFormat {
   std::optional<CutSetup> setup;     // sessions only
   std::string configuration;         // sessions only: the whole text in force
   std::string programVersion;        // sessions only
+  std::string operatorName, job;     // sessions only; empty: not told
+  std::int64_t started_ns = 0;       // sessions only: ns since 1970 UTC; 0: not told
   bool simulated = false;            // sessions only
   bool closedCleanly = true;         // sessions only: false after a crash, or while still being written
   Seconds length() const { return Seconds(rate.value > 0.0 ? static_cast<double>(frames) / rate.value : 0.0); }

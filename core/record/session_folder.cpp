@@ -1,6 +1,7 @@
 #include "core/record/session_folder.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,7 @@ Result<std::string> newSessionPath(const std::string& folder, const std::string&
   std::error_code problem;
   fs::create_directories(place, problem);
   if (problem) return Error{place.string(), "the folder cannot be made", problem.message()};
+  if (access(place.c_str(), W_OK) != 0) return Error{place.string(), "the folder cannot be written to", ""};
   const std::time_t seconds = utc_ns / 1'000'000'000;
   std::tm parts{};
   char text[40] = "";

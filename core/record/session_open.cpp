@@ -200,6 +200,9 @@ Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path) {
   format.kind = "Stillcut session";
   format.configuration = readText(file, "configuration").value_or("");
   format.programVersion = readText(file, "program_version").value_or("");
+  format.operatorName = readText(file, "operator").value_or("");
+  format.job = readText(file, "job").value_or("");
+  format.started_ns = readInteger(file, "started_utc_ns").value_or(0);
   format.simulated = readInteger(file, "simulated").value_or(0) != 0;
   format.rate = setup->rate;
   format.blockFrames = setup->blockFrames;

@@ -28,8 +28,9 @@ bool writeHeader(hid_t file, const SessionHeader& header, bool samples) {
          writeText(file, "reason_codes", reasonIdentifiers()) &&
          writeInteger(file, "simulated", header.simulated ? 1 : 0) &&
          writeInteger(file, kFeaturesOnly, samples ? 0 : 1) && writeText(file, "operator", header.operatorName) &&
-         writeInteger(file, "started_utc_ns", nowUtc()) && setup && writeText(setup.get(), "machine", s.machine) &&
-         writeText(setup.get(), "tool", s.tool) && writeInteger(setup.get(), "teeth", s.teeth) &&
+         writeText(file, "job", header.job) && writeInteger(file, "started_utc_ns", nowUtc()) && setup &&
+         writeText(setup.get(), "machine", s.machine) && writeText(setup.get(), "tool", s.tool) &&
+         writeInteger(setup.get(), "teeth", s.teeth) &&
          writeNumber(setup.get(), "tool_diameter_m", s.toolDiameter.value) &&
          writeNumber(setup.get(), "nominal_speed_rpm", s.nominalSpeed.value) &&
          writeNumber(setup.get(), "nominal_feed_m_s", s.nominalFeed.value) &&

@@ -10,6 +10,7 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/recording_rig.h"
+#include "app/compose/session_summary_builder.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/control/registry.h"
 #include "core/daq/simulated_source.h"
@@ -160,6 +161,14 @@ TEST(Retune, InTheMiddleOfACutIsRecordedAndDecidedTheSameAgain) {
   EXPECT_EQ(firstDifference(tuned, again), 500U);
   // What was learned before it stays: there is a verdict at once.
   EXPECT_EQ(usual[kAt].verdicts[0].valid, tuned[kAt].verdicts[0].valid);
+
+  // And a report of it tells what was set, when.
+  const auto summary = summarizeRecording(path);
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  ASSERT_EQ(summary->settingChanges.size(), 1U);
+  EXPECT_EQ(config::parameterId(summary->settingChanges[0].key), stricter.parameter);
+  EXPECT_DOUBLE_EQ(std::stod(summary->settingChanges[0].value), stricter.value);
+  EXPECT_NEAR(summary->settingChanges[0].time.value / summary->length.value, static_cast<double>(kAt) / 500.0, 0.01);
 }
 
 TEST(Retune, LockedUnknownAndSenselessValuesChangeNothing) {

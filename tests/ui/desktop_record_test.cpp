@@ -31,7 +31,7 @@ class RecordedDesktop : public testing::Test {
     if (record != nullptr) {
       ASSERT_TRUE(record(*session_, path_).ok());
     }
-    session_->listRecordingsIn(folder);
+    session_->keepRecordingsIn(folder);
     window_ = std::make_unique<ui::MainWindow>(*session_, ui::ThemeKind::Light, ui::Language::English);
     window_->show();
     window_->activateWindow();

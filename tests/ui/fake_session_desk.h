@@ -52,6 +52,7 @@ class FakeSessionDesk final : public SessionDesk {
     changed = true;
   }
   const std::vector<SessionEntry>& entries() const override { return entries_; }
+  const std::vector<SessionEntry>& scenarios() const override { return scenarios_; }
   void open(const QString& path) override {
     path_ = path;
     state.open = true;
@@ -92,6 +93,15 @@ class FakeSessionDesk final : public SessionDesk {
     changed = true;
     return Done{};
   }
+  Status changeMark(std::uint64_t number, const QString& label, const QString& note) override {
+    for (Marker& marker : marks) {
+      if (marker.number != number) continue;
+      marker.label = label.toStdString();
+      marker.note = note.toStdString();
+    }
+    changed = true;
+    return Done{};
+  }
   Status removeMark(std::uint64_t number) override {
     std::erase_if(marks, [number](const Marker& m) { return m.number == number; });
     changed = true;
@@ -122,6 +132,7 @@ class FakeSessionDesk final : public SessionDesk {
     changed = true;
   }
   const std::vector<ScoreLine>& scores() const override { return scores_; }
+  const QStringList& notScored() const override { return unreadable; }
   void exportSpan(Seconds from, Seconds to, const QString& file) override {
     exported = file;
     exportFrom = from;
@@ -133,7 +144,7 @@ class FakeSessionDesk final : public SessionDesk {
   ReplayState state;
   TaskState finished;
   std::vector<Marker> marks;
-  QStringList tuned, asked;
+  QStringList tuned, asked, unreadable;
   QString exported;
   Seconds exportFrom{}, exportTo{};
   int steps = 0;
@@ -142,6 +153,9 @@ class FakeSessionDesk final : public SessionDesk {
  private:
   QString folder_ = QStringLiteral("/rec"), path_;
   std::vector<SessionEntry> entries_;
+  std::vector<SessionEntry> scenarios_{{QStringLiteral("/scenarios/demo.toml"), QStringLiteral("demo"),
+                                        QStringLiteral("D12 Z4"), 0, 2'000, SessionEntry::Inside::Known, Seconds(60.0),
+                                        0}};
   std::shared_ptr<const SessionSummary> summary_;
   std::vector<DetectorTrack> tracks_;
   std::vector<ScoreLine> scores_;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/record/record_params.h"
 #include "ui/models/setup_desk.h"
 
 namespace stillcut::ui {
@@ -45,6 +46,9 @@ class FakeSetupDesk final : public SetupDesk {
     settings.whole("lowest_speed_percent", 50, 1, 100);
     return asked;
   }
+  config::ParamTable recordParams() const override { return record::recordParams(); }
+  QString usualRecordings() const override { return QStringLiteral("/home/mill/recordings"); }
+  RecordingNow recordingNow() const override { return recording; }
   QStringList profiles() const override {
     QStringList names;
     for (const auto& [name, profile] : kept) names.push_back(name);
@@ -113,6 +117,7 @@ class FakeSetupDesk final : public SetupDesk {
   std::vector<TrialStep> steps;
   QString inForce, listenedTo, calibrated;
   Heard ears;
+  RecordingNow recording;
   SensorTrial askedByHand;
   int knockedAlong = -1;
   int demonstrations = 0;

@@ -179,6 +179,51 @@ TEST(ReportText, TablesHaveACellForEveryColumn) {
                                           QStringLiteral("lowest-speed = 3000")}));
 }
 
+QString factOf(const SessionSummary& s, const QString& name) {
+  for (const auto& [fact, value] : cutFacts(s)) {
+    if (fact == name) return value;
+  }
+  return {};
+}
+
+TEST(ReportText, TellsWhenWhoAndForWhichJob) {
+  SessionSummary s = example();
+  EXPECT_TRUE(factOf(s, QStringLiteral("Date")).isEmpty()) << "a file that does not say so";
+  s.started_ns = 1'795'335'000'000'000'000;  // 2026-11-22 08:10 UTC
+  s.operatorName = "Ada";
+  s.job = "Gehäuse 7";
+  EXPECT_TRUE(factOf(s, QStringLiteral("Date")).startsWith(QStringLiteral("2026-11-22 ")))
+      << factOf(s, QStringLiteral("Date")).toStdString();
+  EXPECT_EQ(factOf(s, QStringLiteral("Operator")), QStringLiteral("Ada"));
+  EXPECT_EQ(factOf(s, QStringLiteral("Job")), QString::fromUtf8("Gehäuse 7"));
+}
+
+TEST(ReportText, MarkersAndSettingsChangedDuringTheCutAreInTheReport) {
+  SessionSummary s = example();
+  s.markers = {{0, at(4.5), at(4.5), kLabelTrueAlarm, "Ada", "", 0},
+               {1, at(6.0), at(7.5), "burr on the edge", "engineer", "measured 0.2 mm", 0}};
+  s.settingChanges = {{Seconds(3.25), "energy-ratio.chatter", "0.3"}, {Seconds(5.0), "", ""}};
+  const auto rows = markerRows(s);
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].cells[2], QStringLiteral("true alarm"));
+  EXPECT_EQ(rows[1].cells.join(u'|'),
+            QString::fromUtf8("6.00\u00a0s|1.5\u00a0s|burr on the edge|engineer|measured 0.2 mm"));
+  const auto changes = changeRows(s);
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_EQ(changes[0].cells.join(u'|'), QString::fromUtf8("3.25\u00a0s|energy-ratio.chatter|0.3"));
+  EXPECT_EQ(rows[0].cells.size(), static_cast<qsizetype>(markerColumns().size()));
+  EXPECT_EQ(changes[0].cells.size(), static_cast<qsizetype>(changeColumns().size()));
+  const QTemporaryDir folder;
+  const auto pages = [&folder](const SessionSummary& summary) {
+    const QString path = folder.filePath(QStringLiteral("cut.pdf"));
+    EXPECT_TRUE(writeReport(summary, path).ok());
+    return pagesOf(contentOf(path));
+  };
+  const int few = pages(s);
+  s.markers.resize(100, s.markers.back());
+  EXPECT_GE(pages(s), few + 2) << "every marker has its line";
+}
+
 TEST(ReportText, AuthorityIsAWord) {
   SessionSummary s = example();
   s.events.push_back({at(1.0), 0, EventLevel::Info, {ReasonCode::AuthorityChanged, {0.0, 2.0, 0.0, 0.0}}});

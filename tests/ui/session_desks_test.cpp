@@ -1,5 +1,4 @@
-// The desks behind the Sessions, Tune and Set up pages on real recordings, simulated machines and files of a folder.
-// Over 400 lines: the desks belong to one session of the window and are driven with the same helpers and recordings.
+// The desks behind the Sessions, Tune and Lobes pages on real recordings, simulated machines and files of a folder.
 
 #include <gtest/gtest.h>
 
@@ -12,12 +11,13 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
-#include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
 #include "app/session/session.h"
 #include "app/session/tool_library.h"
 #include "core/detect/energy_ratio.h"
+#include "core/record/session_markers.h"
 #include "tests/component/demo_cut.h"
+#include "tests/ui/wait_for.h"
 
 namespace stillcut::app {
 namespace {
@@ -36,27 +36,17 @@ std::string recordDemo(const QString& folder) {
   return path;
 }
 
-template <class Desk>
-void waitFor(Desk& desk, const std::function<bool()>& done) {
-  EXPECT_TRUE(QTest::qWaitFor(
-      [&] {
-        desk.poll();
-        return done();
-      },
-      60000));
-}
-
 class ReplayDeskTest : public testing::Test {
  protected:
   void SetUp() override {
     path_ = QString::fromStdString(recordDemo(folder_.path()));
     desk_.setFolder(folder_.path());
-    waitFor(desk_, [this] { return !desk_.entries().empty(); });
+    test::waitFor(desk_, [this] { return !desk_.entries().empty(); });
     desk_.open(path_);
-    waitFor(desk_, [this] { return desk_.replay().open && desk_.replayed() != nullptr; });
+    test::waitFor(desk_, [this] { return desk_.replay().open && desk_.replayed() != nullptr; });
   }
   void waitForTask() {
-    waitFor(desk_, [this] { return !desk_.task().running; });
+    test::waitFor(desk_, [this] { return !desk_.task().running; });
     EXPECT_TRUE(desk_.task().problem.isEmpty()) << desk_.task().problem.toStdString();
   }
 
@@ -72,17 +62,17 @@ TEST_F(ReplayDeskTest, ListsOpensPlaysJumpsAndBeginsAnew) {
   EXPECT_NEAR(desk_.replay().length.value, 5.0, 0.1);
   EXPECT_FALSE(desk_.replay().playing);
   desk_.goTo(Seconds(3.0));
-  waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 3.0) < 0.1; });
+  test::waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 3.0) < 0.1; });
   ASSERT_NE(desk_.replayed(), nullptr);
   desk_.setPace(0.0);
   desk_.play();
-  waitFor(desk_, [this] { return desk_.replay().finished; });
+  test::waitFor(desk_, [this] { return desk_.replay().finished; });
   EXPECT_NEAR(desk_.replay().position.value, 5.0, 0.1);
   desk_.goTo(Seconds(1.0));
-  waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 1.0) < 0.1; });
+  test::waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 1.0) < 0.1; });
   desk_.loop(Seconds(1.0), Seconds(1.5));
   desk_.play();
-  waitFor(desk_, [this] { return desk_.replayed()->health.blocks > 300; });
+  test::waitFor(desk_, [this] { return desk_.replayed()->health.blocks > 300; });
   EXPECT_LT(desk_.replay().position.value, 1.7) << "it goes round and round";
 }
 
@@ -92,10 +82,10 @@ TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
   ASSERT_EQ(desk_.markers().size(), 2U);
   EXPECT_NEAR(desk_.markerTime(desk_.markers()[1]).value, 2.4, 1e-6);
   ASSERT_TRUE(desk_.removeMark(desk_.markers()[0].number).ok());
-  waitFor(desk_, [this] { return desk_.replayed() != nullptr; });
+  test::waitFor(desk_, [this] { return desk_.replayed() != nullptr; });
   ReplayDesk second;
   second.open(path_);
-  waitFor(second, [&] { return second.replay().open; });
+  test::waitFor(second, [&] { return second.replay().open; });
   ASSERT_EQ(second.markers().size(), 1U);
   EXPECT_EQ(second.markers()[0].note, "deep slot");
 }
@@ -114,7 +104,7 @@ TEST_F(ReplayDeskTest, IsOpenAtOnceAndReadsTheWholeMeanwhile) {
   ASSERT_NE(desk_.summary(), nullptr);
   EXPECT_FALSE(desk_.summary()->curve.empty());
   desk_.runDetectors({});
-  waitFor(desk_, [this] { return desk_.summaryWhole(); });
+  test::waitFor(desk_, [this] { return desk_.summaryWhole(); });
   waitForTask();
   EXPECT_EQ(desk_.summary()->alarms, 1U);
   EXPECT_FALSE(desk_.summary()->spectrogram.empty());
@@ -134,7 +124,7 @@ TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
            std::none_of(all.begin(), all.end(), [](const auto& e) { return e.inside == Inside::NotYet; });
   };
   desk_.setFolder(folder_.path());
-  waitFor(desk_, told);
+  test::waitFor(desk_, told);
   const auto& entries = desk_.entries();
   const ui::SessionEntry& demo = entries[0].path == path_ ? entries[0] : entries[1];
   const ui::SessionEntry& broken = entries[0].path == path_ ? entries[1] : entries[0];
@@ -178,151 +168,82 @@ TEST_F(ReplayDeskTest, ExportsTheSpan) {
   EXPECT_NEAR(frames / desk_.summary()->setup.rate.value, 1.0, 0.05);
 }
 
+// One bad file is no reason to score none.
+TEST_F(ReplayDeskTest, AFolderIsScoredAroundTheFileThatCannotBeRead) {
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.6), QStringLiteral("chatter"), {}).ok());
+  const QString broken = folder_.filePath(QStringLiteral("Housing/broken.h5"));
+  ASSERT_TRUE(QFile::copy(path_, broken));
+  ASSERT_TRUE(QFile::resize(broken, QFile(broken).size() / 2)) << "a copy that broke off";
+  desk_.setFolder(folder_.path());
+  test::waitFor(desk_, [this] { return desk_.entries().size() == 2U; });
+  desk_.score(true);
+  waitForTask();
+  ASSERT_EQ(desk_.scores().size(), 4U);
+  for (const ui::ScoreLine& line : desk_.scores()) EXPECT_EQ(line.spans, 1) << line.detector.toStdString();
+  ASSERT_EQ(desk_.notScored().size(), 1);
+  EXPECT_TRUE(desk_.notScored()[0].contains(QStringLiteral("broken.h5"))) << desk_.notScored()[0].toStdString();
+}
+
+TEST_F(ReplayDeskTest, LabelAndNoteOfASpanAreMendedInTheFile) {
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("burr"), {}).ok());
+  ASSERT_TRUE(desk_.changeMark(desk_.markers()[0].number, QStringLiteral("burr, deep"), QStringLiteral("0.2 mm")).ok());
+  EXPECT_FALSE(desk_.changeMark(99, QStringLiteral("x"), {}).ok());
+  const auto markers = record::readMarkers(path_.toStdString());
+  ASSERT_TRUE(markers.ok());
+  ASSERT_EQ(markers->size(), 1U);
+  EXPECT_EQ(markers->front().label, "burr, deep");
+  EXPECT_EQ(markers->front().note, "0.2 mm");
+  EXPECT_NEAR(secondsBetween(markers->front().begin, markers->front().end).value, 1.6, 1e-6);
+}
+
+// The program's own scenarios and those of the folder, replayed as a recording is: played, jumped in, held against the
+// detectors, exported.
+TEST_F(ReplayDeskTest, AScenarioIsReplayedAsARecordingIs) {
+  const QString own = folder_.filePath(QStringLiteral("own.toml"));
+  ASSERT_TRUE(QFile::copy(QStringLiteral(STILLCUT_SOURCE_DIR "/resources/scenarios/xu-aluminium.toml"), own));
+  QFile other(folder_.filePath(QStringLiteral("notes.toml")));
+  ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+  other.write("a = 1\n");
+  other.close();
+  desk_.setFolder(folder_.path());
+  const auto listed = [this](const QString& name) {
+    return std::any_of(desk_.scenarios().begin(), desk_.scenarios().end(),
+                       [&name](const ui::SessionEntry& e) { return e.path.endsWith(name); });
+  };
+  test::waitFor(desk_, [&] { return listed(QStringLiteral("own.toml")); });
+  EXPECT_TRUE(listed(QStringLiteral("scenarios/demo.toml"))) << "those of the program";
+  EXPECT_FALSE(listed(QStringLiteral("notes.toml")));
+
+  desk_.open(own);
+  test::waitFor(desk_, [&] { return desk_.openedPath() == own && desk_.replayed() != nullptr; });
+  const double length = desk_.replay().length.value;
+  EXPECT_GT(length, 1.0);
+  EXPECT_FALSE(desk_.summary()->session) << "nothing can be marked in it";
+  desk_.goTo(Seconds(0.5));
+  test::waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 0.5) < 0.1; });
+  desk_.setPace(0.0);
+  desk_.play();
+  test::waitFor(desk_, [this] { return desk_.replay().finished; });
+  test::waitFor(desk_, [this] { return desk_.summaryWhole(); });
+  EXPECT_NEAR(desk_.summary()->length.value, length, 0.1);
+  desk_.runDetectors({});
+  waitForTask();
+  EXPECT_EQ(desk_.tracks().size(), 4U);
+  const QString file = folder_.filePath(QStringLiteral("own.wav"));
+  desk_.exportSpan(Seconds(0.2), Seconds(0.7), file);
+  waitForTask();
+  EXPECT_GT(QFile(file).size(), 1000);
+}
+
 TEST_F(ReplayDeskTest, WhatCannotBeReadIsASentence) {
   QFile broken(folder_.filePath(QStringLiteral("broken.h5")));
   ASSERT_TRUE(broken.open(QIODevice::WriteOnly));
   broken.write("nothing");
   broken.close();
   desk_.open(broken.fileName());
-  waitFor(desk_, [this] { return !desk_.task().running; });
+  test::waitFor(desk_, [this] { return !desk_.task().running; });
   EXPECT_TRUE(desk_.task().problem.contains(QStringLiteral("broken.h5")));
   EXPECT_EQ(desk_.openedPath(), path_) << "what was open stays";
-}
-
-TEST(MachineDesk, TriesOutTheSimulatedMillStepByStep) {
-  const QTemporaryDir folder;
-  MachineDesk desk;
-  desk.keepIn(folder.path());
-  config::Profile profile;
-  profile.cut.machine = "Simulated mill";
-  profile.cut.teeth = 4;
-  profile.cut.nominalSpeed = Rpm(8500.0);
-  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
-  profile.link = {"simulated", {}};
-  desk.tryOut(profile, QStringLiteral("mill"));
-  waitFor(desk, [&] { return desk.trial().size() == 5U; });
-  for (const ui::TrialStep& step : desk.trial()) {
-    EXPECT_EQ(step.state, ui::TrialStep::State::Good) << step.detail.toStdString();
-  }
-  profile.source.settings["scenario"] = "nowhere.toml";
-  desk.tryOut(profile, QStringLiteral("mill"));
-  waitFor(desk, [&] { return desk.trial().size() == 5U; });
-  EXPECT_EQ(desk.trial()[0].state, ui::TrialStep::State::Bad);
-  EXPECT_EQ(desk.trial()[1].state, ui::TrialStep::State::Waits);
-  EXPECT_TRUE(desk.trial()[0].detail.contains(QStringLiteral("nowhere.toml")));
-}
-
-TEST(MachineDesk, ListensToTheChosenDeviceWithoutItsMachine) {
-  const QTemporaryDir folder;
-  MachineDesk desk;
-  desk.keepIn(folder.path());
-  config::Profile profile;
-  profile.cut.teeth = 4;
-  profile.cut.nominalSpeed = Rpm(8500.0);
-  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
-  profile.link = {"simulated", {}};
-  profile.allowAuto = true;
-  desk.listen(profile, {});
-  EXPECT_EQ(desk.heard().state, ui::Heard::State::Opening);
-  const Snapshot* snapshot = nullptr;
-  waitFor(desk, [&] {
-    snapshot = desk.heard().snapshot;
-    return snapshot != nullptr && snapshot->sensors.channels > 0 && snapshot->columnCount > 0;
-  });
-  EXPECT_FALSE(snapshot->machine.valid) << "no machine is spoken to";
-  EXPECT_FALSE(snapshot->autoAllowed);
-  EXPECT_GT(snapshot->sensors.nominalRate.value, 0.0);
-  desk.stopListening();
-  EXPECT_EQ(desk.heard().state, ui::Heard::State::Off);
-
-  profile.source.settings["scenario"] = "nowhere.toml";
-  desk.listen(profile, {});
-  waitFor(desk, [&] { return desk.heard().state == ui::Heard::State::Failed; });
-  EXPECT_TRUE(desk.heard().problem.contains(QStringLiteral("nowhere.toml")));
-}
-
-TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
-  const MachineDesk desk;
-  config::Profile profile;
-  profile.link.id = "linuxcnc";
-  std::vector<std::string> keys;
-  for (const config::AskedSetting& asked : desk.linkSettings(profile)) keys.push_back(asked.key);
-  for (const char* key : {"host", "port", "hal_port", "lowest_speed_percent"}) {
-    EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << key;
-  }
-  for (const ui::PartOption& link : desk.links()) {
-    profile.link.id = link.id.toStdString();
-    for (const config::AskedSetting& asked : desk.linkSettings(profile)) EXPECT_FALSE(asked.key.empty());
-  }
-}
-
-// What a trial and a run have measured of a link goes into its profile, and into no other.
-TEST(MachineDesk, MeasuredDelaysAreSavedWithTheLinkTheyAreOf) {
-  const QTemporaryDir folder;
-  MachineDesk desk;
-  desk.keepIn(folder.path());
-  config::Profile profile;
-  profile.cut.teeth = 4;
-  profile.cut.nominalSpeed = Rpm(8500.0);
-  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
-  profile.link = {"simulated", {}};
-  desk.measured = [&] { return LinkDelays{profile.link, {}, Seconds(0.096)}; };
-  desk.tryOut(profile, QStringLiteral("mill"));
-  waitFor(desk, [&] { return desk.trial().size() == 5U; });
-  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill")).ok());
-  auto back = desk.load(QStringLiteral("mill"));
-  ASSERT_TRUE(back.ok()) << back.error().line();
-  EXPECT_EQ(back->link.settings["effect_ms"], "96.00");
-  EXPECT_TRUE(back->link.settings.contains("delay_ms"));
-  profile.link = {"grbl", {{"device", "/dev/ttyUSB7"}}};
-  desk.measured = nullptr;
-  ASSERT_TRUE(desk.save(profile, QStringLiteral("other")).ok());
-  back = desk.load(QStringLiteral("other"));
-  ASSERT_TRUE(back.ok()) << back.error().line();
-  EXPECT_FALSE(back->link.settings.contains("effect_ms"));
-  EXPECT_FALSE(back->link.settings.contains("delay_ms"));
-}
-
-// A pure tone from a scenario's sensor cannot be had; that the way from desk to device and back is walked is seen in
-// what is said of it.
-TEST(MachineDesk, CalibratesAgainstTheChosenDevice) {
-  const QTemporaryDir folder;
-  MachineDesk desk;
-  desk.keepIn(folder.path());
-  config::Profile profile;
-  profile.cut.teeth = 4;
-  profile.cut.nominalSpeed = Rpm(8500.0);
-  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
-  desk.calibrate(profile, {}, 0, QStringLiteral("1 g"), Hertz(40.0));
-  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
-  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
-  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Bad);
-  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("tone"))) << desk.sensorTrial().said.toStdString();
-  desk.calibrate(profile, {}, 9, QStringLiteral("1 g"), Hertz(1000.0));
-  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
-  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 9")));
-  desk.knock(profile, {}, 8);
-  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
-  waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
-  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 8")));
-}
-
-TEST(MachineDesk, ProfilesAreKeptAndComeBack) {
-  const QTemporaryDir folder;
-  MachineDesk desk;
-  desk.keepIn(folder.path());
-  config::Profile profile;
-  profile.cut.machine = "Mill 3";
-  profile.source.id = "simulated";
-  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill3")).ok());
-  EXPECT_EQ(desk.profiles(), QStringList{QStringLiteral("mill3")});
-  const auto back = desk.load(QStringLiteral("mill3"));
-  ASSERT_TRUE(back.ok()) << back.error().line();
-  EXPECT_EQ(back->cut.machine, "Mill 3");
-  EXPECT_FALSE(desk.save(profile, QStringLiteral("../evil")).ok());
-  profile.strategy = "no-such";
-  EXPECT_FALSE(desk.save(profile, QStringLiteral("mill4")).ok());
-  EXPECT_EQ(desk.profiles().size(), 1);
 }
 
 TEST(Lobes, AProfilesModesGiveTheLobesPageItsDiagram) {

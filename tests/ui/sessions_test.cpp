@@ -1,5 +1,6 @@
 // The Sessions page, driven as a person would, and its models.
 #include <QAbstractItemModelTester>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QListView>
 
@@ -158,6 +159,89 @@ TEST_F(SessionsPageTest, IHearItNowIsOneKeyAndMarkersCanBeRemoved) {
   list->setCurrentIndex(list->model()->index(0, 0));
   press("mark-remove");
   EXPECT_TRUE(desk_.marks.empty());
+}
+
+TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
+  openSessions();
+  openFirst();
+  auto* timeline = find<SessionTimeline>();
+  timeline->select(Seconds(8.0), Seconds(9.5));
+  auto* label = find<QLineEdit>("mark-label");
+  auto* note = find<QLineEdit>("mark-text");
+  press("mark-span");
+  EXPECT_TRUE(desk_.marks.empty()) << "a span without a label is none";
+  label->setFocus();
+  QTest::keyClicks(label, QStringLiteral("burr on the edge"));
+  press("mark-span");
+  tick(40);
+  ASSERT_EQ(desk_.marks.size(), 1U);
+  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
+  EXPECT_NEAR(sinceEpoch(desk_.marks[0].begin).value, 8.0, 1e-6);
+  EXPECT_NEAR(sinceEpoch(desk_.marks[0].end).value, 9.5, 1e-6);
+  EXPECT_TRUE(label->text().isEmpty());
+
+  auto* list = find<QListView>("marker-list");
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+  EXPECT_EQ(label->text(), QStringLiteral("burr on the edge")) << "what is there can be mended";
+  note->setFocus();
+  QTest::keyClicks(note, QStringLiteral("0.2 mm, tool 3"));
+  press("mark-change");
+  tick(40);
+  ASSERT_EQ(desk_.marks.size(), 1U);
+  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
+  EXPECT_EQ(desk_.marks[0].note, "0.2 mm, tool 3");
+  EXPECT_TRUE(list->currentIndex().isValid()) << "it stays chosen";
+
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
+  press("mark-true");
+  ASSERT_EQ(desk_.marks.size(), 2U);
+  EXPECT_TRUE(desk_.marks[1].note.empty()) << "another marker's note is not this one's";
+}
+
+TEST_F(SessionsPageTest, ASimulatedCutIsOpenedBesideTheRecordings) {
+  openSessions();
+  auto* list = find<QListView>("session-list");
+  EXPECT_EQ(list->model()->rowCount(), 3);
+  press("sessions-simulated");
+  ASSERT_EQ(list->model()->rowCount(), 1);
+  openFirst();
+  EXPECT_EQ(desk_.openedPath(), QStringLiteral("/scenarios/demo.toml"));
+  press("sessions-recorded");
+  EXPECT_EQ(list->model()->rowCount(), 3);
+}
+
+TEST_F(SessionsPageTest, WhatIsExportedGoesIntoTheChosenFormat) {
+  openSessions();
+  openFirst();
+  press("sheet-compare");
+  QStringList suffixes;
+  for (int k = 0; k < 7; ++k) {
+    press("session-export");
+    suffixes << QFileInfo(desk_.exported).suffix();
+    press("session-format");
+  }
+  EXPECT_EQ(suffixes.join(u' '), QStringLiteral("wav flac csv mat uff unv hdf5"));
+  EXPECT_EQ(find<TouchButton>("session-format")->text(), QStringLiteral("AS PNG"));
+  desk_.exported.clear();
+  press("session-export");
+  EXPECT_TRUE(desk_.exported.isEmpty()) << "a picture is not made of samples";
+  bool told = false;  // there is no such folder here
+  for (const TextLabel* label : window_->findChildren<TextLabel*>())
+    told = told || label->text().contains(QStringLiteral(".png: cannot be written"));
+  EXPECT_TRUE(told);
+}
+
+TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {
+  desk_.unreadable = {QStringLiteral("/rec/broken.h5: is cut short: its end is missing")};
+  openSessions();
+  openFirst();
+  press("sheet-compare");
+  press("session-score-all");
+  tick(40);
+  QString told;
+  for (const TextLabel* label : window_->findChildren<TextLabel*>()) told += label->text() + u'\n';
+  EXPECT_TRUE(told.contains(QStringLiteral("found 3 of 4")));
+  EXPECT_TRUE(told.contains(QStringLiteral("Not scored: /rec/broken.h5: is cut short")));
 }
 
 TEST_F(SessionsPageTest, AMarkedSpanIsRepeatedWithTwoTouches) {

@@ -5,41 +5,13 @@
 #include <QPlainTextEdit>
 #include <QTableView>
 
-#include "tests/ui/fake_setup_desk.h"
-#include "tests/ui/page_picture.h"
+#include "tests/ui/setup_fixture.h"
 #include "ui/models/setup_draft.h"
 #include "ui/pages/setup_page.h"
 #include "ui/plots/level_spectrum.h"
 
 namespace stillcut::ui {
 namespace {
-
-class SetupPageTest : public WindowTest {
- protected:
-  void openSetup(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
-    session_.setSetup(&desk_);
-    open(width, height, theme);
-    window_->showPage(QStringLiteral("setup"));
-    play(0.4);
-  }
-  void type(const QString& name, const QString& text) const {
-    auto* edit = find<QLineEdit>(name);
-    ASSERT_NE(edit, nullptr) << name.toStdString();
-    edit->setFocus();
-    edit->selectAll();
-    QTest::keyClicks(edit, text);
-    QTest::keyClick(edit, Qt::Key_Return);
-    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-  }
-  bool told(const QString& part) const {
-    for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
-      if (label->isVisible() && label->text().contains(part)) return true;
-    }
-    return false;
-  }
-
-  FakeSetupDesk desk_;
-};
 
 TEST_F(SetupPageTest, TheGuideEndsInAPictureThatMoves) {
   openSetup();
@@ -330,6 +302,13 @@ TEST_P(SetupPictures, EveryTabFits) {
   press("setup-tools");
   play(0.1);
   savePage(*window_, "setup", GetParam(), "tools");
+  press("setup-recording");
+  press("record-every");
+  press("record-mode-around-events");
+  desk_.recording = {QStringLiteral("/home/mill/recordings/Housing 7/T12/2026-11-22_08-30-00.h5"),
+                     RecordingNow::State::Writes, 2, QStringLiteral("/rec/2026-08-01_10-00-00.h5")};
+  play(0.1);
+  savePage(*window_, "setup", GetParam(), "recording");
   press("setup-profile");
   press("profile-try");
   play(0.1);

@@ -71,6 +71,8 @@ class SessionDesk {
   virtual QString folder() const = 0;
   virtual void setFolder(const QString& folder) = 0;  // lists it anew
   virtual const std::vector<SessionEntry>& entries() const = 0;
+  // Simulated cuts that can be opened as a recording can: the program's own, and those of the folder.
+  virtual const std::vector<SessionEntry>& scenarios() const = 0;
 
   // Opens it paused at its beginning, with what can be told at once; the whole of it is read meanwhile.
   virtual void open(const QString& path) = 0;
@@ -94,6 +96,7 @@ class SessionDesk {
   virtual const std::vector<Marker>& markers() const = 0;
   virtual Seconds markerTime(const Marker& marker) const = 0;  // from the first sample
   virtual Status mark(Seconds from, Seconds to, const QString& label, const QString& note) = 0;
+  virtual Status changeMark(std::uint64_t number, const QString& label, const QString& note) = 0;
   virtual Status removeMark(std::uint64_t number) = 0;
 
   // KEY=VALUE of what was changed on the Tune page.
@@ -103,6 +106,7 @@ class SessionDesk {
   // Of the opened session, or of the whole folder.
   virtual void score(bool wholeFolder) = 0;
   virtual const std::vector<ScoreLine>& scores() const = 0;
+  virtual const QStringList& notScored() const = 0;  // files of the folder that could not be, with the reason
   virtual void exportSpan(Seconds from, Seconds to, const QString& file) = 0;
   virtual TaskState task() const = 0;
   virtual void cancel() = 0;

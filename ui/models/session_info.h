@@ -48,7 +48,8 @@ struct RecorderStatus {
   enum class State { Off, Recording, Failed };
   State state = State::Off;
   Seconds length{};
-  QString problem;  // a sentence, when failed
+  QString problem;       // a sentence, when failed
+  bool waiting = false;  // recording begins with the next event: no file is open
 };
 
 struct LinkStatus {

@@ -54,6 +54,15 @@ struct Heard {
   std::vector<JoinedClock> clocks{};  // Off: of what runs
 };
 
+// What is recorded of the present cut.
+struct RecordingNow {
+  QString path;  // the file, or the one before; empty: nothing is recorded
+  enum class State { Off, Waits, Writes, Stopped };
+  State state = State::Off;  // Waits: for an event
+  int deleted = 0;           // older files that had to go
+  QString lastDeleted;
+};
+
 class SetupDesk {
  public:
   virtual ~SetupDesk() = default;
@@ -68,6 +77,11 @@ class SetupDesk {
   // The settings that the chosen part asks for, given those it has already.
   virtual std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const = 0;
   virtual std::vector<config::AskedSetting> linkSettings(const config::Profile& profile) const = 0;
+
+  // How recordings are made, as declared; and where they go when nobody says otherwise.
+  virtual config::ParamTable recordParams() const = 0;
+  virtual QString usualRecordings() const = 0;
+  virtual RecordingNow recordingNow() const = 0;
 
   // Files in the user's folder, by name, and the profile in force.
   virtual QStringList profiles() const = 0;

@@ -75,6 +75,7 @@ StripItem recordingItem(const RecorderStatus& recorder, quint64 lost) {
     case RecorderStatus::State::Off:
       return {say("Recording"), say("off"), Tone::Faint};
     case RecorderStatus::State::Recording:
+      if (lost == 0 && recorder.waiting) return {say("Recording"), say("at the next event"), Tone::Normal};
       if (lost == 0) return {say("Recording"), stopwatch(recorder.length), Tone::Normal};
       return {say("Recording"), say("%1, %2 lost").arg(stopwatch(recorder.length), number(static_cast<double>(lost))),
               Tone::Onset};

@@ -23,7 +23,7 @@ TouchButton* tool(const QString& caption, const QString& spoken, const char* nam
 }  // namespace
 
 SessionList::SessionList(SessionDesk* desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), orders_(new QHBoxLayout), list_(new QListView) {
+    : QWidget(parent), desk_(desk), kinds_(new QHBoxLayout), orders_(new QHBoxLayout), list_(new QListView) {
   order_.setSourceModel(&sessions_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -42,6 +42,14 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
     orders_->addWidget(button);
     connect(button, &TouchButton::clicked, this, [this, by = by] { orderBy(by); });
   }
+  recorded_ = tool(tr("RECORDED"), tr("Recordings of the folder"), "sessions-recorded");
+  simulated_ = tool(tr("SIMULATED"), tr("Simulated cuts, replayed as recordings are"), "sessions-simulated");
+  for (TouchButton* button : {recorded_, simulated_}) {
+    button->setCheckable(true);
+    kinds_->addWidget(button);
+    connect(button, &TouchButton::clicked, this, [this, button] { showSimulated(button == simulated_); });
+  }
+  recorded_->setChecked(true);
   orderBy(SessionOrder::Time);
   list_->setObjectName(QStringLiteral("session-list"));
   list_->setAccessibleName(tr("Recordings"));
@@ -62,6 +70,7 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   connect(folder_, &QLineEdit::editingFinished, this, [this] {
     if (desk_ != nullptr && folder_->text() != desk_->folder()) desk_->setFolder(folder_->text());
   });
+  column->addLayout(kinds_);
   column->addWidget(filter_);
   column->addLayout(orders_);
   column->addWidget(list_, 1);
@@ -77,19 +86,25 @@ void SessionList::orderBy(SessionOrder::By by) {
   byTime_->setChecked(by == SessionOrder::Time);
 }
 
+void SessionList::showSimulated(bool simulated) {
+  recorded_->setChecked(!simulated);
+  simulated_->setChecked(simulated);
+  refresh();
+}
+
 void SessionList::refresh() {
   if (desk_ != nullptr) {
-    sessions_.show(desk_->entries());
+    sessions_.show(simulated_->isChecked() ? desk_->scenarios() : desk_->entries());
     if (!folder_->hasFocus()) folder_->setText(desk_->folder());
   }
-  empty_->setText(desk_ != nullptr ? tr("No recordings here. A cut is recorded with --record, or by the profile.")
+  empty_->setText(desk_ != nullptr ? tr("No recordings here. Cuts are recorded as the page SET UP, RECORDING says.")
                                    : tr("There are no recordings to work on here."));
   empty_->setVisible(sessions_.rowCount() == 0);
 }
 
 void SessionList::applyTheme(const Theme& theme) {
   layout()->setSpacing(theme.px(10));
-  orders_->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
+  for (QHBoxLayout* line : {kinds_, orders_}) line->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
   list_->setFont(theme.font(type_size::kBody));
   for (QLineEdit* edit : {filter_, folder_}) {
     edit->setFont(theme.font(type_size::kBody));

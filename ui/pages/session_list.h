@@ -1,4 +1,5 @@
-// The recordings of a folder: found by what is typed, ordered by job, tool or time, opened by touch or key. GUI thread.
+// What can be replayed: the recordings of a folder, or simulated cuts; found by what is typed, ordered by job, tool or
+// time, opened by touch or key. GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -26,13 +27,14 @@ class SessionList : public QWidget, public Themed {
 
  private:
   void orderBy(SessionOrder::By by);
+  void showSimulated(bool simulated);
 
   SessionDesk* desk_;
   SessionListModel sessions_;
   SessionOrder order_;
   QLineEdit *filter_, *folder_;
-  QHBoxLayout* orders_;
-  TouchButton *byJob_, *byTool_, *byTime_;
+  QHBoxLayout *kinds_, *orders_;
+  TouchButton *recorded_, *simulated_, *byJob_, *byTool_, *byTime_;
   QListView* list_;
   TextLabel* empty_;
 };

@@ -4,16 +4,17 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QListView>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "ui/models/format.h"
 #include "ui/models/live_numbers.h"
 #include "ui/models/session_words.h"
+#include "ui/pages/mark_sheet.h"
 #include "ui/pages/session_list.h"
 #include "ui/plots/session_timeline.h"
 #include "ui/widgets/painting.h"
@@ -32,6 +33,21 @@ TouchButton* tool(const QString& caption, const QString& spoken, const char* nam
   button->setBaseHeight(48);
   return button;
 }
+
+struct Format {
+  const char* name;
+  const char* suffix;
+  bool drawn = false;  // by the report's hand, not from the samples
+};
+constexpr std::array<Format, 9> kFormats{{{"WAV", ".wav"},
+                                          {"FLAC", ".flac"},
+                                          {"CSV", ".csv"},
+                                          {"MAT", ".mat"},
+                                          {"UFF", ".uff"},
+                                          {"UNV", ".unv"},
+                                          {"HDF5", ".hdf5"},
+                                          {"PNG", ".png", true},
+                                          {"SVG", ".svg", true}}};
 
 Tone toneOf(const std::string& label) {
   if (label == kLabelTrueAlarm || label == kLabelHeard) return Tone::Chatter;
@@ -82,7 +98,9 @@ QWidget* SessionsPage::makeBelow() {
   auto* choices = new QVBoxLayout;
   auto* sheets = new QStackedWidget;
   sheets->setObjectName(QStringLiteral("sheets"));
-  sheets->addWidget(makeMarks());
+  marks_ = new MarkSheet(desk_);
+  connectMarks();
+  sheets->addWidget(marks_);
   sheets->addWidget(makeResults());
   std::vector<TouchButton*> buttons{tool(tr("MARK"), tr("Markers"), "sheet-mark"),
                                     tool(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare")};
@@ -102,52 +120,6 @@ QWidget* SessionsPage::makeBelow() {
   return below_;
 }
 
-QWidget* SessionsPage::makeMarks() {
-  auto* sheet = new QWidget;
-  auto* column = new QVBoxLayout(sheet);
-  column->setContentsMargins(0, 0, 0, 0);
-  auto* first = new QHBoxLayout;
-  lines_.push_back(first);
-  struct Button {
-    QString caption, spoken;
-    const char* name;
-    const char* label;
-    QKeySequence key;
-  };
-  const Button buttons[] = {
-      {tr("CHATTER"), tr("Mark a true alarm"), "mark-true", kLabelTrueAlarm, Qt::ALT | Qt::Key_1},
-      {tr("FALSE"), tr("Mark a false alarm"), "mark-false", kLabelFalseAlarm, Qt::ALT | Qt::Key_2},
-      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelHeard, Qt::ALT | Qt::Key_3},
-      {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
-  for (const Button& b : buttons) {
-    TouchButton* button = tool(b.caption, b.spoken, b.name);
-    button->setKey(b.key);
-    first->addWidget(button);
-    connect(button, &TouchButton::clicked, this, [this, label = b.label] { mark(label); });
-  }
-  note_ = new QLineEdit;
-  note_->setObjectName(QStringLiteral("mark-text"));
-  note_->setPlaceholderText(tr("Note"));
-  note_->setAccessibleName(tr("Note of the next marker"));
-  remove_ = tool(tr("REMOVE"), tr("Remove the chosen marker"), "mark-remove");
-  first->addWidget(note_, 1);
-  first->addWidget(remove_);
-  markerList_ = new QListView;
-  markerList_->setObjectName(QStringLiteral("marker-list"));
-  markerList_->setAccessibleName(tr("Markers"));
-  markerList_->setModel(&markers_);
-  markerList_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  connect(markerList_, &QListView::clicked, this, [this](const QModelIndex& index) { goToMarker(index.row()); });
-  connect(markerList_, &QListView::activated, this, [this](const QModelIndex& index) { goToMarker(index.row()); });
-  connect(remove_, &TouchButton::clicked, this, [this] {
-    const Marker* marker = markers_.marker(markerList_->currentIndex().row());
-    if (marker != nullptr) tell(desk_->removeMark(marker->number), tr("Marker removed"));
-  });
-  column->addLayout(first);
-  column->addWidget(markerList_, 1);
-  return sheet;
-}
-
 QWidget* SessionsPage::makeResults() {
   auto* sheet = new QWidget;
   auto* column = new QVBoxLayout(sheet);
@@ -156,6 +128,8 @@ QWidget* SessionsPage::makeResults() {
   score_ = tool(tr("SCORE"), tr("Score this recording against its markers"), "session-score");
   scoreAll_ = tool(tr("SCORE FOLDER"), tr("Score the whole folder"), "session-score-all");
   cut_ = tool(tr("EXPORT"), tr("Export the selected span, or the whole"), "session-export");
+  formatButton_ =
+      tool(tr("AS %1").arg(QLatin1String(kFormats[0].name)), tr("The next format of EXPORT"), "session-format");
   pdf_ = tool(tr("REPORT"), tr("Write a report"), "session-report");
   stop_ = tool(tr("STOP"), tr("Stop what is being worked on"), "session-stop");
   tuned_ = tool(tr("FROM TUNE"), tr("Take what was changed on the Tune page"), "session-tuned");
@@ -164,15 +138,15 @@ QWidget* SessionsPage::makeResults() {
   settings_->setPlaceholderText(QStringLiteral("energy-ratio.chatter=0.3"));
   settings_->setAccessibleName(tr("What if: settings, KEY=VALUE, with spaces between them"));
   auto* first = new QHBoxLayout;
-  for (TouchButton* button : {run_, score_, scoreAll_, cut_, pdf_}) first->addWidget(button);
+  for (TouchButton* button : {run_, score_, scoreAll_, pdf_, stop_}) first->addWidget(button);
   first->addStretch(1);
   auto* second = new QHBoxLayout;
-  lines_.push_back(first);
-  lines_.push_back(second);
+  for (QBoxLayout* line :
+       {static_cast<QBoxLayout*>(column), static_cast<QBoxLayout*>(first), static_cast<QBoxLayout*>(second)})
+    lines_.push_back(line);
   second->addWidget(new TextLabel({type_size::kBody}, tr("What if")));
   second->addWidget(settings_, 1);
-  second->addWidget(tuned_);
-  second->addWidget(stop_);
+  for (TouchButton* button : {tuned_, cut_, formatButton_}) second->addWidget(button);
   results_ = new TextLabel({type_size::kBody, false, false, true});
   results_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* scroll = new QScrollArea;
@@ -188,8 +162,9 @@ QWidget* SessionsPage::makeResults() {
   connect(tuned_, &TouchButton::clicked, this, [this] { settings_->setText(desk_->tunedSettings().join(u' ')); });
   connect(score_, &TouchButton::clicked, this, [this] { desk_->score(false); });
   connect(scoreAll_, &TouchButton::clicked, this, [this] { desk_->score(true); });
-  connect(cut_, &TouchButton::clicked, this, &SessionsPage::exportSpan);
-  connect(pdf_, &TouchButton::clicked, this, &SessionsPage::exportReport);
+  connect(cut_, &TouchButton::clicked, this, &SessionsPage::exportChosen);
+  connect(formatButton_, &TouchButton::clicked, this, &SessionsPage::nextFormat);
+  connect(pdf_, &TouchButton::clicked, this, [this] { writeDrawn(QStringLiteral(".pdf")); });
   connect(stop_, &TouchButton::clicked, this, [this] { desk_->cancel(); });
   return sheet;
 }
@@ -222,22 +197,17 @@ void SessionsPage::connectTransport() {
 }
 
 // A span becomes the selection, so that LOOP, EXPORT and the next marker take it.
-void SessionsPage::goToMarker(int row) {
-  const Marker* marker = markers_.marker(row);
-  if (marker == nullptr) return;
-  const Seconds begin = desk_->markerTime(*marker);
-  desk_->goTo(begin);
-  if (marker->end > marker->begin) timeline_->select(begin, begin + secondsBetween(marker->begin, marker->end));
-}
-
-void SessionsPage::mark(const char* label) {
-  if (desk_ == nullptr || !desk_->replay().open) return;
-  const bool span = timeline_->hasSelection();
-  const Seconds here = desk_->replay().position;
-  const Status done = desk_->mark(span ? timeline_->selectedFrom() : here, span ? timeline_->selectedTo() : here,
-                                  QLatin1String(label), note_->text());
-  if (done) note_->clear();
-  tell(done, tr("Marked: %1").arg(markerText(label)));
+void SessionsPage::connectMarks() {
+  marks_->chosen = [this] {
+    const Seconds here = desk_->replay().position;
+    return timeline_->hasSelection() ? std::pair(timeline_->selectedFrom(), timeline_->selectedTo())
+                                     : std::pair(here, here);
+  };
+  connect(marks_, &MarkSheet::told, this, &SessionsPage::tell);
+  connect(marks_, &MarkSheet::wentTo, this, [this](Seconds begin, Seconds end) {
+    desk_->goTo(begin);
+    if (end > begin) timeline_->select(begin, end);
+  });
 }
 
 void SessionsPage::tell(const Status& status, const QString& done) {
@@ -245,27 +215,38 @@ void SessionsPage::tell(const Status& status, const QString& done) {
   status_->setText(status ? done : QString::fromStdString(status.error().line()));
 }
 
+// Beside the recording; where nothing may be written there, among the others.
 QString SessionsPage::exportName(const QString& suffix) const {
   const QFileInfo file(desk_->openedPath());
-  QString name = file.dir().filePath(file.completeBaseName() + suffix);
+  const QDir dir(QFileInfo(file.path()).isWritable() ? file.path() : desk_->folder());
+  QString name = dir.filePath(file.completeBaseName() + suffix);
   for (int k = 2; QFileInfo::exists(name); ++k) {
-    name = file.dir().filePath(QStringLiteral("%1-%2%3").arg(file.completeBaseName()).arg(k).arg(suffix));
+    name = dir.filePath(QStringLiteral("%1-%2%3").arg(file.completeBaseName()).arg(k).arg(suffix));
   }
   return name;
 }
 
-void SessionsPage::exportSpan() {
-  const auto summary = desk_->summary();
-  if (!summary) return;
-  const bool span = timeline_->hasSelection();
-  desk_->exportSpan(span ? timeline_->selectedFrom() : Seconds(), span ? timeline_->selectedTo() : summary->length,
-                    exportName(QStringLiteral(".wav")));
+void SessionsPage::nextFormat() {
+  format_ = (format_ + 1) % kFormats.size();
+  formatButton_->setText(tr("AS %1").arg(QLatin1String(kFormats[format_].name)));
 }
 
-void SessionsPage::exportReport() {
+// Pictures are of the whole; samples of the selected span where there is one.
+void SessionsPage::exportChosen() {
+  const auto summary = desk_->summary();
+  if (!summary) return;
+  const Format& format = kFormats[format_];
+  if (format.drawn) return writeDrawn(QLatin1String(format.suffix));
+  const bool span = timeline_->hasSelection();
+  desk_->exportSpan(span ? timeline_->selectedFrom() : Seconds(), span ? timeline_->selectedTo() : summary->length,
+                    exportName(QLatin1String(format.suffix)));
+}
+
+void SessionsPage::writeDrawn(const QString& suffix) {
   const auto summary = desk_->summary();
   if (!summary || !report_) return;
-  const QString file = exportName(QStringLiteral(".pdf"));
+  if (!desk_->summaryWhole()) return tell(Error{"export", "the recording is still being read", "a moment later"}, {});
+  const QString file = exportName(suffix);
   tell(report_(*summary, file), tr("Written: %1").arg(file));
 }
 
@@ -276,7 +257,7 @@ void SessionsPage::see(const Picture&) {
 void SessionsPage::refresh() {
   const bool any = desk_ != nullptr;
   if (any) {
-    markers_.show(*desk_);
+    marks_->refresh();
     timeline_->setSummary(desk_->summary());
     timeline_->setTracks(desk_->tracks());
     std::vector<SessionTimeline::Mark> marks;
@@ -304,10 +285,6 @@ void SessionsPage::refresh() {
   const bool open = summary != nullptr;
   for (TouchButton* button : {run_, score_, cut_, everywhere_}) button->setEnabled(open);
   pdf_->setEnabled(whole);
-  for (const char* name : {"mark-true", "mark-false", "mark-heard", "mark-note"}) {
-    findChild<TouchButton*>(QLatin1String(name))->setEnabled(open && summary->session);
-  }
-  remove_->setEnabled(open && markers_.rowCount() > 0);
   scoreAll_->setEnabled(any && !desk_->entries().empty());
   if (any) showResults();
 }
@@ -316,6 +293,7 @@ void SessionsPage::showResults() {
   QStringList lines;
   for (const DetectorTrack& track : desk_->tracks()) lines.push_back(trackText(track));
   for (const ScoreLine& score : desk_->scores()) lines.push_back(scoreText(score));
+  for (const QString& problem : desk_->notScored()) lines.push_back(tr("Not scored: %1").arg(problem));
   results_->setText(lines.join(u'\n'));
 }
 
@@ -358,16 +336,13 @@ void SessionsPage::applyTheme(const Theme& theme) {
   layout()->setSpacing(gap);
   const int apart = std::max(theme.px(12), pixelsFor(kTouchGapMm, this));
   for (QBoxLayout* line : lines_) line->setSpacing(apart);
-  markerList_->setFont(theme.font(type_size::kBody));
   for (Panel* panel : {panel_, below_}) {
     panel->layout()->setContentsMargins(theme.px(12), theme.px(8), theme.px(12), theme.px(8));
     panel->layout()->setSpacing(theme.px(6));
   }
   below_->layout()->setSpacing(apart);
-  for (QLineEdit* edit : {note_, settings_}) {
-    edit->setFont(theme.font(type_size::kBody));
-    edit->setFixedHeight(theme.px(48));
-  }
+  settings_->setFont(theme.font(type_size::kBody));
+  settings_->setFixedHeight(theme.px(48));
 }
 
 }  // namespace stillcut::ui

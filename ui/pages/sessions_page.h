@@ -6,15 +6,14 @@
 #include <vector>
 
 #include "ui/models/session_desk.h"
-#include "ui/models/session_models.h"
 #include "ui/pages/page.h"
 
 class QBoxLayout;
 class QLineEdit;
-class QListView;
 
 namespace stillcut::ui {
 
+class MarkSheet;
 class Panel;
 class SessionList;
 class SessionTimeline;
@@ -37,29 +36,28 @@ class SessionsPage : public Page {
 
  private:
   QWidget* makeBelow();
-  QWidget* makeMarks();
   QWidget* makeResults();
   void connectTransport();
+  void connectMarks();
   void refresh();
   void showResults();
-  void goToMarker(int row);
-  void mark(const char* label);
   void tell(const Status& status, const QString& done);
-  void exportSpan();
-  void exportReport();
+  void nextFormat();
+  void exportChosen();
+  void writeDrawn(const QString& suffix);
   QString exportName(const QString& suffix) const;
 
   SessionDesk* desk_;
   ReportWriter report_;
-  MarkerModel markers_;
   Theme theme_;
   bool taskRan_ = false;
+  std::size_t format_ = 0;  // of EXPORT
 
   SessionList* list_ = nullptr;
-  QListView* markerList_ = nullptr;
-  QLineEdit *note_ = nullptr, *settings_ = nullptr;
-  TouchButton *remove_ = nullptr, *run_ = nullptr, *tuned_ = nullptr, *score_ = nullptr, *scoreAll_ = nullptr,
-              *cut_ = nullptr, *pdf_ = nullptr, *everywhere_ = nullptr, *stop_ = nullptr;
+  MarkSheet* marks_ = nullptr;
+  QLineEdit* settings_ = nullptr;
+  TouchButton *run_ = nullptr, *tuned_ = nullptr, *score_ = nullptr, *scoreAll_ = nullptr, *cut_ = nullptr,
+              *pdf_ = nullptr, *everywhere_ = nullptr, *formatButton_ = nullptr, *stop_ = nullptr;
   TextLabel *title_ = nullptr, *facts_ = nullptr, *status_ = nullptr, *results_ = nullptr, *verdict_ = nullptr;
   SessionTimeline* timeline_ = nullptr;
   TransportBar* transport_ = nullptr;

@@ -7,6 +7,7 @@
 
 #include "ui/pages/setup_parts.h"
 #include "ui/pages/setup_profile.h"
+#include "ui/pages/setup_recording.h"
 #include "ui/pages/setup_tools.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
@@ -21,16 +22,13 @@ SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(des
     return;
   }
   draft_.open(desk->draft(), desk->profileInForce());
-  tabs_ = {new SetupGuide(*desk, draft_), new SetupMachine(*desk, draft_), new SetupSensors(*desk, draft_),
-           new SetupTools(*desk, draft_), new SetupProfile(*desk, draft_)};
+  tabs_ = {new SetupGuide(*desk, draft_), new SetupMachine(*desk, draft_),   new SetupSensors(*desk, draft_),
+           new SetupTools(*desk, draft_), new SetupRecording(*desk, draft_), new SetupProfile(*desk, draft_)};
   const struct {
     QString caption;
     const char* name;
-  } names[] = {{tr("GUIDE"), "setup-guide"},
-               {tr("MACHINE"), "setup-machine"},
-               {tr("SENSORS"), "setup-sensors"},
-               {tr("TOOLS"), "setup-tools"},
-               {tr("PROFILE"), "setup-profile"}};
+  } names[] = {{tr("GUIDE"), "setup-guide"}, {tr("MACHINE"), "setup-machine"},     {tr("SENSORS"), "setup-sensors"},
+               {tr("TOOLS"), "setup-tools"}, {tr("RECORDING"), "setup-recording"}, {tr("PROFILE"), "setup-profile"}};
   choices_ = new QVBoxLayout;
   for (std::size_t k = 0; k < tabs_.size(); ++k) {
     SetupTab* tab = tabs_[k];

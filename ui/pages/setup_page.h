@@ -1,5 +1,5 @@
-// Set up: a guide that ends in a running cut, and what it is made of: machine link, sensors, tools, the profile that
-// holds them together and is tried out step by step. Knows no device.
+// Set up: a guide that ends in a running cut, and what it is made of: machine link, sensors, tools, what is recorded,
+// the profile that holds them together and is tried out step by step. Knows no device.
 #pragma once
 
 #include <vector>

@@ -62,7 +62,7 @@ SetupGuide::SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   } steps[] = {{tr("1  MACHINE"), QStringLiteral("guide-machine"), 1},
                {tr("2  SENSORS"), QStringLiteral("guide-sensors"), 2},
                {tr("3  TOOL"), QStringLiteral("guide-tool"), 3},
-               {tr("4  TRY OUT, SAVE, START"), QStringLiteral("guide-profile"), 4}};
+               {tr("4  TRY OUT, SAVE, START"), QStringLiteral("guide-profile"), 5}};
   auto* line = new QHBoxLayout;
   for (const auto& step : steps) {
     TouchButton* button = makeButton(step.caption, step.caption, step.name);

@@ -82,4 +82,9 @@ Status writePicture(const SessionSummary& summary, const QString& path, QSize si
   return Done{};
 }
 
+Status writeByName(const SessionSummary& summary, const QString& path) {
+  constexpr QSize kPicture{1400, 900};
+  return path.endsWith(QStringLiteral(".pdf")) ? writeReport(summary, path) : writePicture(summary, path, kPicture);
+}
+
 }  // namespace stillcut::ui

@@ -34,6 +34,7 @@ int ReportPages::draw() {
   firstPage();
   if (summary_.session) {
     interventions();
+    markers();
     events();
   }
   sensors();
@@ -131,6 +132,10 @@ void ReportPages::events() {
   y_ += 18;
 }
 
+void ReportPages::markers() {
+  if (!summary_.markers.empty()) table(tr("Markers"), markerColumns(), markerRows(summary_));
+}
+
 void ReportPages::sensors() {
   table(tr("Sensor check"), sensorColumns(), sensorRows(summary_));
   if (!summary_.session) return;
@@ -138,11 +143,13 @@ void ReportPages::sensors() {
 }
 
 void ReportPages::settings() {
+  if (!summary_.settingChanges.empty())
+    table(tr("Settings changed during the cut"), changeColumns(), changeRows(summary_));
   const QStringList lines = settingLines(summary_);
   if (lines.isEmpty()) return;
   constexpr double kLine = 12.5;
   constexpr int kColumns = 3;
-  section(tr("Settings in force"), 6 * kLine);
+  section(tr("Settings at the beginning"), 6 * kLine);
   qsizetype next = 0;
   while (next < lines.size()) {
     const auto rows = static_cast<qsizetype>(room() / kLine);

@@ -26,6 +26,7 @@ class ReportPages {
  private:
   void firstPage();
   void interventions();
+  void markers();
   void events();
   void sensors();
   void settings();

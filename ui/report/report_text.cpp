@@ -1,11 +1,13 @@
 #include "ui/report/report_text.h"
 
+#include <QDateTime>
 #include <algorithm>
 #include <cmath>
 
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
 #include "ui/models/say.h"
+#include "ui/models/session_models.h"
 #include "ui/report/page_style.h"
 
 namespace stillcut::ui {
@@ -80,6 +82,12 @@ std::size_t movedCount(const SessionSummary& s) {
 Facts cutFacts(const SessionSummary& s) {
   Facts facts;
   const CutSetup& setup = s.setup;
+  if (s.started_ns > 0) {
+    const QDateTime begun = QDateTime::fromMSecsSinceEpoch(s.started_ns / 1'000'000);
+    facts.emplace_back(say("Date"), begun.toString(QStringLiteral("yyyy-MM-dd HH:mm t")));
+  }
+  if (!s.operatorName.empty()) facts.emplace_back(say("Operator"), text(s.operatorName));
+  if (!s.job.empty()) facts.emplace_back(say("Job"), text(s.job));
   if (s.session) {
     facts.emplace_back(say("Machine"), text(setup.machine) + (s.simulated ? say(" (simulated)") : ""));
     facts.emplace_back(say("Tool"), text(setup.tool));
@@ -210,6 +218,42 @@ std::vector<TableRow> eventRows(const SessionSummary& s) {
     row.cells << join(number(sinceEpoch(event.time).value, 2), QStringLiteral("s")) << level
               << reasonText(event.reason);
     if (event.level == EventLevel::Fault) row.tone = Tone::Chatter;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<TableColumn> markerColumns() {
+  return {{say("At"), 0.9, true},
+          {say("Length"), 0.9, true},
+          {say("Marked as"), 2.0, false},
+          {say("By"), 1.4, false},
+          {say("Note"), 5.0, false}};
+}
+
+std::vector<TableRow> markerRows(const SessionSummary& s) {
+  std::vector<TableRow> rows;
+  for (const Marker& marker : s.markers) {
+    TableRow row;
+    const Seconds length = secondsBetween(marker.begin, marker.end);
+    row.cells << join(number(sinceEpoch(marker.begin).value, 2), QStringLiteral("s"))
+              << (length.value > 0.0 ? duration(length) : kNothing) << markerText(marker.label) << text(marker.author)
+              << QString::fromStdString(marker.note);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<TableColumn> changeColumns() {
+  return {{say("At"), 0.9, true}, {say("Parameter"), 4.0, false}, {say("Set to"), 4.0, false}};
+}
+
+std::vector<TableRow> changeRows(const SessionSummary& s) {
+  std::vector<TableRow> rows;
+  for (const SettingChange& change : s.settingChanges) {
+    TableRow row;
+    row.cells << join(number(change.time.value, 2), QStringLiteral("s"))
+              << (change.key.empty() ? say("one this program does not know") : text(change.key)) << text(change.value);
     rows.push_back(row);
   }
   return rows;

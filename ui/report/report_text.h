@@ -24,7 +24,13 @@ std::vector<TableColumn> sensorColumns();
 std::vector<TableRow> sensorRows(const SessionSummary& summary);
 std::vector<TableColumn> eventColumns();
 std::vector<TableRow> eventRows(const SessionSummary& summary);
-// The configuration, one setting a line, under the names of its tables.
+// What people have marked, during the cut and afterwards.
+std::vector<TableColumn> markerColumns();
+std::vector<TableRow> markerRows(const SessionSummary& summary);
+// Parameters that were set during the cut.
+std::vector<TableColumn> changeColumns();
+std::vector<TableRow> changeRows(const SessionSummary& summary);
+// The configuration it began with, one setting a line, under the names of its tables.
 QStringList settingLines(const SessionSummary& summary);
 
 }  // namespace stillcut::ui

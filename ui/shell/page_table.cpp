@@ -32,7 +32,7 @@ constexpr std::array kPages{
                 return new TunePage(session.tuning(), [&session] { return session.active(); });
               }},
     PageEntry{5, "sessions", QT_TRANSLATE_NOOP("Pages", "Sessions"),
-              [](SessionFacade& session) -> Page* { return new SessionsPage(session.sessions(), &writeReport); }},
+              [](SessionFacade& session) -> Page* { return new SessionsPage(session.sessions(), &writeByName); }},
     PageEntry{6, "setup", QT_TRANSLATE_NOOP("Pages", "Set up"),
               [](SessionFacade& session) -> Page* { return new SetupPage(session.setup()); }},
 };

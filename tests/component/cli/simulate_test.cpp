@@ -141,11 +141,29 @@ TEST_F(Simulate, WritesASoundFileInSi) {
   EXPECT_EQ(folder_.files(), 2U);  // nothing else beside the scenario
 }
 
+constexpr const char* kMachine =
+    "version = 1\nmachine = \"M\"\noperator = \"Ada\"\n[tool]\nlabel = \"T12\"\nteeth = 4\ndiameter_mm = 12.0\n[cut]\n"
+    "speed_rpm = 8500.0\nfeed_mm_min = 2720.0\n[source]\nid = \"simulated\"\n[source.settings]\n"
+    "scenario = \"cut.toml\"\n[link]\nid = \"simulated\"\n[control]\ndetector = \"energy-ratio\"\n"
+    "strategy = \"lobe-center\"\n";
+
+TEST_F(Simulate, AProfileThatSaysSoIsRecordedUnderJobAndTool) {
+  folder_.file("machine.toml", std::string(kMachine) + "[recording]\nfolder = \"kept\"\njob = \"Housing 7\"\n");
+  run({"run", "--profile", "machine.toml", "--seconds", "0.5", "--flights", "flights"});
+  run({"run", "--profile", "machine.toml", "--seconds", "0.5", "--flights", "flights", "--job", "Bracket"});
+  for (const char* job : {"Housing 7", "Bracket"}) {
+    const std::filesystem::path place = std::filesystem::path(folder_ / "kept") / job / "T12";
+    ASSERT_TRUE(std::filesystem::is_directory(place)) << place;
+    const std::string file = std::filesystem::directory_iterator(place)->path().string();
+    const json info = json::parse(run({"info", file, "--json"}), nullptr, false);
+    EXPECT_EQ(info["session"]["job"], job);
+    EXPECT_EQ(info["session"]["operator"], "Ada");
+    EXPECT_FALSE(info["session"]["started_utc"].get<std::string>().empty());
+  }
+}
+
 TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
-  folder_.file("machine.toml",
-               "version = 1\nmachine = \"M\"\n[tool]\nteeth = 4\ndiameter_mm = 12.0\n[cut]\nspeed_rpm = 8500.0\n"
-               "feed_mm_min = 2720.0\n[source]\nid = \"simulated\"\n[source.settings]\nscenario = \"cut.toml\"\n"
-               "[link]\nid = \"simulated\"\n[control]\ndetector = \"energy-ratio\"\nstrategy = \"lobe-center\"\n");
+  folder_.file("machine.toml", kMachine);
   const std::string said =
       run({"run", "--profile", "machine.toml", "--seconds", "1", "--record", "run.h5", "--flights", "flights"});
   EXPECT_THAT(said, testing::HasSubstr("authority is off"));

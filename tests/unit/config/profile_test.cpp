@@ -40,6 +40,9 @@ detector = "energy-ratio"
 fallback = "spectral"
 strategy = "lobe-center"
 allow_auto = true
+[recording]
+folder = "kept"
+job = "Housing 7"
 [parameters.energy-ratio]
 threshold = 0.35
 band = "auto"
@@ -79,6 +82,8 @@ TEST(Profile, ReadsInSiUnits) {
   EXPECT_EQ(p.source.id, "audio");
   EXPECT_EQ(p.source.settings.at("device"), "hw:1");
   EXPECT_EQ(p.source.settings.at("rate_hz"), "48000");
+  EXPECT_EQ(p.recording.folder, "kept");
+  EXPECT_EQ(p.recording.job, "Housing 7");
   EXPECT_EQ(p.fallback, "spectral");
   EXPECT_TRUE(p.allowAuto);
   EXPECT_DOUBLE_EQ(p.params.real(kThreshold), 0.35);
@@ -136,11 +141,11 @@ TEST(ProfileErrors, AreOneLineWithFileLineAndCause) {
   EXPECT_EQ(lineWith("allow_auto = true", "allow_auto = 1"),
             "p.toml:29: 'control.allow_auto' is neither true nor false");
   EXPECT_EQ(lineWith("threshold", "treshold"),
-            "p.toml:31: unknown key 'energy-ratio.treshold' (did you mean 'energy-ratio.threshold'?)");
-  EXPECT_EQ(lineWith("0.35", "3.5"), "p.toml:31: energy-ratio.threshold: 3.5 is out of range (allowed: 0 to 1)");
+            "p.toml:34: unknown key 'energy-ratio.treshold' (did you mean 'energy-ratio.threshold'?)");
+  EXPECT_EQ(lineWith("0.35", "3.5"), "p.toml:34: energy-ratio.threshold: 3.5 is out of range (allowed: 0 to 1)");
   EXPECT_EQ(lineWith("0.35", "nan"),
-            "p.toml:31: energy-ratio.threshold: the value is not a finite number (allowed: 0 to 1)");
-  EXPECT_EQ(lineWith("0.35", "[1]"), "p.toml:31: 'parameters.energy-ratio.threshold' is not a single value");
+            "p.toml:34: energy-ratio.threshold: the value is not a finite number (allowed: 0 to 1)");
+  EXPECT_EQ(lineWith("0.35", "[1]"), "p.toml:34: 'parameters.energy-ratio.threshold' is not a single value");
 }
 
 TEST(ProfileVersion, NewerIsRefusedAndMissingIsAsked) {

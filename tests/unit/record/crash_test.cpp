@@ -2,11 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <semaphore>
 
+#include "core/record/describe_recording.h"
 #include "core/record/journaled_file.h"
 #include "core/record/open_recording.h"
 #include "core/record/recorder.h"
@@ -271,6 +276,56 @@ TEST(NeverLost, ASlowDiskNeverHoldsUpTheWorkerAndTheGapIsInTheFile) {
   }
   EXPECT_EQ(steps, taken);
   EXPECT_EQ(lost, static_cast<std::uint64_t>(refused * block.frames));
+}
+
+// Does it in a child without root's leave to write everywhere; gives what the child gives.
+int asAnybody(const std::function<int()>& act) {
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    const bool mayNot = geteuid() != 0 || (setgid(kNobody) == 0 && setuid(kNobody) == 0);
+    _exit(mayNot ? act() : 99);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// A share for reading, or a disc: what is there is read, nothing is changed, and what cannot be done is one line.
+TEST(NeverLost, ACrashedSessionInAReadOnlyPlaceIsReadAsItIs) {
+  namespace fs = std::filesystem;
+  using fs::perms;
+  const perms everybodyReads = perms::owner_read | perms::group_read | perms::others_read;
+  const perms everybodyWrites = everybodyReads | perms::owner_write | perms::group_write | perms::others_write;
+  const perms enters = perms::owner_exec | perms::group_exec | perms::others_exec;
+  for (const bool filesToo : {true, false}) {
+    const TempFolder folder;
+    const std::string path = folder / "cut.h5";
+    const int added = recordUntilKilled(path, 700);
+    ASSERT_GT(added, 0);
+    ASSERT_TRUE(fs::exists(journalPath(path))) << "it was cut off";
+    for (const std::string& file : {path, journalPath(path)}) {
+      fs::permissions(file, filesToo ? everybodyReads : everybodyWrites);
+    }
+    fs::permissions(fs::path(path).parent_path(), everybodyReads | enters);
+    const std::vector<std::byte> before = contentOf(path);
+    const int wrong = asAnybody([&] {
+      const WhatIsLeft left = look(path);
+      if (!left.opens || left.damaged || left.steps < added - kStepsPerSecond) return 1;
+      if (!readMarkers(path)) return 2;
+      if (!filesToo) return 0;  // only the journal stays where it is
+      const auto described = describeRecording(path);
+      if (!described || toText(*described).find("cannot be written to") == std::string::npos) return 3;
+      const auto repaired = repairSession(path);
+      if (repaired || repaired.error().line().find('\n') != std::string::npos) return 4;
+      if (repaired.error().line().find(path) == std::string::npos) return 5;
+      return addMarker(path, {0, {}, {}, "note", "Ada", "", 0}) ? 6 : 0;
+    });
+    fs::permissions(fs::path(path).parent_path(), perms::owner_all);
+    EXPECT_EQ(wrong, 0) << "files too: " << filesToo;
+    if (!filesToo) continue;
+    EXPECT_EQ(contentOf(path), before) << "not a byte is changed";
+  }
 }
 
 TEST(NeverLost, AFolderThatCannotBeWrittenIsNamed) {

@@ -229,10 +229,12 @@ TEST(MatImport, ALengthThatLiesInsideACompressedVariableIsRefusedInBoundedMemory
     std::string changed = whole;
     for (const Lie& lie : lies) changed.replace(lie.at, 4, lie.length);
     const std::string packed = deflated(changed);
-    std::string tag("\x0f\x00\x00\x00", 4);
     const auto length = static_cast<std::uint32_t>(packed.size());
-    tag.append(reinterpret_cast<const char*>(&length), 4);
-    const WholeRecording all = readAll(folder.file("lie.mat", bytes.substr(0, 128) + tag + packed), atOneKilohertz());
+    std::string lying = bytes.substr(0, 128);
+    lying.append("\x0f\x00\x00\x00", 4);
+    lying.append(reinterpret_cast<const char*>(&length), 4);
+    lying.append(packed);
+    const WholeRecording all = readAll(folder.file("lie.mat", lying), atOneKilohertz());
     EXPECT_THAT(all.error, HasSubstr("variable 0: a length inside it is wrong"));
     EXPECT_LT(peakMegabytes() - before, 64.0);
   }

@@ -1,0 +1,30 @@
+// Deletions: what the limits of a folder of recordings have let go during this run, and how its recording stands, for
+// the screen. Thread: GUI; teller()'s function: any, and longer than this.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+
+#include "core/record/recorder.h"
+#include "core/record/session_folder.h"
+#include "ui/models/setup_desk.h"
+
+namespace stillcut::app {
+
+class Deletions {
+ public:
+  std::function<void(const record::Deleted&)> teller();
+  // `recorder`: of the run; null: nothing is recorded.
+  ui::RecordingNow told(const record::Recorder* recorder) const;
+
+ private:
+  struct Seen {
+    std::mutex lock;
+    int count = 0;
+    std::string last;
+  };
+  std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
+};
+
+}  // namespace stillcut::app

@@ -1,0 +1,146 @@
+// The desk behind the Set up page on simulated machines and files of a folder.
+
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <algorithm>
+
+#include "app/session/machine_desk.h"
+#include "tests/ui/wait_for.h"
+
+namespace stillcut::app {
+namespace {
+
+// The demonstration's cut as a machine of its own, with its control.
+config::Profile simulatedMill() {
+  config::Profile profile;
+  profile.cut.machine = "Simulated mill";
+  profile.cut.teeth = 4;
+  profile.cut.nominalSpeed = Rpm(8500.0);
+  profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+  profile.link = {"simulated", {}};
+  return profile;
+}
+
+TEST(MachineDesk, TriesOutTheSimulatedMillStepByStep) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  desk.tryOut(profile, QStringLiteral("mill"));
+  test::waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  for (const ui::TrialStep& step : desk.trial()) {
+    EXPECT_EQ(step.state, ui::TrialStep::State::Good) << step.detail.toStdString();
+  }
+  profile.source.settings["scenario"] = "nowhere.toml";
+  desk.tryOut(profile, QStringLiteral("mill"));
+  test::waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  EXPECT_EQ(desk.trial()[0].state, ui::TrialStep::State::Bad);
+  EXPECT_EQ(desk.trial()[1].state, ui::TrialStep::State::Waits);
+  EXPECT_TRUE(desk.trial()[0].detail.contains(QStringLiteral("nowhere.toml")));
+}
+
+TEST(MachineDesk, ListensToTheChosenDeviceWithoutItsMachine) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  profile.allowAuto = true;
+  desk.listen(profile, {});
+  EXPECT_EQ(desk.heard().state, ui::Heard::State::Opening);
+  const Snapshot* snapshot = nullptr;
+  test::waitFor(desk, [&] {
+    snapshot = desk.heard().snapshot;
+    return snapshot != nullptr && snapshot->sensors.channels > 0 && snapshot->columnCount > 0;
+  });
+  EXPECT_FALSE(snapshot->machine.valid) << "no machine is spoken to";
+  EXPECT_FALSE(snapshot->autoAllowed);
+  EXPECT_GT(snapshot->sensors.nominalRate.value, 0.0);
+  desk.stopListening();
+  EXPECT_EQ(desk.heard().state, ui::Heard::State::Off);
+
+  profile.source.settings["scenario"] = "nowhere.toml";
+  desk.listen(profile, {});
+  test::waitFor(desk, [&] { return desk.heard().state == ui::Heard::State::Failed; });
+  EXPECT_TRUE(desk.heard().problem.contains(QStringLiteral("nowhere.toml")));
+}
+
+TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
+  const MachineDesk desk;
+  config::Profile profile;
+  profile.link.id = "linuxcnc";
+  std::vector<std::string> keys;
+  for (const config::AskedSetting& asked : desk.linkSettings(profile)) keys.push_back(asked.key);
+  for (const char* key : {"host", "port", "hal_port", "lowest_speed_percent"}) {
+    EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << key;
+  }
+  for (const ui::PartOption& link : desk.links()) {
+    profile.link.id = link.id.toStdString();
+    for (const config::AskedSetting& asked : desk.linkSettings(profile)) EXPECT_FALSE(asked.key.empty());
+  }
+}
+
+// What a trial and a run have measured of a link goes into its profile, and into no other.
+TEST(MachineDesk, MeasuredDelaysAreSavedWithTheLinkTheyAreOf) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  desk.measured = [&] { return LinkDelays{profile.link, {}, Seconds(0.096)}; };
+  desk.tryOut(profile, QStringLiteral("mill"));
+  test::waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill")).ok());
+  auto back = desk.load(QStringLiteral("mill"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(back->link.settings["effect_ms"], "96.00");
+  EXPECT_TRUE(back->link.settings.contains("delay_ms"));
+  profile.link = {"grbl", {{"device", "/dev/ttyUSB7"}}};
+  desk.measured = nullptr;
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("other")).ok());
+  back = desk.load(QStringLiteral("other"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_FALSE(back->link.settings.contains("effect_ms"));
+  EXPECT_FALSE(back->link.settings.contains("delay_ms"));
+}
+
+// A pure tone from a scenario's sensor cannot be had; that the way from desk to device and back is walked is seen in
+// what is said of it.
+TEST(MachineDesk, CalibratesAgainstTheChosenDevice) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  desk.calibrate(profile, {}, 0, QStringLiteral("1 g"), Hertz(40.0));
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
+  test::waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Bad);
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("tone"))) << desk.sensorTrial().said.toStdString();
+  desk.calibrate(profile, {}, 9, QStringLiteral("1 g"), Hertz(1000.0));
+  test::waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 9")));
+  desk.knock(profile, {}, 8);
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
+  test::waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
+  EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 8")));
+}
+
+TEST(MachineDesk, ProfilesAreKeptAndComeBack) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile;
+  profile.cut.machine = "Mill 3";
+  profile.source.id = "simulated";
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill3")).ok());
+  EXPECT_EQ(desk.profiles(), QStringList{QStringLiteral("mill3")});
+  const auto back = desk.load(QStringLiteral("mill3"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(back->cut.machine, "Mill 3");
+  EXPECT_FALSE(desk.save(profile, QStringLiteral("../evil")).ok());
+  profile.strategy = "no-such";
+  EXPECT_FALSE(desk.save(profile, QStringLiteral("mill4")).ok());
+  EXPECT_EQ(desk.profiles().size(), 1);
+}
+
+}  // namespace
+}  // namespace stillcut::app

@@ -1,0 +1,121 @@
+// What a profile says of recordings, done by the session of the desktop: modes, names by job, tool and time, who was
+// there.
+#include <gtest/gtest.h>
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/compose/session_summary_builder.h"
+#include "app/session/session.h"
+#include "core/record/session_markers.h"
+
+namespace stillcut::app {
+namespace {
+
+class RecordedByProfile : public testing::Test {
+ protected:
+  // Puts a profile of the simulated mill in force, as the Set up page does.
+  void start(const std::string& mode) {
+    auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
+    ASSERT_TRUE(opened.ok()) << opened.error().line();
+    session_ = std::move(opened).value();
+    session_->keepStateIn(folder_.filePath(QStringLiteral("state")));
+    session_->keepRecordingsIn(folder_.filePath(QStringLiteral("usual")));
+    session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
+    ui::SetupDesk& desk = *session_->setup();
+    config::ParamCatalog catalog;
+    catalog.add(desk.recordParams());
+    config::Profile profile;
+    profile.cut.machine = "Simulated mill";
+    profile.cut.tool = "T12 D12 Z4";
+    profile.cut.teeth = 4;
+    profile.cut.nominalSpeed = Rpm(8500.0);
+    profile.operatorName = "Ada";
+    profile.recording = {recordings().toStdString(), "Housing 7"};
+    profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+    profile.link = {"simulated", {}};
+    ASSERT_TRUE(profile.params.set(catalog, "record.mode", mode, "test").ok());
+    const auto saved = desk.save(profile, QStringLiteral("mill"));
+    ASSERT_TRUE(saved.ok()) << saved.error().line();
+    const auto back = desk.load(QStringLiteral("mill"));
+    ASSERT_TRUE(back.ok()) << back.error().line();
+    EXPECT_EQ(back->recording.job, "Housing 7");
+    const Status begun = desk.start(QStringLiteral("mill"));
+    ASSERT_TRUE(begun.ok()) << begun.error().line();
+  }
+  QString recordings() const { return folder_.filePath(QStringLiteral("recordings")); }
+  bool comes(ui::RecordingNow::State state) {
+    return QTest::qWaitFor(
+        [&] {
+          (void)session_->pull();
+          return session_->setup()->recordingNow().state == state && session_->recorder().length.value > 0.3;
+        },
+        60'000);
+  }
+  // The one file there is, below job and tool.
+  std::string onlyFile() const {
+    QDirIterator files(recordings() + QStringLiteral("/Housing 7/T12 D12 Z4"), {QStringLiteral("*.h5")}, QDir::Files);
+    EXPECT_TRUE(files.hasNext());
+    const QString file = files.hasNext() ? files.next() : QString();
+    EXPECT_FALSE(files.hasNext()) << "one file";
+    return file.toStdString();
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(RecordedByProfile, EverythingIsKeptWithWhoAndWhatFor) {
+  start("continuous");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_EQ(session_->recorder().state, ui::RecorderStatus::State::Recording);
+  EXPECT_EQ(session_->sessions()->folder(), recordings()) << "the Sessions page lists them";
+  ASSERT_TRUE(session_->stop().ok());
+  const auto summary = summarizeRecording(onlyFile());
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  EXPECT_GT(summary->length.value, 0.2);
+  EXPECT_EQ(summary->operatorName, "Ada");
+  EXPECT_EQ(summary->job, "Housing 7");
+  EXPECT_GT(summary->started_ns, 0);
+}
+
+TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWasBefore) {
+  start("around-events");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Waits));
+  EXPECT_TRUE(session_->recorder().waiting);
+  session_->send({OperatorAction::HearChatter});
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_FALSE(session_->recorder().waiting);
+  ASSERT_TRUE(session_->stop().ok());
+  const std::string file = onlyFile();
+  const auto summary = summarizeRecording(file);
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  ASSERT_EQ(summary->markers.size(), 1U);
+  EXPECT_EQ(summary->markers[0].label, kLabelHeard);
+  EXPECT_EQ(summary->markers[0].author, "Ada");
+  EXPECT_GT(sinceEpoch(summary->markers[0].begin).value, 0.2) << "what was before it is kept";
+}
+
+TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
+  start("features");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  ASSERT_TRUE(session_->stop().ok());
+  const auto glimpse = glimpseOf(onlyFile());
+  ASSERT_TRUE(glimpse.ok()) << glimpse.error().line();
+  EXPECT_DOUBLE_EQ(glimpse->length.value, 0.0) << "no samples";
+}
+
+TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {
+  QFile inTheWay(recordings());
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  inTheWay.close();
+  auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
+  ASSERT_TRUE(opened.ok());
+  const Status recording = (*opened)->recordInto(recordings().toStdString());
+  ASSERT_FALSE(recording.ok());
+  EXPECT_NE(recording.error().line().find("cannot be made"), std::string::npos) << recording.error().line();
+}
+
+}  // namespace
+}  // namespace stillcut::app

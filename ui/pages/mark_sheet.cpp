@@ -1,0 +1,156 @@
+#include "ui/pages/mark_sheet.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListView>
+#include <algorithm>
+
+#include "ui/widgets/painting.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
+  auto* button = new TouchButton(caption, TouchButton::Look::Plain);
+  button->setObjectName(QLatin1String(name));
+  button->setAccessibleName(spoken);
+  button->setBaseHeight(48);
+  return button;
+}
+
+}  // namespace
+
+MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
+    : QWidget(parent),
+      desk_(desk),
+      list_(new QListView),
+      label_(makeEdit(tr("Label"), tr("Label of the span"), "mark-label")),
+      note_(makeEdit(tr("Note"), tr("Note of the next marker"), "mark-text")),
+      span_(tool(tr("SPAN"), tr("Mark the selected span with the label"), "mark-span")),
+      change_(tool(tr("CHANGE"), tr("Give the chosen marker this label and note"), "mark-change")),
+      remove_(tool(tr("REMOVE"), tr("Remove the chosen marker"), "mark-remove")) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  lines_ = {new QHBoxLayout, new QHBoxLayout};
+  struct Button {
+    QString caption, spoken;
+    const char* name;
+    const char* label;
+    QKeySequence key;
+  };
+  const Button buttons[] = {
+      {tr("CHATTER"), tr("Mark a true alarm"), "mark-true", kLabelTrueAlarm, Qt::ALT | Qt::Key_1},
+      {tr("FALSE"), tr("Mark a false alarm"), "mark-false", kLabelFalseAlarm, Qt::ALT | Qt::Key_2},
+      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelHeard, Qt::ALT | Qt::Key_3},
+      {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
+  for (const Button& b : buttons) {
+    TouchButton* button = tool(b.caption, b.spoken, b.name);
+    button->setKey(b.key);
+    lines_[0]->addWidget(button);
+    touches_.push_back(button);
+    connect(button, &TouchButton::clicked, this, [this, label = b.label] { mark(QLatin1String(label)); });
+  }
+  lines_[0]->addStretch(1);
+  lines_[0]->addWidget(remove_);
+  lines_[1]->addWidget(label_, 1);
+  lines_[1]->addWidget(note_, 2);
+  lines_[1]->addWidget(span_);
+  lines_[1]->addWidget(change_);
+  for (QBoxLayout* line : lines_) column->addLayout(line);
+  list_->setObjectName(QStringLiteral("marker-list"));
+  list_->setAccessibleName(tr("Markers"));
+  list_->setModel(&markers_);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(list_, 1);
+  connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) { choose(index.row()); });
+  connect(list_, &QListView::activated, this, [this](const QModelIndex& index) { choose(index.row()); });
+  connect(span_, &TouchButton::clicked, this, &MarkSheet::markSpan);
+  connect(label_, &QLineEdit::returnPressed, span_, &TouchButton::click);
+  connect(change_, &TouchButton::clicked, this, &MarkSheet::change);
+  connect(remove_, &TouchButton::clicked, this, &MarkSheet::remove);
+}
+
+QLineEdit* MarkSheet::makeEdit(const QString& shown, const QString& spoken, const char* name) {
+  auto* edit = new QLineEdit;
+  edit->setObjectName(QLatin1String(name));
+  edit->setPlaceholderText(shown);
+  edit->setAccessibleName(spoken);
+  return edit;
+}
+
+const Marker* MarkSheet::current() const {
+  return markers_.marker(list_->currentIndex().row());
+}
+
+// The note is the one that was typed for this marker, not what the list has shown of another.
+void MarkSheet::mark(const QString& label) {
+  if (desk_ == nullptr || !desk_->replay().open) return;
+  const auto [from, to] = chosen();
+  const Status done = desk_->mark(from, to, label, note_->isModified() ? note_->text() : QString());
+  if (done) {
+    label_->clear();
+    note_->clear();
+  }
+  emit told(done, tr("Marked: %1").arg(markerText(label.toStdString())));
+}
+
+void MarkSheet::markSpan() {
+  const QString label = label_->text().trimmed();
+  if (!label.isEmpty()) {
+    mark(label);
+  } else {
+    emit told(Error{"marker", "needs a label", "type one beside SPAN"}, {});
+  }
+}
+
+void MarkSheet::change() {
+  const Marker* marker = current();
+  if (marker == nullptr) return;
+  const QString label = label_->text().trimmed();
+  const Status done =
+      desk_->changeMark(marker->number, label.isEmpty() ? QString::fromStdString(marker->label) : label, note_->text());
+  emit told(done, tr("Marker changed"));
+}
+
+void MarkSheet::remove() {
+  const Marker* marker = current();
+  if (marker != nullptr) emit told(desk_->removeMark(marker->number), tr("Marker removed"));
+}
+
+void MarkSheet::choose(int row) {
+  const Marker* marker = markers_.marker(row);
+  if (marker == nullptr) return;
+  label_->setText(QString::fromStdString(marker->label));
+  note_->setText(QString::fromStdString(marker->note));
+  const Seconds begin = desk_->markerTime(*marker);
+  emit wentTo(begin, begin + secondsBetween(marker->begin, marker->end));
+}
+
+void MarkSheet::refresh() {
+  if (desk_ == nullptr) return;
+  const Marker* before = current();
+  const auto chosenNumber = before != nullptr ? std::optional(before->number) : std::nullopt;
+  markers_.show(*desk_);
+  for (int row = 0; row < markers_.rowCount(); ++row) {
+    if (markers_.marker(row)->number == chosenNumber) list_->setCurrentIndex(markers_.index(row));
+  }
+  const auto summary = desk_->summary();
+  const bool open = summary != nullptr && summary->session;
+  for (TouchButton* button : touches_) button->setEnabled(open);
+  span_->setEnabled(open);
+  for (TouchButton* button : {change_, remove_}) button->setEnabled(open && markers_.rowCount() > 0);
+}
+
+void MarkSheet::applyTheme(const Theme& theme) {
+  const int apart = std::max(theme.px(12), pixelsFor(kTouchGapMm, this));
+  layout()->setSpacing(apart);
+  for (QBoxLayout* line : lines_) line->setSpacing(apart);
+  list_->setFont(theme.font(type_size::kBody));
+  for (QLineEdit* edit : {label_, note_}) {
+    edit->setFont(theme.font(type_size::kBody));
+    edit->setFixedHeight(theme.px(48));
+  }
+}
+
+}  // namespace stillcut::ui

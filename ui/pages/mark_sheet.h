@@ -1,0 +1,54 @@
+// The markers of the opened recording: one touch for what an alarm was, any span under a name of one's own, notes
+// before and afterwards. Whoever uses it knows what is selected in the picture. GUI thread.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+#include "ui/models/session_models.h"
+#include "ui/models/themed.h"
+
+class QBoxLayout;
+class QLineEdit;
+class QListView;
+
+namespace stillcut::ui {
+
+class TouchButton;
+
+class MarkSheet : public QWidget, public Themed {
+  Q_OBJECT
+ public:
+  // `desk` may be null: nothing can be marked. It outlives the widget.
+  explicit MarkSheet(SessionDesk* desk, QWidget* parent = nullptr);
+
+  // What the next marker is about: the selected span, or the present moment. Set before the first touch.
+  std::function<std::pair<Seconds, Seconds>()> chosen;
+
+  void refresh();
+  void applyTheme(const Theme& theme) override;
+
+ signals:
+  // A span was chosen in the list, or a moment (end = begin).
+  void wentTo(Seconds begin, Seconds end);
+  void told(const Status& status, const QString& done);
+
+ private:
+  QLineEdit* makeEdit(const QString& shown, const QString& spoken, const char* name);
+  void mark(const QString& label);
+  void markSpan();
+  void change();
+  void remove();
+  void choose(int row);
+  const Marker* current() const;
+
+  SessionDesk* desk_;
+  MarkerModel markers_;
+  QListView* list_;
+  QLineEdit *label_, *note_;
+  TouchButton *span_, *change_, *remove_;
+  std::vector<TouchButton*> touches_;
+  std::vector<QBoxLayout*> lines_;
+};
+
+}  // namespace stillcut::ui
