@@ -49,6 +49,7 @@ class FakeSessionDesk final : public SessionDesk {
   QString folder() const override { return folder_; }
   void setFolder(const QString& folder) override {
     folder_ = folder;
+    ++listed;
     changed = true;
   }
   const std::vector<SessionEntry>& entries() const override { return entries_; }
@@ -147,7 +148,7 @@ class FakeSessionDesk final : public SessionDesk {
   QStringList tuned, asked, unreadable;
   QString exported;
   Seconds exportFrom{}, exportTo{};
-  int steps = 0;
+  int steps = 0, listed = 0;
   bool changed = true, everywhere = false, refuse = false, scoredFolder = false, cancelled = false;
 
  private:

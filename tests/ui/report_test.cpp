@@ -208,6 +208,12 @@ TEST(ReportText, MarkersAndSettingsChangedDuringTheCutAreInTheReport) {
   EXPECT_EQ(rows[0].cells[2], QStringLiteral("true alarm"));
   EXPECT_EQ(rows[1].cells.join(u'|'),
             QString::fromUtf8("6.00\u00a0s|1.5\u00a0s|burr on the edge|engineer|measured 0.2 mm"));
+  SessionSummary longer = s;
+  for (int k = 0; k < 40; ++k) longer.markers[1].note += " word" + std::to_string(k);
+  QString told;
+  for (const TableRow& row : markerRows(longer)) told += row.cells[4] + u' ';
+  EXPECT_TRUE(told.contains(QStringLiteral("measured 0.2 mm word0 word1 "))) << told.toStdString();
+  EXPECT_TRUE(told.contains(QStringLiteral("word39"))) << "a long note goes on in the next line";
   const auto changes = changeRows(s);
   ASSERT_EQ(changes.size(), 2U);
   EXPECT_EQ(changes[0].cells.join(u'|'), QString::fromUtf8("3.25\u00a0s|energy-ratio.chatter|0.3"));

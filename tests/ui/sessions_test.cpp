@@ -198,6 +198,17 @@ TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
   EXPECT_TRUE(desk_.marks[1].note.empty()) << "another marker's note is not this one's";
 }
 
+TEST_F(SessionsPageTest, WhatWasRecordedMeanwhileIsListedWhenSomebodyLooks) {
+  openSessions();
+  const int before = desk_.listed;
+  EXPECT_GT(before, 0);
+  window_->showPage(QStringLiteral("operate"));
+  play(0.2);
+  EXPECT_EQ(desk_.listed, before);
+  window_->showPage(QStringLiteral("sessions"));
+  EXPECT_EQ(desk_.listed, before + 1);
+}
+
 TEST_F(SessionsPageTest, ASimulatedCutIsOpenedBesideTheRecordings) {
   openSessions();
   auto* list = find<QListView>("session-list");

@@ -102,6 +102,11 @@ void SessionList::refresh() {
   empty_->setVisible(sessions_.rowCount() == 0);
 }
 
+void SessionList::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (desk_ != nullptr) desk_->setFolder(desk_->folder());
+}
+
 void SessionList::applyTheme(const Theme& theme) {
   layout()->setSpacing(theme.px(10));
   for (QHBoxLayout* line : {kinds_, orders_}) line->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));

@@ -25,6 +25,9 @@ class SessionList : public QWidget, public Themed {
   void refresh();
   void applyTheme(const Theme& theme) override;
 
+ protected:
+  void showEvent(QShowEvent* event) override;  // somebody looks: what was recorded since is listed
+
  private:
   void orderBy(SessionOrder::By by);
   void showSimulated(bool simulated);
