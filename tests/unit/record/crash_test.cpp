@@ -309,7 +309,9 @@ TEST(NeverLost, ACrashedSessionInAReadOnlyPlaceIsReadAsItIs) {
     }
     fs::permissions(fs::path(path).parent_path(), everybodyReads | enters);
     const std::vector<std::byte> before = contentOf(path);
+    constexpr int kOutOfReach = 98;
     const int wrong = asAnybody([&] {
+      if (access(path.c_str(), R_OK) != 0) return kOutOfReach;
       const WhatIsLeft left = look(path);
       if (!left.opens || left.damaged || left.steps < added - kStepsPerSecond) return 1;
       if (!readMarkers(path)) return 2;
@@ -322,6 +324,7 @@ TEST(NeverLost, ACrashedSessionInAReadOnlyPlaceIsReadAsItIs) {
       return addMarker(path, {0, {}, {}, "note", "Ada", "", 0}) ? 6 : 0;
     });
     fs::permissions(fs::path(path).parent_path(), perms::owner_all);
+    if (wrong == kOutOfReach) GTEST_SKIP() << "the folder for temporary files is not for everybody";
     EXPECT_EQ(wrong, 0) << "files too: " << filesToo;
     if (!filesToo) continue;
     EXPECT_EQ(contentOf(path), before) << "not a byte is changed";
