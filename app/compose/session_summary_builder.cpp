@@ -11,6 +11,7 @@
 #include "app/compose/sensor_tally.h"
 #include "core/pipeline/intervention_log.h"
 #include "core/pipeline/spectrum_tap.h"
+#include "core/record/session_glance.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_overview.h"
 
@@ -107,7 +108,11 @@ class Builder {
 
   void add(const SampleBlock& block, const StepRecord* step) {
     if (!started_) first_ = block.firstSample;
+    // In a history of features a step stands for the time since the one before.
+    took_ = Seconds(block.frames / block.rate.value);
+    if (started_ && block.frames == 0) took_ = secondsBetween(last_, block.end());
     started_ = true;
+    frames_ += static_cast<std::uint64_t>(block.frames);
     last_ = block.end();
     if (block.has(kBlockGap)) {
       ++summary_.gaps;
@@ -152,7 +157,7 @@ class Builder {
     summary_.chatterTime = log_.chatterTime();
     summary_.chatterLength = log_.chatterLength();
     summary_.alarms = log_.count();
-    summary_.sensors = tally_.finish();
+    if (frames_ > 0) summary_.sensors = tally_.finish();  // without samples nothing can be said of them
     return std::move(summary_);
   }
 
@@ -190,8 +195,7 @@ class Builder {
     // The log finds the alarms again from what was decided; its own events are already in the file.
     output_ = step.output;
     output_.eventCount = 0;
-    const SampleBlock& block = step.input.block;
-    log_.follow(step.input, output_, vibration, Seconds(block.frames / block.rate.value));
+    log_.follow(step.input, output_, vibration, took_);
     const std::uint64_t oldest = log_.count() > kInterventionsShown ? log_.count() - kInterventionsShown : 0;
     constexpr std::size_t kMostCards = 200;
     for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);
@@ -229,6 +233,8 @@ class Builder {
   StepOutput output_;
   std::uint64_t seen_ = 0;
   bool started_ = false;
+  std::uint64_t frames_ = 0;
+  Seconds took_{};  // the last step
   Instant first_{};
   Instant last_{};
 };
@@ -247,7 +253,10 @@ Result<SessionSummary> glimpseOf(const std::string& path) {
   const auto overview = record::SessionOverview::open(path);
   if (!overview) return overview.error();
   const Instant begin = (*overview)->begin(), end = (*overview)->end();
-  if (!(end > begin)) return summary;
+  if (!(end > begin)) {  // a history of features
+    if (const auto glance = record::glanceAtSession(path)) summary.length = glance->length;
+    return summary;
+  }
   summary.length = secondsBetween(begin, end);
   constexpr int kColumns = 2048;
   const auto columns = (*overview)->overview(0, begin, end, kColumns);

@@ -61,6 +61,7 @@ std::string sessionText(const std::string& path, const RecordingFormat& format, 
   if (!format.operatorName.empty()) text += "operator     " + format.operatorName + "\n";
   if (!format.job.empty()) text += "job          " + format.job + "\n";
   text += "program      " + format.programVersion + (format.simulated ? ", simulated machine" : "") + "\n";
+  if (format.frames == 0 && counts.steps > 0) text += "samples      none: a history of features\n";
   text += "steps        " + std::to_string(counts.steps) + ", with " + std::to_string(counts.gaps) + " gaps\n";
   text += "holds        " + std::to_string(counts.verdicts) + " verdicts, " + std::to_string(counts.commands) +
           " commands, " + std::to_string(counts.events) + " events, " + std::to_string(counts.inputs) +

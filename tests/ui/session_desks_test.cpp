@@ -25,7 +25,7 @@ namespace {
 // The short demo, recorded without control: chatter from 2 s on.
 std::string recordDemo(const QString& folder) {
   QDir().mkpath(folder + QStringLiteral("/Housing/T12"));
-  const std::string path = (folder + QStringLiteral("/Housing/T12/demo.h5")).toStdString();
+  std::string path = (folder + QStringLiteral("/Housing/T12/demo.h5")).toStdString();
   ScenarioOptions options;
   options.methods.strategy = "monitor";
   auto built = buildScenarioRig(test::demoCut(), options);

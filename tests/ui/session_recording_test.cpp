@@ -100,10 +100,25 @@ TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWas
 TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
   start("features");
   ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  Instant began{};
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const Snapshot* now = session_->pull();
+        if (now == nullptr || now->verdicts[0].state != CutState::Chatter) return false;
+        if (toNs(began) == 0) began = now->time;
+        return secondsBetween(began, now->time).value > 2.5;
+      },
+      60'000));
   ASSERT_TRUE(session_->stop().ok());
   const auto glimpse = glimpseOf(onlyFile());
   ASSERT_TRUE(glimpse.ok()) << glimpse.error().line();
-  EXPECT_DOUBLE_EQ(glimpse->length.value, 0.0) << "no samples";
+  EXPECT_GT(glimpse->length.value, 2.0);
+  const auto summary = summarizeRecording(onlyFile());
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  EXPECT_TRUE(summary->spectrogram.empty()) << "no samples";
+  EXPECT_TRUE(summary->sensors.empty()) << "nothing can be said of them";
+  EXPECT_EQ(summary->alarms, 1U);
+  EXPECT_GT(summary->chatterTime.value, 1.0) << "a step a second, each for its second";
 }
 
 TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {

@@ -137,6 +137,7 @@ void ReportPages::markers() {
 }
 
 void ReportPages::sensors() {
+  if (summary_.sensors.empty()) return;  // a history of features has no samples to check
   table(tr("Sensor check"), sensorColumns(), sensorRows(summary_));
   if (!summary_.session) return;
   y_ += 2;

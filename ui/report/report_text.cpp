@@ -118,7 +118,7 @@ Facts cutFacts(const SessionSummary& s) {
     facts.emplace_back(say("Authority"), authorityText(s.highestAuthority));
   }
   facts.emplace_back(say("Length"), duration(s.length));
-  facts.emplace_back(say("Sensors"), say("%1 at %2 Hz").arg(s.sensors.size()).arg(number(setup.rate.value)));
+  facts.emplace_back(say("Sensors"), say("%1 at %2 Hz").arg(setup.channels.size()).arg(number(setup.rate.value)));
   if (s.lostFrames > 0 || s.gaps > 0) {
     const double lost = static_cast<double>(s.lostFrames) / std::max(setup.rate.value, 1e-9);
     facts.emplace_back(say("Missing"), say("%1 in %2 gaps").arg(duration(Seconds(lost))).arg(s.gaps));
