@@ -3021,8 +3021,8 @@
         <translation>Von seinen Linien ist noch nichts bekannt</translation>
     </message>
     <message>
-        <source>Against the cut left alone: %1</source>
-        <translation>Gegen den sich selbst überlassenen Schnitt: %1</translation>
+        <source>By the model, against the cut left alone: %1</source>
+        <translation>Nach dem Modell, gegen den Schnitt ohne Regelung: %1</translation>
     </message>
 </context>
 <context>

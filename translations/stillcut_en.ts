@@ -3020,8 +3020,8 @@
         <translation>Nothing is known of its lines yet</translation>
     </message>
     <message>
-        <source>Against the cut left alone: %1</source>
-        <translation>Against the cut left alone: %1</translation>
+        <source>By the model, against the cut left alone: %1</source>
+        <translation>By the model, against the cut left alone: %1</translation>
     </message>
 </context>
 <context>

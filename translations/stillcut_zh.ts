@@ -3021,8 +3021,8 @@
         <translation>尚无谱线信息</translation>
     </message>
     <message>
-        <source>Against the cut left alone: %1</source>
-        <translation>与不加控制相比：%1</translation>
+        <source>By the model, against the cut left alone: %1</source>
+        <translation>按模型，与不加控制的切削相比：%1</translation>
     </message>
 </context>
 <context>

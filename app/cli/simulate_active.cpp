@@ -30,7 +30,7 @@ json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
       told["loop_delay_ms"] = 1e3 * axis.promise.delay.value;
       told["delay_left_ms"] = 1e3 * axis.promise.delayLeft.value;
       told["promises_stable"] = axis.promise.promisesStable;
-      told["path_phase_left_deg"] = path.phaseLeft * 360.0 / kTwoPi;
+      told["path_phase_left_deg"] = axis.promise.phaseLeft * 360.0 / kTwoPi;
     }
     axes.push_back(std::move(told));
   }
@@ -69,7 +69,7 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
     } else {
       std::printf("%s: path known to %.1f %%, %.1f ms late, %.0f of 90 degrees left, %.0f %% of the stroke used",
                   axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.promise.delay.value,
-                  axis.path.report.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
+                  axis.promise.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
     }
     if (axis.released != ActuatorRelease::None) {
       std::printf(", let go at %.3f s: %s", axis.releasedAt, actuatorReleaseText(axis.released).data());

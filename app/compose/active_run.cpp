@@ -130,14 +130,16 @@ double power(const Errors& errors, std::size_t from, std::size_t to) {
   return sum / static_cast<double>(to - from);
 }
 
-// Whether the controlled cut chatters. Its truth (chatter_truth.h) goes by the growth that the linearised cut has
-// without a controller, so of a cut that chatters when left alone it cannot tell a vibration that is held from one that
-// grows. But chatter that nothing holds grows until teeth leave the cut: to what it is when left alone.
+// Whether the controlled cut chatters, or is worse than left alone. Its truth (chatter_truth.h) goes by the growth that
+// the linearised cut has without a controller, so of a cut that chatters when left alone it cannot tell a vibration
+// that is held from one that grows. But chatter that nothing holds grows until teeth leave the cut: to what it is when
+// left alone.
 bool chatters(const Course& alone, const Course& held, double ratio, double growth) {
   constexpr double kAsLoud = 0.5;
+  constexpr double kLouder = 1.5;
   constexpr double kGrowing = 0.3;  // [1/s]: tenfold within a usual programme
   if (growth > kGrowing) return true;
-  return alone.chatter ? ratio > kAsLoud : held.chatter;
+  return alone.chatter ? ratio > kAsLoud : held.chatter || ratio > kLouder;
 }
 
 // Lines worth telling: chatter, the modes an actuator of this bandwidth is for, tooth passing and spindle.
@@ -168,7 +170,10 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   if (!paths) return paths.error();
 
   std::array<active::AxisOptions, 2> axes;
+  std::array<ActivePath, 2> promises;
   for (std::size_t a = 0; a < 2; ++a) {
+    promises[a] = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
+    if (Status promised = active::checkPromise(promises[a], kAxes[a]); !promised) return promised.error();
     axes[a] = {engine.controller, (*paths)[a].model, engine.limits[a], engine.lines, {}};
     axes[a].online.rms = engine.auxiliary * engine.limits[a].amplitude;
     axes[a].online.seed += a;
@@ -190,7 +195,7 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   for (std::size_t a = 0; a < 2; ++a) {
     AxisResult axis;
     axis.axis = kAxes[a];
-    axis.promise = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
+    axis.promise = promises[a];
     axis.path = std::move((*paths)[a]);
     axis.released = loop->gate(a).why();
     axis.releasedAt = held.releasedAt[a];

@@ -45,14 +45,14 @@ struct ActiveResult {
   std::vector<AxisResult> axes;
   std::vector<Attenuation> attenuation;
   bool chatterAlone = false;       // true chatter in the last second
-  bool chatterControlled = false;  // it grows, or is as loud as without control
+  bool chatterControlled = false;  // it grows, is as loud as chatter left alone, or louder than a stable cut
   std::optional<double> growth;    // of the vibration under control, over the last two seconds [1/s]
   double finalRatio = 0.0;         // rms of the tip's acceleration, with over without, last second
   double chatterHz = 0.0;          // of the cut left alone
 };
 
-// Refuses a scenario without a work-holder or without an accelerometer on each axis, and a path that cannot be
-// identified. With active.feedback = force: force_run.h.
+// Refuses a scenario without a work-holder or without an accelerometer on each axis, a path that cannot be identified,
+// and one that promises no stability. With active.feedback = force: force_run.h.
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options);
 
 }  // namespace stillcut::app

@@ -66,6 +66,10 @@ Result<ActiveParts> makeActiveParts(const config::Profile& profile) {
   holder.slew = settings.number("slew_m_per_s", holder.slew, 1e-6, 100.0);
   holder.quieten = linesFrom(settings);
   if (Status known = settings.finish(); !known) return known.error();
+  if (pcm.input[0] == pcm.input[1] || pcm.output[0] == pcm.output[1]) {
+    return Error{"active '" + profile.active.id + "'", "x and y are on the same channel",
+                 pcm.input[0] == pcm.input[1] ? "'input_x' and 'input_y'" : "'output_x' and 'output_y'"};
+  }
   if (holder.stroke.value > full) {
     return Error{"active '" + profile.active.id + "'", "'stroke_um' is more than the output can drive",
                  "'full_stroke_um' is less"};

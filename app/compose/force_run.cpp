@@ -140,10 +140,17 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
   const Pair beside{(1.0 - kBeside) * spindle, (1.0 + kBeside) * spindle};
   std::array<std::vector<double>, 2> tones;
   const double amplitude = kTone * scenario.workHolder->stroke.value;
-  const Course moved = run(scenario, options, *ears, [&](const Pair&, double) {
+  std::array<safety::ActuatorGate, 2> gates;
+  for (std::size_t a = 0; a < 2; ++a) {
+    if (Status ok = gates[a].prepare(engine.limits[a], rate); !ok) return ok.error();
+    gates[a].engage();
+  }
+  const Course moved = run(scenario, options, *ears, [&](const Pair& force, double) {
     Pair stroke{};
     for (std::size_t a = 0; a < 2; ++a) {
-      stroke[a] = amplitude * std::cos(kTwoPi * beside[a] * static_cast<double>(tones[a].size()) / rate.value);
+      gates[a].renew();
+      const double at = static_cast<double>(tones[a].size()) / rate.value;
+      stroke[a] = gates[a].drive(amplitude * std::cos(kTwoPi * beside[a] * at), force[a]).value();
       tones[a].push_back(stroke[a]);
     }
     return stroke;
@@ -196,7 +203,7 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
   double before = 0.0, after = 0.0;
   for (std::size_t a = 0; a < 2; ++a) {
     AxisResult axis;
-    axis.axis = kAxes[a];
+    axis.axis = kAxes[mover(a)];  // gate and stroke are the actuator's
     axis.released = axes[a].gate.why();
     axis.releasedAt = releasedAt[a];
     axis.strokeUsed = axes[a].gate.strokeUsed();

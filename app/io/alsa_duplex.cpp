@@ -40,6 +40,7 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     }
     silence_.assign(static_cast<std::size_t>(format_.frames * format_.outputs), 0);
     linked_ = ::snd_pcm_link(in_, out_) == 0;  // one start for both; a device without it is started one after the other
+    format_.together = linked_;
     if (!restart()) {
       close();
       return Error{where(request), "does not start", ""};
@@ -128,7 +129,7 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     return Done{};
   }
 
-  static int startByHand(snd_pcm_t* pcm, snd_pcm_uframes_t period) {
+  int startByHand(snd_pcm_t* pcm, snd_pcm_uframes_t period) {
     snd_pcm_sw_params_t* sw = nullptr;
     snd_pcm_sw_params_alloca(&sw);
     ::snd_pcm_sw_params_current(pcm, sw);
@@ -136,6 +137,10 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     ::snd_pcm_sw_params_get_boundary(sw, &boundary);
     ::snd_pcm_sw_params_set_start_threshold(pcm, sw, boundary);
     ::snd_pcm_sw_params_set_avail_min(pcm, sw, period);
+    if (pcm == out_) {  // an underrun plays silence, and not what the buffer held a turn ago
+      ::snd_pcm_sw_params_set_silence_threshold(pcm, sw, 0);
+      ::snd_pcm_sw_params_set_silence_size(pcm, sw, boundary);
+    }
     return ::snd_pcm_sw_params(pcm, sw);
   }
 

@@ -70,14 +70,19 @@ const Clock& activeClock() {
   return kClock;
 }
 
-std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario) {
+void ActiveDesk::tune(std::string_view key, double value) {
+  if (key == "active.step") (void)setStep(value);
+  if (key == "active.leak") (void)setLeak(value);
+}
+
+std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario, const config::ParamSet& params) {
   constexpr int kFrames = 1;          // as the paper's loop
   constexpr Seconds kLongCut{600.0};  // it goes on as it ends: begun anew, it would meet a table at rest elsewhere
   milling::Scenario longer = scenario;
   longer.programme.duration = std::max(scenario.programme.duration, kLongCut);
   auto device = std::make_unique<active::SimulatedDuplex>(longer, kFrames, scenario.seed, &activeClock());
   active::SimulatedDuplex* simulated = device.get();
-  const active::EngineOptions options = activeOptions(*scenario.workHolder, config::ParamSet());
+  const active::EngineOptions options = activeOptions(*scenario.workHolder, params);
   return std::make_unique<ActiveDesk>(std::move(device), options, activeClock(), simulated);
 }
 

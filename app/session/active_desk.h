@@ -9,6 +9,7 @@
 #include "app/session/background_task.h"
 #include "core/active/active_engine.h"
 #include "core/active/simulated_duplex.h"
+#include "core/config/param_set.h"
 #include "ui/models/active_desk.h"
 
 namespace stillcut::app {
@@ -29,6 +30,8 @@ class ActiveDesk final : public ui::ActiveDesk {
   void stop() override { engine_.stop(); }
   Status setStep(double share) override { return engine_.setStep(share); }
   Status setLeak(double leak) override { return engine_.setLeak(leak); }
+  // A parameter was changed on the Tune page; those that do not act while the loop runs are left alone.
+  void tune(std::string_view key, double value);
 
  private:
   void take(const Result<active::PathPairFound>& found);
@@ -44,6 +47,6 @@ class ActiveDesk final : public ui::ActiveDesk {
 // What the loops of the desktop are timed by.
 const Clock& activeClock();
 // On a cut of its own of this scenario, paced by the clock; the scenario has passed SimulatedDuplex::check().
-std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario);
+std::unique_ptr<ActiveDesk> simulatedActiveDesk(const milling::Scenario& scenario, const config::ParamSet& params);
 
 }  // namespace stillcut::app

@@ -146,6 +146,7 @@ void Session::send(const OperatorInput& input) {
     if (config::parameterId(decl->key) != input.parameter) continue;
     config::ParamSet value;
     if (value.set(*decl, input.value, "tune")) tuned_[std::string(decl->key)] = value.text(*decl);
+    if (active_) active_->tune(decl->key, input.value);
   }
   if (shown()) {
     replays_.send(input);
@@ -220,12 +221,13 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   auto built = buildScenarioRig(*scenario, options);
   if (!built) return built.error();
 
+  const config::ParamSet params = built->rig->params();
   ui::SessionInfo info = sessionInfo(*built->rig);
   info.sourceLabel = QStringLiteral("%1 (%2)").arg(viewText("simulated cut"), viewText(scenario->name));
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   session->setLobes(std::make_unique<LobeWorker>(*scenario));
-  if (active::SimulatedDuplex::check(*scenario)) session->setActive(simulatedActiveDesk(*scenario));
+  if (active::SimulatedDuplex::check(*scenario)) session->setActive(simulatedActiveDesk(*scenario, params));
   if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto});
   return session;
 }

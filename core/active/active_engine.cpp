@@ -13,6 +13,8 @@ namespace {
 
 constexpr double kTellEvery = 1.0 / 30.0;  // [s]
 constexpr auto kRampOutTakes = std::chrono::milliseconds(500);
+constexpr Seconds kLongestLease{1.0};
+constexpr int kQueued = 4;  // blocks that a device may hold back, and one: the ramp has been played before it is closed
 constexpr auto kRenewEvery = std::chrono::milliseconds(100);
 constexpr auto kNap = std::chrono::milliseconds(1);
 constexpr std::array<const char*, kActiveAxes> kAxes{"x", "y"};
@@ -41,6 +43,13 @@ Status ActiveEngine::open() {
   auto opened = device_->open();
   if (!opened) return opened.error();
   format_ = *opened;
+  // The lease is renewed once a block.
+  const Seconds block(format_.frames / format_.rate.value);
+  if (2.0 * block.value > kLongestLease.value) {
+    device_->close();
+    return refused("blocks of " + std::to_string(format_.frames) + " frames are too long", "half a second at most");
+  }
+  for (safety::ActuatorLimits& limits : options_.limits) limits.lease = std::max(limits.lease, 2.0 * block);
   const auto values = static_cast<std::size_t>(kActiveAxes * format_.frames);
   in_.assign(values, 0.0);
   out_.assign(values, 0.0);
@@ -65,8 +74,9 @@ void ActiveEngine::close() {
     stop();
     thread_->requestStop();
     // The thread ramps out, then ends; a device that delivers nothing has nothing to ramp.
-    const auto latest = std::chrono::steady_clock::now() + kRampOutTakes;
-    while (isOpen() && busy() && std::chrono::steady_clock::now() < latest) std::this_thread::sleep_for(kNap);
+    const auto queue = toDuration(Seconds(2 * kQueued * format_.frames / format_.rate.value));
+    const auto latest = std::chrono::steady_clock::now() + kRampOutTakes + queue;
+    while (isOpen() && std::chrono::steady_clock::now() < latest) std::this_thread::sleep_for(kNap);
     device_->stop();
     thread_.reset();
     device_->close();
@@ -128,6 +138,7 @@ Status ActiveEngine::install(const PathPairFound& paths) {
     paths_[a].identified = clock_.now();
   }
   for (auto& at : renewedAt_) at.store(0);
+  delayLost_.store(false);
   promises_.back() = paths_;
   promises_.publish();
   loops_.push_back(std::move(loop));
@@ -164,10 +175,11 @@ Status ActiveEngine::start() {
       return refused("the model along " + axis + " is " + std::to_string(std::lround(age / 60.0)) + " minutes old",
                      "identify it again");
     }
-    if (!paths_[a].promisesStable) {
-      return refused("the model along " + axis + " promises no stability on the lines to quieten",
-                     "its phase is off by 90 degrees or more, or the sensor does not hear the actuator there");
-    }
+    if (Status promised = checkPromise(paths_[a], axis); !promised) return promised;
+  }
+  if (delayLost_.load()) {
+    return refused("blocks were lost, and input and output of this device do not start together",
+                   "the path may be later than its model says; identify it again");
   }
   loop->engage();
   return Done{};
@@ -190,21 +202,25 @@ Status ActiveEngine::setLeak(double leak) {
   return Done{};
 }
 
+void ActiveEngine::lost() STILLCUT_RT {
+  ++telling_.underruns;
+  if (!format_.keepsDelay) delayLost_.store(true);
+  cut();
+}
+
 void ActiveEngine::run(const std::stop_token& stop) {
-  while (!stop.stop_requested() || busy()) {
+  int quiet = 0;  // blocks of silence at the end
+  while (!stop.stop_requested() || busy() || quiet < kQueued) {
+    if (stop.stop_requested() && !busy()) ++quiet;
     const DuplexEvent event = device_->read(in_);
     if (event == DuplexEvent::Gone) break;
     if (event == DuplexEvent::Lost) {
-      ++telling_.underruns;
-      cut();
+      lost();
       continue;
     }
     const Instant begun = clock_.now();
     block(in_, out_);
-    if (device_->write(out_) == DuplexEvent::Lost) {
-      ++telling_.underruns;
-      cut();
-    }
+    if (device_->write(out_) == DuplexEvent::Lost) lost();
     const Seconds took = secondsBetween(begun, clock_.now());
     if (took.value > telling_.worstBlock.value) telling_.worstBlock = took;
     ++telling_.blocks;

@@ -1,8 +1,8 @@
 // ActiveEngine: the loop of the active work-holder on its device, with a thread of its own: identifies, controls, and
 // tells what it does. A start is refused without a valid model, with one too old, one that promises no stability, and
-// after the device was opened anew. Whatever the device loses makes the output zero and is counted.
-// Thread: one owner for everything; fit() may be called on another while nothing is being recorded. The owner may go
-// away at any time: the destructor ramps out first.
+// after the device was opened anew or may have become later. Whatever the device loses makes the output zero and is
+// counted. Thread: one owner for everything; fit() may be called on another while nothing is being recorded. The owner
+// may go away at any time: the destructor ramps out first.
 #pragma once
 
 #include <array>
@@ -67,6 +67,7 @@ class ActiveEngine {
   void run(const std::stop_token& stop);
   void renew(const std::stop_token& stop);
   void block(std::span<const double> in, std::span<double> out) STILLCUT_RT;
+  void lost() STILLCUT_RT;
   void cut() STILLCUT_RT;
   void publish() STILLCUT_RT;
   bool busy() const;                                                     // identifying or controlling
@@ -82,6 +83,7 @@ class ActiveEngine {
   std::atomic<PathRecorder*> recording_{nullptr};
   std::atomic<ActiveLoop*> loop_{nullptr};
   std::atomic<bool> open_{false}, recorded_{false};
+  std::atomic<bool> delayLost_{false};  // what the models say of it may no longer hold
   std::atomic<double> step_, leak_;
 
   // The loop's thread alone.

@@ -57,11 +57,15 @@ double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   axis.controller.written(stroke, added);
   if (listening) axis.online.wrote(stroke);
   const ActuatorState state = axis.gate.state();
-  // What an earlier time had learned, or had gone wrong, is no beginning.
-  if (state == ActuatorState::RampIn && axis.before != ActuatorState::RampIn) {
+  // What an earlier time had learned, or had gone wrong, is no beginning. Also on letting go: weights that are no
+  // numbers would end the next time in its first sample.
+  const auto comes = [&](ActuatorState s) { return state == s && axis.before != s; };
+  if (comes(ActuatorState::Off) || comes(ActuatorState::RampIn)) {
     axis.controller.reset();
     axis.online.reset();
     axis.added.reset();
+  }
+  if (comes(ActuatorState::RampIn)) {
     axis.meter.reset();
     axis.tally.reset();
   }

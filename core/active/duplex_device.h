@@ -16,7 +16,8 @@ namespace stillcut::active {
 
 struct DuplexFormat {
   Hertz rate{};
-  int frames = 0;  // in a block
+  int frames = 0;          // in a block
+  bool keepsDelay = true;  // also after a Lost
 };
 
 enum class DuplexEvent : std::uint8_t {

@@ -129,8 +129,13 @@ PathModel learnScaled(std::span<const double> output, std::span<const double> re
   return model;
 }
 
-// Welch's estimate, half overlapped.
-void measure(std::span<const double> output, std::span<const double> reading, Hertz rate, PathReport& report) {
+// Welch's estimate, half overlapped. What the path is late by is taken out first and turned back in the result: a
+// segment of the output would else be compared with what the segment before it had done.
+void measure(std::span<const double> output, std::span<const double> reading, int delay, Hertz rate,
+             PathReport& report) {
+  const auto late = static_cast<std::size_t>(delay);
+  reading = reading.subspan(late);
+  output = output.first(reading.size());
   dsp::Spectrum y;
   dsp::Spectrum r;
   y.prepare(kSegment, rate, dsp::WindowKind::Hann);
@@ -149,8 +154,9 @@ void measure(std::span<const double> output, std::span<const double> reading, He
   }
   for (std::size_t k = 1; k + 1 < bins; ++k) {
     if (!(yy[k] > 0.0) || !(rr[k] > 0.0)) continue;
-    report.frequency.push_back(static_cast<double>(k) * y.binWidth());
-    report.measured.push_back(yr[k] / yy[k]);
+    const double frequency = static_cast<double>(k) * y.binWidth();
+    report.frequency.push_back(frequency);
+    report.measured.push_back(yr[k] / yy[k] * std::polar(1.0, -kTwoPi * frequency * delay / rate.value));
     report.coherence.push_back(std::norm(yr[k]) / (yy[k] * rr[k]));
   }
 }
@@ -212,7 +218,7 @@ Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<co
   if (!(found.report.residual < kUseless)) {
     return Error{where, "the reading does not follow the actuator", "noise, or a sensor that is not on the table"};
   }
-  measure(output, reading, rate, found.report);
+  measure(output, reading, found.model.delay, rate, found.report);
   judge(found.model, rate, found.report);
   return found;
 }

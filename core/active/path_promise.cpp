@@ -20,25 +20,42 @@ ActivePath promiseOf(const IdentifiedPath& path, std::span<const Hertz> lines, H
   promise.delay = Seconds(leadingDelay(path.model) / rate.value);
   promise.residual = r.residual;
   const double width = r.frequency.size() > 1 ? r.frequency[1] - r.frequency[0] : rate.value;
-  const auto wanted = [&](double f) {
-    return lines.empty() || std::ranges::any_of(lines, [&](Hertz l) { return std::abs(l.value - f) <= width; });
-  };
   double left = std::numeric_limits<double>::infinity();
   double late = left;
-  for (std::size_t k = 0; k < r.frequency.size(); ++k) {
-    if (!wanted(r.frequency[k]) || r.coherence[k] < kCoherent) continue;
+  const auto hears = [&](std::size_t k) {
+    if (r.coherence[k] < kCoherent) return false;
     const Hertz f(r.frequency[k]);
     const double here = 0.5 * std::numbers::pi - std::abs(phaseError(path.model, r.measured[k], f, rate));
     late = std::min(late, here / (kTwoPi * f.value));
-    if (here >= left) continue;
-    left = here;
-    promise.worstAt = f;
+    if (here < left) {
+      left = here;
+      promise.worstAt = f;
+    }
+    return true;
+  };
+  bool all = true;  // of the lines are heard
+  for (const Hertz line : lines) {
+    bool heard = false;
+    for (std::size_t k = 0; k < r.frequency.size(); ++k) {
+      if (std::abs(line.value - r.frequency[k]) <= width && hears(k)) heard = true;
+    }
+    if (!heard && all) promise.worstAt = line;
+    all = all && heard;
   }
-  if (!std::isfinite(left)) return promise;  // the sensor hears nothing there: no promise
+  for (std::size_t k = 0; lines.empty() && k < r.frequency.size(); ++k) (void)hears(k);
+  if (!all || !std::isfinite(left)) return promise;  // the sensor hears nothing there: no promise
   promise.phaseLeft = left;
   promise.delayLeft = Seconds(std::max(0.0, late));
   promise.promisesStable = left > 0.0;
   return promise;
+}
+
+Status checkPromise(const ActivePath& promise, const std::string& axis) {
+  if (promise.promisesStable) return Done{};
+  return Error{"active work-holder",
+               "the model along " + axis + " promises no stability on the lines to quieten, worst at " +
+                   std::to_string(std::lround(promise.worstAt.value)) + " Hz",
+               "its phase is off by 90 degrees or more, or the sensor does not hear the actuator there"};
 }
 
 PathFit fitOf(const IdentifiedPath& path, const ActivePath& promise) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "core/active/identify_path.h"
 #include "core/model/active_state.h"
@@ -13,6 +14,9 @@ namespace stillcut::active {
 
 // Without lines: over everything that the record tells of. `identified` is left to the caller.
 ActivePath promiseOf(const IdentifiedPath& path, std::span<const Hertz> lines, Hertz rate);
+
+// Refuses what promises no stability, with the reason. `axis`: "x".
+Status checkPromise(const ActivePath& promise, const std::string& axis);
 
 PathFit fitOf(const IdentifiedPath& path, const ActivePath& promise);
 

@@ -32,12 +32,14 @@ Result<DuplexFormat> PcmDuplex::open() {
   in_.assign(static_cast<std::size_t>(format_.frames * format_.inputs), 0);
   out_.assign(static_cast<std::size_t>(format_.frames * format_.outputs), 0);
   stopped_.store(false, std::memory_order_relaxed);
-  return DuplexFormat{settings_.request.rate, format_.frames};
+  return DuplexFormat{settings_.request.rate, format_.frames, format_.together};
 }
 
 DuplexEvent PcmDuplex::after(int fault) STILLCUT_RT {
   if (fault == 0) return DuplexEvent::Block;
-  return fault == kDuplexLost && driver_->restart() ? DuplexEvent::Lost : DuplexEvent::Gone;
+  if (fault == kDuplexLost && driver_->restart()) return DuplexEvent::Lost;
+  driver_->close();  // what is queued is not played
+  return DuplexEvent::Gone;
 }
 
 DuplexEvent PcmDuplex::read(std::span<double> in) STILLCUT_RT {

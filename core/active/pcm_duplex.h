@@ -26,6 +26,7 @@ struct PcmDuplexRequest {
 struct PcmDuplexFormat {
   int frames = 32;
   int inputs = 2, outputs = 2;  // interleaved
+  bool together = true;         // both start at one instant, each time
 };
 
 // What read() and write() say below 0; 0: done.

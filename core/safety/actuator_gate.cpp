@@ -100,6 +100,7 @@ void ActuatorGate::heed(LoopHealth health) STILLCUT_RT {
       letGo(ActuatorRelease::Worse);
       break;
     case LoopHealth::DeadSensor:
+    case LoopHealth::Silenced:
       letGo(ActuatorRelease::DeadSensor);
       break;
   }

@@ -2,8 +2,8 @@
 // it off. Whatever it is asked for is limited in amplitude, then in slew, ramped in, and checked to be finite last. It
 // lets go, by a ramp to zero, when the lease is not renewed, the error or the wish is not finite, the loop runs away,
 // is at its end or has a dead sensor (divergence_watch.h), or when it is told to; then it says why and stays off until
-// engaged anew. Thread: pass() on the loop's thread, real-time; renew(), release() and state() from any; engage()
-// before the loop runs or from any thread.
+// engaged anew. Thread: pass() on the loop's thread, real-time; renew(),
+// release() and state() from any; engage() before the loop runs or from any thread.
 #pragma once
 
 #include <atomic>

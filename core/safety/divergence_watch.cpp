@@ -14,6 +14,12 @@ constexpr double kBeyond = 4.0;         // energy: twice the amplitude
 constexpr double kWorse = 2.0;          // energy
 constexpr double kSlight = 0.01;        // of the largest output, rms
 constexpr std::size_t kSaturating = 3;  // windows
+constexpr std::size_t kBefore = 4;      // windows before a silence
+constexpr double kSilenced = 0.01;      // energy: 20 dB
+constexpr double kSteady = 10.0;  // energy: a pure line that is being quietened falls as fast, but from its beginning
+
+constexpr std::size_t kUsual = 32;  // windows: beats of the lines of a cut are slower than a window
+constexpr double kForgets = 30.0;   // [s] until the quietest counts as twice as loud
 
 }  // namespace
 
@@ -21,6 +27,7 @@ void DivergenceWatch::prepare(Hertz rate, double amplitude) noexcept {
   length_ = std::max(4, static_cast<int>(std::lround(kWindow * rate.value)));
   slight_ = kSlight * kSlight * amplitude * amplitude * length_;
   silence_ = std::max(4, static_cast<int>(std::lround(kSilence * rate.value)));
+  forgets_ = std::exp2(kWindow / kForgets);
   reset();
 }
 
@@ -29,7 +36,7 @@ void DivergenceWatch::reset() noexcept {
   newest_ = filled_ = 0;
   open_ = {};
   count_ = still_ = 0;
-  last_ = 0.0;
+  last_ = usual_ = quietest_ = 0.0;
 }
 
 LoopHealth DivergenceWatch::watch(double error, double without, double output, bool limited) STILLCUT_RT {
@@ -49,21 +56,29 @@ LoopHealth DivergenceWatch::watch(double error, double without, double output, b
   return judge();
 }
 
-LoopHealth DivergenceWatch::judge() const STILLCUT_RT {
+LoopHealth DivergenceWatch::judge() STILLCUT_RT {
+  usual_ += (back(0).error - usual_) / static_cast<double>(std::min(filled_, kUsual));
+  quietest_ = filled_ < kUsual ? usual_ : std::min(quietest_ * forgets_, usual_);
   if (filled_ <= kGrowing) return LoopHealth::Fine;
+  if (atEnd(kSaturating) && loud()) return LoopHealth::Saturated;
+  if (usual_ > kBeyond * quietest_ && filled_ == kWindows && atEnd(kWindows)) return LoopHealth::Saturated;
+  if (silenced()) return LoopHealth::Silenced;
+  if (worse()) return LoopHealth::Worse;
+  return growing() && loud() ? LoopHealth::Diverging : LoopHealth::Fine;
+}
+
+// More than half of the samples of these windows were cut off.
+bool DivergenceWatch::atEnd(std::size_t windows) const STILLCUT_RT {
   int limited = 0;
-  for (std::size_t w = 0; w < kSaturating; ++w) limited += back(w).limited;
-  if (2 * limited > static_cast<int>(kSaturating) * length_ && loud()) return LoopHealth::Saturated;
-  bool worse = true;
-  for (std::size_t w = 0; w < kSaturating; ++w) {
-    worse = worse && back(w).error > kWorse * back(w).without && back(w).output > slight_;
+  for (std::size_t w = 0; w < windows; ++w) limited += back(w).limited;
+  return 2 * limited > static_cast<int>(windows) * length_;
+}
+
+bool DivergenceWatch::growing() const STILLCUT_RT {
+  for (std::size_t w = 0; w < kGrowing; ++w) {
+    if (back(w).error <= kGrowth * back(w + 1).error || back(w).output <= kGrowth * back(w + 1).output) return false;
   }
-  if (worse) return LoopHealth::Worse;
-  bool growing = true;
-  for (std::size_t w = 0; w < kGrowing && growing; ++w) {
-    growing = back(w).error > kGrowth * back(w + 1).error && back(w).output > kGrowth * back(w + 1).output;
-  }
-  return growing && loud() ? LoopHealth::Diverging : LoopHealth::Fine;
+  return true;
 }
 
 // Beyond the loudest window before those that are judged: a long look back, taken only where the rest speaks for it.
@@ -71,6 +86,30 @@ bool DivergenceWatch::loud() const STILLCUT_RT {
   double before = 0.0;
   for (std::size_t w = kGrowing; w < filled_; ++w) before = std::max(before, back(w).error);
   return back(0).error > kBeyond * before && before > 0.0;
+}
+
+bool DivergenceWatch::silenced() const STILLCUT_RT {
+  if (filled_ < kSaturating + kBefore) return false;
+  double loudest = 0.0, output = 0.0;
+  for (std::size_t w = 0; w < kSaturating; ++w) {
+    loudest = std::max(loudest, back(w).error);
+    output += back(w).output / kSaturating;
+  }
+  double outputBefore = 0.0, least = back(kSaturating).error, most = least;
+  for (std::size_t w = kSaturating; w < kSaturating + kBefore; ++w) {
+    least = std::min(least, back(w).error);
+    most = std::max(most, back(w).error);
+    outputBefore += back(w).output / kBefore;
+  }
+  if (loudest >= kSilenced * least || most > kSteady * least) return false;
+  return output > slight_ && output > 0.5 * outputBefore && output < 2.0 * outputBefore;
+}
+
+bool DivergenceWatch::worse() const STILLCUT_RT {
+  for (std::size_t w = 0; w < kSaturating; ++w) {
+    if (back(w).error <= kWorse * back(w).without || back(w).output <= slight_) return false;
+  }
+  return true;
 }
 
 }  // namespace stillcut::safety

@@ -1,19 +1,21 @@
-// DivergenceWatch: tells when an adaptive loop runs away or is at its end, from what goes out and what comes back,
-// without a model. Energies are summed over windows of 4 ms. Given up when
+// DivergenceWatch: tells when an adaptive loop runs away or is at its end, from what goes out and what comes back.
+// Energies are summed over windows of 4 ms. Given up when
 //   Diverging:  error and output both grew by 30 % in each of four windows in a row, and the error is twice (in
-//   amplitude)
-//               what it was in any window of the quarter second before: growth from outside has no reason to follow the
-//               output
+//               amplitude) what it was in any window of the quarter second before: growth from outside has no reason to
+//               follow the output
 //   Saturated:  more than half of the last three windows' samples were cut off at a limit, and the error is twice that
-//   too:
-//               the output is at its end and nothing gets better
+//               too: the output is at its end and nothing gets better. Or more than half of a quarter second's were,
+//               and the error of late is twice the quietest of the last half minute: the end of a runaway that was too
+//               slow to be seen from window to window, as with a wrong sign and a small step
 //   Worse:      over three windows in a row the error had twice the power of what the controller's own model says it
-//   would
-//               be without output: slow drift that the others do not see. Not while the output is below a hundredth of
-//               its limit: in air the loop learns from the sensor's noise, and nothing is at stake
+//               would be without output. Not while the output is below a hundredth of its limit: in air the loop learns
+//               from the sensor's noise, and nothing is at stake.
 //   DeadSensor: the reading has not changed at all for 5 ms while something goes out
-// so that at the latest 16 ms of growth, 12 ms of saturation or 5 ms of silence pass.
-// Thread: one, real-time.
+//   Silenced:   it went on steadily and then fell by 20 dB at once for three windows, while the output went on as it
+//   was:
+//               no control does that, but a cable that breaks leaves the converter's noise
+// so that at the latest 16 ms of growth, 12 ms of saturation or 16 ms of silence pass, and 250 ms at the end of a
+// stroke. Thread: one, real-time.
 #pragma once
 
 #include <array>
@@ -24,7 +26,7 @@
 
 namespace stillcut::safety {
 
-enum class LoopHealth { Fine, Diverging, Saturated, Worse, DeadSensor };
+enum class LoopHealth { Fine, Diverging, Saturated, Worse, DeadSensor, Silenced };
 
 class DivergenceWatch {
  public:
@@ -42,8 +44,12 @@ class DivergenceWatch {
     double error = 0.0, without = 0.0, output = 0.0;
     int limited = 0;
   };
-  LoopHealth judge() const STILLCUT_RT;
+  LoopHealth judge() STILLCUT_RT;
+  bool atEnd(std::size_t windows) const STILLCUT_RT;
+  bool growing() const STILLCUT_RT;
   bool loud() const STILLCUT_RT;
+  bool silenced() const STILLCUT_RT;
+  bool worse() const STILLCUT_RT;
   const Window& back(std::size_t windows) const STILLCUT_RT { return ring_[(newest_ + kWindows - windows) % kWindows]; }
 
   std::array<Window, kWindows> ring_{};
@@ -54,7 +60,9 @@ class DivergenceWatch {
   int count_ = 0;
   int still_ = 0;  // samples without any change
   int silence_ = 25;
-  double slight_ = 0.0;  // energy of an output in a window that does no harm
+  double usual_ = 0.0, quietest_ = 0.0;  // error of a window: of late, and the least of that
+  double forgets_ = 1.0;                 // the least, from window to window
+  double slight_ = 0.0;                  // energy of an output in a window that does no harm
   double last_ = 0.0;
 };
 

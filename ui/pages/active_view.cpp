@@ -98,7 +98,7 @@ void ActiveView::display() {
   state_->setText(QStringLiteral("%1, %2").arg(view.state, view.stroke));
   earned_->setText(view.lines.isEmpty()
                        ? tr("Nothing is known of its lines yet")
-                       : tr("Against the cut left alone: %1").arg(view.lines.join(QStringLiteral("; "))));
+                       : tr("By the model, against the cut left alone: %1").arg(view.lines.join(QStringLiteral("; "))));
   model_->setTone(view.modelSound ? Tone::Normal : Tone::Onset);
   model_->setText(view.model);
 }

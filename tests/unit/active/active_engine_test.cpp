@@ -27,7 +27,7 @@ class PlayedDevice final : public DuplexDevice {
     playing_.fill(0.0);
     written_.fill(0.0);
     gone_ = false;
-    return DuplexFormat{Hertz(kRate), kFrames};
+    return DuplexFormat{Hertz(kRate), kFrames, keepsDelay};
   }
   DuplexEvent read(std::span<double> in) noexcept override {
     while (!gone_ && allowed_.load() <= read_.load()) std::this_thread::yield();
@@ -68,6 +68,7 @@ class PlayedDevice final : public DuplexDevice {
   void unplug() { gone_ = true; }
 
   std::atomic<double> loud{0.0}, largest{0.0};
+  bool keepsDelay = true;  // before it is opened
 
  private:
   ManualClock& clock_;
@@ -198,6 +199,24 @@ TEST_F(Engine, ALostBlockIsCountedAndTheOutputIsZero) {
   EXPECT_EQ(told.axes[0].state, ActuatorState::Off);
   EXPECT_EQ(device_->largest.load(), 0.0);
   EXPECT_TRUE(engine_->start().ok());  // by hand again, with the model it has
+}
+
+TEST_F(Engine, WhereALossMayMakeThePathLaterItIsIdentifiedAnew) {
+  device_->keepsDelay = false;
+  identified();
+  ASSERT_TRUE(engine_->start().ok());
+  device_->play(100);
+  device_->lose();
+  device_->play(2);
+  const Status refused = engine_->start();
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("do not start together"), std::string::npos) << refused.error().line();
+  ASSERT_TRUE(engine_->identify().ok());
+  for (int i = 0; i < 40 && !engine_->recorded(); ++i) device_->play(100);
+  const auto found = engine_->fit();
+  ASSERT_TRUE(found.ok()) << found.error().line();
+  ASSERT_TRUE(engine_->install(*found).ok());
+  EXPECT_TRUE(engine_->start().ok());
 }
 
 TEST_F(Engine, ALostBlockEndsAnIdentification) {

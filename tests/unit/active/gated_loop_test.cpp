@@ -75,11 +75,10 @@ Course run(const Loop& loop, int samples) {
   return course;
 }
 
-// Growth is seen in whole windows, so a window begun before counts.
-void expectCaught(const Course& course) {
+void expectCaught(const Course& course, int within = 100) {  // 20 ms
   ASSERT_GE(course.letGo, 0);
   if (course.beyond >= 0) {
-    EXPECT_LE(course.letGo - course.beyond, 100);  // 20 ms
+    EXPECT_LE(course.letGo - course.beyond, within);
   }
   ASSERT_GE(course.zero, 0);
   EXPECT_LE(course.zero - course.letGo, 25);  // 5 ms
@@ -91,20 +90,62 @@ TEST(GatedLoop, AGoodModelIsLeftAlone) {
   EXPECT_LT(course.leftLast, 0.02);
 }
 
-TEST(GatedLoop, AWrongSignIsCaught) {
-  Loop loop;
-  for (double& a : loop.model.forward) a = -a;
-  for (double share : {0.02, 0.1, 0.5}) {
-    SCOPED_TRACE(share);
-    loop.filter.step = share;
-    expectCaught(run(loop, 20000));
+// Whatever the step, from one that runs away within milliseconds to one that takes seconds, and whatever the stroke:
+// one that the wrong output does not reach in time, and those at whose end it stays. What never doubles the error is
+// not asked for; what is too slow to be told from a cut that became louder ends at the end of the stroke.
+void expectNoRunaway(Loop loop) {
+  for (const double step : {0.0005, 0.002, 0.005, 0.02, 0.1, 0.5}) {
+    for (const double amplitude : {10.0, 3.0, 1.5}) {
+      SCOPED_TRACE(testing::Message() << "step " << step << ", stroke " << amplitude);
+      loop.filter.step = step;
+      loop.amplitude = amplitude;
+      const Course course = run(loop, 60000);
+      if (course.letGo < 0 && course.beyond < 0) {
+        EXPECT_LT(course.leftLast, 2.0);
+      } else if (course.atEnd >= 0 && course.letGo - course.beyond > 200) {
+        EXPECT_GE(course.letGo, 0);
+        EXPECT_LE(course.letGo - course.atEnd, 2500);  // half a second
+        EXPECT_LE(course.zero - course.letGo, 25);
+      } else {
+        expectCaught(course, step < 0.02 ? 200 : 100);  // 0.02 is the default
+      }
+    }
   }
 }
 
-TEST(GatedLoop, AWrongDelayIsCaught) {
+TEST(GatedLoop, AWrongSignIsCaught) {
   Loop loop;
-  loop.truth.forward.insert(loop.truth.forward.begin(), 5, 0.0);  // 1 ms later: half a period of 471 Hz
-  expectCaught(run(loop, 20000));
+  for (double& a : loop.model.forward) a = -a;
+  expectNoRunaway(loop);
+}
+
+TEST(GatedLoop, AWrongDelayIsCaught) {
+  for (const std::size_t late : {4U, 5U, 6U}) {  // at 471 Hz 136 to 203 degrees
+    SCOPED_TRACE(late);
+    Loop loop;
+    loop.truth.forward.insert(loop.truth.forward.begin(), late, 0.0);
+    expectNoRunaway(loop);
+  }
+}
+
+// A cut that becomes louder, stronger than the stroke can follow or not, is no fault of a good model.
+TEST(GatedLoop, AGoodModelIsKeptWhenTheCutBecomesLouder) {
+  for (const double step : {0.002, 0.02, 0.1}) {
+    for (const double louder : {1.5, 3.0, 10.0}) {
+      SCOPED_TRACE(testing::Message() << "step " << step << ", times " << louder);
+      Loop loop;
+      loop.filter.step = step;
+      loop.disturbance = [louder](int n) {
+        const double grown = 1.0 + (louder - 1.0) * std::clamp((n - 20000) / 5000.0, 0.0, 1.0);
+        return grown * 0.3 *
+               (std::sin(2.0 * std::numbers::pi * 471.0 / kRate * n) +
+                0.3 * std::sin(2.0 * std::numbers::pi * 339.0 / kRate * n));
+      };
+      const Course course = run(loop, 40000);
+      EXPECT_EQ(course.letGo, -1);
+      EXPECT_LT(course.leftLast, 1.0);
+    }
+  }
 }
 
 TEST(GatedLoop, ADeadSensorIsCaught) {
@@ -115,6 +156,23 @@ TEST(GatedLoop, ADeadSensorIsCaught) {
   EXPECT_GE(course.letGo, 8000);
   EXPECT_LE(course.letGo, 8000 + 100);
   EXPECT_LE(course.zero - course.letGo, 25);
+}
+
+// A broken cable leaves the converter's noise, which is never still.
+TEST(GatedLoop, ASensorThatBecomesNoiseIsCaught) {
+  for (const double noise : {1e-3, 1e-5}) {
+    SCOPED_TRACE(noise);
+    Loop loop;
+    loop.sensor = [noise](int n, double e) {
+      const double hiss = noise * (((n * 7919) % 101) / 50.0 - 1.0);
+      return (n < 8000 ? e + 0.05 * std::sin(0.9 * n * n) : 0.0) + hiss;  // what no filter foresees, while it lives
+    };
+    const Course course = run(loop, 20000);
+    EXPECT_EQ(course.why, ActuatorRelease::DeadSensor);
+    ASSERT_GE(course.letGo, 8000);
+    EXPECT_LE(course.letGo, 8000 + 100);
+    EXPECT_LE(course.zero - course.letGo, 25);
+  }
 }
 
 TEST(GatedLoop, ASaturatedActuatorThatHelpsNoLongerIsCaught) {

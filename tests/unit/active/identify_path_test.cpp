@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -39,6 +40,27 @@ TEST(PathIdentifier, AgreesWithFeintuchsEquationsWrittenOut) {
   for (std::size_t k = 0; k < taps; ++k) {
     EXPECT_NEAR(model.forward[k], a[k], 1e-11);
     EXPECT_NEAR(model.backward[k], b[k], 1e-11);
+  }
+}
+
+// A converter that works by blocks is late by more than a segment of the spectra that the fit is judged by.
+TEST(IdentifyPath, ALateLoopIsHeardAndPromisesAsMuch) {
+  for (const std::size_t late : {80U, 600U}) {
+    const auto y = whiteNoise(20000, 2);
+    std::vector<double> delayed = kForward;
+    delayed.insert(delayed.begin(), late, 0.0);
+    const auto r = plainPath(delayed, kBackward, y);
+    const auto found = identifyPath(y, r, kRate, {}, "test");
+    ASSERT_TRUE(found.ok()) << found.error().line();
+    const std::array<Hertz, 2> lines{Hertz(339.0), Hertz(1024.0)};
+    const ActivePath promise = promiseOf(*found, lines, kRate);
+    EXPECT_TRUE(promise.promisesStable) << late;
+    EXPECT_GT(promise.phaseLeft, 1.2) << late;
+    EXPECT_NEAR(promise.delay.value * kRate.value, static_cast<double>(late) + 2.0, 1.0);
+    const PathModel truth{delayed, kBackward};
+    const std::size_t k = found->report.frequency.size() / 4;
+    const Hertz f(found->report.frequency[k]);
+    EXPECT_LT(std::abs(found->report.measured[k] - truth.response(f, kRate)), 0.1 * std::abs(truth.response(f, kRate)));
   }
 }
 

@@ -174,6 +174,8 @@ TEST(PathPromise, WhatIsNotHeardIsNotPromised) {
   const std::array<Hertz, 1> lines{Hertz(339.0)};
   EXPECT_FALSE(promiseOf(found(0.0, 0.5), lines, kRate).promisesStable);
   EXPECT_TRUE(promiseOf(found(0.0), {}, kRate).promisesStable);  // no lines: everything counts
+  const std::array<Hertz, 2> oneDeaf{Hertz(339.0), Hertz(2300.0)};
+  EXPECT_FALSE(promiseOf(found(0.0), oneDeaf, kRate).promisesStable);  // every line counts
   const std::array<Hertz, 1> beyond{Hertz(2300.0)};
   EXPECT_FALSE(promiseOf(found(0.0), beyond, kRate).promisesStable);
 }
