@@ -1375,6 +1375,42 @@
         <source>Machine in inches</source>
         <translation>Maschine in Zoll</translation>
     </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Read the machine</source>
+        <translation>Maschine lesen</translation>
+    </message>
+    <message>
+        <source>Measure the delay</source>
+        <translation>Verzögerung messen</translation>
+    </message>
+    <message>
+        <source>What it can do</source>
+        <translation>Was sie kann</translation>
+    </message>
+    <message>
+        <source>serial port, for &apos;grbl&apos; or &apos;modbus&apos;</source>
+        <translation>serieller Anschluss, für &apos;grbl&apos; oder &apos;modbus&apos;</translation>
+    </message>
+    <message>
+        <source>linuxcncrsh, for &apos;linuxcnc&apos;</source>
+        <translation>linuxcncrsh, für &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>halrmt, spindle speed for &apos;linuxcnc&apos;</source>
+        <translation>halrmt, Spindeldrehzahl für &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>stillcut-hal, watchdog for &apos;linuxcnc&apos;</source>
+        <translation>stillcut-hal, Watchdog für &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>Modbus server, for &apos;modbus&apos; with a map</source>
+        <translation>Modbus-Server, für &apos;modbus&apos; mit Registertabelle</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2973,6 +3009,66 @@
         <source>one this program does not know</source>
         <translation>einer, den dieses Programm nicht kennt</translation>
     </message>
+    <message>
+        <source>The machine is off</source>
+        <translation>Die Maschine ist aus</translation>
+    </message>
+    <message>
+        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
+        <translation>Die Maschine ist aus und behält Drehzahl %1, Vorschub %2, bis sie an ist</translation>
+    </message>
+    <message>
+        <source>The machine is in alarm</source>
+        <translation>Die Maschine meldet Alarm</translation>
+    </message>
+    <message>
+        <source>No program runs</source>
+        <translation>Kein Programm läuft</translation>
+    </message>
+    <message>
+        <source>The program has locked both overrides (M49)</source>
+        <translation>Das Programm hat beide Override gesperrt (M49)</translation>
+    </message>
+    <message>
+        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
+        <translation>Der Spindel-Override wirkt nicht: vom Programm gesperrt (M51, M49)</translation>
+    </message>
+    <message>
+        <source>The feed override has no effect: locked by the program (M50, M49)</source>
+        <translation>Der Vorschub-Override wirkt nicht: vom Programm gesperrt (M50, M49)</translation>
+    </message>
+    <message>
+        <source>Adaptive feed has no effect: the program has not said M52 P1</source>
+        <translation>Der adaptive Vorschub wirkt nicht: im Programm fehlt M52 P1</translation>
+    </message>
+    <message>
+        <source>LinuxCNC refuses control: is the control password right?</source>
+        <translation>LinuxCNC verweigert die Kontrolle: Stimmt das Kontroll-Passwort?</translation>
+    </message>
+    <message>
+        <source>stillcut-hal does not answer</source>
+        <translation>stillcut-hal antwortet nicht</translation>
+    </message>
+    <message>
+        <source>stillcut-hal has not seen the machine&apos;s watchdog act</source>
+        <translation>stillcut-hal hat den Watchdog der Maschine nicht auslösen sehen</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s watchdog or the operator&apos;s switch has taken Stillcut out</source>
+        <translation>Der Watchdog der Maschine oder der Schalter des Bedieners hat Stillcut herausgenommen</translation>
+    </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>MASCHINE SUCHEN</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>weitere Rechner, oder 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Gefunden</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -4015,6 +4111,61 @@
     <message>
         <source>the programmed speed is not known</source>
         <translation>die programmierte Drehzahl ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupFinder</name>
+    <message>
+        <source>Hosts to look at besides this computer</source>
+        <translation>Rechner, die außer diesem abgesucht werden</translation>
+    </message>
+    <message>
+        <source>FIND</source>
+        <translation>SUCHEN</translation>
+    </message>
+    <message>
+        <source>Look for serial ports and machines, once</source>
+        <translation>Einmal nach seriellen Anschlüssen und Maschinen suchen</translation>
+    </message>
+    <message>
+        <source>USE</source>
+        <translation>NEHMEN</translation>
+    </message>
+    <message>
+        <source>Take the chosen one as the link</source>
+        <translation>Den gewählten Eintrag als Verbindung nehmen</translation>
+    </message>
+    <message>
+        <source>TEST THE LINK</source>
+        <translation>VERBINDUNG PRÜFEN</translation>
+    </message>
+    <message>
+        <source>Test the link step by step; nothing moves</source>
+        <translation>Die Verbindung Schritt für Schritt prüfen; nichts bewegt sich</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SICHERN</translation>
+    </message>
+    <message>
+        <source>Save the link with its delay into the profile</source>
+        <translation>Die Verbindung mit ihrer Verzögerung ins Profil speichern</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Gesichert: %1</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Suche läuft</translation>
+    </message>
+    <message>
+        <source>Nothing answers. A path or a host can be typed on the left.</source>
+        <translation>Nichts antwortet. Links lässt sich ein Pfad oder Rechner eintippen.</translation>
+    </message>
+    <message>
+        <source>Nothing is looked for before you ask.</source>
+        <translation>Gesucht wird erst, wenn Sie es verlangen.</translation>
     </message>
 </context>
 <context>

@@ -1374,6 +1374,42 @@
         <source>Machine in inches</source>
         <translation>Machine in inches</translation>
     </message>
+    <message>
+        <source>Connect</source>
+        <translation>Connect</translation>
+    </message>
+    <message>
+        <source>Read the machine</source>
+        <translation>Read the machine</translation>
+    </message>
+    <message>
+        <source>Measure the delay</source>
+        <translation>Measure the delay</translation>
+    </message>
+    <message>
+        <source>What it can do</source>
+        <translation>What it can do</translation>
+    </message>
+    <message>
+        <source>serial port, for 'grbl' or 'modbus'</source>
+        <translation>serial port, for 'grbl' or 'modbus'</translation>
+    </message>
+    <message>
+        <source>linuxcncrsh, for 'linuxcnc'</source>
+        <translation>linuxcncrsh, for 'linuxcnc'</translation>
+    </message>
+    <message>
+        <source>halrmt, spindle speed for 'linuxcnc'</source>
+        <translation>halrmt, spindle speed for 'linuxcnc'</translation>
+    </message>
+    <message>
+        <source>stillcut-hal, watchdog for 'linuxcnc'</source>
+        <translation>stillcut-hal, watchdog for 'linuxcnc'</translation>
+    </message>
+    <message>
+        <source>Modbus server, for 'modbus' with a map</source>
+        <translation>Modbus server, for 'modbus' with a map</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2972,6 +3008,66 @@
         <source>one this program does not know</source>
         <translation>one this program does not know</translation>
     </message>
+    <message>
+        <source>The machine is off</source>
+        <translation>The machine is off</translation>
+    </message>
+    <message>
+        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
+        <translation>The machine is off and keeps speed %1, feed %2 until it is on</translation>
+    </message>
+    <message>
+        <source>The machine is in alarm</source>
+        <translation>The machine is in alarm</translation>
+    </message>
+    <message>
+        <source>No program runs</source>
+        <translation>No program runs</translation>
+    </message>
+    <message>
+        <source>The program has locked both overrides (M49)</source>
+        <translation>The program has locked both overrides (M49)</translation>
+    </message>
+    <message>
+        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
+        <translation>The spindle override has no effect: locked by the program (M51, M49)</translation>
+    </message>
+    <message>
+        <source>The feed override has no effect: locked by the program (M50, M49)</source>
+        <translation>The feed override has no effect: locked by the program (M50, M49)</translation>
+    </message>
+    <message>
+        <source>Adaptive feed has no effect: the program has not said M52 P1</source>
+        <translation>Adaptive feed has no effect: the program has not said M52 P1</translation>
+    </message>
+    <message>
+        <source>LinuxCNC refuses control: is the control password right?</source>
+        <translation>LinuxCNC refuses control: is the control password right?</translation>
+    </message>
+    <message>
+        <source>stillcut-hal does not answer</source>
+        <translation>stillcut-hal does not answer</translation>
+    </message>
+    <message>
+        <source>stillcut-hal has not seen the machine's watchdog act</source>
+        <translation>stillcut-hal has not seen the machine's watchdog act</translation>
+    </message>
+    <message>
+        <source>The machine's watchdog or the operator's switch has taken Stillcut out</source>
+        <translation>The machine's watchdog or the operator's switch has taken Stillcut out</translation>
+    </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>FIND THE MACHINE</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>more hosts, or 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>What was found</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -4014,6 +4110,61 @@
     <message>
         <source>the programmed speed is not known</source>
         <translation>the programmed speed is not known</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupFinder</name>
+    <message>
+        <source>Hosts to look at besides this computer</source>
+        <translation>Hosts to look at besides this computer</translation>
+    </message>
+    <message>
+        <source>FIND</source>
+        <translation>FIND</translation>
+    </message>
+    <message>
+        <source>Look for serial ports and machines, once</source>
+        <translation>Look for serial ports and machines, once</translation>
+    </message>
+    <message>
+        <source>USE</source>
+        <translation>USE</translation>
+    </message>
+    <message>
+        <source>Take the chosen one as the link</source>
+        <translation>Take the chosen one as the link</translation>
+    </message>
+    <message>
+        <source>TEST THE LINK</source>
+        <translation>TEST THE LINK</translation>
+    </message>
+    <message>
+        <source>Test the link step by step; nothing moves</source>
+        <translation>Test the link step by step; nothing moves</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>SAVE</translation>
+    </message>
+    <message>
+        <source>Save the link with its delay into the profile</source>
+        <translation>Save the link with its delay into the profile</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>Saved: %1</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Looking</translation>
+    </message>
+    <message>
+        <source>Nothing answers. A path or a host can be typed on the left.</source>
+        <translation>Nothing answers. A path or a host can be typed on the left.</translation>
+    </message>
+    <message>
+        <source>Nothing is looked for before you ask.</source>
+        <translation>Nothing is looked for before you ask.</translation>
     </message>
 </context>
 <context>

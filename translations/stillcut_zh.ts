@@ -1375,6 +1375,42 @@
         <source>Machine in inches</source>
         <translation>机床使用英寸</translation>
     </message>
+    <message>
+        <source>Connect</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>Read the machine</source>
+        <translation>读取机床</translation>
+    </message>
+    <message>
+        <source>Measure the delay</source>
+        <translation>测量延迟</translation>
+    </message>
+    <message>
+        <source>What it can do</source>
+        <translation>机床能力</translation>
+    </message>
+    <message>
+        <source>serial port, for &apos;grbl&apos; or &apos;modbus&apos;</source>
+        <translation>串口，用于“grbl”或“modbus”</translation>
+    </message>
+    <message>
+        <source>linuxcncrsh, for &apos;linuxcnc&apos;</source>
+        <translation>linuxcncrsh，用于“linuxcnc”</translation>
+    </message>
+    <message>
+        <source>halrmt, spindle speed for &apos;linuxcnc&apos;</source>
+        <translation>halrmt，用于“linuxcnc”的主轴转速</translation>
+    </message>
+    <message>
+        <source>stillcut-hal, watchdog for &apos;linuxcnc&apos;</source>
+        <translation>stillcut-hal，用于“linuxcnc”的看门狗</translation>
+    </message>
+    <message>
+        <source>Modbus server, for &apos;modbus&apos; with a map</source>
+        <translation>Modbus 服务器，用于“modbus”，需寄存器表</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -2973,6 +3009,66 @@
         <source>one this program does not know</source>
         <translation>本程序不认识的参数</translation>
     </message>
+    <message>
+        <source>The machine is off</source>
+        <translation>机床已关闭</translation>
+    </message>
+    <message>
+        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
+        <translation>机床已关闭，开机前保持转速 %1、进给 %2</translation>
+    </message>
+    <message>
+        <source>The machine is in alarm</source>
+        <translation>机床报警</translation>
+    </message>
+    <message>
+        <source>No program runs</source>
+        <translation>没有程序在运行</translation>
+    </message>
+    <message>
+        <source>The program has locked both overrides (M49)</source>
+        <translation>程序已锁定两个倍率（M49）</translation>
+    </message>
+    <message>
+        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
+        <translation>主轴倍率不起作用：被程序锁定（M51、M49）</translation>
+    </message>
+    <message>
+        <source>The feed override has no effect: locked by the program (M50, M49)</source>
+        <translation>进给倍率不起作用：被程序锁定（M50、M49）</translation>
+    </message>
+    <message>
+        <source>Adaptive feed has no effect: the program has not said M52 P1</source>
+        <translation>自适应进给不起作用：程序中没有 M52 P1</translation>
+    </message>
+    <message>
+        <source>LinuxCNC refuses control: is the control password right?</source>
+        <translation>LinuxCNC 拒绝控制：控制密码是否正确？</translation>
+    </message>
+    <message>
+        <source>stillcut-hal does not answer</source>
+        <translation>stillcut-hal 没有应答</translation>
+    </message>
+    <message>
+        <source>stillcut-hal has not seen the machine&apos;s watchdog act</source>
+        <translation>stillcut-hal 未见机床看门狗动作</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s watchdog or the operator&apos;s switch has taken Stillcut out</source>
+        <translation>机床看门狗或操作员开关已将 Stillcut 断开</translation>
+    </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>查找机床</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>更多主机，或 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>查找结果</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -4015,6 +4111,61 @@
     <message>
         <source>the programmed speed is not known</source>
         <translation>编程转速未知</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::SetupFinder</name>
+    <message>
+        <source>Hosts to look at besides this computer</source>
+        <translation>除本机外还要查找的主机</translation>
+    </message>
+    <message>
+        <source>FIND</source>
+        <translation>查找</translation>
+    </message>
+    <message>
+        <source>Look for serial ports and machines, once</source>
+        <translation>查找一次串口和机床</translation>
+    </message>
+    <message>
+        <source>USE</source>
+        <translation>采用</translation>
+    </message>
+    <message>
+        <source>Take the chosen one as the link</source>
+        <translation>把所选的作为连接</translation>
+    </message>
+    <message>
+        <source>TEST THE LINK</source>
+        <translation>测试连接</translation>
+    </message>
+    <message>
+        <source>Test the link step by step; nothing moves</source>
+        <translation>逐步测试连接；不会有任何动作</translation>
+    </message>
+    <message>
+        <source>SAVE</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Save the link with its delay into the profile</source>
+        <translation>把连接及其延迟保存到配置中</translation>
+    </message>
+    <message>
+        <source>Saved: %1</source>
+        <translation>已保存：%1</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>正在查找</translation>
+    </message>
+    <message>
+        <source>Nothing answers. A path or a host can be typed on the left.</source>
+        <translation>没有应答。可在左侧输入路径或主机。</translation>
+    </message>
+    <message>
+        <source>Nothing is looked for before you ask.</source>
+        <translation>您要求之前不会查找。</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,14 @@
 // stillcut-cli devices: the devices samples can come from and the machine links commands can go to, by their ids; finds
-// what is plugged in or reachable, and tries a link step by step. It moves nothing.
+// what is plugged in or reachable, and tries a link step by step. It moves nothing unless --measure-effect asks for it.
 
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/cli/command.h"
 #include "app/compose/catalog.h"
+#include "app/compose/effect_trial.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/find_machines.h"
@@ -22,7 +24,7 @@ namespace {
 constexpr Seconds kFindTime{0.5};
 
 struct DeviceOptions {
-  bool find = false, save = false;
+  bool find = false, save = false, effect = false;
   std::vector<std::string> hosts, with;
   std::string link, profile;
 };
@@ -55,7 +57,11 @@ void printPorts() {
 
 int find(const DeviceOptions& o) {
   std::vector<std::string> hosts{"localhost"};
-  hosts.insert(hosts.end(), o.hosts.begin(), o.hosts.end());
+  for (const std::string& typed : o.hosts) {
+    const auto more = hostsIn(typed);
+    if (!more) return fail(more.error());
+    hosts.insert(hosts.end(), more->begin(), more->end());
+  }
   const auto found = findMachines(hosts, kFindTime);
   for (const FoundMachine& f : found) std::printf("%-20s %s\n", f.where.c_str(), f.what.c_str());
   if (found.empty()) std::puts("nothing found");
@@ -101,8 +107,20 @@ int tryLink(const DeviceOptions& o) {
   if (before.value > 0.0) std::printf("     a look took %.2f ms when this was saved\n", 1e3 * before.value);
   const Seconds effect = cnc::savedDelay(profile->link.settings, cnc::kSavedEffect);
   if (effect.value > 0.0) std::printf("     an order took %.1f ms to act in the last run\n", 1e3 * effect.value);
+  Seconds measured{};
+  if (o.effect) {
+    const EffectTrial moved = measureEffect(**link, clock);
+    measured = moved.effect;
+    if (!moved.problem.empty()) {
+      std::printf("no   Measure the effect: %s\n", moved.problem.c_str());
+      return kExitDevice;
+    }
+    std::printf("ok   Measure the effect: an order acts after %.1f ms, seen in %d moves\n", 1e3 * measured.value,
+                moved.moves);
+  }
   if (!o.save) return kExitDone;
   cnc::saveDelay(profile->link.settings, cnc::kSavedDelay, trial.look());
+  if (measured.value > 0.0) cnc::saveDelay(profile->link.settings, cnc::kSavedEffect, measured);
   if (const Status written = config::saveProfile(*profile, catalog, o.profile); !written) return fail(written.error());
   std::printf("saved in %s\n", o.profile.c_str());
   return kExitDone;
@@ -111,7 +129,10 @@ int tryLink(const DeviceOptions& o) {
 int run(const DeviceOptions& o) {
   if (!o.link.empty() || !o.profile.empty()) return tryLink(o);
   if (o.find || !o.hosts.empty()) return find(o);
-  if (o.save || !o.with.empty()) return fail({o.save ? "--save" : "--with", "needs --try or --profile", ""});
+  for (const auto& [given, name] :
+       {std::pair{o.save, "--save"}, {o.effect, "--measure-effect"}, {!o.with.empty(), "--with"}}) {
+    if (given) return fail({name, "needs --try or --profile", ""});
+  }
   print("sources", daq::sourceTable());
   printFound("audio-class devices here", alsaDevices());
   printFound("industrial I/O devices here", iioDevices("local:"));
@@ -126,10 +147,13 @@ void addDevices(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<DeviceOptions>();
   CLI::App* command = app.add_subcommand("devices", "List what a profile can name, find machines, try a link");
   command->add_flag("--find", o->find, "Look for serial ports, and for machines on this computer");
-  command->add_option("--host", o->hosts, "Look on this host as well");
+  command->add_option("--host", o->hosts, "Look there as well: a host, or a subnet as 192.168.1.0/24");
   command->add_option("--try", o->link, "Try this link step by step; nothing moves");
   command->add_option("--with", o->with, "A setting of the link, KEY=VALUE");
   command->add_option("--profile", o->profile, "Try the link of this profile (.toml)");
+  command->add_flag(
+      "--measure-effect", o->effect,
+      "Then move both overrides to 95 % and back and see how long that takes: in air, with a program running");
   command->add_flag("--save", o->save, "Write the link into the profile once it has passed");
   command->callback([o, &exitCode] { exitCode = run(*o); });
 }

@@ -11,12 +11,13 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <utility>
 
 namespace stillcut::hal {
 
 LineServer::~LineServer() {
-  drop();
+  for (const Client& client : clients_) {
+    if (client.socket >= 0) ::close(client.socket);
+  }
   if (listener_ >= 0) ::close(listener_);
 }
 
@@ -30,54 +31,74 @@ Status LineServer::listen(const std::string& address, int port) {
   const int on = 1;
   if (listener_ >= 0) ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   if (listener_ < 0 || ::bind(listener_, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 ||
-      ::listen(listener_, 2) != 0) {
+      ::listen(listener_, static_cast<int>(kClients)) != 0) {
     return Error{where, "cannot be listened on", std::strerror(errno)};
   }
   return Done{};
 }
 
-void LineServer::serve(Duration atMost, bool mayReplace,
-                       const std::function<std::string_view(std::string_view)>& take) noexcept {
-  std::array<pollfd, 2> entries{{{listener_, POLLIN, 0}, {client_, POLLIN, 0}}};
-  const nfds_t count = client_ >= 0 ? 2 : 1;
-  if (::poll(entries.data(), count, static_cast<int>(atMost / std::chrono::milliseconds(1))) <= 0) return;
-  if (count == 2 && entries[1].revents != 0) hear(take);
-  if (entries[0].revents != 0) accept(mayReplace);
+int LineServer::port() const noexcept {
+  sockaddr_in place{};
+  socklen_t size = sizeof place;
+  ::getsockname(listener_, reinterpret_cast<sockaddr*>(&place), &size);
+  return ntohs(place.sin_port);
 }
 
-void LineServer::accept(bool mayReplace) noexcept {
+void LineServer::serve(Duration atMost, const Handlers& handlers) noexcept {
+  std::array<pollfd, kClients + 1> entries{};  // a socket below 0 is passed over
+  for (std::size_t i = 0; i < kClients; ++i) entries[i] = {clients_[i].socket, POLLIN, 0};
+  entries[kClients] = {listener_, POLLIN, 0};
+  if (::poll(entries.data(), entries.size(), static_cast<int>(atMost / std::chrono::milliseconds(1))) <= 0) return;
+  for (std::size_t i = 0; i < kClients; ++i) {
+    if (entries[i].revents != 0) hear(clients_[i], handlers);
+  }
+  if (entries[kClients].revents != 0) accept(handlers);
+}
+
+void LineServer::accept(const Handlers& handlers) noexcept {
   const int fresh = ::accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
   if (fresh < 0) return;
-  if (client_ >= 0 && !mayReplace) {
+  // A free place has been heard at 0.
+  Client& place = *std::min_element(clients_.begin(), clients_.end(),
+                                    [](const Client& a, const Client& b) { return a.heard < b.heard; });
+  if (place.socket >= 0 && clock_.now() - place.heard < kSilence) {
     ::close(fresh);
     return;
   }
-  drop();
+  drop(place, handlers);
   const int on = 1;
   ::setsockopt(fresh, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-  client_ = fresh;
+  place.socket = fresh;
+  place.number = ++lastNumber_;
+  place.heard = clock_.now();
 }
 
-void LineServer::hear(const std::function<std::string_view(std::string_view)>& take) noexcept {
+void LineServer::hear(Client& client, const Handlers& handlers) noexcept {
   std::array<char, 512> bytes;
-  const ssize_t n = ::recv(client_, bytes.data(), bytes.size(), 0);
+  const ssize_t n = ::recv(client.socket, bytes.data(), bytes.size(), 0);
   if (n <= 0) {
-    if (n == 0 || (errno != EAGAIN && errno != EINTR)) drop();
+    if (n == 0 || (errno != EAGAIN && errno != EINTR)) drop(client, handlers);
     return;
   }
-  splitter_.feed({bytes.data(), static_cast<std::size_t>(n)}, [&](std::string_view line) {
-    if (client_ < 0) return;
-    const std::string_view answer = take(line);
+  client.heard = clock_.now();
+  bool deaf = false;
+  client.splitter.feed({bytes.data(), static_cast<std::size_t>(n)}, [&](std::string_view line) {
+    if (deaf) return;
+    const std::string_view answer = handlers.take(client.number, line);
     // A client that does not take a few dozen bytes is gone.
     const auto size = static_cast<ssize_t>(answer.size());
-    if (size > 0 && ::send(client_, answer.data(), answer.size(), MSG_NOSIGNAL) != size) drop();
+    deaf = size > 0 && ::send(client.socket, answer.data(), answer.size(), MSG_NOSIGNAL) != size;
   });
+  if (deaf) drop(client, handlers);
 }
 
-void LineServer::drop() noexcept {
-  if (client_ >= 0) ::close(client_);
-  client_ = -1;
-  splitter_.clear();
+void LineServer::drop(Client& client, const Handlers& handlers) noexcept {
+  if (client.socket < 0) return;
+  ::close(client.socket);
+  handlers.gone(client.number);
+  client.socket = -1;
+  client.heard = {};
+  client.splitter.clear();
 }
 
 }  // namespace stillcut::hal

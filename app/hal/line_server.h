@@ -1,8 +1,10 @@
-// LineServer: one TCP client at a time, lines in, lines out. A second client is turned away unless the first may go.
+// LineServer: a few TCP clients, lines in, lines out. One more than there is room for is turned away, unless one of
+// those has said nothing for a while: its cable may have been pulled.
 // Thread: one. Nothing throws after listen(); memory is bounded.
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -15,25 +17,39 @@ namespace stillcut::hal {
 
 class LineServer {
  public:
-  LineServer() = default;
+  static constexpr std::size_t kClients = 4;
+  static constexpr Duration kSilence = std::chrono::seconds(1);
+  struct Handlers {
+    // A line of a client; gives the answer, empty: none. No two clients ever have the same number.
+    std::function<std::string_view(int client, std::string_view line)> take;
+    std::function<void(int client)> gone;
+  };
+
+  explicit LineServer(const Clock& clock) : clock_(clock) {}
   ~LineServer();
   LineServer(const LineServer&) = delete;
   LineServer& operator=(const LineServer&) = delete;
 
-  // `address`: dotted, "127.0.0.1" for this machine alone.
+  // `address`: dotted, "127.0.0.1" for this machine alone. Port 0: any that is free.
   Status listen(const std::string& address, int port);
-  // Waits at most `atMost` for something to happen, then hands each line to `take`, which gives the answer (empty:
-  // none). `mayReplace`: a new client takes the place of the present one.
-  void serve(Duration atMost, bool mayReplace, const std::function<std::string_view(std::string_view)>& take) noexcept;
-  bool connected() const { return client_ >= 0; }
+  int port() const noexcept;
+  // Waits at most `atMost` for something to happen, then hands it on.
+  void serve(Duration atMost, const Handlers& handlers) noexcept;
 
  private:
-  void accept(bool mayReplace) noexcept;
-  void hear(const std::function<std::string_view(std::string_view)>& take) noexcept;
-  void drop() noexcept;
+  struct Client {
+    int socket = -1, number = 0;
+    Instant heard{};
+    cnc::LineSplitter splitter;
+  };
 
-  int listener_ = -1, client_ = -1;
-  cnc::LineSplitter splitter_;
+  void accept(const Handlers& handlers) noexcept;
+  void hear(Client& client, const Handlers& handlers) noexcept;
+  static void drop(Client& client, const Handlers& handlers) noexcept;
+
+  const Clock& clock_;
+  int listener_ = -1, lastNumber_ = 0;
+  std::array<Client, kClients> clients_;
 };
 
 }  // namespace stillcut::hal

@@ -61,32 +61,27 @@ void show(const KeeperPins& pins, const Pins& p) {
   *p.active = pins.active;
 }
 
-void run(const Pins& pins, LineServer& server) {
-  const SteadyClock clock;
+void run(const Pins& pins, LineServer& server, const Clock& clock) {
   OverrideKeeper keeper;
   std::array<char, cnc::kHalLine> text{};
-  bool connected = false;
-  const auto answer = [&](std::string_view line) -> std::string_view {
-    if (const auto request = cnc::readHalRequest(line)) keeper.take(*request, clock.now());
-    return cnc::writeHalReport(keeper.report(), text);
+  bool listening = true;
+  const LineServer::Handlers handlers{[&](int client, std::string_view line) -> std::string_view {
+                                        if (!listening) return {};
+                                        if (const auto request = cnc::readHalRequest(line))
+                                          keeper.take(*request, client, clock.now());
+                                        return cnc::writeHalReport(keeper.report(client), text);
+                                      },
+                                      [&](int client) { keeper.clientGone(client, clock.now()); }};
+  const auto round = [&] {
+    server.serve(kTick, handlers);
+    show(keeper.tick({*pins.watchdogOk != 0, *pins.permit != 0}, clock.now()), pins);
   };
-  const auto tick = [&] {
-    const Instant now = clock.now();
-    if (connected && !server.connected()) keeper.clientGone(now);
-    connected = server.connected();
-    show(keeper.tick({*pins.watchdogOk != 0, *pins.permit != 0}, now), pins);
-  };
-  while (ended == 0) {
-    server.serve(kTick, !keeper.held(), answer);
-    tick();
-  }
+  while (ended == 0) round();
   // The way home is walked before the pins go.
-  keeper.clientGone(clock.now());
+  listening = false;
+  keeper.end(clock.now());
   const Instant until = clock.now() + OverrideKeeper::kWayHome;
-  while (clock.now() < until) {
-    tick();
-    server.serve(kTick, false, [](std::string_view) { return std::string_view(); });
-  }
+  while (clock.now() < until) round();
 }
 
 struct Options {
@@ -115,7 +110,8 @@ int start(int argc, char** argv) {
     std::fputs("usage: stillcut-hal [--listen ADDRESS] [--port 1..65535]\n", stderr);
     return 2;
   }
-  LineServer server;
+  const SteadyClock clock;
+  LineServer server(clock);
   if (const Status listening = server.listen(options.address, options.port); !listening) {
     std::fprintf(stderr, "stillcut-hal: %s\n", listening.error().line().c_str());
     return 3;
@@ -136,7 +132,7 @@ int start(int argc, char** argv) {
     const sched_param first{1};
     ::sched_setscheduler(0, SCHED_FIFO, &first);
     hal_ready(component);
-    run(*pins, server);
+    run(*pins, server, clock);
   }
   hal_exit(component);
   if (!made) std::fputs("stillcut-hal: HAL has no room for the pins\n", stderr);

@@ -13,18 +13,24 @@ void OverrideKeeper::enter(Stage stage, Instant now) noexcept {
   armed_ = false;
 }
 
-void OverrideKeeper::take(const cnc::HalRequest& request, Instant now) noexcept {
+void OverrideKeeper::take(const cnc::HalRequest& request, int client, Instant now) noexcept {
+  if (engaged() && client != holder_) return;
   request_ = request;
   renewed_ = now;
   if (!request.hold) {
-    if (stage_ == Stage::Held || stage_ == Stage::Fallen) enter(Stage::Home, now);
+    end(now);
   } else if (stage_ == Stage::Home && now - since_ >= kRest) {
+    holder_ = client;
     enter(Stage::Held, now);
   }
 }
 
-void OverrideKeeper::clientGone(Instant now) noexcept {
-  if (stage_ == Stage::Held || stage_ == Stage::Fallen) enter(Stage::Home, now);
+void OverrideKeeper::clientGone(int client, Instant now) noexcept {
+  if (client == holder_) end(now);
+}
+
+void OverrideKeeper::end(Instant now) noexcept {
+  if (engaged()) enter(Stage::Home, now);
 }
 
 void OverrideKeeper::prove(const KeeperInputs& in, Instant now) noexcept {
@@ -104,7 +110,7 @@ const KeeperPins& OverrideKeeper::tick(const KeeperInputs& in, Instant now) noex
   return pins_;
 }
 
-cnc::HalReport OverrideKeeper::report() const noexcept {
+cnc::HalReport OverrideKeeper::report(int client) const noexcept {
   cnc::HalReport r;
   r.watchdogMs = watchdogMs_;
   r.speed = stage_ == Stage::Held ? pins_.speed : pins_.homeSpeed;
@@ -115,7 +121,7 @@ cnc::HalReport OverrideKeeper::report() const noexcept {
       r.standing = HalStanding::Home;
       break;
     case Stage::Held:
-      r.standing = HalStanding::Held;
+      r.standing = client == holder_ ? HalStanding::Held : HalStanding::Taken;
       break;
     case Stage::Fallen:
       r.standing = HalStanding::Fallen;

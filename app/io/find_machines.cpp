@@ -1,11 +1,18 @@
 #include "app/io/find_machines.h"
 
+#include <arpa/inet.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <optional>
+#include <span>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -19,26 +26,96 @@ namespace fs = std::filesystem;
 
 struct Service {
   int port;
-  std::string_view what;
+  std::string_view what, link;
+  bool host;                 // a setting of the link; else its map has it
+  std::string_view setting;  // that takes the port, where it is not there by itself
 };
-// Not stillcut-hal's: it has one client, which a look would put off.
-constexpr std::array<Service, 3> kServices{{{5007, "linuxcncrsh: the link 'linuxcnc'"},
-                                            {5006, "halrmt: the link 'linuxcnc' measures the spindle with it"},
-                                            {502, "a Modbus server: the link 'modbus', with a map of its registers"}}};
+constexpr std::array<Service, 4> kServices{{
+    {5007, "linuxcncrsh, for 'linuxcnc'", "linuxcnc", true, {}},
+    {5006, "halrmt, spindle speed for 'linuxcnc'", "linuxcnc", true, {}},
+    {5008, "stillcut-hal, watchdog for 'linuxcnc'", "linuxcnc", true, "hal_component_port"},
+    {502, "Modbus server, for 'modbus' with a map", "modbus", false, {}},
+}};
+constexpr std::string_view kSerialPort = "serial port, for 'grbl' or 'modbus'";
+constexpr std::size_t kAtOnce = 32;  // hosts: a few sockets each
 
 void addSerialPorts(std::vector<FoundMachine>& found) {
-  for (SerialPort& port : serialPorts()) {
-    found.push_back({std::move(port.device), "a serial port: the links 'grbl' and 'modbus'"});
+  for (const SerialPort& port : serialPorts()) {
+    found.push_back({port.device + (port.label.empty() ? "" : " (" + port.label + ")"),
+                     std::string(kSerialPort),
+                     {"grbl", {{"device", port.device}}}});
   }
 }
 
 struct Knock {
-  std::string where;
-  std::string_view what;
+  std::string host;
+  const Service* service;
   std::unique_ptr<cnc::ByteChannel> wire;
   int tries = 2;  // "localhost" is ::1 and 127.0.0.1
   bool open = false;
+
+  // True: it may still open.
+  bool pending() {
+    if (open) return false;
+    if (wire->state() == cnc::WireState::Closed && tries > 0) {
+      --tries;
+      wire->connect();
+    }
+    open = wire->state() == cnc::WireState::Open;
+    return !open && (tries > 0 || wire->state() == cnc::WireState::Opening);
+  }
+  FoundMachine found() const {
+    config::PartChoice link{std::string(service->link), {}};
+    if (service->host) link.settings["host"] = host;
+    if (!service->setting.empty()) link.settings[std::string(service->setting)] = std::to_string(service->port);
+    return {host + ":" + std::to_string(service->port), std::string(service->what), std::move(link)};
+  }
 };
+
+void knockOn(std::span<const std::string> hosts, Seconds atMost, std::vector<FoundMachine>& found) {
+  std::vector<Knock> knocks;
+  for (const std::string& host : hosts) {
+    for (const Service& service : kServices) {
+      auto wire = TcpWire::make(host, service.port);
+      if (!wire) {
+        found.push_back({host, wire.error().line(), {}});
+        break;
+      }
+      knocks.push_back({host, &service, std::move(wire).value()});
+    }
+  }
+  const SteadyClock clock;
+  const Instant end = clock.now() + toDuration(atMost);
+  Knock* waiting = nullptr;
+  do {
+    waiting = nullptr;
+    for (Knock& k : knocks) {
+      if (k.pending()) waiting = &k;
+    }
+    if (waiting != nullptr) waiting->wire->wait(std::chrono::milliseconds(1));
+  } while (waiting != nullptr && clock.now() < end);
+  for (const Knock& k : knocks) {
+    if (k.open) found.push_back(k.found());
+  }
+}
+
+// "192.168.1.0/28" taken apart.
+struct Subnet {
+  std::uint32_t first = 0;
+  int bits = 0;
+};
+std::optional<Subnet> subnet(const std::string& word) {
+  const std::size_t slash = word.find('/');
+  in_addr address{};
+  if (slash == std::string::npos || ::inet_pton(AF_INET, word.substr(0, slash).c_str(), &address) != 1) return {};
+  const std::string_view digits = std::string_view(word).substr(slash + 1);
+  Subnet net;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), net.bits);
+  if (error != std::errc() || end != digits.data() + digits.size() || net.bits < 0 || net.bits > 32) return {};
+  const std::uint32_t mask = net.bits == 0 ? 0U : ~0U << static_cast<unsigned>(32 - net.bits);
+  net.first = ntohl(address.s_addr) & mask;
+  return net;
+}
 
 // The first line of a file the kernel keeps; empty: there is none.
 std::string lineOf(const fs::path& file) {
@@ -62,7 +139,9 @@ std::vector<SerialPort> serialPorts(const std::string& devices, const std::strin
     for (int up = 0; up < 3 && !usb.empty() && label.empty(); ++up, usb = usb.parent_path()) {
       const std::string maker = lineOf(usb / "manufacturer");
       const std::string product = lineOf(usb / "product");
-      label = maker + (maker.empty() || product.empty() ? "" : " ") + product;
+      label = maker;
+      if (!maker.empty() && !product.empty()) label += ' ';
+      label += product;
     }
     ports.push_back({entry.path().string(), label});
   }
@@ -70,39 +149,41 @@ std::vector<SerialPort> serialPorts(const std::string& devices, const std::strin
   return ports;
 }
 
+Result<std::vector<std::string>> hostsIn(const std::string& typed) {
+  constexpr int kSmallestNet = 24;
+  std::string spaced = typed;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::istringstream words(spaced);
+  std::vector<std::string> hosts;
+  for (std::string word; words >> word;) {
+    if (word.find('/') == std::string::npos) {
+      hosts.push_back(word);
+      continue;
+    }
+    const auto net = subnet(word);
+    if (!net) return Error{word, "is no subnet", "as 192.168.1.0/24"};
+    if (net->bits < kSmallestNet) return Error{word, "is more than 256 addresses", "/24 or a larger number"};
+    for (std::uint32_t i = 0; i < 1U << static_cast<unsigned>(32 - net->bits); ++i) {
+      in_addr address{htonl(net->first + i)};
+      std::array<char, INET_ADDRSTRLEN> text{};
+      hosts.emplace_back(::inet_ntop(AF_INET, &address, text.data(), text.size()));
+    }
+  }
+  return hosts;
+}
+
+std::vector<std::string_view> foundSentences() {
+  std::vector<std::string_view> all{kSerialPort};
+  for (const Service& service : kServices) all.push_back(service.what);
+  return all;
+}
+
 std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost) {
   std::vector<FoundMachine> found;
   addSerialPorts(found);
-  std::vector<Knock> knocks;
-  for (const std::string& host : hosts) {
-    for (const Service& service : kServices) {
-      auto wire = TcpWire::make(host, service.port);
-      if (!wire) {
-        found.push_back({host, wire.error().line()});
-        break;
-      }
-      knocks.push_back({host + ":" + std::to_string(service.port), service.what, std::move(wire).value()});
-    }
-  }
-  const SteadyClock clock;
-  const Instant end = clock.now() + toDuration(atMost);
-  bool waiting = true;
-  while (waiting && clock.now() < end) {
-    waiting = false;
-    for (Knock& k : knocks) {
-      if (k.open) continue;
-      if (k.wire->state() == cnc::WireState::Closed && k.tries > 0) {
-        --k.tries;
-        k.wire->connect();
-      }
-      k.open = k.wire->state() == cnc::WireState::Open;
-      const bool pending = !k.open && (k.tries > 0 || k.wire->state() == cnc::WireState::Opening);
-      if (pending) k.wire->wait(std::chrono::milliseconds(1));
-      waiting = waiting || pending;
-    }
-  }
-  for (const Knock& k : knocks) {
-    if (k.open) found.push_back({k.where, std::string(k.what)});
+  const std::span<const std::string> all(hosts);
+  for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
+    knockOn(all.subspan(first, std::min(kAtOnce, all.size() - first)), atMost, found);
   }
   return found;
 }

@@ -1,12 +1,15 @@
 // Finds what a machine may be reached by: the serial ports of this computer, and the servers of LinuxCNC and Modbus on
 // hosts that were named. It asks nobody else, sends nothing, and lets go at once.
-// Thread: one that may wait: `atMost` in all, besides the names' look-up.
+// Thread: one that may wait: `atMost` for every 32 hosts, besides the names' look-up.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/config/profile.h"
 
 namespace stillcut::app {
 
@@ -18,9 +21,16 @@ struct SerialPort {
 std::vector<SerialPort> serialPorts(const std::string& devices = "/dev", const std::string& classes = "/sys/class/tty");
 
 struct FoundMachine {
-  std::string where;  // "/dev/ttyUSB0", "localhost:5007"
-  std::string what;   // one sentence for a person
+  std::string where;        // "/dev/ttyUSB0 (maker and product)", "localhost:5007"
+  std::string what;         // one sentence for a person
+  config::PartChoice link;  // what a profile would say of it; no id: it is no machine
 };
+
+// "mill, 192.168.1.0/28": names and addresses, and all of a subnet of at most 256 addresses.
+Result<std::vector<std::string>> hostsIn(const std::string& typed);
+
+// All that `what` can be, but for what is wrong with a name.
+std::vector<std::string_view> foundSentences();
 
 std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost);
 

@@ -1,10 +1,10 @@
 #include "app/io/modbus_bus.h"
 
-#include <QElapsedTimer>
 #include <QEventLoop>
 #include <QModbusRtuSerialClient>
 #include <QModbusTcpClient>
 #include <QSerialPort>
+#include <QTimer>
 #include <QVariant>
 #include <algorithm>
 #include <utility>
@@ -67,13 +67,16 @@ void ModbusBus::connect() noexcept {
 
 void ModbusBus::turnEvents(int milliseconds) const noexcept {
   QEventLoop loop;
-  QElapsedTimer since;
-  since.start();
-  do {
-    const int left = std::max(0, milliseconds - static_cast<int>(since.elapsed()));
-    loop.processEvents(left > 0 ? QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents : QEventLoop::AllEvents, left);
-    if (finished()) return;
-  } while (since.elapsed() < milliseconds);
+  if (milliseconds <= 0) {
+    loop.processEvents();
+    return;
+  }
+  // With a time limit Qt does not wait for events but looks and comes back at once; a timer of ours is one to wait for.
+  QTimer end;
+  end.setSingleShot(true);
+  end.setTimerType(Qt::PreciseTimer);
+  end.start(milliseconds);
+  while (end.isActive() && !finished()) loop.processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents);
 }
 
 WireState ModbusBus::state() noexcept {

@@ -7,6 +7,7 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
+#include "app/io/find_machines.h"
 #include "app/session/machine_trial.h"
 #include "app/session/sensor_trial.h"
 #include "app/session/session_view.h"
@@ -19,6 +20,8 @@
 
 namespace stillcut::app {
 namespace {
+
+constexpr Seconds kFindTime{0.5};  // for every 32 hosts
 
 template <class Table>
 std::vector<ui::PartOption> options(const Table& table) {
@@ -45,8 +48,11 @@ bool sameLink(config::PartChoice a, config::PartChoice b) {
 
 bool MachineDesk::poll() {
   const bool opened = listener_.poll();
-  const bool answered = asking_.collect();
-  return task_.collect() || answered || opened;
+  auto steps = steps_.take();
+  linkTest_.steps.insert(linkTest_.steps.end(), steps.begin(), steps.end());
+  bool changed = opened || !steps.empty();
+  for (BackgroundTask* task : {&task_, &asking_, &searching_, &testing_}) changed = task->collect() || changed;
+  return changed;
 }
 
 std::vector<ui::PartOption> MachineDesk::sources() const {
@@ -175,6 +181,40 @@ void MachineDesk::calibrate(const config::Profile& profile, const QString& name,
 
 void MachineDesk::knock(const config::Profile& profile, const QString& name, int channel) {
   ask([profile, path = profileFileOrNew(name), channel] { return knockAlong(profile, path, channel); });
+}
+
+void MachineDesk::findMachines(const QString& typed) {
+  search_ = {true, false, {}, {}};
+  searching_.start(
+      ui::TaskState::What::None, {},
+      [this, typed = typed.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        ui::MachineSearch found{false, true, {}, {}};
+        auto hosts = hostsIn("localhost " + typed);
+        if (!hosts) found.problem = viewText(hosts.error().line());
+        if (hosts) {
+          for (FoundMachine& machine : app::findMachines(*hosts, kFindTime)) {
+            found.places.push_back({viewText(machine.where), viewText(machine.what), std::move(machine.link)});
+          }
+        }
+        return BackgroundTask::Apply([this, found] { search_ = found; });
+      });
+}
+
+void MachineDesk::testLink(const config::Profile& profile, const QString& name) {
+  testing_.cancel();
+  steps_.take();
+  linkTest_ = {ui::LinkTest::State::Runs, {}};
+  testing_.start(
+      ui::TaskState::What::None, {},
+      [this, profile, path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        const Seconds look = tryLinkOf(profile, path, steps_);
+        return BackgroundTask::Apply([this, look, link = profile.link] {
+          auto last = steps_.take();
+          linkTest_.steps.insert(linkTest_.steps.end(), last.begin(), last.end());
+          linkTest_.state = look.value > 0.0 ? ui::LinkTest::State::Good : ui::LinkTest::State::Bad;
+          if (look.value > 0.0) tried_ = {link, look, {}};
+        });
+      });
 }
 
 void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {

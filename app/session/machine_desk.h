@@ -8,6 +8,7 @@
 
 #include "app/session/background_task.h"
 #include "app/session/device_listener.h"
+#include "app/session/machine_trial.h"
 #include "ui/models/setup_desk.h"
 
 namespace stillcut::app {
@@ -55,6 +56,10 @@ class MachineDesk final : public ui::SetupDesk {
                  Hertz frequency) override;
   void knock(const config::Profile& profile, const QString& name, int channel) override;
   const ui::SensorTrial& sensorTrial() const override { return sensorTrial_; }
+  void findMachines(const QString& typed) override;
+  const ui::MachineSearch& search() const override { return search_; }
+  void testLink(const config::Profile& profile, const QString& name) override;
+  const ui::LinkTest& linkTest() const override { return linkTest_; }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }
   Status start(const QString& name) override;
@@ -72,7 +77,10 @@ class MachineDesk final : public ui::SetupDesk {
   std::vector<ui::TrialStep> trial_;
   LinkDelays tried_;
   ui::SensorTrial sensorTrial_;
-  BackgroundTask task_, asking_;
+  ui::MachineSearch search_;
+  ui::LinkTest linkTest_;
+  LinkStepBox steps_;  // of the test that runs
+  BackgroundTask task_, asking_, searching_, testing_;
   DeviceListener listener_;
 };
 

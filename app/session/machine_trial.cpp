@@ -6,6 +6,7 @@
 #include "app/compose/profile_rig.h"
 #include "core/base/time.h"
 #include "core/cnc/link_trial.h"
+#include "core/cnc/registry.h"
 #include "core/model/sample_block.h"
 
 namespace stillcut::app {
@@ -93,6 +94,21 @@ Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
 }
 
 }  // namespace
+
+Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps) {
+  const SteadyClock clock;
+  auto link = cnc::makeLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
+  if (!link) {
+    steps.put({QStringLiteral("Settings"), text(link.error().line()), false});
+    return {};
+  }
+  cnc::LinkTrial trial(**link, clock);
+  while (trial.next()) {
+    const cnc::TrialStep& step = trial.steps().back();
+    steps.put({text(step.what), text(step.said), step.good});
+  }
+  return trial.passed() ? trial.look() : Seconds();
+}
 
 ProfileTrial tryProfile(const config::Profile& profile, const std::string& path) {
   Steps steps;

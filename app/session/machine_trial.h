@@ -2,7 +2,9 @@
 // Thread: any one; takes up to a few seconds. What it opened is closed again; nothing is commanded.
 #pragma once
 
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/units.h"
@@ -17,5 +19,26 @@ struct ProfileTrial {
 };
 
 ProfileTrial tryProfile(const config::Profile& profile, const std::string& path);
+
+// Steps on their way from the thread that takes them to the one that shows them.
+class LinkStepBox {
+ public:
+  void put(ui::LinkTest::Step step) {
+    const std::lock_guard lock(mutex_);
+    steps_.push_back(std::move(step));
+  }
+  // What has come since the last call.
+  std::vector<ui::LinkTest::Step> take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(steps_, {});
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<ui::LinkTest::Step> steps_;
+};
+
+// The profile's link alone. How long a look at the machine takes; 0: it has not passed.
+Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps);
 
 }  // namespace stillcut::app

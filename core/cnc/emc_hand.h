@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/cnc/emc_status.h"
 #include "core/cnc/shared_knob.h"
+#include "core/model/machine_state.h"
 
 namespace stillcut::cnc {
 
@@ -27,8 +28,8 @@ class EmcHand {
   virtual bool speaking() const noexcept = 0;
   // Nothing of ours is left, nor on its way.
   virtual bool done(const EmcKnobs& knobs) const noexcept = 0;
-  // Nobody else has taken the knobs.
-  virtual bool ours(Instant now) const noexcept = 0;
+  // Why the knobs are not ours to turn; None: they are.
+  virtual OrderBlock block(Instant now) const noexcept = 0;
   virtual bool up() const noexcept = 0;
   // Something has answered.
   virtual bool heard() const noexcept = 0;

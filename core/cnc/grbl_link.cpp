@@ -11,6 +11,7 @@ namespace stillcut::cnc {
 namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kConnectTime = std::chrono::seconds(1);
 constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
 constexpr int kMostMissed = 4;
 constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
@@ -23,7 +24,7 @@ constexpr double kInch = 0.0254;
 }  // namespace
 
 GrblLink::GrblLink(const GrblSettings& settings, std::unique_ptr<ByteChannel> wire, const Clock& clock)
-    : settings_(settings), wire_(std::move(wire)), clock_(clock) {}
+    : settings_(settings), wire_(std::move(wire)), clock_(clock), lettingGo_(clock, kReleaseTime) {}
 
 GrblLink::~GrblLink() {
   release(clock_.now());
@@ -32,7 +33,7 @@ GrblLink::~GrblLink() {
 void GrblLink::close() noexcept {
   release(clock_.now());
   drop(clock_.now());
-  speed_ = feed_ = SharedKnob(kGrblLowest, kGrblHighest);
+  speed_ = feed_ = Axis();
 }
 
 LinkInfo GrblLink::describe() const {
@@ -68,7 +69,9 @@ void GrblLink::drop(Instant now) noexcept {
 }
 
 void GrblLink::keepUp(Instant now) noexcept {
-  if (wire_->state() != WireState::Closed) return;
+  const WireState wire = wire_->state();
+  if (wire == WireState::Opening && now >= nextTry_ - kRetry + kConnectTime) drop(now);
+  if (wire != WireState::Closed) return;
   if (ever_ || waiting_) drop(now);
   if (now < nextTry_) return;
   nextTry_ = now + kRetry;
@@ -118,11 +121,8 @@ void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
   shownAt_ = now;
   speed_.seen(*report.speedOverride, now);
   feed_.seen(*report.feedOverride, now);
-  if (sure) {
-    speed_.refused();
-    feed_.refused();
-  }
   settled_ = settled_ || (speed_.settled() && feed_.settled());
+  if (sure && !settled_) resynchronise();
 }
 
 void GrblLink::ask(Instant now) noexcept {
@@ -139,42 +139,59 @@ void GrblLink::ask(Instant now) noexcept {
 // One step of a kind, then its "Ov:" is waited for: the next step is relative to where this one led.
 void GrblLink::moveOverrides(Instant now) noexcept {
   if (!settled_ && now - moved_ <= kShowsWithin) return;
-  if (!settled_) {
-    speed_.refused();
-    feed_.refused();
-  }
+  if (!settled_) resynchronise();
   const bool feedGoesFirst = feedFirst(feed_.target(), feed_.shown());
   if (feedGoesFirst) move(feed_, kGrblFeedBytes, now);
   move(speed_, kGrblSpindleBytes, now);
   if (!feedGoesFirst) move(feed_, kGrblFeedBytes, now);
 }
 
-void GrblLink::move(SharedKnob& knob, unsigned char firstByte, Instant now) noexcept {
+// What was sent has not shown: taken or lost, nobody knows, and a step from here could be one too many. 100 % has a
+// byte of its own, which means the same however often it is taken.
+void GrblLink::resynchronise() noexcept {
+  for (Axis* axis : {&speed_, &feed_}) {
+    axis->adrift = axis->adrift || !axis->settled();
+    axis->refused();
+  }
+  settled_ = true;
+}
+
+void GrblLink::move(Axis& knob, unsigned char firstByte, Instant now) noexcept {
   const auto target = knob.due();
-  if (!target) return;
-  const GrblSteps steps = stepToward(*target, knob.shown(), firstByte);
+  if (!target && !knob.adrift) return;
+  GrblSteps steps = stepToward(target.value_or(100), knob.shown(), firstByte);
+  if (knob.adrift) steps = {firstByte, 0, 100, 100, 100};
   std::array<char, 2> bytes{};
   std::size_t n = 0;
   for (const unsigned char byte : {steps.coarse, steps.fine}) {
     if (byte != 0) bytes[n++] = static_cast<char>(byte);
   }
   if (n == 0 || !wire_->write({bytes.data(), n})) return;
+  for (const int part : {steps.coarseAlone, steps.fineAlone}) {
+    if (part != steps.percent && part != knob.shown()) knob.sent(part, now);
+  }
   knob.sent(steps.percent, now);
+  knob.adrift = false;
   settled_ = false;
   answersSinceMove_ = 0;
   moved_ = now;
 }
 
-MachineState GrblLink::read(Instant now) noexcept {
+void GrblLink::tick(Instant now) noexcept {
   keepUp(now);
-  if (wire_->state() == WireState::Open) {
-    listen(now);
-    moveOverrides(now);
-    ask(now);
-    wire_->wait(kWait);
-    listen(now);
-  }
-  return state(now);
+  if (wire_->state() != WireState::Open) return;
+  listen(now);
+  moveOverrides(now);
+  ask(now);
+  wire_->wait(kWait);
+  listen(now);
+}
+
+MachineState GrblLink::read(Instant now) noexcept {
+  tick(now);
+  const MachineState m = state(now);
+  if (m.valid) lettingGo_.anew();
+  return m;
 }
 
 MachineState GrblLink::state(Instant now) const noexcept {
@@ -191,6 +208,8 @@ MachineState GrblLink::state(Instant now) const noexcept {
   if (!m.valid) return m;
   m.programRunning = r.state == GrblState::Run || r.state == GrblState::Hold;
   m.feedHold = r.state == GrblState::Hold;
+  if (r.state == GrblState::Alarm) m.block = OrderBlock::MachineAlarm;
+  if (r.state == GrblState::Idle) m.block = OrderBlock::NoProgram;
   m.speedOverride = Ratio(speed_.shown() * 0.01);
   m.feedOverride = Ratio(feed_.shown() * 0.01);
   m.operatorSpeed = speed_.base();
@@ -211,6 +230,7 @@ MachineState GrblLink::state(Instant now) const noexcept {
 
 void GrblLink::apply(const OverrideCommand& command, Instant now) noexcept {
   const bool set = command.kind() == CommandKind::Set;
+  lettingGo_.anew();
   speed_.want(set ? command.speed() : Ratio(1.0), command.engagement());
   feed_.want(set ? command.feed() : Ratio(1.0), command.engagement());
   if (wire_->state() == WireState::Open) moveOverrides(now);
@@ -220,17 +240,16 @@ void GrblLink::release(Instant now) noexcept {
   if (speed_.home() && feed_.home()) return;
   speed_.letGo();
   feed_.letGo();
-  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
-  const Instant end = clock_.now() + kReleaseTime;
-  const auto goesOn = [&] { return clock_.now() < end && !(speed_.seenHome() && feed_.seenHome()); };
-  for (Duration left = kReleaseTime; left > Duration::zero() && goesOn(); left -= kWait) {
-    read(now);
-    now = std::max(now, clock_.now());
-  }
+  lettingGo_.run(
+      now, kWait, [&] { return speed_.seenHome() && feed_.seenHome(); }, [&](Instant at) { tick(at); });
   // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
   const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
   const bool home = speed_.seenHome() && feed_.seenHome();
-  if (!home && wire_->state() == WireState::Open) wire_->write({programmed.data(), programmed.size()});
+  if (home || wire_->state() != WireState::Open || !wire_->write({programmed.data(), programmed.size()})) return;
+  for (Axis* axis : {&speed_, &feed_}) axis->sent(100, now);
+  settled_ = false;
+  answersSinceMove_ = 0;
+  moved_ = now;
 }
 
 }  // namespace stillcut::cnc

@@ -81,11 +81,11 @@ GrblLine readGrblLine(std::string_view line, GrblReport& report, GrblWords& word
 GrblSteps stepToward(int target, int present, unsigned char firstByte) noexcept {
   GrblSteps steps;
   target = std::clamp(target, kGrblLowest, kGrblHighest);
-  steps.percent = present;
+  steps.percent = steps.coarseAlone = steps.fineAlone = present;
   const int away = target - present;
   if (target == 100 && away != 0) {
     steps.coarse = firstByte;
-    steps.percent = 100;
+    steps.percent = steps.coarseAlone = 100;
     return steps;
   }
   // 7 down is 10 down and then 3 up: fewer rounds than seven single steps.
@@ -95,11 +95,13 @@ GrblSteps stepToward(int target, int present, unsigned char firstByte) noexcept 
     steps.coarse = static_cast<unsigned char>(firstByte + (tens > 0 ? 1 : 2));
     steps.percent += tens;
   }
+  steps.coarseAlone = steps.percent;
   const int rest = target - steps.percent;
   const bool roomForOne = rest > 0 ? steps.percent < kGrblHighest : steps.percent > kGrblLowest;
   if (rest != 0 && roomForOne && std::abs(rest) % 10 != 0) {
     steps.fine = static_cast<unsigned char>(firstByte + (rest > 0 ? 3 : 4));
     steps.percent += rest > 0 ? 1 : -1;
+    steps.fineAlone = present + (rest > 0 ? 1 : -1);
   }
   return steps;
 }

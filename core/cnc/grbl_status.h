@@ -35,7 +35,8 @@ GrblLine readGrblLine(std::string_view line, GrblReport& report, GrblWords& word
 // controller keeps one flag per kind and two equal bytes within one of its loops count once. 0: no byte.
 struct GrblSteps {
   unsigned char coarse = 0, fine = 0;
-  int percent = 100;  // where the override stands after them
+  int percent = 100;                       // where the override stands after them
+  int coarseAlone = 100, fineAlone = 100;  // where it stands if the other byte is lost
 };
 inline constexpr int kGrblLowest = 10, kGrblHighest = 200;
 inline constexpr unsigned char kGrblFeedBytes = 0x90;     // 100 %, +10, -10, +1, -1

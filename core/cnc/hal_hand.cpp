@@ -32,13 +32,17 @@ bool HalHand::up() const noexcept {
   return heard_ && report_.standing != HalStanding::Unproven;
 }
 
-bool HalHand::ours(Instant) const noexcept {
-  return up() && report_.standing != HalStanding::Fallen;
+OrderBlock HalHand::block(Instant) const noexcept {
+  if (!heard_) return OrderBlock::ComponentSilent;
+  if (!up()) return OrderBlock::ComponentDown;
+  if (report_.standing == HalStanding::Taken) return OrderBlock::OtherClient;
+  return report_.standing == HalStanding::Fallen ? OrderBlock::ComponentOut : OrderBlock::None;
 }
 
 bool HalHand::done(const EmcKnobs& knobs) const noexcept {
-  // Without a connection the machine has gone home by itself.
-  return !up() || (knobs.speed.home() && knobs.feed.home() && !last_.hold && report_.standing == HalStanding::Home);
+  // Without a connection the machine has gone home by itself; what another client holds is its own affair.
+  const bool notOurs = report_.standing == HalStanding::Home || report_.standing == HalStanding::Taken;
+  return !up() || (knobs.speed.home() && knobs.feed.home() && !last_.hold && notOurs);
 }
 
 void HalHand::close() noexcept {
@@ -121,7 +125,8 @@ void HalHand::send(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
   r.hold = up() && (wanted || onTheWay || strayed);
   r.homeSpeed = percentOf(knobs.speed.base());
   r.homeFeed = percentOf(knobs.feed.base());
-  if (r.hold && report_.standing != HalStanding::Fallen) {  // fallen: not taken before we have let go
+  const bool heeded = report_.standing != HalStanding::Fallen && report_.standing != HalStanding::Taken;
+  if (r.hold && heeded) {  // fallen: not taken before we have let go
     r.speed = turn(knobs.speed, speed_, knobs.speed.target(), last_.speed, now);
     const auto feed = [&](double goal, double present) {
       return wanted ? feedBySpeed(knobs.speed, goal, present) : goal;

@@ -23,7 +23,7 @@ class HalHand final : public EmcHand {
   void turn(EmcKnobs& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept override;
   bool speaking() const noexcept override { return false; }
   bool done(const EmcKnobs& knobs) const noexcept override;
-  bool ours(Instant now) const noexcept override;
+  OrderBlock block(Instant now) const noexcept override;
   bool up() const noexcept override;
   bool heard() const noexcept override { return heard_; }
   // Of what has been heard last: it outlives a connection that is closed between open() and the link thread.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostPercent = 1000.0;
 constexpr double kLongestWatchdog = 10000.0;
-constexpr std::array<std::string_view, 4> kStandings{"UNPROVEN", "HOME", "HELD", "FALLEN"};
+constexpr std::array<std::string_view, 5> kStandings{"UNPROVEN", "HOME", "HELD", "TAKEN", "FALLEN"};
 
 std::optional<int> whole(std::string_view word, double most) noexcept {
   const auto value = wireNumber(word);

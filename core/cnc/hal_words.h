@@ -4,6 +4,7 @@
 //   set - 95 1.000 70 100      "-": this knob is the operator's, leave it alone
 //   home 100 100               let go
 //   HELD 90 95 1.000 104       standing, what the pins show, and the watchdog's measured time in ms
+// Several may ask; whoever holds is told HELD, the others TAKEN, and what they send changes nothing then.
 // Thread: any. Real-time safe.
 #pragma once
 
@@ -25,6 +26,7 @@ enum class HalStanding : std::uint8_t {
   Unproven,  // the machine's watchdog was not seen to act: nothing is taken
   Home,      // nothing of ours
   Held,
+  Taken,   // by another client
   Fallen,  // the machine's watchdog, or the operator's switch, took us out: until we let go
 };
 

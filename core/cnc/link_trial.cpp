@@ -56,8 +56,8 @@ bool LinkTrial::passed() const {
 
 TrialStep LinkTrial::connect() {
   const Status opened = link_.open();
-  if (!opened) return {"Connect", opened.error().line(), false};
-  return {"Connect", std::string(link_.describe().label) + " answers", true};
+  if (!opened) return {kNames[0], opened.error().line(), false};
+  return {kNames[0], std::string(link_.describe().label) + " answers", true};
 }
 
 TrialStep LinkTrial::read() {
@@ -68,9 +68,13 @@ TrialStep LinkTrial::read() {
     m = link_.read(clock_.now());
     if (!m.valid) never.waitFor(kBetweenReads);
   }
-  if (!m.valid) return {"Read the machine", "it answers, but its state is incomplete", false};
-  const char* const doing = m.feedHold ? "feed held" : m.programRunning ? "program running" : "no program running";
-  return {"Read the machine",
+  if (!m.valid) return {kNames[1], "it answers, but its state is incomplete", false};
+  const char* const doing = m.block == OrderBlock::MachineOff     ? "the machine is off"
+                            : m.block == OrderBlock::MachineAlarm ? "the machine is in alarm"
+                            : m.feedHold                          ? "feed held"
+                            : m.programRunning                    ? "program running"
+                                                                  : "no program running";
+  return {kNames[1],
           words("%s; spindle %.0f rev/min, programmed %.0f; overrides %.0f %% speed, %.0f %% feed%s", doing,
                 m.actualSpeed.value, m.programmedSpeed.value, 100.0 * m.speedOverride.value,
                 100.0 * m.feedOverride.value, m.overridesEnabled ? "" : "; locked by the program"),
@@ -92,7 +96,7 @@ TrialStep LinkTrial::measure() {
   std::string said =
       words("a look takes %.1f ms, and what it shows is %.1f ms old", 1e3 * look_.value, 1e3 * age_.value);
   if (lost > 0) said += words("; %d of %d looks were lost", lost, kLooks);
-  return {"Measure the delay", said, 2 * lost < kLooks};
+  return {kNames[2], said, 2 * lost < kLooks};
 }
 
 TrialStep LinkTrial::safety() const {
@@ -100,7 +104,7 @@ TrialStep LinkTrial::safety() const {
   const std::string range =
       words("speed %.0f to %.0f %%, feed %.0f to %.0f %%; ", 100.0 * info.lowestSpeed.value,
             100.0 * info.highestSpeed.value, 100.0 * info.lowestFeed.value, 100.0 * info.highestFeed.value);
-  return {"What it can do",
+  return {kNames[3],
           range + (info.machineWatchdog ? "the machine goes back by itself when nothing comes from here"
                                         : "the machine has no watchdog: if this program dies, the overrides stay"),
           true};

@@ -3,6 +3,7 @@
 // Thread: one that may wait: open() takes seconds at most, every other step bounded time.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -32,6 +33,8 @@ class LinkTrial {
 
   static constexpr int kLooks = 60;
   static constexpr std::size_t kSteps = 4;
+  static constexpr std::array<const char*, kSteps> kNames{"Connect", "Read the machine", "Measure the delay",
+                                                          "What it can do"};
 
  private:
   TrialStep connect();

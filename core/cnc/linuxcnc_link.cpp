@@ -14,10 +14,6 @@ namespace {
 
 constexpr Duration kFresh = std::chrono::milliseconds(500);
 constexpr Duration kOpenTime = std::chrono::seconds(3);
-// A set is in force within 0.1 s of its ACK; a speed that stays at S for this long while the read-back says otherwise
-// is locked by the program.
-constexpr Duration kLockedAfter = std::chrono::milliseconds(1500);
-constexpr double kSpeedRounding = 0.01;
 
 // Always with the spindle's number: without it these requests crash the server, and the machine with it.
 constexpr std::array<std::string_view, 5> kWatched{"get feed_override", "get spindle_override 0", "get program_status",
@@ -55,7 +51,8 @@ LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const 
       hand_(makeHand(settings, std::move(wires.control), clock)),
       watch_(std::move(wires.watch), settings.password),
       hal_(std::move(wires.hal), settings.password),
-      knobs_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}} {
+      knobs_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
+      lettingGo_(clock, kReleaseTime) {
   if (settings.inches) status_.machineUnit = 0.0254;
 }
 
@@ -131,7 +128,9 @@ void LinuxCncLink::command(Instant now) noexcept {
 MachineState LinuxCncLink::read(Instant now) noexcept {
   watchMachine(now);
   command(now);
-  return state(now);
+  const MachineState m = state(now);
+  if (m.valid && hand_->up()) lettingGo_.anew();
+  return m;
 }
 
 MachineState LinuxCncLink::state(Instant now) noexcept {
@@ -163,30 +162,44 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   m.actualFeed = s.currentFeed.value;
   const bool turning = s.speedWord.value.value > 0.0 && s.commandedSpeed.value.value > 0.0;
   m.speedOverride = turning ? Ratio(s.commandedSpeed.value / s.speedWord.value) : Ratio(knobs_.speed.shown() * 0.01);
-  m.feedOverride =
-      Ratio(knobs_.feed.shown() * 0.01 * (s.adaptiveFeed.ever ? std::max(0.0, s.adaptiveFeed.value) : 1.0));
-  m.controlOurs = hand_->ours(now);
   judgeEffect(m, now);
+  m.block = block(m, now);
   return m;
 }
 
-// The override that is read back and the speed that is commanded say different things: at S itself the program has
-// locked the override; anything else is the spindle's own range.
+// The overrides that are read back against the speed that is commanded and the path's own velocity.
 void LinuxCncLink::judgeEffect(MachineState& m, Instant now) noexcept {
-  const double told = knobs_.speed.shown() * 0.01;
-  const bool differs = m.programRunning && std::abs(told - 1.0) > kSpeedRounding &&
-                       std::abs(m.speedOverride.value - 1.0) < 0.5 * kSpeedRounding;
-  if (!differs) mismatch_.reset();
-  if (differs && !mismatch_) mismatch_ = now;
-  if (mismatch_ && now - *mismatch_ > kLockedAfter) locked_ = true;
-  const bool followed =
-      std::abs(told - 1.0) > kSpeedRounding && std::abs(m.speedOverride.value - told) < kSpeedRounding;
-  if (!m.programRunning || followed) locked_ = false;
-  m.overridesEnabled = !locked_;
+  const double knob = knobs_.feed.shown() * 0.01;
+  const double adaptive = status_.adaptiveFeed.ever ? std::max(0.0, status_.adaptiveFeed.value) : 1.0;
+  if (m.programRunning) {
+    speedLock_.look(knobs_.speed.shown() * 0.01, 1.0, m.speedOverride.value, now);
+    if (m.programmedFeed.value > 0.0 && !m.feedHold) {
+      const double moves = m.actualFeed / m.programmedFeed;
+      feedLock_.look(knob * adaptive, adaptive, moves, now);
+      adaptiveLock_.look(knob * adaptive, knob, moves, now);
+    }
+  } else {
+    for (LockJudge* judge : {&speedLock_, &feedLock_, &adaptiveLock_}) judge->reset();
+  }
+  m.feedOverride = Ratio((feedLock_.locked() ? 1.0 : knob) * (adaptiveLock_.locked() ? 1.0 : adaptive));
+  const bool feedLocked = feedLock_.locked() || (settings_.adaptiveFeed && adaptiveLock_.locked());
+  m.overridesEnabled = !speedLock_.locked() && !feedLocked;
+  m.controlOurs = hand_->block(now) == OrderBlock::None;
+}
+
+OrderBlock LinuxCncLink::block(const MachineState& m, Instant now) const noexcept {
+  if (!status_.machineOn.value) return OrderBlock::MachineOff;
+  if (!m.controlOurs) return hand_->block(now);
+  if (!m.programRunning) return OrderBlock::NoProgram;
+  if (speedLock_.locked() && feedLock_.locked()) return OrderBlock::OverridesLocked;
+  if (speedLock_.locked()) return OrderBlock::SpeedLocked;
+  if (feedLock_.locked()) return OrderBlock::FeedLocked;
+  return m.overridesEnabled ? OrderBlock::None : OrderBlock::AdaptiveLocked;
 }
 
 void LinuxCncLink::apply(const OverrideCommand& command, Instant now) noexcept {
   wanted_ = command.kind() == CommandKind::Set;
+  lettingGo_.anew();
   knobs_.speed.want(wanted_ ? command.speed() : Ratio(1.0), command.engagement());
   const Ratio feed = wanted_ ? command.feed() : Ratio(1.0);
   knobs_.feed.want(settings_.adaptiveFeed ? Ratio(1.0) : feed, command.engagement());
@@ -199,15 +212,16 @@ void LinuxCncLink::release(Instant now) noexcept {
   knobs_.speed.letGo();
   knobs_.feed.letGo();
   knobs_.adaptiveFeed = Ratio(1.0);
-  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
-  const Instant end = clock_.now() + kReleaseTime;
-  for (Duration left = kReleaseTime; left > Duration::zero() && clock_.now() < end; left -= kWait) {
-    if (hand_->done(knobs_)) return;
-    watchMachine(now);
-    command(now);
-    hand_->wait(kWait);
-    now = std::max(now, clock_.now());
-  }
+  const auto up = [this] { return hand_->up() && watch_.standing() == EmcSession::Standing::Ready; };
+  const bool wasUp = up();
+  lettingGo_.run(
+      now, kWait, [&] { return hand_->done(knobs_); },
+      [&](Instant at) {
+        watchMachine(at);
+        command(at);
+        hand_->wait(kWait);
+        if (wasUp && !up()) lettingGo_.giveUp();
+      });
 }
 
 }  // namespace stillcut::cnc

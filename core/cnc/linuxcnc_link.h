@@ -7,14 +7,15 @@
 // down. Not caught in the act; likely, as its sources (emcrsh.cc) split the requests of all clients, each on a thread
 // of its own, with strtok, whose place is shared. Told to end it may hang, as it frees what those threads still read:
 // nothing here waits for it longer than kReleaseTime.
-// An ACK is not believed: under M49 and M51 P0 a set is acknowledged and even read back, and only speed-out tells.
-// Thread: as CncLink says. A tick waits for replies at most kWait; release() at most kReleaseTime.
+// An ACK is not believed: under M49, M50 P0 and M51 P0 a set is acknowledged and even read back, and only speed-out and
+// current-vel tell; under M52 P0 adaptive-feed has no effect.
+// Thread: as CncLink says. A tick waits for replies at most kWait; all of letting go takes at most kReleaseTime, and
+// ends earlier where a server that was up falls silent.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "core/cnc/cnc_link.h"
@@ -22,6 +23,8 @@
 #include "core/cnc/emc_hand.h"
 #include "core/cnc/emc_session.h"
 #include "core/cnc/emc_status.h"
+#include "core/cnc/letting_go.h"
+#include "core/cnc/lock_judge.h"
 #include "core/cnc/shared_knob.h"
 
 namespace stillcut::cnc {
@@ -65,6 +68,7 @@ class LinuxCncLink final : public CncLink {
   Error handFault() const;
   MachineState state(Instant now) noexcept;
   void judgeEffect(MachineState& state, Instant now) noexcept;
+  OrderBlock block(const MachineState& state, Instant now) const noexcept;
 
   LinuxCncSettings settings_;
   const Clock& clock_;
@@ -76,9 +80,9 @@ class LinuxCncLink final : public CncLink {
   // The watch has had its round since the hand spoke: commands that come with every tick must not keep it from looking.
   bool handsTurn_ = false;
   std::size_t nextWatch_ = 0, nextHal_ = 0;
-  DelayGauge look_;                  // of a get
-  std::optional<Instant> mismatch_;  // since when the read-back and the spindle disagree
-  bool locked_ = false;              // M49, M51 P0
+  DelayGauge look_;  // of a get
+  LockJudge speedLock_, feedLock_, adaptiveLock_;
+  LettingGo lettingGo_;
 };
 
 }  // namespace stillcut::cnc

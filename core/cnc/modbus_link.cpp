@@ -11,6 +11,8 @@ namespace stillcut::cnc {
 namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kConnectTime = std::chrono::seconds(1);
+constexpr Duration kOverdue = std::chrono::milliseconds(300);
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 constexpr Duration kFreshAtLeast = std::chrono::milliseconds(300);
 constexpr int kMostFailures = 3;
@@ -27,7 +29,7 @@ bool isFlag(MachineOrder o) {
 }  // namespace
 
 ModbusLink::ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock)
-    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock) {
+    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock), lettingGo_(clock, kReleaseTime) {
   order(MachineOrder::SpeedOverride).wanted = 100.0;
   order(MachineOrder::FeedOverride).wanted = 100.0;
 }
@@ -90,9 +92,19 @@ void ModbusLink::pump(Instant now) noexcept {
       bus_->connect();
       return;
     case WireState::Opening:
+      if (now < nextTry_ - kRetry + kConnectTime) return;
+      bus_->close();
+      broke(now);
       return;
     case WireState::Open:
       break;
+  }
+  // A request that is not even given up: Qt's client was seen to wait for ever on a port whose device had gone.
+  const bool stuck = underway_ != Underway::Nothing && now - askedAt_ > toDuration(map_.bus.answerWithin) + kOverdue;
+  if (stuck) {
+    bus_->close();
+    broke(now);
+    return;
   }
   for (int i = 0; i < kRequests; ++i) {
     takeReply(now);
@@ -185,7 +197,9 @@ bool ModbusLink::readNext(Instant now) noexcept {
 
 MachineState ModbusLink::read(Instant now) noexcept {
   pump(now);
-  return state(now);
+  const MachineState m = state(now);
+  if (m.valid) lettingGo_.anew();
+  return m;
 }
 
 Instant ModbusLink::readAt(std::initializer_list<MachineSignal> of) const noexcept {
@@ -251,6 +265,7 @@ MachineState ModbusLink::state(Instant now) const noexcept {
 
 void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {
   inCommand_ = command.kind() == CommandKind::Set;
+  lettingGo_.anew();
   order(MachineOrder::Control).wanted = inCommand_ ? 1.0 : 0.0;
   order(MachineOrder::SpeedOverride).wanted = inCommand_ ? 100.0 * command.speed().value : 100.0;
   order(MachineOrder::FeedOverride).wanted = inCommand_ ? 100.0 * command.feed().value : 100.0;
@@ -272,13 +287,12 @@ void ModbusLink::release(Instant now) noexcept {
   inCommand_ = false;
   order(MachineOrder::Control).wanted = 0.0;
   order(MachineOrder::SpeedOverride).wanted = order(MachineOrder::FeedOverride).wanted = 100.0;
-  // Timed and counted: neither a slow round nor a clock that stands still may hold the program's end.
-  const Instant end = clock_.now() + kReleaseTime;
-  for (Duration left = kReleaseTime; left > Duration::zero() && touched_ && clock_.now() < end; left -= kWait) {
-    pump(now);
-    bus_->wait(kWait);
-    now = std::max(now, clock_.now());
-  }
+  lettingGo_.run(
+      now, kWait, [&] { return !touched_; },
+      [&](Instant at) {
+        pump(at);
+        bus_->wait(kWait);
+      });
 }
 
 }  // namespace stillcut::cnc

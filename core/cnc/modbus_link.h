@@ -3,7 +3,8 @@
 // One request at a time: what is to be written first, then whatever register is due longest. While we are in command
 // the heartbeat counts; a machine whose map says `watchdog` restores 100 % when it stops. Registers that the map leaves
 // out: overrides in force are taken as written, "running" as a programmed speed above 0, "at speed" from the speeds.
-// Thread: as CncLink says; a tick waits at most kWait a request and kRequests requests, release() at most kReleaseTime.
+// Thread: as CncLink says; a tick waits at most kWait a request and kRequests requests; all of letting go takes at most
+// kReleaseTime.
 #pragma once
 
 #include <array>
@@ -15,6 +16,7 @@
 
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
+#include "core/cnc/letting_go.h"
 #include "core/cnc/register_bus.h"
 #include "core/cnc/register_map.h"
 
@@ -80,6 +82,7 @@ class ModbusLink final : public CncLink {
   bool touched_ = false;  // something of ours may stand in the machine
   int failures_ = 0;      // in a row
   Instant nextTry_{}, acknowledged_{};
+  LettingGo lettingGo_;
   Instant askedAt_{};  // by the clock, for the round trip
   DelayGauge roundTrip_;
 };

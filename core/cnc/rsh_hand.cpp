@@ -20,11 +20,18 @@ RshHand::RshHand(EmcSession session, const std::string& controlPassword, const C
     : session_(std::move(session)), enable_("set enable " + controlPassword), clock_(clock) {}
 
 bool RshHand::done(const EmcKnobs& knobs) const noexcept {
-  return knobs.speed.home() && knobs.feed.home() && asked_ == Asked::Nothing && !inControl_;
+  const bool nothingToDo = machineOff_ || (knobs.speed.home() && knobs.feed.home());
+  return nothingToDo && asked_ == Asked::Nothing && !inControl_;
 }
 
-bool RshHand::ours(Instant now) const noexcept {
-  return !lostAt_ || now - *lostAt_ >= kLeaveIt;
+OrderBlock RshHand::block(Instant now) const noexcept {
+  return lostAt_ && now - *lostAt_ < kLeaveIt ? lostTo_ : OrderBlock::None;
+}
+
+void RshHand::lose(OrderBlock to, Instant now) noexcept {
+  inControl_ = waitModeSet_ = false;
+  lostAt_ = now;
+  lostTo_ = to;
 }
 
 void RshHand::ask(Asked what, std::string_view request, Instant now) noexcept {
@@ -45,6 +52,7 @@ void RshHand::set(Asked what, SharedKnob& knob, Instant now) noexcept {
 }
 
 void RshHand::turn(EmcKnobs& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept {
+  machineOff_ = status.machineOn.ever && !status.machineOn.value;
   const bool answering = session_.waiting();
   if (!answering && !maySpeak) return;
   session_.pump(now, [&](std::string_view line) { reply(line, knobs, status, now); });
@@ -59,7 +67,7 @@ void RshHand::turn(EmcKnobs& knobs, bool wanted, bool maySpeak, EmcStatus& statu
 }
 
 void RshHand::next(EmcKnobs& knobs, bool wanted, Instant now) noexcept {
-  const bool needed = wanted || !knobs.speed.home() || !knobs.feed.home();
+  const bool needed = !machineOff_ && (wanted || !knobs.speed.home() || !knobs.feed.home());
   if (!needed) {
     if (inControl_) ask(Asked::GiveBack, "set enable off", now);
     return;
@@ -80,7 +88,7 @@ void RshHand::reply(std::string_view line, EmcKnobs& knobs, EmcStatus& status, I
   switch (std::exchange(asked_, Asked::Nothing)) {
     case Asked::Enable:
       inControl_ = !no;
-      if (no) lostAt_ = now;
+      if (no) lose(OrderBlock::ControlRefused, now);
       break;
     case Asked::WaitMode:
       waitModeSet_ = !no;
@@ -98,10 +106,7 @@ void RshHand::reply(std::string_view line, EmcKnobs& knobs, EmcStatus& status, I
       }
       break;
     case Asked::Standing:
-      if (status.take(line, now) && !status.inControl.value) {
-        inControl_ = waitModeSet_ = false;
-        lostAt_ = now;
-      }
+      if (status.take(line, now) && !status.inControl.value) lose(OrderBlock::OtherClient, now);
       break;
     case Asked::GiveBack:
       inControl_ = waitModeSet_ = false;

@@ -1,6 +1,7 @@
 // RshHand: the knobs through linuxcncrsh: takes control ("set enable") with the first command, sets the two overrides,
-// gives control back. Another client's enable takes it silently; then it keeps off for a while. The overrides stay
-// where they are when we die: no watchdog.
+// gives control back. Another client's enable takes it silently; then it keeps off for a while. While the machine is
+// off no override is taken: nothing is sent then, and what stands there waits until it is on. The overrides stay where
+// they are when we die: no watchdog.
 // Thread: link thread.
 #pragma once
 
@@ -22,7 +23,7 @@ class RshHand final : public EmcHand {
   void turn(EmcKnobs& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept override;
   bool speaking() const noexcept override { return session_.waiting(); }
   bool done(const EmcKnobs& knobs) const noexcept override;
-  bool ours(Instant now) const noexcept override;
+  OrderBlock block(Instant now) const noexcept override;
   bool up() const noexcept override { return session_.standing() == EmcSession::Standing::Ready; }
   bool heard() const noexcept override { return up(); }
   bool watchdog() const noexcept override { return false; }
@@ -39,6 +40,7 @@ class RshHand final : public EmcHand {
   void reply(std::string_view line, EmcKnobs& knobs, EmcStatus& status, Instant now) noexcept;
   void ask(Asked what, std::string_view request, Instant now) noexcept;
   void set(Asked what, SharedKnob& knob, Instant now) noexcept;
+  void lose(OrderBlock to, Instant now) noexcept;
 
   EmcSession session_;
   std::string enable_;
@@ -47,7 +49,9 @@ class RshHand final : public EmcHand {
   Instant setAt_{}, acknowledged_{};
   bool inControl_ = false;  // as far as we know
   bool waitModeSet_ = false;
-  std::optional<Instant> lostAt_;  // another client took it
+  bool machineOff_ = false;  // it takes no override then
+  std::optional<Instant> lostAt_;
+  OrderBlock lostTo_ = OrderBlock::None;
   Asked asked_ = Asked::Nothing;
 };
 

@@ -36,6 +36,9 @@ MachineState SimulatedMachine::read(Instant) noexcept {
   lastTime_ = state->time;
   MachineState seen = *state;
   seen.controlOurs = controlOurs_;
+  if (!seen.programRunning) seen.block = OrderBlock::NoProgram;
+  if (!seen.overridesEnabled) seen.block = OrderBlock::OverridesLocked;
+  if (!seen.controlOurs) seen.block = OrderBlock::OtherClient;
   seen.link.acknowledged = order_.when;  // a port takes an order at once
   seen.link.overrides = seen.link.speed = seen.link.feed = seen.link.program = seen.time;
   return seen;

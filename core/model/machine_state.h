@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "core/base/time.h"
 #include "core/base/units.h"
@@ -28,15 +29,36 @@ struct LinkTimes {
   }
 };
 
+// What keeps orders from acting on a machine that answers, as far as its link can tell. The gate goes by the flags of
+// MachineState; this is their cause, for a person.
+enum class OrderBlock : std::uint8_t {
+  None,             // nothing, or the link cannot tell
+  MachineOff,       // switched off, or in emergency stop
+  MachineAlarm,     //
+  NoProgram,        // the machine is on and waits
+  OverridesLocked,  // by the program: M49
+  SpeedLocked,      // M51 P0; or M49, while only the speed was moved
+  FeedLocked,       // M50 P0; or M49, while only the feed was moved
+  AdaptiveLocked,   // M52 P0: the feed goes by motion.adaptive-feed, and the program does not follow it
+  OtherClient,      // another one has the overrides
+  ControlRefused,   // asked for, and not given: the password
+  ComponentSilent,  // stillcut-hal does not answer
+  ComponentDown,    // stillcut-hal has not seen the machine's watchdog act
+  ComponentOut,     // the machine's watchdog or the operator's switch has taken stillcut-hal out
+};
+inline constexpr int kOrderBlocks = 13;
+std::string_view name(OrderBlock block);
+
 struct MachineState {
   Instant time{};      // when it was read, stream time
   bool valid = false;  // false: nothing was ever read, or what was read made no sense
   bool linkUp = false;
   bool programRunning = false;
   bool feedHold = false;
-  bool atSpeed = false;              // the spindle has reached what is commanded
-  bool overridesEnabled = true;      // false under M49 and its like
-  bool controlOurs = true;           // false when another client took the overrides
+  bool atSpeed = false;          // the spindle has reached what is commanded
+  bool overridesEnabled = true;  // false under M49 and its like
+  bool controlOurs = true;       // false when another client took the overrides
+  OrderBlock block = OrderBlock::None;
   Rpm programmedSpeed{};             // S word; 0: spindle stopped
   MetresPerSecond programmedFeed{};  // F word
   Ratio operatorSpeed{1.0};          // the operator's own knobs

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "core/model/channel.h"
+#include "core/model/machine_state.h"
 #include "core/model/operator_input.h"
 #include "core/model/verdict.h"
 
@@ -73,6 +74,14 @@ std::string_view name(ChatterKind k) {
 std::string_view name(Authority a) {
   constexpr std::array<std::string_view, 3> kNames{"off", "advise", "auto"};
   return kNames[static_cast<std::size_t>(a)];
+}
+
+std::string_view name(OrderBlock block) {
+  constexpr std::array<std::string_view, kOrderBlocks> kNames{
+      "none",         "machine-off",     "machine-alarm", "no-program",      "overrides-locked", "speed-locked",
+      "feed-locked",  "adaptive-locked", "other-client",  "control-refused", "component-silent", "component-down",
+      "component-out"};
+  return kNames[static_cast<std::size_t>(block) % kNames.size()];
 }
 
 }  // namespace stillcut

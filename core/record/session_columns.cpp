@@ -26,7 +26,7 @@ std::span<const Column> columnsOf<BlockRow>() {
 
 template <>
 std::span<const Column> columnsOf<MachineRow>() {
-  static constexpr std::array<Column, 25> kColumns{
+  static constexpr std::array<Column, 26> kColumns{
       {{"time_ns", offsetof(MachineRow, time), T::I64},
        {"valid", offsetof(MachineRow, valid), T::U8},
        {"link_up", offsetof(MachineRow, linkUp), T::U8},
@@ -51,7 +51,8 @@ std::span<const Column> columnsOf<MachineRow>() {
        {"feed_read_ns", offsetof(MachineRow, feedRead), T::I64, 1, true},
        {"program_read_ns", offsetof(MachineRow, programRead), T::I64, 1, true},
        {"round_trip_s", offsetof(MachineRow, roundTrip), T::F64, 1, true},
-       {"effect_delay_s", offsetof(MachineRow, effectDelay), T::F64, 1, true}}};
+       {"effect_delay_s", offsetof(MachineRow, effectDelay), T::F64, 1, true},
+       {"block", offsetof(MachineRow, block), T::U8, 1, true}}};
   return kColumns;
 }
 

@@ -90,31 +90,13 @@ void fromRow(const BlockRow& row, SampleBlock& b) {
 }
 
 MachineRow toRow(const MachineState& m) {
-  return {toNs(m.time),
-          byte(m.valid),
-          byte(m.linkUp),
-          byte(m.programRunning),
-          byte(m.feedHold),
-          byte(m.atSpeed),
-          byte(m.overridesEnabled),
-          byte(m.controlOurs),
-          m.programmedSpeed.value,
-          m.programmedFeed.value,
-          m.operatorSpeed.value,
-          m.operatorFeed.value,
-          m.speedOverride.value,
-          m.feedOverride.value,
-          m.actualSpeed.value,
-          m.actualFeed.value,
-          m.endedEngagement,
-          toNs(m.link.ordered),
-          toNs(m.link.acknowledged),
-          toNs(m.link.overrides),
-          toNs(m.link.speed),
-          toNs(m.link.feed),
-          toNs(m.link.program),
-          m.link.roundTrip.value,
-          m.link.effect.value};
+  return {toNs(m.time),           byte(m.valid),           byte(m.linkUp),           byte(m.programRunning),
+          byte(m.feedHold),       byte(m.atSpeed),         byte(m.overridesEnabled), byte(m.controlOurs),
+          byte(m.block),          m.programmedSpeed.value, m.programmedFeed.value,   m.operatorSpeed.value,
+          m.operatorFeed.value,   m.speedOverride.value,   m.feedOverride.value,     m.actualSpeed.value,
+          m.actualFeed.value,     m.endedEngagement,       toNs(m.link.ordered),     toNs(m.link.acknowledged),
+          toNs(m.link.overrides), toNs(m.link.speed),      toNs(m.link.feed),        toNs(m.link.program),
+          m.link.roundTrip.value, m.link.effect.value};
 }
 
 void fromRow(const MachineRow& row, MachineState& m) {
@@ -126,6 +108,7 @@ void fromRow(const MachineRow& row, MachineState& m) {
   m.atSpeed = row.atSpeed != 0;
   m.overridesEnabled = row.overridesEnabled != 0;
   m.controlOurs = row.controlOurs != 0;
+  m.block = row.block < kOrderBlocks ? static_cast<OrderBlock>(row.block) : OrderBlock::None;
   m.programmedSpeed = Rpm(row.programmedSpeed);
   m.programmedFeed = MetresPerSecond(row.programmedFeed);
   m.operatorSpeed = Ratio(row.operatorSpeed);

@@ -42,7 +42,7 @@ struct BlockRow {
 struct MachineRow {
   std::int64_t time = 0;
   std::uint8_t valid = 0, linkUp = 0, programRunning = 0, feedHold = 0, atSpeed = 0, overridesEnabled = 0,
-               controlOurs = 0;
+               controlOurs = 0, block = 0;
   double programmedSpeed = 0, programmedFeed = 0, operatorSpeed = 0, operatorFeed = 0, speedOverride = 0,
          feedOverride = 0, actualSpeed = 0, actualFeed = 0;
   std::uint64_t endedEngagement = 0;

@@ -15,7 +15,7 @@
 
 namespace stillcut::record {
 
-inline constexpr int kSessionVersion = 6;        // the machine link's own times
+inline constexpr int kSessionVersion = 7;        // what keeps orders from acting
 inline constexpr int kOldestSessionVersion = 2;  // without markers, segments and pyramid
 
 struct SessionHeader {

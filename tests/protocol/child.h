@@ -27,6 +27,7 @@ class Child {
   ~Child() { kill(); }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
+  void signal(int number) const { ::kill(pid_, number); }
   void kill() {
     if (pid_ > 0) {
       ::kill(pid_, SIGKILL);

@@ -1,6 +1,6 @@
 // LinuxCNC as linuxcncrsh and halrmt show it, with the manners found on the real one: one client is in control, an
-// override's ACK takes 100 ms, under M49 it is acknowledged and read back and has no effect, the overrides stay when
-// the client dies, and a get without the spindle's number crashes the server.
+// override's ACK takes 100 ms, under M49, M50 P0 and M51 P0 it is acknowledged and read back and has no effect, the
+// overrides stay when the client dies, and a get without the spindle's number crashes the server.
 #pragma once
 
 #include <cmath>
@@ -18,13 +18,21 @@ struct FakeMill {
   double s = 8000.0, f = 600.0;
   bool inches = false;
   bool machineOn = true, running = true, paused = false;
-  bool locked = false;  // M49
+  bool speedLocked = false, feedLocked = false;  // M51 P0, M50 P0; both: M49
+  bool refusesControl = false;                   // "set enable" is not acknowledged
+  double moves = 1.0;                            // of the path's velocity: rapid moves, corners
+  double adaptive = 1.0;                         // motion.adaptive-feed
+  bool adaptiveHeeded = true;                    // M52 P1
   const void* owner = nullptr;
   bool crashed = false;
   int sets = 0;
   double actual = 8000.0;  // rev/min
 
-  double commanded() const { return running ? s * (locked ? 1.0 : spindle / 100.0) : 0.0; }
+  void lock(bool both) { speedLocked = feedLocked = both; }
+  double commanded() const { return running ? s * (speedLocked ? 1.0 : spindle / 100.0) : 0.0; }
+  double velocity() const {  // units/s
+    return running ? moves * f / 60.0 * (feedLocked ? 1.0 : feed / 100.0) * (adaptiveHeeded ? adaptive : 1.0) : 0.0;
+  }
 };
 
 class FakeEmcClient final : public Peer {
@@ -63,8 +71,8 @@ class FakeEmcClient final : public Peer {
       verbose_ = true;
       ack("VERBOSE", true, 0.0, answer);
     } else if (line == "set enable EMCTOO") {
-      mill_.owner = this;
-      ack("ENABLE", true, 0.0, answer);
+      if (!mill_.refusesControl) mill_.owner = this;
+      ack("ENABLE", !mill_.refusesControl, 0.0, answer);
     } else if (line == "set enable off") {
       if (mill_.owner == this) mill_.owner = nullptr;
       ack("ENABLE", true, 0.0, answer);
@@ -117,8 +125,8 @@ class FakeEmcClient final : public Peer {
     }
     if (name == "spindle.0.at-speed") say(name, std::abs(mill_.actual - mill_.commanded()) < 100.0 ? "TRUE" : "FALSE");
     if (name == "motion.feed-hold") say(name, "FALSE");
-    if (name == "motion.current-vel") say(name, std::to_string(mill_.f / 60.0 * mill_.feed / 100.0));
-    if (name == "motion.adaptive-feed") say(name, "1");
+    if (name == "motion.current-vel") say(name, std::to_string(mill_.velocity()));
+    if (name == "motion.adaptive-feed") say(name, std::to_string(mill_.adaptive));
   }
 
   FakeMill& mill_;

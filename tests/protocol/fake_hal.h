@@ -13,6 +13,7 @@ namespace stillcut::cnc::testing {
 
 class FakeWatchdog {
  public:
+  explicit FakeWatchdog(Duration patience = std::chrono::milliseconds(30)) : patience_(patience) {}
   bool ok = false, wired = true;
   void look(const hal::KeeperPins& pins, Instant now) {
     if (pins.active && !armed_) ok = wired;
@@ -20,10 +21,11 @@ class FakeWatchdog {
     if (pins.heartbeat != beat_ || (pins.active && !heard_)) heardAt_ = now;
     heard_ = pins.active;
     beat_ = pins.heartbeat;
-    if (now - heardAt_ > std::chrono::milliseconds(30)) ok = false;
+    if (now - heardAt_ > patience_) ok = false;
   }
 
  private:
+  Duration patience_;
   bool armed_ = false, beat_ = false, heard_ = false;
   Instant heardAt_{};
 };
@@ -32,7 +34,8 @@ class FakeHal final : public Peer {
  public:
   FakeHal(FakeMill& mill, test::VirtualClock& clock) : mill_(mill), clock_(clock) {}
 
-  bool killed = false;  // its pins stay as they were
+  static constexpr int kOurs = 1;  // number of the link under test
+  bool killed = false;             // its pins stay as they were
   bool permit = true;
   int lost = 0;  // orders of halui that do not arrive
   FakeWatchdog watchdog;
@@ -40,14 +43,14 @@ class FakeHal final : public Peer {
   hal::KeeperPins pins;
 
   void gone() override {
-    if (!killed) keeper.clientGone(clock_.now());
+    if (!killed) keeper.clientGone(kOurs, clock_.now());
   }
   void take(std::string_view bytes, Instant now, const Answer& answer) override {
     if (killed) return;
     splitter_.feed(bytes, [&](std::string_view line) {
-      if (const auto request = readHalRequest(line)) keeper.take(*request, now);
+      if (const auto request = readHalRequest(line)) keeper.take(*request, kOurs, now);
       std::array<char, kHalLine> text{};
-      answer(std::string(writeHalReport(keeper.report(), text)), 0.0);
+      answer(std::string(writeHalReport(keeper.report(kOurs), text)), 0.0);
     });
   }
   // Every few milliseconds, as the machine's threads run.
@@ -55,6 +58,7 @@ class FakeHal final : public Peer {
     const Instant now = clock_.now();
     if (!killed) pins = keeper.tick({watchdog.ok, permit}, now);
     watchdog.look(pins, now);
+    mill_.adaptive = watchdog.ok ? pins.adaptiveFeed : 1.0;
     speed_.follow(watchdog.ok ? pins.speed : pins.homeSpeed, pins.speedEnable, now, mill_.spindle, mill_.shownSpindle,
                   lost);
     feed_.follow(watchdog.ok ? pins.feed : pins.homeFeed, pins.feedEnable, now, mill_.feed, mill_.shownFeed, lost);

@@ -1,13 +1,8 @@
 // The GRBL link through QSerialPort on a real pty, reached by a typed path, with a scripted controller on its other
 // end. Waits are in real time, and each is bounded.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <poll.h>
-#include <pty.h>
-#include <unistd.h>
 
 #include <QCoreApplication>
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -15,9 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
-#include <mutex>
 #include <string>
-#include <thread>
 #include <utility>
 
 #include "app/io/wires.h"
@@ -25,78 +18,10 @@
 #include "tests/protocol/bounded_wait.h"
 #include "tests/protocol/child.h"
 #include "tests/protocol/commander.h"
-#include "tests/protocol/fake_grbl.h"
+#include "tests/protocol/pty_grbl.h"
 
 namespace stillcut::cnc {
 namespace {
-
-// FakeGrbl on the master end of a pty; a person would type `path`.
-class PtyGrbl {
- public:
-  explicit PtyGrbl(std::string path) : path_(std::move(path)) { plugIn(); }
-  ~PtyGrbl() { pull(); }
-  PtyGrbl(const PtyGrbl&) = delete;
-  PtyGrbl& operator=(const PtyGrbl&) = delete;
-
-  void plugIn() {
-    int slave = -1;
-    char name[128] = {};
-    termios raw{};
-    ::cfmakeraw(&raw);
-    ASSERT_EQ(::openpty(&master_, &slave, name, &raw, nullptr), 0);
-    keepOpen_ = slave;
-    std::filesystem::remove(path_);
-    std::filesystem::create_symlink(name, path_);
-    stopped_ = false;
-    thread_ = std::thread([this] { serve(); });
-  }
-  // The cable, the adapter and its device file go.
-  void pull() {
-    if (!thread_.joinable()) return;
-    stopped_ = true;
-    thread_.join();
-    ::close(keepOpen_);
-    ::close(master_);
-    std::filesystem::remove(path_);
-  }
-  template <class Change>
-  void with(Change&& change) {
-    const std::lock_guard lock(mutex_);
-    change(grbl_);
-  }
-  bool stands(int speed, int feed) {
-    const std::lock_guard lock(mutex_);
-    return grbl_.spindle == speed && grbl_.feed == feed;
-  }
-
- private:
-  void serve() {
-    while (!stopped_) {
-      pollfd input{master_, POLLIN, 0};
-      if (::poll(&input, 1, 20) <= 0) continue;
-      char bytes[256];
-      const auto n = ::read(master_, bytes, sizeof bytes);
-      if (n <= 0) continue;
-      std::string reply;
-      {
-        const std::lock_guard lock(mutex_);
-        grbl_.take({bytes, static_cast<std::size_t>(n)}, SteadyClock().now(),
-                   [&](const std::string& text, double) { reply += text; });
-      }
-      for (std::size_t at = 0; at < reply.size(); at += 7) {  // in pieces, as adapters deliver
-        const std::string_view piece = std::string_view(reply).substr(at, 7);
-        if (::write(master_, piece.data(), piece.size()) < 0) return;
-      }
-    }
-  }
-
-  std::string path_;
-  int master_ = -1, keepOpen_ = -1;
-  std::atomic<bool> stopped_{false};
-  std::mutex mutex_;
-  testing::FakeGrbl grbl_;
-  std::thread thread_;
-};
 
 class GrblOnAPty : public ::testing::Test {
  protected:
@@ -123,7 +48,7 @@ class GrblOnAPty : public ::testing::Test {
 
   testing::TemporaryFolder folder_;
   std::string path_ = folder_.file("machine");
-  PtyGrbl controller_{path_};
+  testing::PtyGrbl controller_{path_};
   SteadyClock clock_;
   testing::CommandMaker gate_;
   MachineState seen_;
@@ -188,6 +113,23 @@ TEST_F(GrblOnAPty, TriedLinkIsSavedWithItsDelay) {
   EXPECT_EQ(second, 0) << secondSaid;
   EXPECT_NE(secondSaid.find("when this was saved"), std::string::npos) << secondSaid;
   EXPECT_TRUE(controller_.stands(100, 100));  // nothing moved
+}
+
+// Asked for, it moves both overrides and says how long that took; afterwards they stand where they stood.
+TEST_F(GrblOnAPty, EffectIsMeasuredWhenAskedForAndSaved) {
+  link_.reset();
+  const std::string profile = folder_.file("mill.toml"), said = folder_.file("said");
+  std::ofstream(profile) << "version = 1\nmachine = \"Mill\"\n";
+  const std::string line = std::string(STILLCUT_CLI) + " devices --profile " + profile +
+                           " --try grbl --with device=" + path_ + " --measure-effect --save >" + said;
+  const int status = std::system(line.c_str());
+  std::ifstream heard(said), in(profile);
+  const std::string words(std::istreambuf_iterator<char>(heard), {}), text(std::istreambuf_iterator<char>(in), {});
+  ASSERT_EQ(status, 0) << words;
+  EXPECT_NE(words.find("ok   Measure the effect"), std::string::npos) << words;
+  EXPECT_NE(text.find("effect_ms = "), std::string::npos) << text;
+  EXPECT_GT(controller_.steps(), 6U) << "it moved";
+  EXPECT_TRUE(controller_.stands(100, 100));
 }
 
 // What the manual says of a controller without a watchdog, and what the next start makes of it.

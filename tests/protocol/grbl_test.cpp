@@ -237,14 +237,45 @@ TEST(Grbl, HoldAbortAndAlarmAreSaid) {
   b.link->apply(b.gate.set(90.0), b.clock.now());
   b.run(0.5);
   b.grbl.state = "Idle";  // the program was aborted
-  EXPECT_FALSE(b.run(0.1).programRunning);
+  MachineState m = b.run(0.1);
+  EXPECT_FALSE(m.programRunning);
+  EXPECT_EQ(m.block, OrderBlock::NoProgram);
   b.link->release(b.clock.now());
   EXPECT_EQ(b.grbl.spindle, 100);
   EXPECT_EQ(b.grbl.feed, 100);
   b.grbl.state = "Alarm";
-  const MachineState m = b.run(0.1);
+  m = b.run(0.1);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.programRunning);
+  EXPECT_EQ(m.block, OrderBlock::MachineAlarm);
+}
+
+// Its real-time bytes are taken in every state.
+TEST(Grbl, AlarmIsSaidAndTheOverridesComeBack) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  ASSERT_EQ(b.grbl.spindle, 90);
+  b.grbl.state = "Alarm";
+  EXPECT_EQ(b.run(0.1).block, OrderBlock::MachineAlarm);
+  b.link.reset();
+  EXPECT_EQ(b.grbl.spindle, 100);
+  EXPECT_EQ(b.grbl.feed, 100);
+}
+
+// release, close and the destructor in one go, and nobody answers: the time of one.
+TEST(Grbl, HungControllerHoldsTheEndOnce) {
+  Bench b;
+  b.run(0.5);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(0.5);
+  b.faults.hang();
+  const Instant began = b.clock.now();
+  b.link->release(began);
+  b.link->close();
+  b.link.reset();
+  EXPECT_LT(secondsBetween(began, b.clock.now()).value, toSeconds(GrblLink::kReleaseTime).value + 0.05);
 }
 
 TEST(Grbl, RestartOfTheControllerIsNotMistakenForItsOldState) {

@@ -1,11 +1,13 @@
 // The link with stillcut-hal in a real LinuxCNC: whoever dies, the machine goes home by itself.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "core/cnc/emc_session.h"
@@ -125,6 +127,35 @@ TEST_F(LinuxCncHalReal, LockedByTheProgramIsSaid) {
   EXPECT_NEAR(seen_.speedOverride.value, 1.0, 1e-6);  // the machine's own lock holds
 }
 
+// The pin says 90 % in both, and only the path's velocity tells whether the program follows it.
+TEST_F(LinuxCncHalReal, AdaptiveFeedThatTheProgramDoesNotFollowIsSaid) {
+  link_ =
+      linkToLinuxCnc({{"hal_component_port", std::to_string(LinuxCncPeer::kComponentPort)}, {"adaptive_feed", "true"}});
+  const auto cuts = [](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; };
+  for (const char* word : {"M52 P0", "M52 P1"}) {
+    const bool follows = std::string(word) == "M52 P1";
+    peer_->run(peer_->locking(word));
+    ASSERT_TRUE(until(cuts));
+    EXPECT_TRUE(untilCommanding(90.0, [&](const MachineState& m) {
+      return m.valid && (follows ? std::abs(toMmPerMin(m.actualFeed) - 540.0) < 1.0
+                                 : m.block == OrderBlock::AdaptiveLocked && !m.overridesEnabled);
+    })) << word;
+    EXPECT_NEAR(seen_.feedOverride.value, follows ? 0.9 : 1.0, 1e-3) << word;
+    link_->release(clock_.now());
+    EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 2.0)) << word;
+  }
+}
+
+// halui's orders are taken in every state of the machine.
+TEST_F(LinuxCncHalReal, MachineOffIsSaidAndHomeAllTheSame) {
+  ASSERT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return at(m, 0.9); }));
+  LinuxCncPeer::talk({"set enable EMCTOO", "set machine off", "set enable off"});
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OrderBlock::MachineOff; }));
+  link_->release(clock_.now());
+  EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
+  EXPECT_EQ(seen_.block, OrderBlock::MachineOff);
+}
+
 TEST_F(LinuxCncHalReal, KilledProgramIsHomeWithinTheLease) {
   link_.reset();  // stillcut-hal has one client
   const Commander program(linkWithComponent);
@@ -150,17 +181,23 @@ TEST_F(LinuxCncHalReal, HungComponentIsHomeWithinTheLeaseAndTakenUpAgain) {
   EXPECT_TRUE(until([](const MachineState& m) { return m.controlOurs && at(m, 1.0); }));
 }
 
-// Two programs that hold the same knobs: the second is not taken while the first is there.
-TEST_F(LinuxCncHalReal, SecondClientOfTheComponentIsTurnedAway) {
+// Two programs on the same knobs: the second may look, as often as it likes, and its orders are not taken.
+TEST_F(LinuxCncHalReal, SecondClientOfTheComponentLooksAndHoldsNothing) {
   ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.controlOurs; }));
   const auto second = std::move(app::makeWire({"127.0.0.1", LinuxCncPeer::kComponentPort, {}})).value();
   second->connect();
-  bool turnedAway = false;
+  std::string heard;
+  const auto speak = [&] {
+    std::array<char, 256> bytes;
+    while (const std::size_t n = second->read(bytes)) heard.append(bytes.data(), n);
+    if (second->state() == WireState::Open) second->write("home 70 70\nset 50 50 1 70 70\n");
+  };
   EXPECT_TRUE(untilCommanding(90.0, [&](const MachineState& m) {
-    if (second->state() == WireState::Open) second->write("set 50 50 1 100 100\n");
-    turnedAway = turnedAway || second->state() == WireState::Closed;
-    return turnedAway && at(m, 0.9);
+    if (at(m, 0.9)) speak();
+    return at(m, 0.9) && heard.find("TAKEN") != std::string::npos;
   }));
+  EXPECT_EQ(second->state(), WireState::Open);
+  EXPECT_TRUE(at(seen_, 0.9) && seen_.controlOurs);
   link_->release(clock_.now());
   EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
 }

@@ -1,4 +1,5 @@
 // The LinuxCNC link with stillcut-hal beside the machine, on virtual time: what the machine is left with, whoever dies.
+// Over 400 lines: every end of one link, on one bench; the words between link and component are tested with them.
 // The real ones: tests/protocol/linuxcnc_hal_peer_test.cpp.
 #include <gtest/gtest.h>
 
@@ -69,7 +70,7 @@ TEST(LinuxCncHal, WatchdogIsProvenBeforeAnythingIsTakenAndNothingMoves) {
   EXPECT_FALSE(b.link->describe().machineWatchdog);  // not heard yet
   b.run(0.2);
   EXPECT_TRUE(b.link->describe().machineWatchdog);
-  const int ms = b.hal.keeper.report().watchdogMs;
+  const int ms = b.hal.keeper.report(FakeHal::kOurs).watchdogMs;
   EXPECT_GE(ms, 25);
   EXPECT_LE(ms, 40);
   EXPECT_EQ(b.mill.spindle, 100);
@@ -183,7 +184,7 @@ TEST(LinuxCncHal, OverridesComeHomeThoughLinuxcncrshAloneIsGone) {
     EXPECT_TRUE(m.valid);
     EXPECT_EQ(m.operatorSpeed.value, 1.0);
     EXPECT_EQ(b.mill.spindle, 100);
-    EXPECT_EQ(b.hal.keeper.report().standing, HalStanding::Home);
+    EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalStanding::Home);
   }
 }
 
@@ -199,7 +200,7 @@ TEST(LinuxCncHal, KnobThatStrayedIsHeldAgainAndBroughtHome) {
   b.run(2.0);
   EXPECT_EQ(b.mill.spindle, 100);
   EXPECT_EQ(b.mill.feed, 100);
-  EXPECT_EQ(b.hal.keeper.report().standing, HalStanding::Home);
+  EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalStanding::Home);
 }
 
 TEST(LinuxCncHal, OperatorsHandIsLeftAloneAndSurvivesTheRelease) {
@@ -260,13 +261,86 @@ TEST(LinuxCncHal, AnotherClientInControlOfLinuxcncrshChangesNothing) {
   EXPECT_EQ(b.mill.owner, &b);
 }
 
+// Two programs on one component: whoever came first holds, the other is told so and may go on looking.
+TEST(LinuxCncHal, SecondClientLooksAndHoldsNothingUntilTheFirstHasLetGo) {
+  Bench b;
+  b.engage(90.0);
+  constexpr int kOther = FakeHal::kOurs + 1;
+  OverrideKeeper& keeper = b.hal.keeper;
+  for (int i = 0; i < 50; ++i) {
+    keeper.take(*readHalRequest("home 70 70"), kOther, b.clock.now());  // as a monitor says every 10 ms
+    EXPECT_EQ(keeper.report(kOther).standing, HalStanding::Taken);
+    keeper.take(*readHalRequest("set 50 50 1 70 70"), kOther, b.clock.now());
+    EXPECT_TRUE(b.run(0.01).controlOurs);
+  }
+  EXPECT_EQ(b.mill.spindle, 90);
+  EXPECT_EQ(b.hal.pins.homeSpeed, 100);
+  keeper.clientGone(kOther, b.clock.now());
+  b.run(0.2);
+  EXPECT_EQ(b.mill.spindle, 90) << "somebody else's end is not ours";
+  b.link->release(b.clock.now());
+  b.run(0.3);
+  ASSERT_EQ(b.mill.spindle, 100);
+  keeper.take(*readHalRequest("set 95 95 1 100 100"), kOther, b.clock.now());
+  const MachineState m = b.run(0.02);
+  EXPECT_EQ(m.block, OrderBlock::OtherClient);
+  EXPECT_EQ(keeper.report(kOther).standing, HalStanding::Held);
+}
+
+// What would be home later than the lease is no proof.
+TEST(LinuxCncHal, WatchdogThatIsTooSlowForTheLeaseIsNotTaken) {
+  for (const int ms : {30, 60, 90, 400}) {
+    test::VirtualClock clock{instantFromNs(1'000'000'000)};
+    OverrideKeeper keeper;
+    FakeWatchdog watchdog(std::chrono::milliseconds{ms});
+    for (int i = 0; i < 2500; ++i) {
+      watchdog.look(keeper.tick({watchdog.ok, true}, clock.now()), clock.now());
+      clock.advance(Seconds(kStep));
+    }
+    EXPECT_EQ(keeper.report(1).standing, ms < 70 ? HalStanding::Home : HalStanding::Unproven) << ms;
+  }
+}
+
 TEST(LinuxCncHal, LockedOverrideIsSaid) {
   Bench b;
-  b.mill.locked = true;  // M49: read back, without effect
+  b.mill.lock(true);  // M49: read back, without effect
   b.engage(90.0);
   const MachineState m = b.run(2.0);
   EXPECT_FALSE(m.overridesEnabled);
+  EXPECT_EQ(m.block, OrderBlock::OverridesLocked);
   EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);
+  EXPECT_NEAR(m.feedOverride.value, 1.0, 1e-9);
+}
+
+// The pin shows 0.9 and the program has not said M52 P1: only the path's velocity tells.
+TEST(LinuxCncHal, AdaptiveFeedThatIsNotHeededIsSaid) {
+  for (const bool heeded : {false, true}) {
+    Bench b(true);
+    b.mill.adaptiveHeeded = heeded;
+    b.engage(90.0);
+    const MachineState m = b.run(2.0);
+    EXPECT_EQ(m.block, heeded ? OrderBlock::None : OrderBlock::AdaptiveLocked);
+    EXPECT_EQ(m.overridesEnabled, heeded);
+    EXPECT_NEAR(m.feedOverride.value, heeded ? 0.9 : 1.0, 1e-3);
+    EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-6);
+  }
+}
+
+// Why the knobs are not ours: silent, or not proven, or taken out.
+TEST(LinuxCncHal, WhyTheKnobsAreNotOursIsToldApart) {
+  Bench b;
+  b.engage(90.0);
+  EXPECT_EQ(b.run(0.1).block, OrderBlock::None);
+  b.hal.permit = false;
+  EXPECT_EQ(b.run(0.1).block, OrderBlock::ComponentOut);
+  b.hal.permit = true;
+  b.link->release(b.clock.now());
+  EXPECT_EQ(b.run(0.2).block, OrderBlock::None);
+  b.hal.keeper = {};  // loaded anew
+  b.hal.watchdog.wired = false;
+  EXPECT_EQ(b.run(1.5).block, OrderBlock::ComponentDown);
+  b.hal.killed = true;
+  EXPECT_EQ(b.run(0.5).block, OrderBlock::ComponentSilent);
 }
 
 TEST(LinuxCncHal, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {
@@ -295,7 +369,7 @@ TEST(LinuxCncHal, RestartedMachineIsHomeAndItsWatchdogProvenAnew) {
   b.link->apply(command, b.clock.now());
   for (int i = 0; i < 2000 && b.mill.spindle == 100; ++i) b.run(kStep);
   EXPECT_EQ(b.mill.spindle, 91);
-  EXPECT_GT(b.hal.keeper.report().watchdogMs, 0);
+  EXPECT_GT(b.hal.keeper.report(FakeHal::kOurs).watchdogMs, 0);
 }
 
 TEST(LinuxCncHal, ReportsThatComeTogetherAreHeard) {

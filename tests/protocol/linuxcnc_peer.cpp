@@ -229,6 +229,11 @@ void LinuxCncPeer::write(const std::string& program, const std::string& text) co
   std::ofstream(folder_ / program) << text;
 }
 
+std::string LinuxCncPeer::locking(const std::string& word) const {
+  write("locking.ngc", "G21 G90 G94 G17\n" + word + "\nS5000 M3\nG0 X-900\nG1 X900 F600\nM48\nM5\nM2\n");
+  return "locking.ngc";
+}
+
 // Each step has its effect some time after its ACK, so the sequence is repeated until the program is seen running.
 void LinuxCncPeer::run(const std::string& program) {
   const std::vector<std::string> take{"set enable EMCTOO", "set set_wait received", "set estop off", "set machine on"};

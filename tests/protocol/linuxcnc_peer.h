@@ -30,6 +30,8 @@ class LinuxCncPeer {
 
   // A program of one's own, into the machine's folder.
   void write(const std::string& program, const std::string& text) const;
+  // A long cut at S5000 F600 that begins with `word`; its name.
+  std::string locking(const std::string& word) const;
   // Machine on and homed, `program` of its folder running from the beginning, overrides at 100 %.
   void run(const std::string& program);
   // The process of that name ("stillcut-hal", "linuxcncrsh") that the machine has started; -1: none.

@@ -6,8 +6,11 @@
 #include <cmath>
 #include <csignal>
 #include <memory>
+#include <string>
 #include <thread>
+#include <vector>
 
+#include "app/io/find_machines.h"
 #include "core/cnc/linuxcnc_link.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
@@ -46,6 +49,14 @@ TEST_F(LinuxCncReal, OpensReadsAndLeavesControlAlone) {
   EXPECT_NE(LinuxCncPeer::talk({"get enable"}).find("ENABLE OFF"), std::string::npos);
 }
 
+TEST_F(LinuxCncReal, IsFoundOnTheHostThatWasNamed) {
+  std::vector<std::string> where;
+  for (const app::FoundMachine& machine : app::findMachines({"127.0.0.1"}, Seconds(3.0))) {
+    if (machine.link.id == "linuxcnc") where.push_back(machine.where);
+  }
+  EXPECT_EQ(where, (std::vector<std::string>{"127.0.0.1:5007", "127.0.0.1:5006"}));
+}
+
 TEST_F(LinuxCncReal, BothOverridesActAndTheSpindleFollows) {
   apply(90.0);
   EXPECT_TRUE(until([](const MachineState& m) {
@@ -59,12 +70,41 @@ TEST_F(LinuxCncReal, BothOverridesActAndTheSpindleFollows) {
   EXPECT_NE(LinuxCncPeer::talk({"get enable"}).find("ENABLE OFF"), std::string::npos);
 }
 
+// The set is acknowledged and read back; which of the two overrides has no effect is said.
 TEST_F(LinuxCncReal, LockedByTheProgramIsSaid) {
-  peer_->run("m49.ngc");
-  ASSERT_TRUE(until([](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; }));
+  const struct {
+    const char* word;
+    OrderBlock block;
+    double speed, feed;
+  } locks[] = {{"M49", OrderBlock::OverridesLocked, 1.0, 1.0},
+               {"M51 P0", OrderBlock::SpeedLocked, 1.0, 0.9},
+               {"M50 P0", OrderBlock::FeedLocked, 0.9, 1.0}};
+  for (const auto& lock : locks) {
+    peer_->run(peer_->locking(lock.word));
+    ASSERT_TRUE(until([](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; }));
+    apply(90.0);
+    EXPECT_TRUE(until([&](const MachineState& m) { return m.valid && m.block == lock.block; })) << lock.word;
+    EXPECT_FALSE(seen_.overridesEnabled);
+    EXPECT_NEAR(seen_.speedOverride.value, lock.speed, 1e-6) << lock.word;
+    EXPECT_NEAR(seen_.feedOverride.value, lock.feed, 1e-6) << lock.word;
+    link_->release(clock_.now());
+    EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }));
+  }
+}
+
+// Off, and on without a program, are not the same; while it is off it takes no override, and the end is not held by it.
+TEST_F(LinuxCncReal, MachineOffIsSaidAndKeepsTheOverrideUntilItIsOn) {
   apply(90.0);
-  EXPECT_TRUE(until([](const MachineState& m) { return m.valid && !m.overridesEnabled; }));
-  EXPECT_NEAR(seen_.speedOverride.value, 1.0, 1e-6);
+  ASSERT_TRUE(until([](const MachineState& m) { return at(m, 0.9); }));
+  LinuxCncPeer::talk({"set enable EMCTOO", "set machine off", "set enable off"});
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OrderBlock::MachineOff; }));
+  const Instant began = clock_.now();
+  link_->release(clock_.now());
+  EXPECT_LT(secondsBetween(began, clock_.now()).value, toSeconds(LinuxCncLink::kReleaseTime).value);
+  EXPECT_NE(LinuxCncPeer::talk({"get feed_override"}).find("FEED_OVERRIDE 90"), std::string::npos);
+  LinuxCncPeer::talk({"set enable EMCTOO", "set machine on", "set enable off"});
+  // Another client was in control, and keeps it for 10 s where ours has noticed.
+  EXPECT_TRUE(until([](const MachineState& m) { return m.block == OrderBlock::NoProgram && at(m, 1.0); }, 15.0));
 }
 
 TEST_F(LinuxCncReal, AnotherClientTakesControlAndKeepsIt) {
@@ -73,7 +113,7 @@ TEST_F(LinuxCncReal, AnotherClientTakesControlAndKeepsIt) {
   const std::string other =
       LinuxCncPeer::talk({"set enable EMCTOO", "set set_wait received", "set spindle_override 0 97"});
   EXPECT_NE(other.find("SET SPINDLE_OVERRIDE ACK"), std::string::npos);
-  EXPECT_TRUE(until([](const MachineState& m) { return !m.controlOurs; }));
+  EXPECT_TRUE(until([](const MachineState& m) { return !m.controlOurs && m.block == OrderBlock::OtherClient; }));
 }
 
 TEST_F(LinuxCncReal, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {

@@ -1,4 +1,5 @@
 // LinuxCNC's manners on a scripted peer, on virtual time. The real one: tests/protocol/linuxcnc_peer_test.cpp.
+// Over 400 lines: every end of one link, and every cause of an order that does not act, on one bench.
 #include "core/cnc/linuxcnc_link.h"
 
 #include <gtest/gtest.h>
@@ -115,16 +116,59 @@ TEST(LinuxCnc, OperatorsHandEndsOursAndIsNotFoughtOver) {
 TEST(LinuxCnc, AcknowledgedWithoutEffectIsALockNotASuccess) {
   Bench b;
   b.run(0.2);
-  b.mill.locked = true;  // M49: ACK, read-back 90, and the spindle stays at S
+  b.mill.lock(true);  // M49: ACK, read-back 90, and the spindle stays at S
   b.link->apply(b.gate.set(90.0), b.clock.now());
   MachineState m = b.run(1.0);
   EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);  // what is in force, not what is read back
   m = b.run(2.0);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.overridesEnabled);
-  b.mill.locked = false;  // M48
+  EXPECT_EQ(m.block, OrderBlock::OverridesLocked);
+  EXPECT_EQ(m.feedOverride.value, 1.0);
+  b.mill.lock(false);  // M48
   m = b.run(1.0);
   EXPECT_TRUE(m.overridesEnabled);
+  EXPECT_EQ(m.block, OrderBlock::None);
+  EXPECT_NEAR(m.feedOverride.value, 0.9, 1e-9);
+}
+
+// M51 P0 and M50 P0: one of the two acts, and which does not is said.
+TEST(LinuxCnc, SpeedAndFeedThatAreLockedAreToldApart) {
+  for (const bool speed : {true, false}) {
+    Bench b;
+    b.run(0.2);
+    (speed ? b.mill.speedLocked : b.mill.feedLocked) = true;
+    b.link->apply(b.gate.set(90.0), b.clock.now());
+    const MachineState m = b.run(3.0);
+    EXPECT_FALSE(m.overridesEnabled);
+    EXPECT_EQ(m.block, speed ? OrderBlock::SpeedLocked : OrderBlock::FeedLocked);
+    EXPECT_NEAR(m.speedOverride.value, speed ? 1.0 : 0.9, 1e-6);
+    EXPECT_NEAR(m.feedOverride.value, speed ? 0.9 : 1.0, 1e-6);
+  }
+}
+
+// Rapid moves and corners are no lock: the velocity stands nowhere near the programmed feed for long.
+TEST(LinuxCnc, AFeedThatPassesTheProgrammedOneIsNotLocked) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  for (int move = 0; move < 200; ++move) {
+    b.mill.moves = move % 5 == 0 ? 1.0 : 0.3 * (move % 7);  // of the programmed feed
+    EXPECT_TRUE(b.run(0.02).overridesEnabled) << move;
+  }
+}
+
+// Nobody says when the program unlocks: once nothing of ours is told for some seconds, the lock is tried again.
+TEST(LinuxCnc, ALockIsNotBelievedForEver) {
+  Bench b;
+  b.run(0.2);
+  b.mill.lock(true);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(3.0);
+  b.link->release(b.clock.now());
+  EXPECT_FALSE(b.run(5.0).overridesEnabled);
+  EXPECT_TRUE(b.run(8.0).overridesEnabled);
 }
 
 TEST(LinuxCnc, AnotherClientInControlIsSaidAndNotFought) {
@@ -138,7 +182,18 @@ TEST(LinuxCnc, AnotherClientInControlIsSaidAndNotFought) {
   const MachineState m = b.run(1.0);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.controlOurs);
+  EXPECT_EQ(m.block, OrderBlock::OtherClient);
   EXPECT_EQ(b.mill.owner, &b.other);
+}
+
+TEST(LinuxCnc, RefusedControlIsNoOtherClient) {
+  Bench b;
+  b.run(0.2);
+  b.mill.refusesControl = true;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  const MachineState m = b.run(1.0);
+  EXPECT_FALSE(m.controlOurs);
+  EXPECT_EQ(m.block, OrderBlock::ControlRefused);
 }
 
 TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
@@ -150,7 +205,48 @@ TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.programRunning);
   EXPECT_TRUE(m.controlOurs);
+  EXPECT_EQ(m.block, OrderBlock::MachineOff);
   EXPECT_EQ(b.mill.sets, 0);
+  EXPECT_EQ(b.mill.owner, nullptr);  // nothing could be done with it
+  b.mill.machineOn = true;
+  b.mill.running = false;
+  EXPECT_EQ(b.run(0.3).block, OrderBlock::NoProgram);
+}
+
+// It takes no override then, so nothing is waited for: what stands there goes home once it is on again, if we are
+// there.
+TEST(LinuxCnc, QuittingWhileTheMachineIsOffIsAtOnceAndTheOverrideGoesHomeWhenItIsOn) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.mill.machineOn = b.mill.running = false;
+  b.run(0.2);
+  const Instant began = b.clock.now();
+  b.link->release(began);
+  EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.3);  // control is given back
+  const MachineState m = b.run(0.5);
+  EXPECT_EQ(m.block, OrderBlock::MachineOff);
+  EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-6);  // said, for it stays where we go now
+  EXPECT_EQ(b.mill.owner, nullptr);
+  b.mill.machineOn = true;
+  b.run(1.0);
+  EXPECT_EQ(b.mill.spindle, 100);
+  EXPECT_EQ(b.mill.feed, 100);
+}
+
+// The end of a run lets go three times (release, close, the destructor); a server that hangs is waited for once.
+TEST(LinuxCnc, HungPeerHoldsTheEndOnce) {
+  Bench b;
+  b.run(0.2);
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.run(1.0);
+  b.faults.hang();
+  const Instant began = b.clock.now();
+  b.link->release(b.clock.now());
+  b.link->close();
+  b.link.reset();
+  EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.75);
 }
 
 TEST(LinuxCnc, HungPeerIsDownWithinASecondAndItsCommandsAreNotBelieved) {

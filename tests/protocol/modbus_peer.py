@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # A PLC of registers by pymodbus, with the addresses of resources/machines/modbus-example.toml: it multiplies, follows,
-# and restores 100 % when the heartbeat stops for 0.2 s. Usage: modbus_peer.py tcp PORT | rtu DEVICE
+# and restores 100 % when the heartbeat stops for 0.2 s. LOG gets a line for every override and control flag written.
+# Usage: modbus_peer.py tcp PORT LOG | rtu DEVICE LOG
 import asyncio
 import sys
 import time
@@ -12,6 +13,7 @@ from pymodbus.transaction import ModbusRtuFramer
 KNOB, SPEED_WORD, FEED_WORD = 100, 8000, 600
 written = {100: 1000, 101: 1000}
 last_beat = 0.0
+log = open(sys.argv[3], "a", buffering=1)
 
 
 def factor(address):
@@ -35,6 +37,13 @@ class Holding(ModbusSequentialDataBlock):
                 if time.monotonic() - last_beat > 0.2:
                     last_beat = time.monotonic()  # the first command of an engagement
                 written[address + i] = value
+                print(address + i, value, file=log)
+
+
+class Coils(ModbusSequentialDataBlock):
+    def setValues(self, address, values):
+        print("control", int(values[0]), file=log)
+        super().setValues(address, values)
 
 
 class Inputs(ModbusSequentialDataBlock):
@@ -44,7 +53,7 @@ class Inputs(ModbusSequentialDataBlock):
         return [values.get(address + i, 0) for i in range(count)]
 
 
-block = ModbusSlaveContext(di=ModbusSequentialDataBlock(0, [0] * 256), co=ModbusSequentialDataBlock(0, [0] * 256),
+block = ModbusSlaveContext(di=ModbusSequentialDataBlock(0, [0] * 256), co=Coils(0, [0] * 256),
                            hr=Holding(0, [0] * 256), ir=Inputs(0, [0] * 256), zero_mode=True)
 context = ModbusServerContext(slaves={1: block}, single=False)
 if sys.argv[1] == "tcp":

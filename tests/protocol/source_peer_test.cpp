@@ -164,6 +164,25 @@ TEST(SerialSource, PortsAreListedWithTheirMakers) {
   fs::remove_all(root);
 }
 
+// What a person types to be looked at: names stay, a subnet is all of its addresses, and none is larger than 256.
+TEST(FindMachines, TypedHostsAndSubnets) {
+  const auto named = app::hostsIn(" mill,192.168.1.8  fe80::1 ");
+  ASSERT_TRUE(named.ok());
+  EXPECT_EQ(*named, (std::vector<std::string>{"mill", "192.168.1.8", "fe80::1"}));
+  const auto net = app::hostsIn("192.168.1.37/30");
+  ASSERT_TRUE(net.ok());
+  EXPECT_EQ(*net, (std::vector<std::string>{"192.168.1.36", "192.168.1.37", "192.168.1.38", "192.168.1.39"}));
+  ASSERT_TRUE(app::hostsIn("10.1.2.0/24").ok());
+  EXPECT_EQ(app::hostsIn("10.1.2.0/24")->size(), 256U);
+  EXPECT_TRUE(app::hostsIn("")->empty());
+  for (const char* wrong :
+       {"10.0.0.0/8", "0.0.0.0/0", "10.0.0.0/33", "10.0.0.0/", "10.0.0/24", "mill/24", "1.2.3.4/2x"}) {
+    const auto hosts = app::hostsIn(wrong);
+    ASSERT_FALSE(hosts.ok()) << wrong;
+    EXPECT_NE(hosts.error().line().find(wrong), std::string::npos);
+  }
+}
+
 TEST(ComediSource, ACardThatIsNotThereIsOneLine) {
   if (!app::makeComediDriver(0, 0)) GTEST_SKIP() << "this build has no Comedi";
   SteadyClock clock;

@@ -11,7 +11,9 @@
 #include <string>
 
 #include "app/compose/catalog.h"
+#include "app/io/find_machines.h"
 #include "app/session/machine_desk.h"
+#include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
@@ -86,6 +88,8 @@ std::string fileText() {
     lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);
   for (const auto& entry : daq::sourceTable()) lines.add("Core", entry.description);
+  for (const char* const step : cnc::LinkTrial::kNames) lines.add("Core", step);
+  for (const std::string_view what : app::foundSentences()) lines.add("Core", what);
   for (const auto& entry : cnc::linkTable()) addPart(lines, std::string(entry.id), {});
   for (const auto& entry : daq::sourceTable()) addPart(lines, {}, std::string(entry.id));
   for (int k = 0; k <= static_cast<int>(SensorQuantity::SpindleSpeed); ++k) {

@@ -20,7 +20,10 @@ class FakeSetupDesk final : public SetupDesk {
   std::vector<PartOption> links() const override {
     return {
         {QStringLiteral("simulated"), QStringLiteral("The control of the simulated mill")},
-        {QStringLiteral("linuxcnc"), QStringLiteral("LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port")}};
+        {QStringLiteral("linuxcnc"), QStringLiteral("LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port")},
+        {QStringLiteral("grbl"), QStringLiteral("GRBL")},
+        {QStringLiteral("modbus"), QStringLiteral("Modbus")},
+        {QStringLiteral("analog"), QStringLiteral("Analog")}};
   }
   std::vector<PartOption> detectors() const override {
     return {{QStringLiteral("energy-ratio"), QStringLiteral("Energy ratio")},
@@ -85,6 +88,16 @@ class FakeSetupDesk final : public SetupDesk {
     askedByHand = {SensorTrial::State::Runs, {}, {{channel, profile.cut.channels[static_cast<std::size_t>(channel)]}}};
   }
   const SensorTrial& sensorTrial() const override { return askedByHand; }
+  void findMachines(const QString& typed) override {
+    lookedAt.push_back(typed);
+    finding = {true, false, {}, {}};
+  }
+  const MachineSearch& search() const override { return finding; }
+  void testLink(const config::Profile& profile, const QString&) override {
+    tested = profile.link;
+    test = {LinkTest::State::Runs, {}};
+  }
+  const LinkTest& linkTest() const override { return test; }
   void tryOut(const config::Profile& profile, const QString&) override {
     steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},
              {TrialStep::What::Device, TrialStep::State::Good, QStringLiteral("25600 Hz, 2 channel(s)")},
@@ -120,6 +133,10 @@ class FakeSetupDesk final : public SetupDesk {
   RecordingNow recording;
   SensorTrial askedByHand;
   int knockedAlong = -1;
+  QStringList lookedAt;
+  MachineSearch finding;
+  config::PartChoice tested;
+  LinkTest test;
   int demonstrations = 0;
   bool changed = false, refuse = false;
 };

@@ -190,6 +190,31 @@ TEST(MachineView, WhatHindersIsToldApart) {
   }
 }
 
+// Where the link knows the cause it is said; each in other words.
+TEST(MachineView, EveryCauseHasWordsOfItsOwn) {
+  QStringList said;
+  for (int k = 1; k < kOrderBlocks; ++k) {
+    Scene s = stableScene();
+    s.snapshot.machine.block = static_cast<OrderBlock>(k);
+    const MachineView view = makeMachineView(s.picture());
+    EXPECT_TRUE(view.warning);
+    EXPECT_FALSE(view.note.isEmpty()) << k;
+    EXPECT_FALSE(said.contains(view.note)) << view.note.toStdString();
+    said << view.note;
+  }
+}
+
+// Not taken back while it is off: what it will begin with is said while somebody can still read it.
+TEST(MachineView, AMachineThatIsOffSaysWhatItKeepsOfOurs) {
+  Scene s = stableScene();
+  MachineState& m = s.snapshot.machine;
+  m.block = OrderBlock::MachineOff;
+  m.programRunning = false;
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("The machine is off"));
+  m.speedOverride = Ratio(0.9);
+  EXPECT_TRUE(makeMachineView(s.picture()).note.contains(percent(0.9)));
+}
+
 TEST(Bars, LimitsBecomeMarksAndAbsentDetectorsNoBar) {
   Scene s = chatterScene();
   s.info.limits.energyRatioOnset = 0.1;

@@ -24,9 +24,52 @@ OverrideRow row(const QString& label, const QString& unit, double programmed, Ra
   return r;
 }
 
+// Overrides of ours in a machine that takes none while it is off: they stay, whatever becomes of us.
+QString machineOff(const MachineState& m) {
+  const auto stays = [](Ratio inForce, Ratio knob) { return std::abs(inForce.value - knob.value) > 0.004; };
+  if (!stays(m.speedOverride, m.operatorSpeed) && !stays(m.feedOverride, m.operatorFeed)) {
+    return say("The machine is off");
+  }
+  return say("The machine is off and keeps speed %1, feed %2 until it is on")
+      .arg(percent(m.speedOverride.value), percent(m.feedOverride.value));
+}
+
+QString blocked(const MachineState& m) {
+  switch (m.block) {
+    case OrderBlock::MachineOff:
+      return machineOff(m);
+    case OrderBlock::MachineAlarm:
+      return say("The machine is in alarm");
+    case OrderBlock::NoProgram:
+      return say("No program runs");
+    case OrderBlock::OverridesLocked:
+      return say("The program has locked both overrides (M49)");
+    case OrderBlock::SpeedLocked:
+      return say("The spindle override has no effect: locked by the program (M51, M49)");
+    case OrderBlock::FeedLocked:
+      return say("The feed override has no effect: locked by the program (M50, M49)");
+    case OrderBlock::AdaptiveLocked:
+      return say("Adaptive feed has no effect: the program has not said M52 P1");
+    case OrderBlock::OtherClient:
+      return say("Another program has the overrides");
+    case OrderBlock::ControlRefused:
+      return say("LinuxCNC refuses control: is the control password right?");
+    case OrderBlock::ComponentSilent:
+      return say("stillcut-hal does not answer");
+    case OrderBlock::ComponentDown:
+      return say("stillcut-hal has not seen the machine's watchdog act");
+    case OrderBlock::ComponentOut:
+      return say("The machine's watchdog or the operator's switch has taken Stillcut out");
+    case OrderBlock::None:
+      break;
+  }
+  return {};
+}
+
 QString whatHinders(const MachineState& m, Seconds age) {
   if (!m.linkUp) return say("The machine does not answer; last values %1 old").arg(duration(age));
   if (age > kOldAfter) return say("Values are %1 old").arg(duration(age));
+  if (m.block != OrderBlock::None) return blocked(m);
   if (!m.controlOurs) return say("Another program has the overrides");
   if (!m.overridesEnabled) return say("The program has switched overrides off");
   if (!m.programRunning) return say("No program runs, or the machine is off");

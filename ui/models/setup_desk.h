@@ -63,6 +63,28 @@ struct RecordingNow {
   QString lastDeleted;
 };
 
+// Ways to a machine, looked for when somebody asks and never before.
+struct MachineSearch {
+  struct Place {
+    QString where, what;      // "mill:5007"; in English
+    config::PartChoice link;  // what a profile would say of it; no id: it is no machine
+  };
+  bool runs = false, done = false;
+  std::vector<Place> places;
+  QString problem;  // why nothing was looked for; in English
+};
+
+// The chosen link by itself, step by step as they are taken.
+struct LinkTest {
+  enum class State { Off, Runs, Good, Bad };
+  struct Step {
+    QString what, said;  // in English
+    bool good = false;
+  };
+  State state = State::Off;
+  std::vector<Step> steps;
+};
+
 class SetupDesk {
  public:
   virtual ~SetupDesk() = default;
@@ -104,6 +126,13 @@ class SetupDesk {
   // cut turn with the tool and cannot tell.
   virtual void knock(const config::Profile& profile, const QString& name, int channel) = 0;
   virtual const SensorTrial& sensorTrial() const = 0;  // of whichever was asked last
+
+  // Serial ports, this computer, and what was typed: hosts and subnets.
+  virtual void findMachines(const QString& typed) = 0;
+  virtual const MachineSearch& search() const = 0;
+  // Only reads; what it measures is saved with the profile.
+  virtual void testLink(const config::Profile& profile, const QString& name) = 0;
+  virtual const LinkTest& linkTest() const = 0;
 
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;
   virtual const std::vector<TrialStep>& trial() const = 0;

@@ -1,5 +1,6 @@
 #include "ui/pages/setup_parts.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -10,6 +11,7 @@
 #include "ui/models/format.h"
 #include "ui/models/say.h"
 #include "ui/models/sensor_view.h"
+#include "ui/pages/setup_finder.h"
 #include "ui/pages/setup_sensor_trial.h"
 #include "ui/plots/level_spectrum.h"
 #include "ui/widgets/settings_form.h"
@@ -66,9 +68,12 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
       speed_(makeEdit(tr("Programmed speed in rpm"), QStringLiteral("machine-speed"))),
       feed_(makeEdit(tr("Programmed feed in mm per minute"), QStringLiteral("machine-feed"))),
+      finder_(new SetupFinder(desk, draft)),
       allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
                             QStringLiteral("machine-auto"))) {
-  auto* column = new QVBoxLayout(this);
+  auto* whole = new QVBoxLayout(this);
+  auto* columns = new QHBoxLayout;
+  auto* column = new QVBoxLayout;
   auto* names = new QHBoxLayout;
   names->addWidget(new TextLabel({type_size::kBody}, tr("Machine")));
   names->addWidget(name_, 2);
@@ -76,15 +81,20 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   names->addWidget(speed_, 1);
   names->addWidget(new TextLabel({type_size::kBody}, tr("Feed, mm/min")));
   names->addWidget(feed_, 1);
-  column->addLayout(names);
+  whole->addLayout(names);
+  whole->addLayout(columns, 1);
+  columns->addLayout(column, 55);
+  columns->addWidget(finder_, 45);
   column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("LINK TO THE CONTROL")));
-  auto* choices = new QHBoxLayout;
+  auto* choices = new QGridLayout;
+  constexpr int kInARow = 3;
   for (const PartOption& option : desk.links()) {
     TouchButton* button =
         makeButton(option.id.toUpper(), sayCore(option.description.toStdString()), QStringLiteral("link-") + option.id);
     button->setCheckable(true);
+    const int place = static_cast<int>(links_.size());
     links_.push_back(button);
-    choices->addWidget(button);
+    choices->addWidget(button, place / kInARow, place % kInARow);
     connect(button, &TouchButton::clicked, this, [this, id = option.id] {
       // A second touch takes it back: the program then only watches.
       const bool again = draft_.profile().link.id == id.toStdString();
@@ -92,7 +102,7 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       refresh();
     });
   }
-  choices->addStretch(1);
+  choices->setColumnStretch(kInARow, 1);
   column->addLayout(choices);
   column->addWidget(about_);
   column->addWidget(scrolled(form_), 1);
@@ -119,6 +129,7 @@ void SetupMachine::refresh() {
   about_->setText(profile.link.id.empty() ? draft_.missing(SetupDraft::Part::Machine)
                                           : described(desk_.links(), profile.link.id));
   form_->show(desk_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
+  finder_->refresh();
   allowAuto_->setChecked(profile.allowAuto);
   const auto put = [](QLineEdit* edit, const QString& text) {
     if (!edit->hasFocus()) edit->setText(text);

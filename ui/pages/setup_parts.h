@@ -12,6 +12,7 @@ namespace stillcut::ui {
 
 class LevelSpectrum;
 class SettingsForm;
+class SetupFinder;
 class SetupSensorTrial;
 
 class SetupMachine : public SetupTab {
@@ -25,6 +26,7 @@ class SetupMachine : public SetupTab {
   TextLabel* about_;
   SettingsForm* form_;
   QLineEdit *name_, *speed_, *feed_;
+  SetupFinder* finder_;
   TouchButton* allowAuto_;
 };
 

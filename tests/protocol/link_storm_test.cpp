@@ -1,0 +1,268 @@
+// Whole links on a wire where everything goes wrong at random: pieces, delays, replies that come together or out of
+// order, noise, hangs, hang-ups, refused connections, a machine that is switched off, locked, taken over or aborted in
+// the middle. Whatever came, no memory is heaped up, and once the wire is good again the machine is home. On virtual
+// time, each storm from a seed.
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <functional>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/cnc/grbl_link.h"
+#include "core/cnc/linuxcnc_link.h"
+#include "tests/protocol/commands.h"
+#include "tests/protocol/fake_emc.h"
+#include "tests/protocol/fake_grbl.h"
+#include "tests/protocol/fake_hal.h"
+
+namespace stillcut::cnc {
+namespace {
+
+using namespace testing;
+
+constexpr int kSeeds = 40;
+constexpr double kTick = 0.005;
+constexpr int kStorm = 12000;  // ticks: a minute
+
+// A machine with its wires, and a link to it.
+class World {
+ public:
+  explicit World(unsigned seed) : random_(seed) {}
+  virtual ~World() = default;
+
+  void storm() {
+    const std::vector<OverrideCommand>& commands = orders();
+    for (int tick = 0; tick < kStorm; ++tick) {
+      if (oneIn(60)) bendTheWire();
+      if (oneIn(400)) bendTheMachine();
+      if (oneIn(300)) wires_[below(wires_.size())]->hangUp();
+      if (oneIn(100)) wires_[below(wires_.size())]->say(noise());
+      if (oneIn(50)) link_->apply(commands[below(commands.size())], clock_.now());
+      if (oneIn(200)) link_->release(clock_.now());
+      turn();
+    }
+  }
+  void calm(double seconds) {
+    faults_ = {};
+    restore();
+    for (const Instant end = clock_.now() + toDuration(Seconds(seconds)); clock_.now() < end;) turn();
+  }
+  void letGo() { link_->release(clock_.now()); }
+  void end() {
+    const Instant began = clock_.now();
+    link_.reset();
+    EXPECT_LT(secondsBetween(began, clock_.now()).value, 1.6);
+  }
+  // What the machine is left with.
+  virtual int speed() const = 0;
+  virtual int feed() const = 0;
+  const MachineState& seen() const { return seen_; }
+
+ protected:
+  virtual void restore() = 0;
+  virtual void bendTheMachine() = 0;
+  virtual void machine() {}
+
+  std::unique_ptr<ScriptedWire> wire(Peer& peer) {
+    auto made = std::make_unique<ScriptedWire>(clock_, faults_, peer);
+    wires_.push_back(made.get());
+    return made;
+  }
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+  bool oneIn(std::size_t n) { return below(n) == 0; }
+
+  test::VirtualClock clock_{instantFromNs(1'000'000'000)};
+  WireFaults faults_;
+  std::vector<ScriptedWire*> wires_;
+  std::unique_ptr<CncLink> link_;
+  bool onePlace_ = false;  // all that is said comes from one place in one order
+
+ private:
+  static const std::vector<OverrideCommand>& orders() {
+    static const std::vector<OverrideCommand> all = [] {
+      CommandMaker gate;
+      std::vector<OverrideCommand> made;
+      for (const double percent : {90.0, 95.0, 82.0, 100.0, 104.0}) made.push_back(gate.set(percent));
+      made.push_back(gate.letGo());
+      return made;
+    }();
+    return all;
+  }
+  void turn() {
+    const Instant before = clock_.now();
+    seen_ = link_->read(before);
+    EXPECT_LT(secondsBetween(before, clock_.now()).value, 0.1);  // a tick is short, whatever comes
+    clock_.advance(Seconds(kTick));
+    machine();
+  }
+  std::string noise() {
+    std::string bytes(1 + below(300), '\0');
+    for (char& c : bytes) c = static_cast<char>(below(256));
+    if (oneIn(3)) bytes += "\r\n";
+    return bytes;
+  }
+  void bendTheWire() {
+    switch (below(9)) {
+      case 0:
+        faults_.split(1 + below(5));
+        break;
+      case 1:
+        faults_.merge(0.02 * static_cast<double>(below(5)));
+        break;
+      case 2:
+        faults_.delay(0.001 * static_cast<double>(below(200)));
+        break;
+      case 3:
+        faults_.wrongOrder(onePlace_ ? 0 : static_cast<int>(2 + below(20)));
+        break;
+      case 4:
+        faults_.garbage(noise());
+        break;
+      case 5:
+        faults_.hang(oneIn(2));
+        break;
+      case 6:
+        faults_.refuse(oneIn(2));
+        break;
+      default:
+        faults_ = {};
+    }
+  }
+
+  std::mt19937 random_;
+  MachineState seen_;
+};
+
+class LinuxCncWorld : public World {
+ public:
+  LinuxCncWorld(unsigned seed, bool component) : World(seed), component_(component) {
+    LinuxCncLink::Wires wires;
+    wires.control = component ? wire(hal_) : wire(control_);
+    wires.watch = wire(watch_);
+    wires.hal = wire(halrmt_);
+    LinuxCncSettings settings;
+    if (component) settings.component.port = 5008;
+    link_ = std::make_unique<LinuxCncLink>(settings, std::move(wires), clock_);
+  }
+  int speed() const override { return mill_.spindle; }
+  int feed() const override { return mill_.feed; }
+
+ protected:
+  void machine() override {
+    mill_.actual = mill_.commanded();
+    if (!component_) return;
+    for (int i = 0; i < 2; ++i) hal_.tick();
+  }
+  void bendTheMachine() override {
+    switch (below(6)) {
+      case 0:
+        mill_.machineOn = mill_.running = oneIn(2);
+        break;
+      case 1:
+        mill_.running = oneIn(2);
+        break;
+      case 2:
+        mill_.lock(oneIn(2));
+        break;
+      case 3:
+        mill_.owner = &other_;
+        break;
+      case 4:
+        mill_.paused = oneIn(2);
+        break;
+      default:
+        hal_.permit = oneIn(2);
+    }
+  }
+  void restore() override {
+    mill_.machineOn = mill_.running = hal_.permit = true;
+    mill_.paused = false;
+    mill_.lock(false);
+  }
+
+ private:
+  bool component_;
+  FakeMill mill_;
+  FakeEmcClient control_{mill_}, watch_{mill_}, halrmt_{mill_}, other_{mill_};
+  FakeHal hal_{mill_, clock_};
+};
+
+class GrblWorld : public World {
+ public:
+  explicit GrblWorld(unsigned seed) : World(seed) {
+    onePlace_ = true;
+    link_ = std::make_unique<GrblLink>(GrblSettings{}, wire(grbl_), clock_);
+  }
+  int speed() const override { return grbl_.spindle; }
+  int feed() const override { return grbl_.feed; }
+
+ protected:
+  void bendTheMachine() override {
+    const char* const states[] = {"Run", "Hold:0", "Alarm", "Idle", "Door:1", "Run"};
+    grbl_.state = states[below(6)];
+    grbl_.loses = static_cast<int>(below(4));
+    grbl_.extra = oneIn(2) ? "|Sl:3|H:1" : "";
+  }
+  void restore() override {
+    grbl_.state = "Run";
+    grbl_.loses = 0;
+  }
+
+ private:
+  FakeGrbl grbl_;
+};
+
+using Maker = std::function<std::unique_ptr<World>(unsigned seed)>;
+struct Kind {
+  const char* name;
+  Maker make;
+};
+class LinkStorm : public ::testing::TestWithParam<Kind> {};
+
+TEST_P(LinkStorm, EndsAtHomeOnceTheWireIsGoodAgain) {
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto world = GetParam().make(seed);
+    world->storm();
+    world->letGo();
+    world->calm(25.0);  // another client keeps control for 10 s, a lost order is sent again after 6 s
+    EXPECT_TRUE(world->seen().valid);
+    EXPECT_EQ(world->speed(), 100);
+    EXPECT_EQ(world->feed(), 100);
+    world->end();
+  }
+}
+
+// The end itself, in the middle of it: bounded, and on a good wire home.
+TEST_P(LinkStorm, EndIsBoundedInTheMiddleOfIt) {
+  for (unsigned seed = 101; seed <= 100 + kSeeds; ++seed) {
+    SCOPED_TRACE(seed);
+    const auto world = GetParam().make(seed);
+    world->storm();
+    world->end();
+  }
+}
+
+TEST_P(LinkStorm, HeapsUpNoMemory) {
+  const auto world = GetParam().make(7);
+  world->storm();
+  world->calm(1.0);
+  const std::size_t before = ::mallinfo2().uordblks;
+  for (int i = 0; i < 5; ++i) world->storm();
+  world->calm(1.0);
+  const std::size_t after = ::mallinfo2().uordblks;
+  EXPECT_LT(after, before + 64 * 1024) << "after hundreds of kilobytes of noise";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Links, LinkStorm,
+    ::testing::Values(Kind{"LinuxCncRsh", [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, false); }},
+                      Kind{"LinuxCncHal", [](unsigned seed) { return std::make_unique<LinuxCncWorld>(seed, true); }},
+                      Kind{"Grbl", [](unsigned seed) { return std::make_unique<GrblWorld>(seed); }}),
+    [](const auto& kind) { return std::string(kind.param.name); });
+
+}  // namespace
+}  // namespace stillcut::cnc

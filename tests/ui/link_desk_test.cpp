@@ -1,0 +1,90 @@
+// The desk behind the Machine tab: finding ways to a machine, and testing one by itself, on a controller at a real pty.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/session/machine_desk.h"
+#include "tests/protocol/pty_grbl.h"
+
+namespace stillcut::app {
+namespace {
+
+using State = ui::LinkTest::State;
+
+class LinkDeskTest : public testing::Test {
+ protected:
+  LinkDeskTest() {
+    desk_.keepIn(folder_.path());
+    profile_.cut.teeth = 4;
+    profile_.cut.nominalSpeed = Rpm(8500.0);
+    profile_.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+    profile_.link = {"grbl", {{"device", path_}}};
+  }
+  void waitFor(const std::function<bool()>& done) {
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          desk_.poll();
+          return done();
+        },
+        60000));
+  }
+
+  QTemporaryDir folder_;
+  std::string path_ = folder_.filePath(QStringLiteral("controller")).toStdString();
+  MachineDesk desk_;
+  config::Profile profile_;
+};
+
+TEST_F(LinkDeskTest, TheLinkIsTestedByItselfAndItsDelaySaved) {
+  const cnc::testing::PtyGrbl controller(path_);
+  desk_.testLink(profile_, QStringLiteral("mill"));
+  EXPECT_EQ(desk_.linkTest().state, State::Runs);
+  std::size_t seen = 0;
+  bool onTheWay = false;  // steps are shown as they come
+  waitFor([&] {
+    seen = std::max(seen, desk_.linkTest().steps.size());
+    onTheWay = onTheWay || (seen > 0 && desk_.linkTest().state == State::Runs);
+    return desk_.linkTest().state != State::Runs;
+  });
+  EXPECT_EQ(desk_.linkTest().state, State::Good);
+  EXPECT_TRUE(onTheWay);
+  ASSERT_EQ(desk_.linkTest().steps.size(), 4U);
+  for (const ui::LinkTest::Step& step : desk_.linkTest().steps) EXPECT_TRUE(step.good) << step.said.toStdString();
+  EXPECT_TRUE(desk_.linkTest().steps[2].said.contains(QStringLiteral("ms")));
+  ASSERT_TRUE(desk_.save(profile_, QStringLiteral("mill")).ok());
+  auto back = desk_.load(QStringLiteral("mill"));
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_TRUE(back->link.settings.contains("delay_ms"));
+}
+
+TEST_F(LinkDeskTest, WhatIsWrongWithALinkIsTheLastStep) {
+  desk_.testLink(profile_, QStringLiteral("mill"));  // nobody is there
+  waitFor([&] { return desk_.linkTest().state == State::Bad; });
+  ASSERT_EQ(desk_.linkTest().steps.size(), 1U);
+  EXPECT_TRUE(desk_.linkTest().steps[0].said.contains(QStringLiteral("controller"))) << path_;
+  profile_.link.settings["baud"] = "much";
+  desk_.testLink(profile_, QStringLiteral("mill"));
+  waitFor([&] { return desk_.linkTest().state == State::Bad; });
+  ASSERT_EQ(desk_.linkTest().steps.size(), 1U) << "of this test alone";
+  EXPECT_TRUE(desk_.linkTest().steps[0].said.contains(QStringLiteral("baud")));
+}
+
+TEST_F(LinkDeskTest, FindingEndsAndWhatIsNoHostIsASentence) {
+  EXPECT_FALSE(desk_.search().done);
+  desk_.findMachines(QStringLiteral("10.0.0.0/8"));
+  EXPECT_TRUE(desk_.search().runs);
+  waitFor([&] { return desk_.search().done; });
+  EXPECT_TRUE(desk_.search().problem.contains(QStringLiteral("256")));
+  desk_.findMachines(QStringLiteral("no.such.host.invalid"));
+  waitFor([&] { return desk_.search().done; });
+  EXPECT_TRUE(desk_.search().problem.isEmpty());
+  bool named = false;
+  for (const auto& place : desk_.search().places) {
+    named = named || (place.where.startsWith(QStringLiteral("no.such.host")) && place.link.id.empty());
+  }
+  EXPECT_TRUE(named);
+}
+
+}  // namespace
+}  // namespace stillcut::app
