@@ -119,6 +119,18 @@ TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
   EXPECT_TRUE(summary->sensors.empty()) << "nothing can be said of them";
   EXPECT_EQ(summary->alarms, 1U);
   EXPECT_GT(summary->chatterTime.value, 1.0) << "a step a second, each for its second";
+  ui::SessionDesk& desk = *session_->sessions();
+  desk.open(QString::fromStdString(onlyFile()));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        desk.poll();
+        return desk.replay().open && desk.summaryWhole() && !desk.task().running;
+      },
+      60'000));
+  EXPECT_TRUE(desk.task().problem.isEmpty()) << desk.task().problem.toStdString();
+  desk.setPace(0.0);
+  desk.play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return desk.replay().finished; }, 60'000)) << "it comes to its end";
 }
 
 TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {
