@@ -58,6 +58,17 @@ def tone(path, rate=8000):
         file.writeframes(b"".join(value.to_bytes(2, "little", signed=True) for value in values))
 
 
+def knocks(rate=4000):
+    """Blows along y at 0.5, 1.1 and 1.7 s; x hears a fifth of them."""
+    rows = ["t (s),x (m/s^2),y (m/s^2)"]
+    for i in range(10000):
+        since = [i / rate - at for at in (0.5, 1.1, 1.7) if i / rate >= at]
+        blow = sum(math.exp(-t / 0.02) * math.cos(2.0 * math.pi * 600.0 * t) for t in since)
+        quiet = 1e-3 * (i * 7919 % 13 - 6)
+        rows.append(f"{i / rate:.6f},{0.2 * blow - quiet:.6f},{blow + quiet:.6f}")
+    return "\n".join(rows) + "\n"
+
+
 def block_after(text, heading, begin):
     """The indented block below a heading that begins with the given text."""
     part = text.split("\n" + heading + "\n", 1)
@@ -94,6 +105,7 @@ def lay_out(top, programs, folder):
     write(folder, "f900.csv", forces(900.0))
     write(folder, "CASE.json", CASE_JSON)
     tone(os.path.join(folder, "tone.wav"))
+    write(folder, "knocks.csv", knocks())
     write(folder, "mine.toml", "[energy-ratio]\nchatter = 0.3\n")
     copy("scenarios/air-cut.toml", "S.toml")
     copy("resources/profiles/simulated.toml", "P.toml", "PROFILE.toml")
