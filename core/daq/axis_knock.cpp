@@ -75,6 +75,7 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
     return Error{kWhere, "too short", "two seconds are needed"};
   }
   std::vector<std::vector<double>> powers;
+  powers.reserve(compared.size());
   for (const std::size_t c : compared) powers.push_back(powerOf(samples[c], channels[c].scale));
   const std::vector<std::size_t> blows = blowsIn(powers, rate.value);
   if (blows.empty()) {
@@ -82,6 +83,7 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
   }
   const auto first = static_cast<std::size_t>(std::max(1.0, kFirst * rate.value));
   std::vector<std::pair<double, std::size_t>> energies;
+  energies.reserve(compared.size());
   for (std::size_t i = 0; i < compared.size(); ++i) {
     double energy = 0.0;
     for (const std::size_t at : blows) {
