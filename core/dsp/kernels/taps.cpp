@@ -10,15 +10,16 @@ STILLCUT_INLINE void steer(double* a, double keep, double step, Lanes first, con
   static constexpr double kLast[2 * kLanes] = {1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0};
   const Lanes kept = all(keep);
   const Lanes stepped = all(step);
-  const std::size_t whole = taps / kLanes * kLanes;
   Lanes values = first;
-  for (std::size_t k = 0; k < whole; k += kLanes) {
+  std::size_t k = 0;
+  while (k + kLanes <= taps) {
     store(a + k, kept * load(a + k) + stepped * values);
-    values = load(b + k + kLanes);
+    k += kLanes;
+    if (k == taps) return;  // nothing lies behind them
+    values = load(b + k);
   }
-  if (whole == taps) return;
-  const Lanes last = load(kLast + kLanes - (taps - whole));
-  store(a + whole, (kept * load(a + whole) + stepped * values) * last);
+  const Lanes last = load(kLast + kLanes - (taps - k));
+  store(a + k, (kept * load(a + k) + stepped * values) * last);
 }
 
 }  // namespace
@@ -49,6 +50,7 @@ double newTapSum(const double* a, double b, const double* older, std::size_t n) 
 }
 
 void tapSteer(double* a, double keep, double step, const double* b, std::size_t taps) noexcept {
+  if (taps == 0) return;  // a finite response has none behind it
   steer(a, keep, step, load(b), b, taps);
 }
 
