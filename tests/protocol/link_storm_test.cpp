@@ -147,6 +147,7 @@ class LinuxCncWorld : public World {
     if (component) settings.component.port = 5008;
     link_ = std::make_unique<LinuxCncLink>(settings, std::move(wires), clock_);
   }
+  ~LinuxCncWorld() override { link_.reset(); }  // it still speaks to the peers below as it goes
   int speed() const override { return mill_.spindle; }
   int feed() const override { return mill_.feed; }
 
@@ -196,6 +197,7 @@ class GrblWorld : public World {
     onePlace_ = true;
     link_ = std::make_unique<GrblLink>(GrblSettings{}, wire(grbl_), clock_);
   }
+  ~GrblWorld() override { link_.reset(); }
   int speed() const override { return grbl_.spindle; }
   int feed() const override { return grbl_.feed; }
 
