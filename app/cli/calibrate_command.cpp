@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
+#include "app/cli/hearing_options.h"
 #include "app/cli/reading_options.h"
 #include "app/compose/catalog.h"
 #include "app/compose/heard_samples.h"
@@ -15,22 +16,11 @@
 namespace stillcut::app {
 namespace {
 
-struct CalibrateOptions {
-  std::string recording, profile, level;
-  double frequency = 1000.0, seconds = 5.0;
-  bool save = false;
+struct CalibrateOptions : HearingOptions {
+  std::string level;
+  double frequency = 1000.0;
   ReadingOptions reading;
 };
-
-Status checkOptions(const CalibrateOptions& o) {
-  if (o.recording.empty() == o.profile.empty()) {
-    return Error{"calibrate", o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
-                 "name a RECORDING of the tone, or --profile of the machine whose sensor is on the calibrator"};
-  }
-  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
-  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
-  return Done{};
-}
 
 void print(const daq::Calibration& found, const ChannelInfo& before, const ChannelInfo& now) {
   std::printf("%s: a tone of %.2f Hz, %.6g rms of the input, %.1f %% of what is heard\n", before.name.c_str(),
@@ -54,7 +44,8 @@ int save(config::Profile profile, const config::ParamCatalog& catalog, const Cal
 }
 
 int run(const CalibrateOptions& o) {
-  if (const Status usable = checkOptions(o); !usable) return fail(usable.error());
+  if (const Status usable = checkHearing(o, "calibrate", "tone", "whose sensor is on the calibrator"); !usable)
+    return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
   if (reading->channels.size() > 1) return fail({"--channel", "one at a time", "the calibrator is on one sensor"});

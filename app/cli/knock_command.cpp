@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
+#include "app/cli/hearing_options.h"
 #include "app/cli/reading_options.h"
 #include "app/compose/catalog.h"
 #include "app/compose/heard_samples.h"
@@ -14,23 +15,10 @@
 namespace stillcut::app {
 namespace {
 
-struct KnockOptions {
-  std::string recording, profile;
+struct KnockOptions : HearingOptions {
   int along = 0;
-  double seconds = 8.0;
-  bool save = false;
   ReadingOptions reading;
 };
-
-Status checkOptions(const KnockOptions& o) {
-  if (o.recording.empty() == o.profile.empty()) {
-    return Error{"knock", o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
-                 "name a RECORDING of the knocks, or --profile of the machine whose axes are checked"};
-  }
-  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
-  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
-  return Done{};
-}
 
 int save(config::Profile profile, const config::ParamCatalog& catalog, const KnockOptions& o,
          const std::vector<ChannelInfo>& now) {
@@ -44,7 +32,8 @@ int save(config::Profile profile, const config::ParamCatalog& catalog, const Kno
 }
 
 int run(const KnockOptions& o) {
-  if (const Status usable = checkOptions(o); !usable) return fail(usable.error());
+  if (const Status usable = checkHearing(o, "knock", "knocks", "whose axes are checked"); !usable)
+    return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
   const config::ParamCatalog catalog = fullCatalog();
@@ -79,6 +68,7 @@ int run(const KnockOptions& o) {
 
 void addKnock(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<KnockOptions>();
+  o->seconds = 8.0;  // time to walk up and knock
   CLI::App* command = app.add_subcommand("knock", "Find exchanged axes by knocking along one");
   command->add_option("RECORDING", o->recording, "Recording of the knocks; left out: the device of --profile is heard");
   command->add_option("--along", o->along, "The channel along whose axis you knock, from 0")->capture_default_str();

@@ -2,7 +2,8 @@
 // its outputs drive the piezo amplifier. Whole numbers of 32 bits; what full scale is in SI of the sensor and in metres
 // of stroke comes from the profile. PcmDuplexDriver is the library boundary: what is above it is tested with drivers
 // that fall behind, fall silent and disappear; what is below it are the calls of one library.
-// Thread: as DuplexDevice says; read(), write() and restart() of the driver on the loop's thread, real-time.
+// Thread: as DuplexDevice says; read(), write() and restart() of the driver on the loop's thread, real-time; close()
+// there too once nothing comes any more, so that what is queued is not played.
 #pragma once
 
 #include <array>

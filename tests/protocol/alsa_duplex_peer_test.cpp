@@ -2,7 +2,6 @@
 // at its input, stands in for an interface whose amplifier drives what its sensor hears. Waits are in real time, and
 // each is bounded.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -11,6 +10,7 @@
 #include "app/io/alsa_duplex.h"
 #include "core/active/active_engine.h"
 #include "core/active/pcm_duplex.h"
+#include "core/rt/wakeup.h"
 #include "tests/support/null_sink.h"
 
 namespace stillcut::active {
@@ -92,7 +92,8 @@ class AlsaDuplex : public ::testing::Test {
   template <class Done>
   bool within(double seconds, Done done) {
     const Instant end = clock_.now() + toDuration(Seconds(seconds));
-    while (!done() && clock_.now() < end) ::usleep(5000);
+    rt::Wakeup never;  // only its time-out is used
+    while (!done() && clock_.now() < end) never.waitFor(Seconds(0.005));
     return done();
   }
   // On a busy computer a period may really be lost: then the record is made again.
