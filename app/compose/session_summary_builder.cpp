@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "app/compose/catalog.h"
@@ -108,9 +109,7 @@ class Builder {
 
   void add(const SampleBlock& block, const StepRecord* step) {
     if (!started_) first_ = block.firstSample;
-    // In a history of features a step stands for the time since the one before.
-    took_ = Seconds(block.frames / block.rate.value);
-    if (started_ && block.frames == 0) took_ = secondsBetween(last_, block.end());
+    if (kept_) endKept(block.firstSample);
     started_ = true;
     frames_ += static_cast<std::uint64_t>(block.frames);
     last_ = block.end();
@@ -126,7 +125,12 @@ class Builder {
     tap_.feed(block, verdict);
     for (; seen_ < tap_.count(); ++seen_) columns_.add(tap_.column(seen_));
     addPoint(block, step, verdict, vibration);
-    if (step != nullptr) follow(*step, vibration);
+    if (step == nullptr) return;
+    tell(*step);
+    // A step of a history of features, which has no samples, says how long it stands only when the next one comes.
+    const Seconds own(summary_.setup.blockFrames / block.rate.value);
+    followAlarms(*step, vibration, block.frames == 0 ? own : Seconds(block.frames / block.rate.value));
+    if (block.frames == 0) kept_ = KeptStep{*step, block.firstSample + toDuration(own)};
   }
 
   // On the clock of the summary.
@@ -183,7 +187,8 @@ class Builder {
     curve_.add(point);
   }
 
-  void follow(const StepRecord& step, double vibration) {
+  // What is in the step of its own, once.
+  void tell(const StepRecord& step) {
     summary_.highestAuthority = std::max(summary_.highestAuthority, step.output.authority);
     for (int e = 0; e < step.output.eventCount; ++e) {
       ++summary_.eventCount;
@@ -192,10 +197,23 @@ class Builder {
       }
     }
     for (int i = 0; i < step.input.inputCount; ++i) noteSetting(step.input.inputs[static_cast<std::size_t>(i)]);
-    // The log finds the alarms again from what was decided; its own events are already in the file.
+  }
+
+  // The history kept no step between this one and the next because nothing changed: it was as now until then.
+  void endKept(Instant next) {
+    if (next > kept_->end) {
+      for (Verdict& verdict : kept_->step.output.verdicts) verdict.time += next - kept_->end;
+      kept_->step.output.hasCommand = false;
+      followAlarms(kept_->step, 0.0, secondsBetween(kept_->end, next));
+    }
+    kept_.reset();
+  }
+
+  // The log finds the alarms again from what was decided; its own events are already in the file.
+  void followAlarms(const StepRecord& step, double vibration, Seconds took) {
     output_ = step.output;
     output_.eventCount = 0;
-    log_.follow(step.input, output_, vibration, took_);
+    log_.follow(step.input, output_, vibration, took);
     const std::uint64_t oldest = log_.count() > kInterventionsShown ? log_.count() - kInterventionsShown : 0;
     constexpr std::size_t kMostCards = 200;
     for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);
@@ -222,6 +240,11 @@ class Builder {
     return found == all.end() ? nullptr : *found;
   }
 
+  struct KeptStep {
+    StepRecord step;
+    Instant end;  // of its own block
+  };
+
   SessionSummary summary_;
   const config::ParamCatalog catalog_ = fullCatalog();
   Thinned<SummaryPoint> curve_;
@@ -234,7 +257,7 @@ class Builder {
   std::uint64_t seen_ = 0;
   bool started_ = false;
   std::uint64_t frames_ = 0;
-  Seconds took_{};  // the last step
+  std::optional<KeptStep> kept_;
   Instant first_{};
   Instant last_{};
 };

@@ -129,9 +129,23 @@ class Features final : public ManyFiles {
       kept_.reset();
     }
     const bool due = !kept_ || secondsBetween(*kept_, now) >= plan_.interval;
-    if (!due && !changes(input, output)) return Done{};
+    if (!changes(input, output) && !due) {
+      notKept_ = StepRecord{input, output};
+      return Done{};
+    }
+    notKept_.reset();
     kept_ = now;
     return writer()->add(input, output);
+  }
+
+  // With the last step, which says how long it was as it was.
+  Status close() override {
+    if (writer() != nullptr && notKept_) {
+      Status added = writer()->add(notKept_->input, notKept_->output);
+      notKept_.reset();
+      if (!added) return added;
+    }
+    return ManyFiles::close();
   }
 
  private:
@@ -142,16 +156,24 @@ class Features final : public ManyFiles {
   bool changes(const StepInput& input, const StepOutput& output) {
     bool other = input.inputCount > 0 || output.hasCommand || output.eventCount > 0;
     for (std::size_t d = 0; d < static_cast<std::size_t>(output.verdictCount); ++d) {
-      other = other || output.verdicts[d].state != states_[d];
-      states_[d] = output.verdicts[d].state;
+      const Judged now{output.verdicts[d].state, output.verdicts[d].valid};
+      other = other || now != judged_[d];
+      judged_[d] = now;
     }
     return other;
   }
 
+  struct Judged {
+    CutState state{};
+    bool valid = false;
+    bool operator==(const Judged&) const = default;
+  };
+
   RecordPlan plan_;
   Instant opened_{};
   std::optional<Instant> kept_;
-  std::array<CutState, kMaxDetectors> states_{};
+  std::optional<StepRecord> notKept_;  // the last one
+  std::array<Judged, kMaxDetectors> judged_{};
 };
 
 }  // namespace

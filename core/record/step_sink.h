@@ -34,8 +34,8 @@ std::unique_ptr<StepSink> oneFile(std::unique_ptr<SessionWriter> writer);
 // a file, which ends plan.after after the last of them.
 std::unique_ptr<StepSink> aroundEvents(const SessionHeader& header, const RecordPlan& plan, NextPath nextPath,
                                        const SessionWriterOptions& options);
-// Steps without their samples, one in plan.interval and every one with an event, a command, an input or another state;
-// a new file every hour.
+// Steps without their samples: one in plan.interval, every one with an event, a command, an input, another state or
+// another validity, and the last; a new file every hour.
 std::unique_ptr<StepSink> features(const SessionHeader& header, const RecordPlan& plan, NextPath nextPath,
                                    const SessionWriterOptions& options);
 

@@ -1,4 +1,5 @@
-// The summary of a recording: sensors as they were, curves and spectrogram of bounded size, gaps counted.
+// The summary of a recording: sensors as they were, curves and spectrogram of bounded size, gaps counted; and of a
+// history of features the same chatter as of the cut that it was kept of.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -10,7 +11,12 @@
 #include <fstream>
 #include <string>
 
+#include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
+#include "core/record/open_recording.h"
+#include "core/record/step_sink.h"
+#include "tests/component/demo_cut.h"
+#include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::app {
 namespace {
@@ -87,6 +93,71 @@ TEST(Summary, ASpanIsSummarizedAlone) {
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   EXPECT_NEAR(summary->length.value, 2.0, 1e-9);
   EXPECT_FALSE(summarizeRecording(file.path(), {}, {Seconds(8.0), Seconds(9.0)}).ok());
+}
+
+// The demo's cut, everything kept.
+std::string recordDemo(const std::string& path, const std::string& strategy, Authority authority) {
+  ScenarioOptions options;
+  options.methods.strategy = strategy;
+  auto built = buildScenarioRig(test::demoCut(), options);
+  EXPECT_TRUE(built.ok());
+  EXPECT_TRUE(built->rig->recordTo(path, "").ok());
+  built->rig->send({OperatorAction::SetAuthority, authority});
+  built->rig->runToEnd({});
+  EXPECT_TRUE(built->rig->recorder()->finish().ok());
+  return path;
+}
+
+// Its features alone, as the recorder would have kept them during the cut.
+void keepFeatures(const std::string& whole, const std::string& path, Seconds interval) {
+  const auto reader = record::openRecording(whole);
+  ASSERT_TRUE(reader.ok());
+  const record::RecordingFormat& format = (*reader)->format();
+  record::RecordPlan plan;
+  plan.interval = interval;
+  record::SessionHeader header;
+  header.setup = *format.setup;
+  const auto sink = record::features(header, plan, [&]() -> Result<std::string> { return path; }, {});
+  SampleBlock block;
+  block.allocate(static_cast<int>(format.channels.size()), format.blockFrames);
+  while (*(*reader)->read(block)) {
+    const StepRecord* step = (*reader)->recordedStep();
+    ASSERT_TRUE(sink->add(step->input, step->output).ok());
+  }
+  ASSERT_TRUE(sink->close().ok());
+}
+
+// The interval only says how much is kept. What it leaves out is the same as what is kept, so that no time is counted
+// for a verdict that came later.
+TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
+  const record::TempFolder folder;
+  struct Cut {
+    const char* strategy;
+    Authority authority;
+  };
+  for (const Cut& cut : {Cut{"monitor", Authority::Off}, Cut{"lobe-center", Authority::Auto}}) {
+    SCOPED_TRACE(cut.strategy);
+    const std::string whole = recordDemo(folder / (std::string(cut.strategy) + ".h5"), cut.strategy, cut.authority);
+    const auto all = summarizeRecording(whole);
+    ASSERT_TRUE(all.ok()) << all.error().line();
+    ASSERT_GE(all->alarms, 1U);
+    const double block = all->setup.blockFrames / all->setup.rate.value;
+    for (const double interval : {0.5, 1.0, 3.0}) {
+      SCOPED_TRACE(interval);
+      const std::string path = folder / (cut.strategy + std::to_string(interval) + ".h5");
+      keepFeatures(whole, path, Seconds(interval));
+      const auto kept = summarizeRecording(path);
+      ASSERT_TRUE(kept.ok()) << kept.error().line();
+      EXPECT_EQ(kept->alarms, all->alarms);
+      EXPECT_NEAR(kept->chatterTime.value, all->chatterTime.value, 1.5 * block);
+      ASSERT_EQ(kept->interventions.size(), all->interventions.size());
+      for (std::size_t k = 0; k < all->interventions.size(); ++k) {
+        EXPECT_EQ(kept->interventions[k].began, all->interventions[k].began);
+        EXPECT_EQ(kept->interventions[k].quiet, all->interventions[k].quiet);
+        EXPECT_NEAR(kept->interventions[k].timeToQuiet.value, all->interventions[k].timeToQuiet.value, 1.5 * block);
+      }
+    }
+  }
 }
 
 }  // namespace

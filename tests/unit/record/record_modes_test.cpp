@@ -111,8 +111,10 @@ TEST(RecordModes, FeaturesKeepAStepASecondAndEveryChangeWithoutSamplesAnHourAFil
   ASSERT_TRUE(recorder->finish().ok());
   ASSERT_EQ(files, 2);
   const auto first = sequencesOf(folder / "0.h5");
-  EXPECT_EQ(first.size(), 3600U + 2U) << "one a second, into chatter and out of it";
+  EXPECT_EQ(first.size(), 3600U + 2U + 1U) << "one a second, into chatter and out of it, and the last of the hour";
   EXPECT_NE(std::find(first.begin(), first.end(), 505U), first.end());
+  EXPECT_EQ(first.back(), 359'980U);
+  EXPECT_EQ(sequencesOf(folder / "1.h5").back(), 399'980U) << "how long it was as it was";
   const auto reader = openRecording(folder / "0.h5");
   ASSERT_TRUE(reader.ok());
   EXPECT_EQ((*reader)->format().frames, 0) << "no samples";
@@ -121,6 +123,27 @@ TEST(RecordModes, FeaturesKeepAStepASecondAndEveryChangeWithoutSamplesAnHourAFil
   EXPECT_EQ(counts->verdicts, first.size());
   // 24 h of it at one verdict a step stay small.
   EXPECT_LT(std::filesystem::file_size(folder / "0.h5") * 24, 100'000'000U);
+}
+
+// Also where the step of the second is the one that changed.
+TEST(RecordModes, FeaturesMissNoChangeOfStateOrValidity) {
+  const TempFolder folder;
+  RecordPlan plan;
+  plan.interval = Seconds(0.1);
+  int files = 0;
+  const auto sink = features(exampleHeader(), plan, numbered(folder, files), {});
+  for (int i = 0; i < 100; ++i) {
+    StepRecord step = quietStep(i);
+    step.output.verdicts[0].valid = i != 33;
+    if (i == 20 || i == 47) step.output.verdicts[0].state = CutState::Chatter;
+    ASSERT_TRUE(sink->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE(sink->close().ok());
+  const auto kept = sequencesOf(folder / "0.h5");
+  for (const std::uint64_t changed : {20U, 21U, 33U, 34U, 47U, 48U}) {
+    EXPECT_THAT(kept, testing::Contains(changed));
+  }
+  EXPECT_LT(kept.size(), 25U) << "and nothing twice";
 }
 
 TEST(SessionFolder, NamesFilesByJobToolAndTime) {
