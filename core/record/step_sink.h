@@ -30,8 +30,9 @@ class StepSink {
 using NextPath = std::function<Result<std::string>()>;
 
 std::unique_ptr<StepSink> oneFile(std::unique_ptr<SessionWriter> writer);
-// Keeps the last plan.before of steps in memory. An event of level warning or fault, or a touch of the operator, opens
-// a file, which ends plan.after after the last of them.
+// Keeps the last plan.before of steps in memory. An alarm of the detector in charge, an event of level warning or
+// fault, or a touch of the operator opens a file, which ends plan.after after the last of them: of an alarm, after its
+// end.
 std::unique_ptr<StepSink> aroundEvents(const SessionHeader& header, const RecordPlan& plan, NextPath nextPath,
                                        const SessionWriterOptions& options);
 // Steps without their samples: one in plan.interval, every one with an event, a command, an input, another state or

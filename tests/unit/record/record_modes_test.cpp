@@ -95,6 +95,36 @@ TEST(RecordModes, AroundEventsKeepsTheTimeBeforeAndAfterEachAndNothingElse) {
   EXPECT_EQ(markers->size(), 1U);
 }
 
+// An alarm that is longer than what is kept after it, beginning with its event; and one that was there before.
+TEST(RecordModes, AroundEventsGoesOnWhileAnAlarmLasts) {
+  const TempFolder folder;
+  RecordPlan plan;
+  plan.before = Seconds(0.5);
+  plan.after = Seconds(0.3);
+  int files = 0;
+  const auto sink = aroundEvents(exampleHeader(), plan, numbered(folder, files), {});
+  for (int i = 0; i < 600; ++i) {
+    StepRecord step = quietStep(i);
+    if (i >= 100 && i < 300) step.output.verdicts[0].state = i < 120 ? CutState::Onset : CutState::Chatter;
+    if (i >= 300 && i < 400) {  // nobody knows: no alarm
+      step.output.verdicts[0].state = CutState::Chatter;
+      step.output.verdicts[0].valid = false;
+    }
+    if (i == 100) {
+      step.output.eventCount = 1;
+      step.output.events[0] = {step.input.block.end(), 1, EventLevel::Warning, {ReasonCode::ChatterBegan, {}}};
+    }
+    ASSERT_TRUE(sink->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE(sink->close().ok());
+  ASSERT_EQ(files, 1) << "the alarm and what came of it are in one file";
+  const auto kept = sequencesOf(folder / "0.h5");
+  ASSERT_FALSE(kept.empty());
+  EXPECT_EQ(kept.front(), 50U);
+  EXPECT_EQ(kept.back(), 329U) << "so long after the last alarming step, not after the event";
+  EXPECT_EQ(kept.size(), 280U);
+}
+
 TEST(RecordModes, FeaturesKeepAStepASecondAndEveryChangeWithoutSamplesAnHourAFile) {
   const TempFolder folder;
   RecordPlan plan;
