@@ -105,11 +105,16 @@ bool DivergenceWatch::silenced() const STILLCUT_RT {
   return output > slight_ && output > 0.5 * outputBefore && output < 2.0 * outputBefore;
 }
 
+// Now, and in more than half of the quarter second.
 bool DivergenceWatch::worse() const STILLCUT_RT {
-  for (std::size_t w = 0; w < kSaturating; ++w) {
-    if (back(w).error <= kWorse * back(w).without || back(w).output <= slight_) return false;
+  const auto bad = [&](std::size_t w) { return back(w).error > kWorse * back(w).without && back(w).output > slight_; };
+  std::size_t now = 0, bads = 0;
+  for (std::size_t w = 0; w < filled_; ++w) {
+    if (!bad(w)) continue;
+    ++bads;
+    if (w < kSaturating) ++now;
   }
-  return true;
+  return now == kSaturating && 2 * bads > kWindows;
 }
 
 }  // namespace stillcut::safety

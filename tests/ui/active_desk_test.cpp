@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <atomic>
+#include <limits>
 #include <thread>
 
 #include "app/compose/active_setup.h"
@@ -13,7 +14,7 @@
 namespace stillcut::app {
 namespace {
 
-// Time that the device makes: a block is as long as its samples.
+// Time that the device makes: a block is as long as its samples. It stands still but for what the test allows.
 class BlockTime final : public active::DuplexDevice {
  public:
   BlockTime(std::unique_ptr<active::SimulatedDuplex> device, ManualClock& clock)
@@ -21,19 +22,27 @@ class BlockTime final : public active::DuplexDevice {
   std::string name() const override { return device_->name(); }
   Result<active::DuplexFormat> open() override {
     auto opened = device_->open();
+    stopped_ = false;
     if (opened) block_ = Seconds(opened->frames / opened->rate.value);
     return opened;
   }
   active::DuplexEvent read(std::span<double> in) noexcept override {
+    while (!stopped_ && toNs(clock_.now()) >= allowed.load()) std::this_thread::yield();
     const active::DuplexEvent event = device_->read(in);
     clock_.set(clock_.now() + toDuration(block_));
     return event;
   }
   active::DuplexEvent write(std::span<const double> out) noexcept override { return device_->write(out); }
-  void stop() noexcept override { device_->stop(); }
+  void stop() noexcept override {
+    stopped_ = true;
+    device_->stop();
+  }
   void close() noexcept override { device_->close(); }
 
+  std::atomic<std::int64_t> allowed{0};  // [ns]
+
  private:
+  std::atomic<bool> stopped_{false};
   std::unique_ptr<active::SimulatedDuplex> device_;
   ManualClock& clock_;
   Seconds block_{};
@@ -48,17 +57,22 @@ class OnFord : public testing::Test {
     simulated_ = device.get();
     active::EngineOptions options = activeOptions(*scenario->workHolder, {});
     options.record.duration = Seconds(2.0);
-    desk_ = std::make_unique<ActiveDesk>(std::make_unique<BlockTime>(std::move(device), clock_), options, clock_,
-                                         simulated_);
+    auto paced = std::make_unique<BlockTime>(std::move(device), clock_);
+    time_ = paced.get();
+    desk_ = std::make_unique<ActiveDesk>(std::move(paced), options, clock_, simulated_);
   }
-  // Until the loop's clock has gone on by so much.
+  void TearDown() override { time_->allowed = std::numeric_limits<std::int64_t>::max(); }  // to ramp out
+
+  // Until the loop's clock has gone on by so much, or earlier when it is done.
   template <class Done>
   void watch(double seconds, Done done) {
     const Instant end = clock_.now() + toDuration(Seconds(seconds));
+    time_->allowed = toNs(end);
     while (clock_.now() < end && !done()) {
       desk_->poll();
       std::this_thread::yield();
     }
+    time_->allowed = toNs(clock_.now());
   }
   ActiveSnapshot newest() {
     const ActiveSnapshot* told = desk_->pull();
@@ -77,6 +91,7 @@ class OnFord : public testing::Test {
 
   ManualClock clock_;
   active::SimulatedDuplex* simulated_ = nullptr;
+  BlockTime* time_ = nullptr;
   std::unique_ptr<ActiveDesk> desk_;
 };
 
@@ -138,7 +153,7 @@ TEST_F(OnFord, ADeviceThatIsGoneIsSaidAndMustBeIdentifiedAnew) {
   ASSERT_TRUE(desk_->identify().ok());
   watch(600.0, [&] { return desk_->fit(0) != nullptr; });
   ASSERT_NE(desk_->fit(0), nullptr);
-  simulated_->stop();
+  time_->stop();
   while (!desk_->poll()) std::this_thread::yield();
   EXPECT_EQ(desk_->fit(0), nullptr);
   EXPECT_FALSE(desk_->problem().isEmpty());

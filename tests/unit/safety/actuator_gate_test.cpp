@@ -147,7 +147,7 @@ TEST_F(OpenGate, LetsGoWhenTheModelSaysItWouldBeQuieterWithout) {
     gate_.pass(0.5 * wave(n), 1.2 * wave(n), 0.5 * wave(n));
     ++n;
   }
-  EXPECT_LE(n, 100);  // 20 ms
+  EXPECT_LE(n, 660);  // 132 ms
   expectRampsOut(ActuatorRelease::Worse);
 }
 

@@ -178,6 +178,10 @@ TEST(DivergenceWatch, AnErrorTwiceWhatItWouldBeWithoutIsWorse) {
   EXPECT_EQ(watchFor(
                 2.0, [](double t) { return t < 1.0 ? 0.5 : 2.0; }, kOne, kOne),
             LoopHealth::Worse);
+  // Not for the while that a loop takes to learn something else.
+  EXPECT_EQ(watchFor(
+                2.0, [](double t) { return t < 1.0 || t > 1.1 ? 0.5 : 2.0; }, kOne, kOne),
+            LoopHealth::Fine);
   // Not where the output is too small to be the reason.
   EXPECT_EQ(watchFor(
                 2.0, [](double t) { return t < 1.0 ? 0.5 : 1.7; }, kOne, [](double) { return 0.001; }),
