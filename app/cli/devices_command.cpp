@@ -9,6 +9,7 @@
 #include "app/cli/command.h"
 #include "app/compose/catalog.h"
 #include "app/compose/effect_trial.h"
+#include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/find_machines.h"
@@ -96,20 +97,22 @@ int tryLink(const DeviceOptions& o) {
   const SteadyClock clock;
   auto link = cnc::makeLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone));
   if (!link) return fail(link.error());
+  mindInterruption();
   cnc::LinkTrial trial(**link, clock);
-  while (trial.next()) {
+  while (!interrupted() && trial.next()) {
     const cnc::TrialStep& step = trial.steps().back();
     std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), step.said.c_str());
     std::fflush(stdout);
   }
-  if (!trial.passed()) return kExitDevice;
+  if (interrupted()) std::puts("no   interrupted");
+  if (interrupted() || !trial.passed()) return kExitDevice;
   const Seconds before = cnc::savedDelay(profile->link.settings, cnc::kSavedDelay);
   if (before.value > 0.0) std::printf("     a look took %.2f ms when this was saved\n", 1e3 * before.value);
   const Seconds effect = cnc::savedDelay(profile->link.settings, cnc::kSavedEffect);
   if (effect.value > 0.0) std::printf("     an order took %.1f ms to act in the last run\n", 1e3 * effect.value);
   Seconds measured{};
   if (o.effect) {
-    const EffectTrial moved = measureEffect(**link, clock);
+    const EffectTrial moved = measureEffect(**link, clock, interrupted);
     measured = moved.effect;
     if (!moved.problem.empty()) {
       std::printf("no   Measure the effect: %s\n", moved.problem.c_str());

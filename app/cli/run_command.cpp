@@ -3,7 +3,6 @@
 // its programmed values back.
 
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -11,6 +10,7 @@
 #include "app/cli/out_path.h"
 #include "app/compose/catalog.h"
 #include "app/compose/flight_log.h"
+#include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/wires.h"
 #include "core/rt/realtime_thread.h"
@@ -20,11 +20,6 @@ namespace stillcut::app {
 namespace {
 
 constexpr Seconds kLook{0.05};
-
-volatile std::sig_atomic_t interrupted = 0;
-void onSignal(int /*number*/) {
-  interrupted = 1;
-}
 
 struct RunOptions {
   std::string profile, record, job, flights, operatorName;
@@ -93,7 +88,7 @@ int watch(Rig& rig, const RunOptions& options) {
   }
   Console console(rig);
   rt::Wakeup never;  // only its time-out is used
-  while (interrupted == 0 && !rig.finished()) {
+  while (!interrupted() && !rig.finished()) {
     never.waitFor(kLook);
     const Seconds length = console.look();
     console.watchRecording();
@@ -137,8 +132,7 @@ int run(const RunOptions& options) {
   auto rig = buildProfileRig(*profile, options.profile, &fault);
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (const Status recording = record(**rig, *profile, options); !recording) return fail(recording.error());
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
+  mindInterruption();
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
   return watch(**rig, options);
 }

@@ -75,19 +75,20 @@ class Mover {
 
 }  // namespace
 
-EffectTrial measureEffect(cnc::CncLink& link, const Clock& clock) {
+EffectTrial measureEffect(cnc::CncLink& link, const Clock& clock, const std::function<bool()>& toEnd) {
   EffectTrial trial;
   Mover mover(link, clock);
-  for (; trial.moves < kMoves && trial.problem.empty(); ++trial.moves) {
+  for (; trial.moves < kMoves && !toEnd(); ++trial.moves) {
     const double share = trial.moves % 2 == 0 ? kShare : 1.0;
     const Instant began = clock.now();
-    while (!mover.shows(share) && clock.now() - began < kLongestMove) mover.turn(share);
+    while (!mover.shows(share) && clock.now() - began < kLongestMove && !toEnd()) mover.turn(share);
     if (!mover.shows(share)) {
       trial.problem = mover.why();
       break;
     }
-    for (const Instant there = clock.now(); clock.now() - there < kStay;) mover.turn(share);
+    for (const Instant there = clock.now(); clock.now() - there < kStay && !toEnd();) mover.turn(share);
   }
+  if (toEnd()) trial.problem = "interrupted";
   trial.effect = mover.effect();
   mover.end();
   return trial;

@@ -9,6 +9,7 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QStandardPaths>
+#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,6 +20,7 @@
 #include <string_view>
 
 #include "app/compose/build_info.h"
+#include "app/compose/interruption.h"
 #include "app/compose/resource_folder.h"
 #include "app/desktop/report_mode.h"
 #include "app/session/session.h"
@@ -29,6 +31,7 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kInputError = 2;
+constexpr int kInterruptionTickMs = 50;
 constexpr double kPictureAfter = 12.0;  // [s]: the demo has met chatter and answered it by then
 
 struct Options {
@@ -196,6 +199,7 @@ int run(int argc, char** argv) {
     return made ? 0 : fail(made.error().line());
   }
   const bool live = options->screenshot.isEmpty();
+  if (live) mindInterruption();
   auto session = options->profile.isEmpty()
                      ? openScenarioSession(options->scenario.toStdString(), live)
                      : openProfileSession(options->profile.toStdString(),
@@ -222,6 +226,13 @@ int run(int argc, char** argv) {
   if (!options->nothingNamed || !window.offerGuide()) (*session)->start();
   window.start();
   window.show();
+  QTimer interruption;
+  QObject::connect(&interruption, &QTimer::timeout, [&window] {
+    if (!interrupted()) return;
+    window.close();
+    QApplication::exit();  // whatever dialogue is open
+  });
+  interruption.start(kInterruptionTickMs);
   return QApplication::exec();
 }
 

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ class Child {
  public:
   explicit Child(std::vector<std::string> words) : pid_(::fork()) {
     if (pid_ != 0) return;
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_DFL);  // as in a person's terminal
     std::vector<char*> arguments;
     arguments.reserve(words.size() + 1);
     for (std::string& w : words) arguments.push_back(w.data());
@@ -28,6 +30,13 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
   void signal(int number) const { ::kill(pid_, number); }
+  // Its status (sys/wait.h) once it has ended by itself.
+  std::optional<int> ended() {
+    int status = 0;
+    if (pid_ <= 0 || ::waitpid(pid_, &status, WNOHANG) != pid_) return std::nullopt;
+    pid_ = -1;
+    return status;
+  }
   void kill() {
     if (pid_ > 0) {
       ::kill(pid_, SIGKILL);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -130,6 +131,29 @@ TEST_F(GrblOnAPty, EffectIsMeasuredWhenAskedForAndSaved) {
   EXPECT_NE(text.find("effect_ms = "), std::string::npos) << text;
   EXPECT_GT(controller_.steps(), 6U) << "it moved";
   EXPECT_TRUE(controller_.stands(100, 100));
+}
+
+// Whoever ends it while it holds both at 95 %: they are back before it ends, and it does not go out again.
+TEST_F(GrblOnAPty, InterruptedMeasurementOfTheEffectBringsBack) {
+  link_.reset();
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    SCOPED_TRACE(number);
+    const std::size_t before = controller_.steps();
+    testing::Child measuring({"sh", "-c",
+                              std::string("exec ") + STILLCUT_CLI + " devices --try grbl --with device=" + path_ +
+                                  " --measure-effect >" + folder_.file("said")});
+    ASSERT_TRUE(testing::within(Seconds(20.0), [&] { return controller_.stands(95, 95); }));
+    const std::size_t out = controller_.steps() - before;
+    measuring.signal(number);
+    std::optional<int> status;
+    ASSERT_TRUE(testing::within(Seconds(5.0), [&] { return (status = measuring.ended()).has_value(); }));
+    EXPECT_TRUE(WIFEXITED(*status) && WEXITSTATUS(*status) == 3) << *status;
+    EXPECT_TRUE(controller_.stands(100, 100));
+    EXPECT_LE(controller_.steps() - before, 2 * out);
+    std::ifstream said(folder_.file("said"));
+    const std::string words(std::istreambuf_iterator<char>(said), {});
+    EXPECT_NE(words.find("no   Measure the effect: interrupted"), std::string::npos) << words;
+  }
 }
 
 // What the manual says of a controller without a watchdog, and what the next start makes of it.

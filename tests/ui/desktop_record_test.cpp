@@ -7,13 +7,18 @@
 #include <QListView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <filesystem>
+#include <optional>
 
 #include "app/compose/recording_score.h"
 #include "app/compose/scenario_rig.h"
 #include "app/session/session.h"
 #include "core/detect/spectral.h"
 #include "core/record/session_markers.h"
+#include "core/record/session_reader.h"
 #include "tests/component/demo_cut.h"
+#include "tests/protocol/bounded_wait.h"
+#include "tests/protocol/child.h"
 #include "ui/models/session_desk.h"
 #include "ui/shell/main_window.h"
 #include "ui/widgets/text_label.h"
@@ -162,6 +167,26 @@ TEST_F(RecordedDesktop, AChangedThresholdIsAnsweredInASentence) {
   settings->clear();
   press("session-run");
   EXPECT_TRUE(waitFor([this] { return says(QStringLiteral("Energy ratio alarmed once, 1 of them marked false")); }));
+}
+
+// A terminal that is closed, Ctrl-C or a polite kill end the program as its window does: in order.
+TEST(DesktopProgram, InterruptedItEndsItsRecordingAndItself) {
+  const QTemporaryDir folder;
+  for (const char* home : {"XDG_CONFIG_HOME", "XDG_DATA_HOME"}) qputenv(home, folder.path().toUtf8());
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    SCOPED_TRACE(number);
+    const std::string path = folder.filePath(QStringLiteral("cut%1.h5").arg(number)).toStdString();
+    const std::string demo = STILLCUT_RESOURCE_DIR "/scenarios/demo.toml";
+    cnc::testing::Child program({STILLCUT_DESKTOP, "--scenario", demo, "--record", path});
+    ASSERT_TRUE(cnc::testing::within(Seconds(30.0), [&] { return std::filesystem::exists(path); }));
+    program.signal(number);
+    std::optional<int> status;
+    ASSERT_TRUE(cnc::testing::within(Seconds(30.0), [&] { return (status = program.ended()).has_value(); }));
+    EXPECT_TRUE(WIFEXITED(*status) && WEXITSTATUS(*status) == 0) << *status;
+    const auto repaired = record::repairSession(path);
+    ASSERT_TRUE(repaired.ok()) << repaired.error().line();
+    EXPECT_FALSE(*repaired) << "it was not closed";
+  }
 }
 
 }  // namespace
