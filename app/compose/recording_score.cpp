@@ -84,7 +84,7 @@ std::string whatIfSentence(const std::string& detector, const AlarmScore& before
   return detector + " would have alarmed " + counted(after) + "; before " + counted(before);
 }
 
-std::vector<std::string> recordingsIn(const std::string& folder) {
+std::vector<std::string> recordingsIn(const std::string& folder, const std::function<bool()>& goOn) {
   namespace fs = std::filesystem;
   constexpr auto kSuffixes = std::to_array<std::string_view>(
       {".h5", ".hdf5", ".wav", ".WAV", ".flac", ".csv", ".txt", ".lvm", ".mat", ".uff", ".unv"});
@@ -92,6 +92,7 @@ std::vector<std::string> recordingsIn(const std::string& folder) {
   std::error_code problem;
   for (auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, problem);
        !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
+    if (goOn && !goOn()) break;
     const std::string suffix = entry->path().extension().string();
     const std::string name = entry->path().filename().string();
     const bool known = std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();

@@ -36,7 +36,8 @@ Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& t
 // "energy-ratio would have alarmed 3 times, 2 of them marked false; before 5 times, 4 of them marked false"
 std::string whatIfSentence(const std::string& detector, const AlarmScore& before, const AlarmScore& after);
 
-// Recordings below `folder`, by name; tables of truth and other by-files left out.
-std::vector<std::string> recordingsIn(const std::string& folder);
+// Recordings below `folder`, by name; tables of truth and other by-files left out. `goOn`: asked at each file; false:
+// stop with what there is. Empty: to the end.
+std::vector<std::string> recordingsIn(const std::string& folder, const std::function<bool()>& goOn = {});
 
 }  // namespace stillcut::app

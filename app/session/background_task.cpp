@@ -6,14 +6,16 @@
 namespace stillcut::app {
 
 void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work work) {
-  cancel();
+  leave();
   what_ = what;
   file_ = file;
   problem_.clear();
   job_ = std::make_shared<Job>();
-  thread_ = std::jthread([job = job_, work = std::move(work)] {
+  thread_ = std::jthread([before = std::move(thread_), job = job_, work = std::move(work)]() mutable {
+    if (before.joinable()) before.join();
     try {
-      job->result.emplace(work(job->progress));
+      const bool left = job->progress.stopped();
+      job->result.emplace(left ? Result<Apply>(Error{"task", "stopped", ""}) : work(job->progress));
     } catch (const std::exception& e) {
       job->result.emplace(Error{"task", e.what(), ""});
     }
@@ -21,11 +23,15 @@ void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work w
   });
 }
 
-void BackgroundTask::cancel() {
+void BackgroundTask::leave() {
   if (!job_) return;
   job_->progress.stop.store(true, std::memory_order_relaxed);
-  if (thread_.joinable()) thread_.join();
   job_.reset();
+}
+
+void BackgroundTask::cancel() {
+  leave();
+  if (thread_.joinable()) thread_.join();
 }
 
 bool BackgroundTask::collect() {

@@ -19,6 +19,7 @@ class BackgroundTask {
   struct Progress {
     std::atomic<double> part{0.0};
     std::atomic<bool> stop{false};
+    bool stopped() const { return stop.load(std::memory_order_relaxed); }
   };
   // Gives what to do on the GUI thread with the result; an empty function: nothing.
   using Apply = std::function<void()>;
@@ -26,9 +27,11 @@ class BackgroundTask {
 
   ~BackgroundTask() { cancel(); }
 
-  // What still runs is stopped first, and its result thrown away.
+  // What still runs is left; the new work begins when that has ended. Returns at once.
   void start(ui::TaskState::What what, const QString& file, Work work);
-  // Ends it, and waits for that.
+  // Tells it to stop and throws its result away. Returns at once: the work may be deep in a slow disk.
+  void leave();
+  // The same, and waits for its end: afterwards nobody works any more.
   void cancel();
   // True: something has been finished and applied.
   bool collect();

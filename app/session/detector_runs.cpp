@@ -38,7 +38,7 @@ ui::ScoreLine lineOf(const std::string& detector, const AlarmScore& s) {
 std::function<bool(double)> told(BackgroundTask::Progress& progress, double from, double share) {
   return [&progress, from, share](double part) {
     progress.part.store((from + part) * share, std::memory_order_relaxed);
-    return !progress.stop.load(std::memory_order_relaxed);
+    return !progress.stopped();
   };
 }
 
@@ -87,7 +87,7 @@ Result<Scores> scoreFiles(const std::vector<std::string>& files, BackgroundTask:
   for (const std::string& file : files) {
     request.goOn = told(progress, done, share);
     const auto scored = scoreOne(file, request);
-    if (!scored && (files.size() == 1 || progress.stop.load(std::memory_order_relaxed))) return scored.error();
+    if (!scored && (files.size() == 1 || progress.stopped())) return scored.error();
     if (!scored) scores.notScored.push_back(QString::fromStdString(scored.error().line()));
     if (scored && scored.value()) {
       for (const auto& [id, one] : scored.value()->byDetector) sums[id].add(one);

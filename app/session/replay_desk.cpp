@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "app/compose/recording_rig.h"
-#include "app/compose/scenario_reader.h"
 #include "app/compose/session_summary_builder.h"
 #include "app/session/detector_runs.h"
 #include "app/session/scenario_list.h"
 #include "app/session/session_view.h"
+#include "app/session/stoppable_reader.h"
 #include "core/detect/registry.h"
 #include "core/record/convert_recording.h"
 #include "core/record/session_markers.h"
@@ -75,17 +75,18 @@ bool ReplayDesk::poll() {
 void ReplayDesk::setFolder(const QString& folder) {
   lister_.list(folder);
   scenarioTask_.start(ui::TaskState::What::None, folder,
-                      [this, folder](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                        return BackgroundTask::Apply([this, found = scenariosFor(folder)] { scenarios_ = found; });
+                      [this, folder](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
+                        auto found = scenariosFor(folder, [&progress] { return !progress.stopped(); });
+                        return BackgroundTask::Apply([this, found = std::move(found)] { scenarios_ = found; });
                       });
   changed_ = true;
 }
 
 void ReplayDesk::open(const QString& path) {
   closeRun();  // two may not read files of this library while one looks whether it survives the other
-  whole_.cancel();
+  whole_.leave();
   task_.start(ui::TaskState::What::Reading, path,
-              [this, file = path.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+              [this, file = path.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
                 const auto opened = std::make_shared<Opened>();
                 opened->path = file;
                 auto summary = glimpseOf(file);
@@ -98,6 +99,7 @@ void ReplayDesk::open(const QString& path) {
                 }
                 auto begin = beginOf(file, opened->summary->session);
                 if (!begin) return begin.error();
+                if (progress.stopped()) return Error{file, "stopped", ""};
                 opened->begin = *begin;
                 opened->control->pause();
                 auto rig = replayRig(file, {opened->control, &clock_}, opened->summary->session);
@@ -114,7 +116,7 @@ void ReplayDesk::readWhole() {
       [this, file = path_.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
         auto read = summarizeRecording(file, {}, {}, [&progress](double part) {
           progress.part.store(part, std::memory_order_relaxed);
-          return !progress.stop.load(std::memory_order_relaxed);
+          return !progress.stopped();
         });
         if (!read) return read.error();
         return BackgroundTask::Apply([this, summary = std::make_shared<const SessionSummary>(std::move(read).value())] {
@@ -182,6 +184,18 @@ bool ReplayDesk::reopen() {
   return true;
 }
 
+// Whoever holds a summary keeps it as it is; the next report is of another.
+void ReplayDesk::takeMarkers(std::vector<Marker> markers) {
+  markers_ = std::move(markers);
+  auto marked = std::make_shared<SessionSummary>(*summary_);
+  marked->markers = markers_;
+  for (Marker& marker : marked->markers) {
+    marker.begin = Instant(marker.begin - begin_);
+    marker.end = Instant(marker.end - begin_);
+  }
+  summary_ = std::move(marked);
+}
+
 Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& change) {
   const ui::ReplayState before = replay();
   closeRun();
@@ -189,7 +203,7 @@ Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& c
   whole_.cancel();
   Status done = change(path_.toStdString());
   auto markers = record::readMarkers(path_.toStdString());
-  if (markers) markers_ = std::move(markers).value();
+  if (markers) takeMarkers(std::move(markers).value());
   lister_.setMarkers(path_, static_cast<int>(markers_.size()));
   changed_ = true;
   if (reopen() && before.open) {
@@ -295,7 +309,7 @@ ui::TaskState ReplayDesk::task() const {
 }
 
 void ReplayDesk::cancel() {
-  (task_.state().running ? task_ : whole_).cancel();
+  (task_.state().running ? task_ : whole_).leave();
 }
 
 void ReplayDesk::runDetectors(const QStringList& settings) {
@@ -333,8 +347,8 @@ void ReplayDesk::exportSpan(Seconds from, Seconds to, const QString& file) {
   pause();
   task_.start(ui::TaskState::What::Exporting, file,
               [from, to, in = path_.toStdString(),
-               out = file.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                const Status done = record::convertRecording(in, out, {}, {from, to}, openCut);
+               out = file.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
+                const Status done = record::convertRecording(in, out, {}, {from, to}, openStoppable(progress));
                 if (!done) return done.error();
                 return BackgroundTask::Apply{};
               });

@@ -78,6 +78,7 @@ class ReplayDesk final : public ui::SessionDesk {
   // The file is the replay's while it is open: `change` gets it alone, then the replay goes on where it was.
   Status changeFile(const std::function<Status(const std::string&)>& change);
   bool reopen();
+  void takeMarkers(std::vector<Marker> markers);
 
   QString path_;
   std::shared_ptr<const SessionSummary> summary_;

@@ -9,12 +9,12 @@
 
 namespace stillcut::app {
 
-std::vector<ui::SessionEntry> scenariosFor(const QString& folder) {
+std::vector<ui::SessionEntry> scenariosFor(const QString& folder, const std::function<bool()>& goOn) {
   std::vector<ui::SessionEntry> found;
   for (const QString& place : {QString::fromStdString((resourceFolder() / "scenarios").string()), folder}) {
     if (place.isEmpty()) continue;
     QDirIterator files(place, {QStringLiteral("*.toml")}, QDir::Files, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
+    while (goOn() && files.hasNext()) {
       const QFileInfo file(files.next());
       const auto scenario = milling::loadScenario(file.filePath().toStdString());
       if (!scenario) continue;

@@ -45,11 +45,14 @@ void keepWhatIsKnown(std::vector<ui::SessionEntry>& entries, const std::vector<u
 void SessionLister::list(const QString& folder) {
   folder_ = folder;
   task_.start(ui::TaskState::What::None, folder,
-              [this, folder, before = entries_](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+              [this, folder, before = entries_](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
                 std::vector<ui::SessionEntry> entries;
                 if (!folder.isEmpty()) {
-                  for (const std::string& path : recordingsIn(folder.toStdString()))
+                  for (const std::string& path :
+                       recordingsIn(folder.toStdString(), [&progress] { return !progress.stopped(); })) {
+                    if (progress.stopped()) break;
                     entries.push_back(entryOf(folder, path));
+                  }
                 }
                 keepWhatIsKnown(entries, before);
                 return BackgroundTask::Apply([this, entries = std::move(entries)] {
@@ -69,7 +72,7 @@ void SessionLister::lookInside() {
               [this, next](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
                 std::vector<std::optional<record::SessionGlance>> seen;
                 for (const auto& [place, path] : next) {
-                  if (progress.stop.load(std::memory_order_relaxed)) return Error{path, "stopped", ""};
+                  if (progress.stopped()) return Error{path, "stopped", ""};
                   seen.push_back(record::glanceAtSession(path));
                 }
                 return BackgroundTask::Apply([this, next, seen = std::move(seen)] {

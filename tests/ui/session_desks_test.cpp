@@ -90,6 +90,25 @@ TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
   EXPECT_EQ(second.markers()[0].note, "deep slot");
 }
 
+// What was marked after it was read stands in the report as well.
+TEST_F(ReplayDeskTest, TheSummaryHasTheMarkersOfNow) {
+  test::waitFor(desk_, [this] { return desk_.summaryWhole(); });
+  const auto before = desk_.summary();
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("burr"), QStringLiteral("deep slot")).ok());
+  ASSERT_EQ(desk_.summary()->markers.size(), 1U);
+  EXPECT_TRUE(desk_.summaryWhole()) << "nothing has to be read again for it";
+  EXPECT_EQ(desk_.summary()->markers[0].note, "deep slot");
+  EXPECT_NEAR(sinceEpoch(desk_.summary()->markers[0].begin).value, 2.4, 1e-6);
+  EXPECT_EQ(desk_.summary()->alarms, before->alarms);
+  EXPECT_TRUE(before->markers.empty()) << "whoever holds one keeps it";
+  const auto read = summarizeRecording(path_.toStdString());
+  ASSERT_TRUE(read.ok());
+  ASSERT_EQ(read->markers.size(), 1U);
+  EXPECT_EQ(read->markers[0].begin, desk_.summary()->markers[0].begin);
+  ASSERT_TRUE(desk_.removeMark(desk_.markers()[0].number).ok());
+  EXPECT_TRUE(desk_.summary()->markers.empty());
+}
+
 TEST_F(ReplayDeskTest, IsOpenAtOnceAndReadsTheWholeMeanwhile) {
   const auto glimpse = glimpseOf(path_.toStdString());
   ASSERT_TRUE(glimpse.ok()) << glimpse.error().line();

@@ -4,8 +4,8 @@
 #include <QLineEdit>
 #include <QListView>
 
-#include "tests/ui/fake_session_desk.h"
 #include "tests/ui/page_picture.h"
+#include "tests/ui/sessions_fixture.h"
 #include "ui/models/format.h"
 #include "ui/models/session_models.h"
 #include "ui/models/session_words.h"
@@ -15,43 +15,6 @@
 
 namespace stillcut::ui {
 namespace {
-
-class SessionsPageTest : public WindowTest {
- protected:
-  void openSessions(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
-    session_.setSessions(&desk_);
-    open(width, height, theme);
-    window_->showPage(QStringLiteral("sessions"));
-    play(0.2);
-  }
-  void openFirst() {
-    auto* list = find<QListView>("session-list");
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-    tick(40);
-  }
-  QPoint at(double seconds) const {
-    const auto* timeline = find<SessionTimeline>();
-    // The axis begins behind the names of the rows; found by asking the widget itself.
-    return {static_cast<int>(left_ + seconds / 30.0 * (right_ - left_)), timeline->height() / 3};
-  }
-  // Learns where the axis lies from what clicks near its ends say.
-  void measureAxis() {
-    auto* timeline = find<SessionTimeline>();
-    const auto timeOf = [&](int x) {
-      QTest::mouseClick(timeline, Qt::LeftButton, {}, QPoint(x, timeline->height() / 3));
-      return desk_.state.position.value;
-    };
-    const int a = timeline->width() / 3, b = timeline->width() * 2 / 3;
-    const double ta = timeOf(a), tb = timeOf(b);
-    ASSERT_GT(tb, ta);
-    const double perSecond = (b - a) / (tb - ta);
-    left_ = a - ta * perSecond;
-    right_ = left_ + 30.0 * perSecond;
-  }
-
-  FakeSessionDesk desk_;
-  double left_ = 0.0, right_ = 1.0;
-};
 
 TEST_F(SessionsPageTest, ListIsOrderedFilteredAndOpensByTouchAndKey) {
   openSessions();
@@ -108,6 +71,20 @@ TEST(Transport, EveryPaceOfTheSliderIsInReach) {
   EXPECT_EQ(TransportBar::paceAt(1.0), 0.0);
 }
 
+TEST_F(SessionsPageTest, WhatIsReadMeanwhileLeavesTheSelectedSpan) {
+  openSessions();
+  openFirst();
+  auto* timeline = find<SessionTimeline>();
+  timeline->select(Seconds(8.0), Seconds(9.5));
+  timeline->setSummary(std::make_shared<SessionSummary>(*desk_.summary()));
+  EXPECT_TRUE(timeline->hasSelection());
+  EXPECT_EQ(timeline->selectedTo().value, 9.5);
+  auto other = std::make_shared<SessionSummary>(*desk_.summary());
+  other->file = "/rec/Bracket/T3/2026-11-21.h5";
+  timeline->setSummary(other);
+  EXPECT_FALSE(timeline->hasSelection()) << "of another recording";
+}
+
 TEST_F(SessionsPageTest, ClickGoesThereAndDragSelectsForLoopMarkAndExport) {
   openSessions();
   openFirst();
@@ -142,60 +119,6 @@ TEST_F(SessionsPageTest, ClickGoesThereAndDragSelectsForLoopMarkAndExport) {
   EXPECT_TRUE(desk_.exported.endsWith(QStringLiteral(".wav")));
   EXPECT_NEAR(desk_.exportFrom.value, 8.0, 0.2);
   EXPECT_NEAR(desk_.exportTo.value, 9.5, 0.2);
-}
-
-TEST_F(SessionsPageTest, IHearItNowIsOneKeyAndMarkersCanBeRemoved) {
-  openSessions();
-  openFirst();
-  desk_.goTo(Seconds(5.0));
-  tick(40);
-  QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);
-  tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, kLabelHeard);
-  EXPECT_EQ(desk_.marks[0].begin, desk_.marks[0].end);
-  auto* list = find<QListView>("marker-list");
-  ASSERT_EQ(list->model()->rowCount(), 1);
-  list->setCurrentIndex(list->model()->index(0, 0));
-  press("mark-remove");
-  EXPECT_TRUE(desk_.marks.empty());
-}
-
-TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
-  openSessions();
-  openFirst();
-  auto* timeline = find<SessionTimeline>();
-  timeline->select(Seconds(8.0), Seconds(9.5));
-  auto* label = find<QLineEdit>("mark-label");
-  auto* note = find<QLineEdit>("mark-text");
-  press("mark-span");
-  EXPECT_TRUE(desk_.marks.empty()) << "a span without a label is none";
-  label->setFocus();
-  QTest::keyClicks(label, QStringLiteral("burr on the edge"));
-  press("mark-span");
-  tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].begin).value, 8.0, 1e-6);
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].end).value, 9.5, 1e-6);
-  EXPECT_TRUE(label->text().isEmpty());
-
-  auto* list = find<QListView>("marker-list");
-  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-  EXPECT_EQ(label->text(), QStringLiteral("burr on the edge")) << "what is there can be mended";
-  note->setFocus();
-  QTest::keyClicks(note, QStringLiteral("0.2 mm, tool 3"));
-  press("mark-change");
-  tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
-  EXPECT_EQ(desk_.marks[0].note, "0.2 mm, tool 3");
-  EXPECT_TRUE(list->currentIndex().isValid()) << "it stays chosen";
-
-  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
-  press("mark-true");
-  ASSERT_EQ(desk_.marks.size(), 2U);
-  EXPECT_TRUE(desk_.marks[1].note.empty()) << "another marker's note is not this one's";
 }
 
 TEST_F(SessionsPageTest, WhatWasRecordedMeanwhileIsListedWhenSomebodyLooks) {
@@ -253,32 +176,6 @@ TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {
   for (const TextLabel* label : window_->findChildren<TextLabel*>()) told += label->text() + u'\n';
   EXPECT_TRUE(told.contains(QStringLiteral("found 3 of 4")));
   EXPECT_TRUE(told.contains(QStringLiteral("Not scored: /rec/broken.h5: is cut short")));
-}
-
-TEST_F(SessionsPageTest, AMarkedSpanIsRepeatedWithTwoTouches) {
-  openSessions();
-  openFirst();
-  ASSERT_TRUE(desk_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), {}).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("heard"), {}).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(20.0), Seconds(23.0), QStringLiteral("note"), {}).ok());
-  tick(40);
-  auto* list = find<QListView>("marker-list");
-  const auto touch = [list](int row) {
-    QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(row, 0)).center());
-  };
-  touch(0);
-  EXPECT_EQ(desk_.state.position.value, 8.0);
-  press("replay-loop");
-  EXPECT_TRUE(desk_.state.looping);
-  EXPECT_EQ(desk_.state.loopFrom.value, 8.0);
-  EXPECT_EQ(desk_.state.loopTo.value, 9.5);
-  touch(1);
-  EXPECT_EQ(desk_.state.loopTo.value, 9.5) << "a moment is no span to repeat";
-  list->setCurrentIndex(list->model()->index(2, 0));
-  list->setFocus();
-  QTest::keyClick(list, Qt::Key_Return);
-  EXPECT_EQ(desk_.state.loopFrom.value, 20.0) << "from span to span while it repeats";
-  EXPECT_EQ(desk_.state.loopTo.value, 23.0);
 }
 
 TEST_F(SessionsPageTest, DetectorsRunSideBySideWithWhatWasTuned) {

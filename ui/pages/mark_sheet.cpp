@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <algorithm>
+#include <utility>
 
 #include "ui/widgets/painting.h"
 #include "ui/widgets/touch_button.h"
@@ -65,6 +66,8 @@ MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
   column->addWidget(list_, 1);
   connect(list_, &QListView::clicked, this, [this](const QModelIndex& index) { choose(index.row()); });
   connect(list_, &QListView::activated, this, [this](const QModelIndex& index) { choose(index.row()); });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& index) { currentMoved(index.row()); });
   connect(span_, &TouchButton::clicked, this, &MarkSheet::markSpan);
   connect(label_, &QLineEdit::returnPressed, span_, &TouchButton::click);
   connect(change_, &TouchButton::clicked, this, &MarkSheet::change);
@@ -89,8 +92,8 @@ void MarkSheet::mark(const QString& label) {
   const auto [from, to] = chosen();
   const Status done = desk_->mark(from, to, label, note_->isModified() ? note_->text() : QString());
   if (done) {
-    label_->clear();
-    note_->clear();
+    list_->setCurrentIndex({});
+    editNone();
   }
   emit told(done, tr("Marked: %1").arg(markerText(label.toStdString())));
 }
@@ -104,12 +107,17 @@ void MarkSheet::markSpan() {
   }
 }
 
+// Only the marker whose words are in the fields.
 void MarkSheet::change() {
   const Marker* marker = current();
-  if (marker == nullptr) return;
+  if (marker == nullptr || marker->number != edited_) return;
   const QString label = label_->text().trimmed();
   const Status done =
       desk_->changeMark(marker->number, label.isEmpty() ? QString::fromStdString(marker->label) : label, note_->text());
+  if (done) {
+    label_->setModified(false);
+    note_->setModified(false);
+  }
   emit told(done, tr("Marker changed"));
 }
 
@@ -118,28 +126,63 @@ void MarkSheet::remove() {
   if (marker != nullptr) emit told(desk_->removeMark(marker->number), tr("Marker removed"));
 }
 
+void MarkSheet::edit(const Marker& marker) {
+  edited_ = marker.number;
+  label_->setText(QString::fromStdString(marker.label));
+  note_->setText(QString::fromStdString(marker.note));
+  enable();
+}
+
+void MarkSheet::editNone() {
+  edited_.reset();
+  label_->clear();
+  note_->clear();
+  enable();
+}
+
+// By the keys. What somebody has typed is not thrown away for it; it belongs to no marker until one is chosen.
+void MarkSheet::currentMoved(int row) {
+  const Marker* marker = markers_.marker(row);
+  if (refreshing_ || marker == nullptr || marker->number == edited_) return;
+  if (label_->isModified() || note_->isModified()) {
+    edited_.reset();
+    enable();
+  } else {
+    edit(*marker);
+  }
+}
+
 void MarkSheet::choose(int row) {
   const Marker* marker = markers_.marker(row);
   if (marker == nullptr) return;
-  label_->setText(QString::fromStdString(marker->label));
-  note_->setText(QString::fromStdString(marker->note));
+  edit(*marker);
   const Seconds begin = desk_->markerTime(*marker);
   emit wentTo(begin, begin + secondsBetween(marker->begin, marker->end));
 }
 
 void MarkSheet::refresh() {
   if (desk_ == nullptr) return;
+  const bool another = std::exchange(path_, desk_->openedPath()) != desk_->openedPath();
   const Marker* before = current();
-  const auto chosenNumber = before != nullptr ? std::optional(before->number) : std::nullopt;
+  const auto chosenNumber = before != nullptr && !another ? std::optional(before->number) : std::nullopt;
+  refreshing_ = true;
   markers_.show(*desk_);
   for (int row = 0; row < markers_.rowCount(); ++row) {
     if (markers_.marker(row)->number == chosenNumber) list_->setCurrentIndex(markers_.index(row));
   }
-  const auto summary = desk_->summary();
+  refreshing_ = false;
+  const bool gone = edited_ && (current() == nullptr || current()->number != edited_);
+  if (another || gone) editNone();
+  enable();
+}
+
+void MarkSheet::enable() {
+  const auto summary = desk_ != nullptr ? desk_->summary() : nullptr;
   const bool open = summary != nullptr && summary->session;
   for (TouchButton* button : touches_) button->setEnabled(open);
   span_->setEnabled(open);
-  for (TouchButton* button : {change_, remove_}) button->setEnabled(open && markers_.rowCount() > 0);
+  remove_->setEnabled(open && current() != nullptr);
+  change_->setEnabled(open && current() != nullptr && current()->number == edited_);
 }
 
 void MarkSheet::applyTheme(const Theme& theme) {

@@ -4,6 +4,7 @@
 
 #include <QWidget>
 #include <functional>
+#include <optional>
 
 #include "ui/models/session_models.h"
 #include "ui/models/themed.h"
@@ -40,10 +41,17 @@ class MarkSheet : public QWidget, public Themed {
   void change();
   void remove();
   void choose(int row);
+  void edit(const Marker& marker);
+  void editNone();
+  void currentMoved(int row);
+  void enable();
   const Marker* current() const;
 
   SessionDesk* desk_;
   MarkerModel markers_;
+  QString path_;                         // of the recording that the markers are of
+  std::optional<std::uint64_t> edited_;  // whose label and note are in the fields; none: they are of the next marker
+  bool refreshing_ = false;
   QListView* list_;
   QLineEdit *label_, *note_;
   TouchButton *span_, *change_, *remove_;

@@ -36,13 +36,17 @@ SessionTimeline::SessionTimeline(QWidget* parent) : QWidget(parent), theme_(make
 
 void SessionTimeline::setSummary(std::shared_ptr<const SessionSummary> summary) {
   if (summary == summary_) return;
+  const bool same = summary && summary_ && summary->file == summary_->file;
+  const bool all = viewFrom_ <= 0.0 && viewTo_ >= length();
   summary_ = std::move(summary);
   recorded_.clear();
   tracks_.clear();
   marks_.clear();
-  from_ = to_ = 0.0;
-  viewFrom_ = 0.0;
-  viewTo_ = length();
+  if (!same) from_ = to_ = 0.0;
+  if (!same || all) {
+    viewFrom_ = 0.0;
+    viewTo_ = length();
+  }
   if (summary_) {
     const auto& curve = summary_->curve;
     for (std::size_t k = 0; k < curve.size(); ++k) {

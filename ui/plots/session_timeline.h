@@ -23,6 +23,7 @@ class SessionTimeline : public QWidget, public Themed {
   };
   explicit SessionTimeline(QWidget* parent = nullptr);
 
+  // What more is told of the same file leaves the picture and the selected span where they are.
   void setSummary(std::shared_ptr<const SessionSummary> summary);
   void setTracks(const std::vector<DetectorTrack>& tracks);
   void setMarks(std::vector<Mark> marks);
