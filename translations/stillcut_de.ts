@@ -3069,6 +3069,22 @@
         <source>What was found</source>
         <translation>Gefunden</translation>
     </message>
+    <message>
+        <source>identifying, %1</source>
+        <translation>identifiziert, %1</translation>
+    </message>
+    <message>
+        <source>%1 let go</source>
+        <translation>%1 losgelassen</translation>
+    </message>
+    <message>
+        <source>The active table let go along %1: %2</source>
+        <translation>Der aktive Tisch hat entlang %1 losgelassen: %2</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tisch</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

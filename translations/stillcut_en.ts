@@ -3068,6 +3068,22 @@
         <source>What was found</source>
         <translation>What was found</translation>
     </message>
+    <message>
+        <source>identifying, %1</source>
+        <translation>identifying, %1</translation>
+    </message>
+    <message>
+        <source>%1 let go</source>
+        <translation>%1 let go</translation>
+    </message>
+    <message>
+        <source>The active table let go along %1: %2</source>
+        <translation>The active table let go along %1: %2</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Table</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

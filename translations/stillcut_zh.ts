@@ -3069,6 +3069,22 @@
         <source>What was found</source>
         <translation>查找结果</translation>
     </message>
+    <message>
+        <source>identifying, %1</source>
+        <translation>正在辨识，%1</translation>
+    </message>
+    <message>
+        <source>%1 let go</source>
+        <translation>%1 已松开</translation>
+    </message>
+    <message>
+        <source>The active table let go along %1: %2</source>
+        <translation>主动工作台沿 %1 已松开：%2</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>工作台</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>

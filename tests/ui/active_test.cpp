@@ -5,6 +5,7 @@
 #include "tests/ui/fake_tuning.h"
 #include "tests/ui/page_picture.h"
 #include "ui/models/active_words.h"
+#include "ui/models/strip_view.h"
 #include "ui/pages/active_view.h"
 #include "ui/plots/path_fit_plot.h"
 
@@ -41,6 +42,35 @@ TEST(ActiveWords, AModelWithLittlePhaseLeftIsNotSound) {
   EXPECT_FALSE(makeActiveAxis(s, 0).modelSound);
   s.paths[0].promisesStable = false;
   EXPECT_TRUE(makeActiveAxis(s, 0).model.contains(QStringLiteral("identify anew")));
+}
+
+TEST(ActiveWords, EveryPageIsToldWhatTheTableDoes) {
+  ActiveSnapshot s = exampleActive();
+  ActiveTableView table = makeActiveTable(s);
+  EXPECT_EQ(table.text, QStringLiteral("y let go, x\u00a042\u00a0%"));
+  EXPECT_EQ(table.tone, Tone::Chatter);
+  EXPECT_TRUE(table.fault.contains(QStringLiteral("along y: the loop diverged"))) << table.fault.toStdString();
+  Picture picture;
+  picture.table = &s;
+  EXPECT_EQ(makeEventLine(picture).text, table.fault) << "for as long as it stays off";
+  s.axes[1].state = ActuatorState::On;
+  s.axes[1].release = ActuatorRelease::None;
+  EXPECT_TRUE(makeEventLine(picture).text.isEmpty());
+  table = makeActiveTable(s);
+  EXPECT_EQ(table.text, QStringLiteral("x\u00a042\u00a0%, y\u00a0100\u00a0%"));
+  EXPECT_EQ(table.tone, Tone::Onset) << "a stroke at its end";
+  EXPECT_TRUE(table.fault.isEmpty());
+  for (ActiveAxis& axis : s.axes) {
+    axis.state = ActuatorState::Off;
+    axis.release = ActuatorRelease::Asked;
+    axis.limitedShare = 0.0;
+  }
+  EXPECT_EQ(makeActiveTable(s).text, QStringLiteral("off"));
+  s.identifying = true;
+  s.identified = 0.5;
+  EXPECT_TRUE(makeActiveTable(s).text.contains(QStringLiteral("50"))) << "the table moves";
+  s.open = false;
+  EXPECT_EQ(makeActiveTable(s).tone, Tone::Faint);
 }
 
 TEST(PathFitPlot, PhaseErrorIsThatOfTheModelWhereCoherenceTells) {
@@ -89,10 +119,21 @@ TEST_F(ActivePage, IdentifiesStartsWatchesAndStops) {
   EXPECT_EQ(desk_.starts, 1);
   EXPECT_TRUE(find<PathFitPlot>()->hasFit());
   EXPECT_TRUE(told(QStringLiteral("\u221223.4")));
+  EXPECT_TRUE(told(QStringLiteral("y: let go: the loop diverged"))) << "of the other axis too";
   press("active-y");
   tick(40);
-  EXPECT_TRUE(told(QStringLiteral("the loop diverged")));
+  EXPECT_FALSE(find<PathFitPlot>()->hasFit());
   press("active-stop");
+  EXPECT_EQ(desk_.stops, 1);
+}
+
+TEST_F(ActivePage, BackTo100FromAnyPageLetsTheTableGo) {
+  openActive();
+  desk_.snapshot = exampleActive();
+  window_->showPage(QStringLiteral("operate"));
+  play(0.2);
+  press("back");
+  EXPECT_EQ(session_.sent().back().action, OperatorAction::BackToProgrammed);
   EXPECT_EQ(desk_.stops, 1);
 }
 
@@ -101,6 +142,9 @@ TEST_P(ActivePage, Fits) {
   desk_.snapshot = exampleActive();
   openActive(GetParam().width, GetParam().height, GetParam().theme);
   savePage(*window_, "tune", GetParam(), "active");
+  window_->showPage(QStringLiteral("operate"));
+  play(0.2);
+  savePage(*window_, "operate", GetParam(), "active");
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, ActivePage, testing::ValuesIn(kPageLooks), lookName);

@@ -2,12 +2,14 @@
 #include "tests/ui/pictures.h"
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
+#include "ui/shell/apply_theme.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/intervention_card.h"
 #include "ui/widgets/limit_bar.h"
 #include "ui/widgets/override_table.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/status_strip.h"
+#include "ui/widgets/text_label.h"
 #include "ui/widgets/verdict_sign.h"
 
 namespace stillcut::ui {
@@ -30,6 +32,19 @@ int count(const QImage& image, int y, const QColor& color) {
 }
 
 class Widgets : public UiTest {};
+
+// The style sheet of the window has a colour for every plain label.
+TEST_F(Widgets, ATextKeepsItsToneInTheWindow) {
+  QWidget window;
+  auto* label = new TextLabel({type_size::kValue, true}, QStringLiteral("HHHH"), &window);
+  label->resize(200, 40);
+  for (const Tone tone : {Tone::Normal, Tone::Chatter, Tone::Onset}) {
+    label->setTone(tone);
+    applyTheme(window, kLight);
+    const QImage image = window.grab().toImage();
+    EXPECT_GT(count(image, 20, kLight.onPanel(tone)), 4) << static_cast<int>(tone);
+  }
+}
 
 TEST_F(Widgets, LimitBarFillsItsShareOfTheBed) {
   LimitBar bar;

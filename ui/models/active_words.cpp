@@ -97,6 +97,30 @@ ActiveAxisView makeActiveAxis(const ActiveSnapshot& snapshot, int axis) {
   return view;
 }
 
+ActiveTableView makeActiveTable(const ActiveSnapshot& snapshot) {
+  ActiveTableView view;
+  if (!snapshot.open) return {say("does not run"), Tone::Faint, {}};
+  if (snapshot.identifying) return {say("identifying, %1").arg(percent(snapshot.identified)), Tone::Advice, {}};
+  QStringList moving, fallen;
+  for (int axis = 0; axis < kActiveAxes; ++axis) {
+    const ActiveAxis& a = snapshot.axes[static_cast<std::size_t>(axis)];
+    const QString name = axis == 0 ? QStringLiteral("x") : QStringLiteral("y");
+    const ActiveAxisView one = makeActiveAxis(snapshot, axis);
+    if (one.tone == Tone::Chatter) {
+      fallen << say("%1 let go").arg(name);
+      view.fault = say("The active table let go along %1: %2").arg(name, activeReleaseText(a.release));
+      view.tone = Tone::Chatter;
+    } else if (a.state != ActuatorState::Off) {
+      moving << join(name, percent(a.strokePeak));
+      if (view.tone == Tone::Normal) view.tone = one.tone;
+    }
+  }
+  fallen += moving;
+  if (fallen.isEmpty()) return {say("off"), Tone::Faint, {}};
+  view.text = fallen.join(QStringLiteral(", "));
+  return view;
+}
+
 QString activeDeviceText(const ActiveSnapshot& snapshot, const QString& device) {
   if (!snapshot.open) return say("%1: does not run").arg(device);
   if (snapshot.identifying) return say("Identifying the paths: %1").arg(percent(snapshot.identified));

@@ -20,8 +20,18 @@ struct ActiveAxisView {
   bool operator==(const ActiveAxisView&) const = default;
 };
 
+struct ActiveTableView {
+  QString text;
+  Tone tone = Tone::Normal;
+  QString fault;  // a sentence; empty: none
+  bool operator==(const ActiveTableView&) const = default;
+};
+
 ActiveAxisView makeActiveAxis(const ActiveSnapshot& snapshot, int axis);
 QString activeReleaseText(ActuatorRelease why);
+// Both axes in a few words for every page: "x 42 %, y 30 %" of the stroke while it moves; that of an axis that let go
+// by itself goes before.
+ActiveTableView makeActiveTable(const ActiveSnapshot& snapshot);
 // The device: rate, block, loop's lost blocks; or how far the identification is.
 QString activeDeviceText(const ActiveSnapshot& snapshot, const QString& device);
 

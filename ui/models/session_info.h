@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/model/active_state.h"
 #include "core/model/cut_setup.h"
 #include "core/model/snapshot.h"
 #include "ui/models/units.h"
@@ -69,6 +70,7 @@ struct Picture {
   UnitSystem units = UnitSystem::Metric;
   const RunHistory* history = nullptr;  // of this run; null only where nobody keeps one
   const SignalHistory* signal = nullptr;
+  const ActiveSnapshot* table = nullptr;  // of the active work-holder; null: there is none, or nothing came yet
 
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/active_words.h"
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
 #include "ui/models/say.h"
@@ -129,6 +130,10 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
   items.push_back({say("Block age"), duration(picture.snapshot ? blockAge : Seconds(std::nan(""))),
                    picture.stale ? Tone::Chatter : Tone::Normal});
+  if (picture.table != nullptr) {
+    const ActiveTableView table = makeActiveTable(*picture.table);
+    items.push_back({say("Table"), table.text, table.tone});
+  }
   items.push_back(recordingItem(picture.recorder, health.tapDropped));
   return items;
 }
@@ -175,6 +180,11 @@ std::vector<CardView> makeCards(const Picture& picture) {
 }
 
 EventLine makeEventLine(const Picture& picture) {
+  // Stays until the table is started anew: the cut that it held is no longer held.
+  if (picture.table != nullptr) {
+    const ActiveTableView table = makeActiveTable(*picture.table);
+    if (!table.fault.isEmpty()) return {table.fault, Tone::Chatter};
+  }
   if (!picture.snapshot) return {};
   const Snapshot& s = *picture.snapshot;
   const quint64 kept = std::min<quint64>(s.eventCount, kEventsShown);

@@ -72,7 +72,7 @@ void ActiveView::takeAxis(int axis) {
 }
 
 void ActiveView::tell(const Status& status) {
-  problem_->setText(status ? QString() : QString::fromStdString(status.error().line()));
+  refused_ = status ? QString() : QString::fromStdString(status.error().line());
 }
 
 void ActiveView::display() {
@@ -84,7 +84,7 @@ void ActiveView::display() {
     fit_->display(nullptr);
     return;
   }
-  if (desk->poll() && !desk->problem().isEmpty()) problem_->setText(desk->problem());
+  problem_->setText(refused_.isEmpty() ? desk->problem() : refused_);
   problem_->setVisible(!problem_->text().isEmpty());
   fit_->display(desk->fit(axis_));
   const ActiveSnapshot* snapshot = desk->pull();
@@ -94,8 +94,15 @@ void ActiveView::display() {
   }
   const ActiveAxisView view = makeActiveAxis(*snapshot, axis_);
   device_->setText(activeDeviceText(*snapshot, desk->device()));
-  state_->setTone(view.tone);
-  state_->setText(QStringLiteral("%1, %2").arg(view.state, view.stroke));
+  QStringList states;
+  Tone worst = Tone::Normal;
+  for (int axis = 0; axis < kActiveAxes; ++axis) {
+    const ActiveAxisView one = makeActiveAxis(*snapshot, axis);
+    states << QStringLiteral("%1: %2, %3").arg(axis == 0 ? QChar(u'x') : QChar(u'y')).arg(one.state, one.stroke);
+    if (one.tone == Tone::Chatter || worst == Tone::Normal) worst = one.tone;
+  }
+  state_->setTone(worst);
+  state_->setText(states.join(u'\n'));
   earned_->setText(view.lines.isEmpty()
                        ? tr("Nothing is known of its lines yet")
                        : tr("By the model, against the cut left alone: %1").arg(view.lines.join(QStringLiteral("; "))));

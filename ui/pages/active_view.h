@@ -24,7 +24,7 @@ class ActiveView : public QWidget, public Themed {
   using FindDesk = std::function<ActiveDesk*()>;
   explicit ActiveView(FindDesk desk, QWidget* parent = nullptr);
 
-  // Every display tick while it is on screen.
+  // Every display tick while it is on screen; somebody polls the desk.
   void display();
   void applyTheme(const Theme& theme) override;
 
@@ -34,6 +34,7 @@ class ActiveView : public QWidget, public Themed {
 
   FindDesk desk_;
   int axis_ = 0;
+  QString refused_;  // the last touch, and why; empty: it was not
   QHBoxLayout *actions_, *axes_;
   TouchButton *identify_, *start_, *stop_;
   std::array<TouchButton*, kActiveAxes> axisButtons_{};

@@ -17,6 +17,7 @@
 #include "ui/plots/lobe_chart.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"
+#include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
@@ -40,13 +41,12 @@ LobesPage::LobesPage(FindService find, QWidget* parent)
       state_(new QLabel),
       speed_(new QDoubleSpinBox),
       depth_(new QDoubleSpinBox),
-      verdict_(new QLabel),
+      verdict_(new TextLabel({type_size::kValue, true, false, true})),
       detail_(new QLabel),
       pockets_(new QTableView),
       table_(new PocketTable(this)),
       side_(new Panel),
-      grid_(new QGridLayout(this)),
-      theme_(makeTheme(ThemeKind::Light, 1.0)) {
+      grid_(new QGridLayout(this)) {
   layOut();
   connectAll();
   chooseMethod(method_);
@@ -100,7 +100,6 @@ void LobesPage::layOut() {
   form->addWidget(depth_, 1, 1);
   form->setColumnStretch(1, 1);
   column->addLayout(form);
-  verdict_->setWordWrap(true);
   detail_->setWordWrap(true);
   verdict_->setObjectName(QStringLiteral("what-if"));
   column->addWidget(verdict_);
@@ -264,7 +263,7 @@ void LobesPage::showWhatIf() {
   const WhatIf answer = whatIf(diagram_.get(), service_->frame(), at.speed, at.depth, units_);
   verdict_->setText(answer.verdict);
   detail_->setText(answer.detail);
-  verdict_->setStyleSheet(QStringLiteral("color: %1").arg(theme_.onPanel(answer.tone).name()));
+  verdict_->setTone(answer.tone);
   verdict_->setAccessibleDescription(answer.detail);
   table_->setPockets(diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{}, units_);
 }
@@ -285,7 +284,6 @@ void LobesPage::restore(const QSettings& settings) {
 }
 
 void LobesPage::applyTheme(const Theme& theme) {
-  theme_ = theme;
   const int margin = theme.px(16), gap = theme.px(10);
   const int touchGap = std::max(theme.px(12), pixelsFor(kTouchGapMm, this)),
             high = std::max(theme.px(50), pixelsFor(kTouchMm, this));
@@ -293,8 +291,9 @@ void LobesPage::applyTheme(const Theme& theme) {
   grid_->setSpacing(gap);
   side_->layout()->setContentsMargins(margin, margin, margin, margin);
   side_->layout()->setSpacing(touchGap);
-  for (QWidget* label : side_->findChildren<QLabel*>()) label->setFont(theme.font(type_size::kBody));
-  verdict_->setFont(theme.font(type_size::kValue, true));
+  for (QLabel* label : side_->findChildren<QLabel*>()) {
+    if (label != verdict_) label->setFont(theme.font(type_size::kBody));
+  }
   for (QDoubleSpinBox* box : {speed_, depth_}) {
     box->setFont(theme.font(type_size::kValue));
     box->setMinimumHeight(high);

@@ -18,6 +18,7 @@ namespace stillcut::ui {
 
 class LobeChart;
 class Panel;
+class TextLabel;
 class TouchButton;
 
 class LobesPage : public Page {
@@ -58,13 +59,12 @@ class LobesPage : public Page {
   QLabel* state_;
   QDoubleSpinBox* speed_;
   QDoubleSpinBox* depth_;
-  QLabel* verdict_;
+  TextLabel* verdict_;
   QLabel* detail_;
   QTableView* pockets_;
   PocketTable* table_;
   Panel* side_;
   QGridLayout* grid_;
-  Theme theme_;
 };
 
 }  // namespace stillcut::ui

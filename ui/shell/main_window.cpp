@@ -55,7 +55,7 @@ void MainWindow::build() {
   connect(new QShortcut(Qt::Key_F1, centre), &QShortcut::activated, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
-  connect(command_, &CommandBar::asked, this, [this](const OperatorInput& input) { session_.send(input); });
+  connect(command_, &CommandBar::asked, this, &MainWindow::ask);
   retheme();
 }
 
@@ -74,7 +74,7 @@ void MainWindow::addPages() {
     header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
     connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
     connect(page, &Page::pageAsked, this, qOverload<const QString&>(&MainWindow::showPage));
-    connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input); });
+    connect(page, &Page::asked, this, &MainWindow::ask);
   }
   state_.restore(pages_);
   showPage(0);
@@ -86,6 +86,12 @@ void MainWindow::meetSession() {
   history_.clear();
   signal_.prepare(session_.info().setup);
   for (Page* page : pages_) page->restart();
+}
+
+// Back to what was programmed is: nothing of Stillcut acts, also not through the table.
+void MainWindow::ask(const OperatorInput& input) {
+  session_.send(input);
+  if (input.action == OperatorAction::BackToProgrammed && session_.active() != nullptr) session_.active()->stop();
 }
 
 void MainWindow::restorePlace() {
@@ -114,6 +120,8 @@ void MainWindow::tick(qint64 nowMs) {
   if (snapshot != nullptr) history_.see(*snapshot);
   if (snapshot != nullptr && snapshot->running && !state_.guideSeen()) state_.setGuideSeen();
   session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
+  ActiveDesk* table = session_.active();
+  if (table != nullptr) table->poll();
   const Picture picture{&session_.info(),
                         snapshot,
                         freshness_.age(),
@@ -123,7 +131,8 @@ void MainWindow::tick(qint64 nowMs) {
                         session_.link(),
                         look_.units,
                         &history_,
-                        &signal_};
+                        &signal_,
+                        table != nullptr ? table->pull() : nullptr};
   for (Page* page : pages_) page->see(picture);
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
   command_->display(makeCommandView(picture), nowMs);

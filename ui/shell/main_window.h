@@ -64,6 +64,7 @@ class MainWindow : public QMainWindow {
   void addPages();
   void showPage(int index);
   void meetSession();
+  void ask(const OperatorInput& input);
   void nextTheme();
   void toggleManual();
   void toggleDisplayPanel();
