@@ -81,6 +81,9 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   auto reader = openCut(path, options.read);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
+  if (format.blocks > 0 && format.frames == 0) {
+    return Error{path, "holds no samples", "a history of features; detectors need the samples themselves"};
+  }
 
   daq::ReplayOptions replay;
   replay.blockFrames = std::max(1, static_cast<int>(format.rate.value * kBlock_s));

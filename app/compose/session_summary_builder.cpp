@@ -221,7 +221,9 @@ class Builder {
 
   // The parameters' names are those of this program; what it no longer knows is told as a change all the same.
   void noteSetting(const OperatorInput& input) {
-    if (input.action != OperatorAction::SetParameter || summary_.settingChanges.size() >= kMostSettings) return;
+    if (input.action != OperatorAction::SetParameter) return;
+    ++summary_.settingChangeCount;
+    if (summary_.settingChanges.size() >= kMostSettings) return;
     SettingChange change;
     change.time = secondsBetween(first_, last_);
     const config::ParamDecl* decl = declOf(input.parameter);

@@ -205,10 +205,8 @@ int run(int argc, char** argv) {
                      : openProfileSession(options->profile.toStdString(),
                                           options->record.isEmpty() ? Recorded::AsProfileSays : Recorded::Otherwise);
   if (!session) return fail(session.error().line());
-  const bool recordFolder = QFileInfo(options->record).isDir();
   if (!options->record.isEmpty()) {
-    const std::string where = options->record.toStdString();
-    const Status recording = recordFolder ? (*session)->recordInto(where) : (*session)->recordTo(where);
+    const Status recording = (*session)->recordAsAsked(options->record.toStdString());
     if (!recording) return fail(recording.error().line());
   }
 

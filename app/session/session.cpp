@@ -1,6 +1,8 @@
 #include "app/session/session.h"
 
 #include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
 #include <cstdio>
 #include <utility>
 
@@ -33,7 +35,11 @@ Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string con
   machine_.measured = [this] { return LinkDelays{runningProfile().link, {}, effect_}; };
   machine_.recorded = [this] { return deletions_.told(rig_->recorder()); };
   machine_.clocks = [this] { return joinedClocks(rig_->device()); };
-  machine_.begin = [this](const std::string& path) { return switchTo([&path] { return openProfileSession(path); }); };
+  machine_.begin = [this](const std::string& path) {
+    return switchTo([this, &path] {
+      return asAsked(openProfileSession(path, asked_.empty() ? Recorded::AsProfileSays : Recorded::Otherwise));
+    });
+  };
 }
 
 Session::~Session() {
@@ -43,6 +49,25 @@ Session::~Session() {
 Status Session::recordInto(const std::string& folder) {
   recordings_ = QString::fromStdString(folder);
   return rig_->recordInto(folder, configuration_, deletions_.teller());
+}
+
+Status Session::recordAsAsked(const std::string& fileOrFolder) {
+  asked_ = fileOrFolder;
+  return QFileInfo(QString::fromStdString(asked_)).isDir() ? recordInto(asked_) : recordTo(asked_);
+}
+
+Result<std::unique_ptr<Session>> Session::asAsked(Result<std::unique_ptr<Session>> next) const {
+  if (asked_.empty() || !next) return next;
+  const QFileInfo asked(QString::fromStdString(asked_));
+  std::string where = asked_;
+  for (int k = 2; !asked.isDir() && QFileInfo::exists(QString::fromStdString(where)); ++k) {
+    where = asked.dir()
+                .filePath(QStringLiteral("%1-%2.%3").arg(asked.completeBaseName()).arg(k).arg(asked.suffix()))
+                .toStdString();
+  }
+  const Status recording = asked.isDir() ? (*next)->recordInto(where) : (*next)->recordTo(where);
+  if (!recording) return recording.error();
+  return next;
 }
 
 Status Session::recordAsSaid(const config::Profile& profile, const std::string& path) {
@@ -82,7 +107,7 @@ Status Session::stop() {
 
 void Session::demonstrateWith(const std::string& scenario) {
   machine_.beginDemonstration = [this, scenario] {
-    return switchTo([&scenario] { return openScenarioSession(scenario, true); });
+    return switchTo([this, &scenario] { return asAsked(openScenarioSession(scenario, true)); });
   };
 }
 

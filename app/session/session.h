@@ -33,7 +33,10 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
 
   // Before start(): everything goes to the session file as well.
   Status recordTo(const std::string& path) { return rig_->recordTo(path, configuration_); }
-  // The same below a folder, as the parameters record.* say.
+  // What was asked for when the program was started goes before what a profile says, also of those put in force later:
+  // into the same folder, or into FILE-2.h5 and so on.
+  Status recordAsAsked(const std::string& fileOrFolder);
+  // The same as recordTo(), below a folder, as the parameters record.* say.
   Status recordInto(const std::string& folder);
   // The same where `profile`, of the file `path`, says so.
   Status recordAsSaid(const config::Profile& profile, const std::string& path);
@@ -95,6 +98,8 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   // Another run takes the place of this one, whose machine gets its programmed values back first.
   using Opening = std::function<Result<std::unique_ptr<Session>>()>;
   Status switchTo(const Opening& open);
+  // `next`, recorded as was asked for; as it is where nobody asked.
+  Result<std::unique_ptr<Session>> asAsked(Result<std::unique_ptr<Session>> next) const;
 
   std::unique_ptr<Rig> rig_;
   ReplayDesk replays_;
@@ -105,6 +110,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::string configuration_;
   QString stateFolder_;
   QString recordings_;  // folder of this run's; empty: not recorded into one
+  std::string asked_;   // where everything is recorded; empty: as each run says
   Deletions deletions_;
   std::unique_ptr<LobeWorker> lobes_;
   std::unique_ptr<ActiveDesk> active_;

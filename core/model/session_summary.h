@@ -72,12 +72,13 @@ struct SessionSummary {
   std::uint64_t alarms = 0;  // times that onset or chatter began
   Seconds chatterTime{};
   Metres chatterLength{};
-  Authority highestAuthority{};  // that was in force
-  std::vector<Intervention> interventions;
-  std::vector<Event> events;  // the first few hundred
+  Authority highestAuthority{};             // that was in force
+  std::vector<Intervention> interventions;  // the first few hundred of the alarms
+  std::vector<Event> events;                // the first few hundred
   std::uint64_t eventCount = 0;
   std::vector<Marker> markers;                // times since the first sample
   std::vector<SettingChange> settingChanges;  // the first few hundred
+  std::uint64_t settingChangeCount = 0;
 
   std::vector<SummaryPoint> curve;
   std::vector<SpectrumColumn> spectrogram;  // of the first channel

@@ -13,9 +13,8 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
-#include "core/record/open_recording.h"
-#include "core/record/step_sink.h"
 #include "tests/component/demo_cut.h"
+#include "tests/component/kept_features.h"
 #include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::app {
@@ -108,25 +107,6 @@ std::string recordDemo(const std::string& path, const std::string& strategy, Aut
   return path;
 }
 
-// Its features alone, as the recorder would have kept them during the cut.
-void keepFeatures(const std::string& whole, const std::string& path, Seconds interval) {
-  const auto reader = record::openRecording(whole);
-  ASSERT_TRUE(reader.ok());
-  const record::RecordingFormat& format = (*reader)->format();
-  record::RecordPlan plan;
-  plan.interval = interval;
-  record::SessionHeader header;
-  header.setup = *format.setup;
-  const auto sink = record::features(header, plan, [&]() -> Result<std::string> { return path; }, {});
-  SampleBlock block;
-  block.allocate(static_cast<int>(format.channels.size()), format.blockFrames);
-  while (*(*reader)->read(block)) {
-    const StepRecord* step = (*reader)->recordedStep();
-    ASSERT_TRUE(sink->add(step->input, step->output).ok());
-  }
-  ASSERT_TRUE(sink->close().ok());
-}
-
 // The interval only says how much is kept. What it leaves out is the same as what is kept, so that no time is counted
 // for a verdict that came later.
 TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
@@ -145,7 +125,7 @@ TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
     for (const double interval : {0.5, 1.0, 3.0}) {
       SCOPED_TRACE(interval);
       const std::string path = folder / (cut.strategy + std::to_string(interval) + ".h5");
-      keepFeatures(whole, path, Seconds(interval));
+      test::keepFeatures(whole, path, Seconds(interval));
       const auto kept = summarizeRecording(path);
       ASSERT_TRUE(kept.ok()) << kept.error().line();
       EXPECT_EQ(kept->alarms, all->alarms);
@@ -158,6 +138,32 @@ TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
       }
     }
   }
+}
+
+// The list is bounded; what it leaves out is counted, so that a report can say how many more.
+TEST(Summary, EverySettingThatWasChangedIsCounted) {
+  const record::TempFolder folder;
+  const auto reader = record::openRecording(recordDemo(folder / "cut.h5", "monitor", Authority::Off));
+  ASSERT_TRUE(reader.ok());
+  record::SessionHeader header;
+  header.setup = *(*reader)->format().setup;
+  const auto writer = record::SessionWriter::create(folder / "tuned.h5", header);
+  ASSERT_TRUE(writer.ok());
+  SampleBlock block;
+  block.allocate(static_cast<int>(header.setup.channels.size()), header.setup.blockFrames);
+  for (int step = 0; step < 200; ++step) {
+    ASSERT_TRUE(*(*reader)->read(block));
+    StepInput input = (*reader)->recordedStep()->input;
+    input.inputCount = 3;
+    for (OperatorInput& asked : input.inputs) asked = {OperatorAction::SetParameter, Authority::Off, 0, 1, 0.5};
+    ASSERT_TRUE((*writer)->add(input, (*reader)->recordedStep()->output).ok());
+  }
+  ASSERT_TRUE((*writer)->close().ok());
+  const auto summary = summarizeRecording(folder / "tuned.h5");
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  EXPECT_EQ(summary->settingChangeCount, 600U);
+  EXPECT_LT(summary->settingChanges.size(), 600U);
+  EXPECT_FALSE(summary->settingChanges.empty());
 }
 
 }  // namespace

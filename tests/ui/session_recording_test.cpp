@@ -16,13 +16,17 @@ namespace {
 class RecordedByProfile : public testing::Test {
  protected:
   // Puts a profile of the simulated mill in force, as the Set up page does.
-  void start(const std::string& mode) {
+  void start(const std::string& mode, const QString& asked = {}) {
     auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
     ASSERT_TRUE(opened.ok()) << opened.error().line();
     session_ = std::move(opened).value();
     session_->keepStateIn(folder_.filePath(QStringLiteral("state")));
     session_->keepRecordingsIn(folder_.filePath(QStringLiteral("usual")));
     session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
+    if (!asked.isEmpty()) {
+      ASSERT_TRUE(session_->recordAsAsked(asked.toStdString()).ok());
+      session_->start();
+    }
     ui::SetupDesk& desk = *session_->setup();
     config::ParamCatalog catalog;
     catalog.add(desk.recordParams());
@@ -54,8 +58,9 @@ class RecordedByProfile : public testing::Test {
         60'000);
   }
   // The one file there is, below job and tool.
-  std::string onlyFile() const {
-    QDirIterator files(recordings() + QStringLiteral("/Housing 7/T12 D12 Z4"), {QStringLiteral("*.h5")}, QDir::Files);
+  std::string onlyFile() const { return onlyFileIn(recordings()); }
+  static std::string onlyFileIn(const QString& folder) {
+    QDirIterator files(folder + QStringLiteral("/Housing 7/T12 D12 Z4"), {QStringLiteral("*.h5")}, QDir::Files);
     EXPECT_TRUE(files.hasNext());
     const QString file = files.hasNext() ? files.next() : QString();
     EXPECT_FALSE(files.hasNext()) << "one file";
@@ -78,6 +83,32 @@ TEST_F(RecordedByProfile, EverythingIsKeptWithWhoAndWhatFor) {
   EXPECT_EQ(summary->operatorName, "Ada");
   EXPECT_EQ(summary->job, "Housing 7");
   EXPECT_GT(summary->started_ns, 0);
+}
+
+// --record goes before what a profile says, also when the profile is put in force from the page.
+TEST_F(RecordedByProfile, WhatWasAskedForAtTheStartHoldsForEveryProfile) {
+  const QString asked = folder_.filePath(QStringLiteral("asked"));
+  ASSERT_TRUE(QDir().mkpath(asked));
+  start("continuous", asked);
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_TRUE(session_->setup()->recordingNow().path.startsWith(asked)) << "the page says so";
+  EXPECT_EQ(session_->sessions()->folder(), asked);
+  ASSERT_TRUE(session_->stop().ok());
+  EXPECT_TRUE(glimpseOf(onlyFileIn(asked)).ok());
+  EXPECT_FALSE(QFileInfo::exists(recordings()));
+}
+
+TEST_F(RecordedByProfile, AFileThatWasAskedForIsFollowedByTheNext) {
+  const QString asked = folder_.filePath(QStringLiteral("cut.h5"));
+  start("continuous", asked);
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  const QString next = folder_.filePath(QStringLiteral("cut-2.h5"));
+  EXPECT_EQ(session_->setup()->recordingNow().path, next);
+  ASSERT_TRUE(session_->stop().ok());
+  const auto first = glimpseOf(asked.toStdString()), second = glimpseOf(next.toStdString());
+  ASSERT_TRUE(first.ok() && second.ok());
+  EXPECT_NE(first->configuration, second->configuration) << "the one before is left as it was";
+  EXPECT_FALSE(QFileInfo::exists(recordings()));
 }
 
 TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWasBefore) {

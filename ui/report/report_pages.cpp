@@ -104,18 +104,28 @@ void ReportPages::firstPage() {
 void ReportPages::table(const QString& title, const std::vector<TableColumn>& columns,
                         const std::vector<TableRow>& rows) {
   section(title, 3 * kTableRow);
+  const std::vector<TableRow> lines = wrapped(columns, rows, kWidth, style_);
   int first = 0;
-  while (first < static_cast<int>(rows.size())) {
+  while (first < static_cast<int>(lines.size())) {
     double used = 0.0;
-    first += drawTable(painter_, QRectF(left(), y_, kWidth, room()), columns, rows, first, style_, used);
+    first += drawTable(painter_, QRectF(left(), y_, kWidth, room()), columns, lines, first, style_, used);
     y_ += used;
-    if (first < static_cast<int>(rows.size())) newPage();
+    if (first < static_cast<int>(lines.size())) newPage();
   }
+}
+
+// A list that is not whole says so.
+void ReportPages::more(std::uint64_t all, std::size_t shown) {
+  if (all <= shown) return;
+  drawLine(painter_, QRectF(left(), y_ + 2, kWidth, 16), tr("and %1 more").arg(all - shown), style_.font(10),
+           style_.colors().secondary);
+  y_ += 18;
 }
 
 void ReportPages::interventions() {
   if (summary_.interventions.empty()) return;
   table(tr("Alarms and what was done"), interventionColumns(), interventionRows(summary_));
+  more(summary_.alarms, summary_.interventions.size());
   const QString note =
       tr("Before: highest until the first command. After: newest at the end of the alarm. "
          "Numbers are those in the plots.");
@@ -125,11 +135,7 @@ void ReportPages::interventions() {
 void ReportPages::events() {
   if (summary_.events.empty()) return;
   table(tr("Events"), eventColumns(), eventRows(summary_));
-  if (summary_.eventCount <= summary_.events.size()) return;
-  drawLine(painter_, QRectF(left(), y_ + 2, kWidth, 16),
-           tr("and %1 more").arg(summary_.eventCount - summary_.events.size()), style_.font(10),
-           style_.colors().secondary);
-  y_ += 18;
+  more(summary_.eventCount, summary_.events.size());
 }
 
 void ReportPages::markers() {
@@ -144,8 +150,10 @@ void ReportPages::sensors() {
 }
 
 void ReportPages::settings() {
-  if (!summary_.settingChanges.empty())
+  if (!summary_.settingChanges.empty()) {
     table(tr("Settings changed during the cut"), changeColumns(), changeRows(summary_));
+    more(summary_.settingChangeCount, summary_.settingChanges.size());
+  }
   const QStringList lines = settingLines(summary_);
   if (lines.isEmpty()) return;
   constexpr double kLine = 12.5;

@@ -27,6 +27,7 @@ class ReportPages {
   void firstPage();
   void interventions();
   void markers();
+  void more(std::uint64_t all, std::size_t shown);
   void events();
   void sensors();
   void settings();

@@ -66,22 +66,6 @@ QString meanText(const SensorSummary& sensor) {
   return std::abs(sensor.mean) < 1e-3 * sensor.rms ? QStringLiteral("0") : significant(sensor.mean, 3);
 }
 
-// Broken between words; at least one line.
-QStringList linesOf(const QString& text, qsizetype most) {
-  QStringList lines{QString()};
-  for (const QString& word : text.split(u' ', Qt::SkipEmptyParts)) {
-    QString& line = lines.back();
-    if (line.isEmpty()) {
-      line = word;
-    } else if (line.size() + 1 + word.size() <= most) {
-      line += u' ' + word;
-    } else {
-      lines << word;
-    }
-  }
-  return lines;
-}
-
 std::size_t quietCount(const SessionSummary& s) {
   return static_cast<std::size_t>(
       std::count_if(s.interventions.begin(), s.interventions.end(),
@@ -248,19 +232,14 @@ std::vector<TableColumn> markerColumns() {
 }
 
 std::vector<TableRow> markerRows(const SessionSummary& s) {
-  constexpr qsizetype kLetters = 56;  // that fit into the column
   std::vector<TableRow> rows;
   for (const Marker& marker : s.markers) {
-    const QStringList note = linesOf(QString::fromStdString(marker.note), kLetters);
     TableRow row;
     const Seconds length = secondsBetween(marker.begin, marker.end);
     row.cells << join(number(sinceEpoch(marker.begin).value, 2), QStringLiteral("s"))
               << (length.value > 0.0 ? duration(length) : kNothing) << markerText(marker.label) << text(marker.author)
-              << note.front();
+              << QString::fromStdString(marker.note);
     rows.push_back(row);
-    for (qsizetype line = 1; line < note.size(); ++line) {
-      rows.push_back({{QString(), QString(), QString(), QString(), note[line]}, Tone::Normal});
-    }
   }
   return rows;
 }

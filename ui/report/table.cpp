@@ -1,5 +1,8 @@
 #include "ui/report/table.h"
 
+#include <QFontMetricsF>
+#include <QTextLayout>
+#include <QTextOption>
 #include <algorithm>
 
 namespace stillcut::ui {
@@ -8,14 +11,38 @@ namespace {
 constexpr double kText = 11;
 constexpr double kBetween = 10;  // columns
 
-void drawCells(QPainter& painter, const QRectF& line, const std::vector<TableColumn>& columns, const QStringList& cells,
-               const QFont& font, const QColor& color, const QColor& lastColor) {
+std::vector<double> widthsOf(const std::vector<TableColumn>& columns, double width) {
   double shares = 0.0;
   for (const TableColumn& c : columns) shares += c.share;
-  const double width = line.width() - kBetween * static_cast<double>(columns.size() - 1);
+  const double all = width - kBetween * static_cast<double>(columns.size() - 1);
+  std::vector<double> widths;
+  widths.reserve(columns.size());
+  for (const TableColumn& c : columns) widths.push_back(c.share / shares * all);
+  return widths;
+}
+
+QStringList linesOf(const QString& text, const QFont& font, double width) {
+  if (QFontMetricsF(font).horizontalAdvance(text) <= width) return {text};
+  QTextLayout layout(text, font);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  layout.setTextOption(option);
+  QStringList lines;
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    lines << text.mid(line.textStart(), line.textLength()).trimmed();
+  }
+  layout.endLayout();
+  return lines;
+}
+
+void drawCells(QPainter& painter, const QRectF& line, const std::vector<TableColumn>& columns, const QStringList& cells,
+               const QFont& font, const QColor& color, const QColor& lastColor) {
+  const std::vector<double> widths = widthsOf(columns, line.width());
   double x = line.left();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    const double w = columns[i].share / shares * width;
+    const double w = widths[i];
     const bool last = i + 1 == columns.size();
     const auto align = columns[i].number ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter;
     drawLine(painter, QRectF(x, line.top(), w, line.height()), cells.value(static_cast<qsizetype>(i)), font,
@@ -25,6 +52,28 @@ void drawCells(QPainter& painter, const QRectF& line, const std::vector<TableCol
 }
 
 }  // namespace
+
+std::vector<TableRow> wrapped(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows, double width,
+                              const PageStyle& style) {
+  const std::vector<double> widths = widthsOf(columns, width);
+  const QFont font = style.font(kText);
+  std::vector<TableRow> all;
+  for (const TableRow& row : rows) {
+    const std::size_t begin = all.size();
+    all.push_back({{}, row.tone});
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const QString cell = row.cells.value(static_cast<qsizetype>(c));
+      const QStringList lines = columns[c].number ? QStringList{cell} : linesOf(cell, font, widths[c]);
+      while (all.size() < begin + static_cast<std::size_t>(lines.size())) {
+        all.push_back({QStringList(static_cast<qsizetype>(c)), row.tone});
+      }
+      for (std::size_t k = begin; k < all.size(); ++k) {
+        all[k].cells << lines.value(static_cast<qsizetype>(k - begin));
+      }
+    }
+  }
+  return all;
+}
 
 int drawTable(QPainter& painter, const QRectF& area, const std::vector<TableColumn>& columns,
               const std::vector<TableRow>& rows, int first, const PageStyle& style, double& used) {

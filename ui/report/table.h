@@ -24,6 +24,11 @@ struct TableRow {
 
 inline constexpr double kTableRow = 19;  // height of a row and of the head [1/96 inch]
 
+// The same rows with as many lines for each as its longest cell needs in a table of `width`: broken between words, and
+// within what has none (Chinese, a path). Numbers stay whole.
+std::vector<TableRow> wrapped(const std::vector<TableColumn>& columns, const std::vector<TableRow>& rows, double width,
+                              const PageStyle& style);
+
 // Draws rows from `first` on as long as they fit into `area`; returns how many. `used` is the height taken.
 int drawTable(QPainter& painter, const QRectF& area, const std::vector<TableColumn>& columns,
               const std::vector<TableRow>& rows, int first, const PageStyle& style, double& used);

@@ -11,6 +11,7 @@
 #include "core/record/session_reader.h"
 #include "tests/component/cli/made_files.h"
 #include "tests/component/cli/program.h"
+#include "tests/component/kept_features.h"
 #include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::cli_test {
@@ -108,6 +109,31 @@ TEST(Score, ANoteLeavesTheSimulationsTruth) {
   ASSERT_TRUE(record::addMarker(path, {0, at, at + std::chrono::seconds(1), "note", "engineer", "coolant", 0}).ok());
   const Outcome after = runCli(folder / "", {"score", "cut.h5", "--detector", "energy-ratio", "--json"});
   EXPECT_EQ(after.out, before.out);
+}
+
+// Nothing was there to be found, so nothing was missed.
+TEST(Score, AHistoryOfFeaturesIsNotScoredAndSaysWhy) {
+  const record::TempFolder folder;
+  writeScenario(folder / "cut.toml");
+  ASSERT_EQ(runCli(folder / "", {"simulate", "cut.toml", "--strategy", "monitor", "--out", "cut.h5"}).exitCode, 0);
+  const std::string history = folder / "history.h5";
+  test::keepFeatures(folder / "cut.h5", history, Seconds(0.1));
+  const auto counts = record::countSession(history);
+  ASSERT_TRUE(counts.ok());
+  const Instant at = counts->begin + std::chrono::milliseconds(1500);
+  ASSERT_TRUE(record::addMarker(history, {0, at, at, "true-alarm", "operator", "", 0}).ok());
+  const Outcome scored = runCli(folder / "", {"score", ".", "--detector", "energy-ratio", "--json"});
+  ASSERT_EQ(scored.exitCode, 0) << scored.err;
+  const json answer = json::parse(scored.out);
+  EXPECT_EQ(answer["files"].size(), 1U);
+  EXPECT_EQ(answer["detectors"]["energy-ratio"]["missed"], 0);
+  ASSERT_EQ(answer["unreadable"].size(), 1U);
+  EXPECT_THAT(answer["unreadable"][0].get<std::string>(), HasSubstr("history.h5: holds no samples (a history of feat"));
+  for (const char* command : {"score", "analyze"}) {
+    const Outcome alone = runCli(folder / "", {command, "history.h5"});
+    EXPECT_EQ(alone.exitCode, 2) << command;
+    EXPECT_THAT(alone.err, HasSubstr("history.h5: holds no samples (a history of features"));
+  }
 }
 
 // Its own export is a plain HDF5 file without truth, and a torn file is said; the rest is scored.
