@@ -15,6 +15,10 @@ void OverrideKeeper::enter(Stage stage, Instant now) noexcept {
 
 void OverrideKeeper::take(const cnc::HalRequest& request, int client, Instant now) noexcept {
   if (engaged() && client != holder_) return;
+  if (client == lapsed_) {
+    if (request.hold) return;
+    lapsed_ = 0;
+  }
   request_ = request;
   renewed_ = now;
   if (!request.hold) {
@@ -47,11 +51,11 @@ void OverrideKeeper::prove(const KeeperInputs& in, Instant now) noexcept {
       }
       break;
     case Stage::Listening:
-      if (!in.watchdogOk) {
+      if (past > kLongestProof) {  // what is seen now may have come long after the time that is to be shown
+        enter(Stage::Resting, now);
+      } else if (!in.watchdogOk) {
         watchdogMs_ = std::max(1, static_cast<int>(past / std::chrono::milliseconds(1)));
         enter(Stage::Home, now);
-      } else if (past > kLongestProof) {
-        enter(Stage::Resting, now);
       }
       break;
     default:
@@ -60,12 +64,13 @@ void OverrideKeeper::prove(const KeeperInputs& in, Instant now) noexcept {
 }
 
 void OverrideKeeper::hold(const KeeperInputs& in, Instant now) noexcept {
-  if (stage_ != Stage::Held) return;
+  if (!engaged()) return;
   armed_ = armed_ || in.watchdogOk;
   const bool fell = armed_ ? !in.watchdogOk : now - since_ > kPatience;
-  if (fell || !in.permit) {
+  if (stage_ == Stage::Held && (fell || !in.permit)) {
     enter(Stage::Fallen, now);
   } else if (now - renewed_ > kLease) {
+    if (stage_ == Stage::Fallen) lapsed_ = holder_;
     enter(Stage::Home, now);
   }
 }
@@ -118,13 +123,13 @@ cnc::HalReport OverrideKeeper::report(int client) const noexcept {
   r.adaptiveFeed = stage_ == Stage::Held ? pins_.adaptiveFeed : 1.0;
   switch (stage_) {
     case Stage::Home:
-      r.standing = HalStanding::Home;
+      r.standing = client == lapsed_ ? HalStanding::Fallen : HalStanding::Home;
       break;
     case Stage::Held:
       r.standing = client == holder_ ? HalStanding::Held : HalStanding::Taken;
       break;
     case Stage::Fallen:
-      r.standing = HalStanding::Fallen;
+      r.standing = client == holder_ ? HalStanding::Fallen : HalStanding::Taken;
       break;
     default:
       break;

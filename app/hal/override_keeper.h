@@ -43,7 +43,7 @@ class OverrideKeeper {
   static constexpr Duration kRest = std::chrono::milliseconds(10);
   static constexpr Duration kShortestBeat = std::chrono::milliseconds(2);
 
-  // `client`: any number that is one client's alone.
+  // `client`: any number above 0 that is one client's alone.
   void take(const cnc::HalRequest& request, int client, Instant now) noexcept;
   void clientGone(int client, Instant now) noexcept;
   // This program ends.
@@ -69,6 +69,8 @@ class OverrideKeeper {
   // A percentage of ours may stand in the machine: the way home is walked, whatever the client says of it by then.
   bool tookSpeed_ = false, tookFeed_ = false;
   int holder_ = 0;  // while Held or Fallen
+  // Fell, and said nothing for the time of a lease: it keeps nobody out any more, and has still to let go itself.
+  int lapsed_ = 0;
   int watchdogMs_ = 0;
 };
 

@@ -26,7 +26,7 @@ enum class HalStanding : std::uint8_t {
   Unproven,  // the machine's watchdog was not seen to act: nothing is taken
   Home,      // nothing of ours
   Held,
-  Taken,   // by another client
+  Taken,   // by another client, or not yet let go of by one that has fallen
   Fallen,  // the machine's watchdog, or the operator's switch, took us out: until we let go
 };
 

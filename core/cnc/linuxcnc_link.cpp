@@ -191,7 +191,8 @@ OrderBlock LinuxCncLink::block(const MachineState& m, Instant now) const noexcep
   if (!status_.machineOn.value) return OrderBlock::MachineOff;
   if (!m.controlOurs) return hand_->block(now);
   if (!m.programRunning) return OrderBlock::NoProgram;
-  if (speedLock_.locked() && feedLock_.locked()) return OrderBlock::OverridesLocked;
+  const bool both = speedLock_.locked() && feedLock_.locked();
+  if (both && !speedLock_.orLimit() && !feedLock_.orLimit()) return OrderBlock::OverridesLocked;
   if (speedLock_.locked()) return OrderBlock::SpeedLocked;
   if (feedLock_.locked()) return OrderBlock::FeedLocked;
   return m.overridesEnabled ? OrderBlock::None : OrderBlock::AdaptiveLocked;

@@ -3,6 +3,7 @@
 // A speed or feed that stands where it would be without the override, for a while in all, is one that is locked; one
 // that stands where the override puts it is not. Anything else (a corner, a rapid move, the machine's own range) says
 // nothing. While it cannot be told, a lock is believed for some seconds more: nobody says when the program ends it.
+// Above what it would be without the override, a machine at its own limit looks the same: that is said of a lock too.
 // Thread: link thread. Real-time safe.
 #pragma once
 
@@ -19,6 +20,7 @@ class LockJudge {
   void look(double with, double without, double seen, Instant now) noexcept {
     const bool tellsApart = std::abs(with - without) > kStep;
     const bool still = tellsApart && std::abs(seen - without) < 0.5 * kStep;
+    if (still) raised_ = with > without;
     // Between two looks that agree, and not across a time when nobody looked.
     if (still && wasStill_ && now - last_ < kPause) stood_ += now - last_;
     wasStill_ = still;
@@ -33,6 +35,8 @@ class LockJudge {
     locked_ = wasStill_ = false;
   }
   bool locked() const noexcept { return locked_; }
+  // While it is locked: the machine's own limit would look like it.
+  bool orLimit() const noexcept { return raised_; }
 
  private:
   static constexpr double kStep = 0.01;  // overrides are whole per cents
@@ -43,7 +47,7 @@ class LockJudge {
 
   Duration stood_{};
   Instant last_{}, lastStill_{};
-  bool wasStill_ = false, locked_ = false;
+  bool wasStill_ = false, locked_ = false, raised_ = false;
 };
 
 }  // namespace stillcut::cnc

@@ -3,6 +3,7 @@
 // overrides stay when the client dies, and a get without the spindle's number crashes the server.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -23,15 +24,17 @@ struct FakeMill {
   double moves = 1.0;                            // of the path's velocity: rapid moves, corners
   double adaptive = 1.0;                         // motion.adaptive-feed
   bool adaptiveHeeded = true;                    // M52 P1
+  double highest = 1e9, fastest = 1e9;           // the spindle's and the path's own limit, rev/min and units/min
   const void* owner = nullptr;
   bool crashed = false;
   int sets = 0;
   double actual = 8000.0;  // rev/min
 
   void lock(bool both) { speedLocked = feedLocked = both; }
-  double commanded() const { return running ? s * (speedLocked ? 1.0 : spindle / 100.0) : 0.0; }
+  double commanded() const { return running ? std::min(s * (speedLocked ? 1.0 : spindle / 100.0), highest) : 0.0; }
   double velocity() const {  // units/s
-    return running ? moves * f / 60.0 * (feedLocked ? 1.0 : feed / 100.0) * (adaptiveHeeded ? adaptive : 1.0) : 0.0;
+    const double share = (feedLocked ? 1.0 : feed / 100.0) * (adaptiveHeeded ? adaptive : 1.0);
+    return running ? moves * std::min(f * share, fastest) / 60.0 : 0.0;
   }
 };
 

@@ -1,54 +1,16 @@
-// LinuxCNC's manners on a scripted peer, on virtual time. The real one: tests/protocol/linuxcnc_peer_test.cpp.
-// Over 400 lines: every end of one link, and every cause of an order that does not act, on one bench.
-#include "core/cnc/linuxcnc_link.h"
-
+// LinuxCNC's manners on a scripted peer, on virtual time: what is read, what an order does, what the machine is left
+// with. The real one: tests/protocol/linuxcnc_peer_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <memory>
 
-#include "tests/protocol/commands.h"
-#include "tests/protocol/fake_emc.h"
+#include "tests/protocol/emc_bench.h"
 
 namespace stillcut::cnc {
 namespace {
 
 using namespace testing;
-
-struct Bench {
-  Bench() {
-    auto make = [&](FakeEmcClient& client, ScriptedWire*& seen) {
-      auto wire = std::make_unique<ScriptedWire>(clock, faults, client);
-      seen = wire.get();
-      return wire;
-    };
-    LinuxCncLink::Wires wires;
-    wires.control = make(control, controlWire);
-    wires.watch = make(watch, watchWire);
-    wires.hal = make(hal, halWire);
-    link = std::make_unique<LinuxCncLink>(LinuxCncSettings{}, std::move(wires), clock);
-  }
-  // The link thread's ticks; the spindle follows with a time constant of 0.1 s.
-  MachineState run(double seconds) {
-    const Instant until = clock.now() + toDuration(Seconds(seconds));
-    MachineState m;
-    while (clock.now() < until) {
-      const Instant before = clock.now();
-      m = link->read(before);
-      clock.advance(Seconds(0.005));
-      mill.actual += (mill.commanded() - mill.actual) * secondsBetween(before, clock.now()).value / 0.1;
-    }
-    return m;
-  }
-
-  test::VirtualClock clock{instantFromNs(1'000'000'000)};
-  WireFaults faults;
-  FakeMill mill;
-  FakeEmcClient control{mill}, watch{mill}, hal{mill}, other{mill};
-  ScriptedWire *controlWire = nullptr, *watchWire = nullptr, *halWire = nullptr;
-  CommandMaker gate;
-  std::unique_ptr<LinuxCncLink> link;
-};
+using Bench = EmcBench;
 
 TEST(LinuxCnc, ReadsTheMachineAndTakesNoControlUnasked) {
   Bench b;
@@ -94,123 +56,6 @@ TEST(LinuxCnc, MultipliesWithTheOperatorsOwnKnobAndBringsItBack) {
   EXPECT_NEAR(m.operatorSpeed.value, 1.1, 1e-9);
   b.link->release(b.clock.now());
   EXPECT_EQ(b.mill.spindle, 110);
-}
-
-TEST(LinuxCnc, OperatorsHandEndsOursAndIsNotFoughtOver) {
-  Bench b;
-  b.run(0.2);
-  const OverrideCommand command = b.gate.set(90.0);
-  b.link->apply(command, b.clock.now());
-  b.run(8.0);
-  b.mill.spindle = b.mill.shownSpindle = 70;
-  b.run(0.1);
-  b.link->apply(command, b.clock.now());  // the lease is renewed before the gate has seen it
-  const MachineState m = b.run(2.0);
-  EXPECT_EQ(b.mill.spindle, 70);
-  EXPECT_NEAR(m.operatorSpeed.value, 0.7, 1e-9);
-  b.link->release(b.clock.now());
-  EXPECT_EQ(b.mill.spindle, 70);
-  EXPECT_EQ(b.mill.feed, 100);
-}
-
-TEST(LinuxCnc, AcknowledgedWithoutEffectIsALockNotASuccess) {
-  Bench b;
-  b.run(0.2);
-  b.mill.lock(true);  // M49: ACK, read-back 90, and the spindle stays at S
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  MachineState m = b.run(1.0);
-  EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);  // what is in force, not what is read back
-  m = b.run(2.0);
-  EXPECT_TRUE(m.valid);
-  EXPECT_FALSE(m.overridesEnabled);
-  EXPECT_EQ(m.block, OrderBlock::OverridesLocked);
-  EXPECT_EQ(m.feedOverride.value, 1.0);
-  b.mill.lock(false);  // M48
-  m = b.run(1.0);
-  EXPECT_TRUE(m.overridesEnabled);
-  EXPECT_EQ(m.block, OrderBlock::None);
-  EXPECT_NEAR(m.feedOverride.value, 0.9, 1e-9);
-}
-
-// M51 P0 and M50 P0: one of the two acts, and which does not is said.
-TEST(LinuxCnc, SpeedAndFeedThatAreLockedAreToldApart) {
-  for (const bool speed : {true, false}) {
-    Bench b;
-    b.run(0.2);
-    (speed ? b.mill.speedLocked : b.mill.feedLocked) = true;
-    b.link->apply(b.gate.set(90.0), b.clock.now());
-    const MachineState m = b.run(3.0);
-    EXPECT_FALSE(m.overridesEnabled);
-    EXPECT_EQ(m.block, speed ? OrderBlock::SpeedLocked : OrderBlock::FeedLocked);
-    EXPECT_NEAR(m.speedOverride.value, speed ? 1.0 : 0.9, 1e-6);
-    EXPECT_NEAR(m.feedOverride.value, speed ? 0.9 : 1.0, 1e-6);
-  }
-}
-
-// Rapid moves and corners are no lock: the velocity stands nowhere near the programmed feed for long.
-TEST(LinuxCnc, AFeedThatPassesTheProgrammedOneIsNotLocked) {
-  Bench b;
-  b.run(0.2);
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  b.run(1.0);
-  for (int move = 0; move < 200; ++move) {
-    b.mill.moves = move % 5 == 0 ? 1.0 : 0.3 * (move % 7);  // of the programmed feed
-    EXPECT_TRUE(b.run(0.02).overridesEnabled) << move;
-  }
-}
-
-// Nobody says when the program unlocks: once nothing of ours is told for some seconds, the lock is tried again.
-TEST(LinuxCnc, ALockIsNotBelievedForEver) {
-  Bench b;
-  b.run(0.2);
-  b.mill.lock(true);
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  b.run(3.0);
-  b.link->release(b.clock.now());
-  EXPECT_FALSE(b.run(5.0).overridesEnabled);
-  EXPECT_TRUE(b.run(8.0).overridesEnabled);
-}
-
-TEST(LinuxCnc, AnotherClientInControlIsSaidAndNotFought) {
-  Bench b;
-  b.run(0.2);
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  b.run(1.0);
-  b.mill.owner = &b.other;
-  const OverrideCommand more = b.gate.set(95.0);
-  b.link->apply(more, b.clock.now());
-  const MachineState m = b.run(1.0);
-  EXPECT_TRUE(m.valid);
-  EXPECT_FALSE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::OtherClient);
-  EXPECT_EQ(b.mill.owner, &b.other);
-}
-
-TEST(LinuxCnc, RefusedControlIsNoOtherClient) {
-  Bench b;
-  b.run(0.2);
-  b.mill.refusesControl = true;
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  const MachineState m = b.run(1.0);
-  EXPECT_FALSE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::ControlRefused);
-}
-
-TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
-  Bench b;
-  b.run(0.2);
-  b.mill.machineOn = false;
-  b.link->apply(b.gate.set(90.0), b.clock.now());
-  const MachineState m = b.run(1.0);
-  EXPECT_TRUE(m.valid);
-  EXPECT_FALSE(m.programRunning);
-  EXPECT_TRUE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::MachineOff);
-  EXPECT_EQ(b.mill.sets, 0);
-  EXPECT_EQ(b.mill.owner, nullptr);  // nothing could be done with it
-  b.mill.machineOn = true;
-  b.mill.running = false;
-  EXPECT_EQ(b.run(0.3).block, OrderBlock::NoProgram);
 }
 
 // It takes no override then, so nothing is waited for: what stands there goes home once it is on again, if we are

@@ -1,0 +1,122 @@
+// stillcut-hal's keeper alone, on virtual time: when the machine's watchdog counts as proven, and whose the knobs are.
+#include "app/hal/override_keeper.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/protocol/fake_hal.h"
+
+namespace stillcut::hal {
+namespace {
+
+using cnc::HalStanding;
+using cnc::testing::FakeWatchdog;
+
+constexpr int kFirst = 1, kSecond = 2;
+
+struct Bench {
+  explicit Bench(std::chrono::milliseconds patience = std::chrono::milliseconds{30}) : watchdog(patience) {}
+  void tick() { watchdog.look(pins = keeper.tick({watchdog.ok, permit}, clock.now()), clock.now()); }
+  void run(double seconds) {
+    for (const Instant end = clock.now() + toDuration(Seconds(seconds)); clock.now() < end;) {
+      clock.advance(Seconds(0.002));
+      tick();
+    }
+  }
+  // Says so every 10 ms, as a link does.
+  void insist(int client, const char* line, double seconds) {
+    for (const Instant end = clock.now() + toDuration(Seconds(seconds)); clock.now() < end; run(0.01)) {
+      keeper.take(*cnc::readHalRequest(line), client, clock.now());
+    }
+  }
+  HalStanding standing(int client) const { return keeper.report(client).standing; }
+
+  test::VirtualClock clock{instantFromNs(1'000'000'000)};
+  FakeWatchdog watchdog;
+  OverrideKeeper keeper;
+  KeeperPins pins;
+  bool permit = true;
+};
+
+constexpr const char* kHold = "set 90 90 1 100 100";
+constexpr const char* kHome = "home 100 100";
+
+// What would be home later than the lease is no proof.
+TEST(OverrideKeeper, WatchdogThatIsTooSlowForTheLeaseIsNotTaken) {
+  for (const int ms : {30, 60, 90, 400}) {
+    Bench b(std::chrono::milliseconds{ms});
+    b.run(5.0);
+    EXPECT_EQ(b.standing(kFirst), ms < 70 ? HalStanding::Home : HalStanding::Unproven) << ms;
+  }
+}
+
+// Held up by the host, it sees a watchdog that has let go some time or other: that is measured again.
+TEST(OverrideKeeper, AProofThatWasSeenTooLateIsMeasuredAgain) {
+  Bench b;
+  for (int i = 0; i < 1000 && !b.watchdog.ok; ++i) b.run(0.002);
+  b.run(0.01);
+  ASSERT_TRUE(b.watchdog.ok);
+  b.clock.advance(Seconds(0.1));
+  b.watchdog.look(b.pins, b.clock.now());
+  ASSERT_FALSE(b.watchdog.ok);
+  b.tick();
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Unproven);
+  EXPECT_EQ(b.keeper.report(kFirst).watchdogMs, 0);
+  b.run(1.5);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Home);
+  EXPECT_LE(b.keeper.report(kFirst).watchdogMs, 40);
+}
+
+// Who fell and lives keeps the others out until it has let go: in the time of a tick, when the gate does.
+TEST(OverrideKeeper, OneThatHasFallenIsToldSoAndTheOthersWhoseTheyAre) {
+  Bench b;
+  b.run(1.5);
+  b.insist(kFirst, kHold, 0.1);
+  ASSERT_EQ(b.standing(kFirst), HalStanding::Held);
+  b.permit = false;
+  b.insist(kFirst, kHold, 0.3);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Fallen);
+  EXPECT_EQ(b.standing(kSecond), HalStanding::Taken);
+  b.permit = true;
+  b.insist(kFirst, kHold, 0.3);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Fallen) << "not by itself";
+  b.insist(kFirst, kHome, 0.02);
+  b.insist(kSecond, kHold, 0.02);
+  EXPECT_EQ(b.standing(kSecond), HalStanding::Held);
+}
+
+// Its cable was pulled, so nobody hangs up: the lease ends a fall as it ends a hold.
+TEST(OverrideKeeper, OneThatFellAndDiedKeepsNobodyOut) {
+  Bench b;
+  b.run(1.5);
+  b.insist(kFirst, kHold, 0.1);
+  b.permit = false;
+  b.run(0.01);
+  ASSERT_EQ(b.standing(kFirst), HalStanding::Fallen);
+  b.permit = true;
+  b.run(toSeconds(OverrideKeeper::kLease).value + 0.02);
+  b.insist(kSecond, "set 95 95 1 100 100", 0.1);
+  EXPECT_EQ(b.standing(kSecond), HalStanding::Held);
+  EXPECT_EQ(b.pins.speed, 95);
+}
+
+// It was only held up: what it went on holding has ended, and it has to let go before it takes again.
+TEST(OverrideKeeper, OneThatFellAndComesBackHasToLetGoFirst) {
+  Bench b;
+  b.run(1.5);
+  b.insist(kFirst, kHold, 0.1);
+  b.permit = false;
+  b.run(0.2);
+  b.permit = true;
+  b.insist(kFirst, kHold, 0.2);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Fallen);
+  EXPECT_EQ(b.standing(kSecond), HalStanding::Home);
+  EXPECT_EQ(b.pins.speed, 100);
+  b.insist(kFirst, kHome, 0.02);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Home);
+  b.insist(kFirst, kHold, 0.1);
+  EXPECT_EQ(b.standing(kFirst), HalStanding::Held);
+  EXPECT_EQ(b.pins.speed, 90);
+}
+
+}  // namespace
+}  // namespace stillcut::hal
