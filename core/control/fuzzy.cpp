@@ -150,9 +150,11 @@ void Fuzzy::gather(const StrategyInput& input) noexcept {
     const double ref = options_.coherenceRef;
     coherence =
         s < kSeverityRef ? ref * s / kSeverityRef : ref + (1.0 - ref) * (s - kSeverityRef) / (1.0 - kSeverityRef);
-    // Outside the cut, and where the detector itself calls the cut stable, a high ratio is no chatter.
+    // Where the detector itself calls the cut stable, a high ratio is no chatter.
     if (!v.alarming()) coherence = std::min(coherence, 0.5 * ref);
   }
+  // Two sensors agree on a spindle that hums in air as well.
+  if (v.phase == CutPhase::Air) coherence = std::min(coherence, 0.5 * options_.coherenceRef);
   const double level = levelOf(input);
   if (!ofThePast(input, level, dt)) {
     coherenceMax_ = std::max(coherenceMax_, std::clamp(coherence, 0.0, 1.0));
@@ -192,6 +194,8 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   FuzzyInputs in = scaled(coherence, energy);
   in.energyKnown = known;
   lastCoherence_ = coherence;
+  reason_ = said(input, coherence, energy);
+  if (input.verdict.phase == CutPhase::Air) return;  // nothing is cut that another speed could quieten, or that taught
   if (coherence > options_.coherenceRef || (known && energy > options_.energyRef)) sinceAlarm_ = 0.0;
   const bool works = known && energy > options_.energyRef && energy < kFalling * energy1_;
   const double stronger = overshoot(energy) * tune(in);
@@ -203,9 +207,13 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   // Table 3.1.
   if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
   if (energy > 2.0 * options_.energyUp) feed_ = 0.0;
+  reason_ = said(input, coherence, energy);
+}
+
+Reason Fuzzy::said(const StrategyInput& input, double coherence, double energy) const noexcept {
   const Rpm speed = programmed_ * (input.machine.operatorSpeed.value * speed_);
   const MetresPerSecond feed = input.machine.programmedFeed * (input.machine.operatorFeed.value * feed_);
-  reason_ = {ReasonCode::FuzzyRules, {coherence, energy, speed.value, toMmPerMin(feed)}};
+  return {ReasonCode::FuzzyRules, {coherence, energy, speed.value, toMmPerMin(feed)}};
 }
 
 FuzzyInputs Fuzzy::scaled(double coherence, double energy) noexcept {

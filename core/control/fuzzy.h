@@ -70,6 +70,7 @@ class Fuzzy : public Strategy {
   bool ofThePast(const StrategyInput& input, double level, double dt) noexcept;
   void learnStable(const Verdict& verdict, double level, double dt) noexcept;
   void cycle(const StrategyInput& input) noexcept;
+  Reason said(const StrategyInput& input, double coherence, double energy) const noexcept;
   FuzzyInputs scaled(double coherence, double energy) noexcept;
   double overshoot(double energy) noexcept;
   void moveBy(double speed, double feed, double step, const MachineState& machine) noexcept;
