@@ -13,6 +13,7 @@ constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the 
 constexpr Hertz kHighPassUnknown{2.0};   // no speed known
 constexpr int kFilterOrder = 2;
 constexpr Seconds kTurnUnknown{0.02};
+constexpr Seconds kStep{1e-3};
 
 void refuse(const CutSetup& setup) {
   const auto count = static_cast<int>(setup.channels.size());
@@ -51,7 +52,7 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   samples_.assign(count * frames, 0.0);
   angle_.assign(frames, 0.0);
   angleStep_.assign(frames, 0.0);
-  for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_;
+  stepFrames_ = std::max(1, static_cast<int>(std::lround(kStep.value * setup.rate.value)));
   check_.prepare(setup);
   sensors_.prepare(setup);
   speed_.prepare(setup, params.real(kSpeedRange));
@@ -86,6 +87,8 @@ void Conditioner::restart() noexcept {
     filter.highPass(kFilterOrder, highPass_, setup_.rate);
   }
   speed_.restart();
+  stepDone_ = 0;
+  squares_ = {};
 }
 
 bool Conditioner::usable(const SampleBlock& block) noexcept {
@@ -108,24 +111,47 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     double* out = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
     const double scale = setup_.channels[i].scale;
     if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
-    double squares = 0.0;
     for (int f = 0; f < block.frames; ++f) {
-      const double x = filters_[i].process(scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i]);
-      out[f] = x;
-      squares += x * x;
+      out[f] = filters_[i].process(scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i]);
     }
-    meanSquares_[i] = squares / block.frames;
   }
   primed_ = true;
 }
 
+void Conditioner::addSquares(int from, int frames) noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const double* x = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_ + from;
+    double sum = 0.0;
+    for (int f = 0; f < frames; ++f) sum += x[f] * x[f];
+    squares_[static_cast<std::size_t>(c)] += sum;
+  }
+}
+
+void Conditioner::follow(int frames) noexcept {
+  for (int f = 0; f < frames;) {
+    const int now = std::min(frames - f, stepFrames_ - stepDone_);
+    for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_ + f;
+    speed_.advance(pointers_.data(), now, angle_.data() + f, angleStep_.data() + f);
+    addSquares(f, now);
+    f += now;
+    stepDone_ += now;
+    if (stepDone_ < stepFrames_) continue;
+    speed_.look(Seconds(stepFrames_ / setup_.rate.value), gate_.phase() == CutPhase::Exit);
+    advanceGate();
+    stepDone_ = 0;
+    squares_ = {};
+  }
+}
+
 void Conditioner::advanceGate() noexcept {
-  const Seconds turn = out_.spindle.value > 0.0 ? Seconds(1.0 / out_.spindle.value) : kTurnUnknown;
+  const double spindle = speed_.known() ? speed_.spindle().value : 0.0;
+  const Seconds turn = spindle > 0.0 ? Seconds(1.0 / spindle) : kTurnUnknown;
   const CutPhase before = gate_.phase();
   gate_.setForced(speed_.forced());
   gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.loneLine().value > 0.0);
-  gate_.advance(std::span(meanSquares_).first(static_cast<std::size_t>(channels_)),
-                Seconds(out_.frames / setup_.rate.value), turn);
+  for (double& s : squares_) s /= stepFrames_;
+  gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
+                Seconds(stepFrames_ / setup_.rate.value), turn);
   if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
 }
 
@@ -157,7 +183,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.angleStep = angleStep_.data();
   out_.afterGap = false;
   findFeed(machine);
-  speed_.listen(machine);
+  speed_.listen(machine, out_.frames);
   out_.valid = usable(block);
   if (!out_.valid) {
     gapPending_ = true;  // whatever follows starts anew
@@ -170,13 +196,12 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
     gapPending_ = false;
   }
   makeSi(block);
-  speed_.advance(pointers_.data(), block.frames, angle_.data(), angleStep_.data());
+  follow(block.frames);
   out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
   out_.loneLine = speed_.loneLine();
   out_.spindleSd = speed_.sd();
   out_.speedMoving = speed_.riding();
   out_.turnsCompare = !speed_.moving();
-  advanceGate();
   out_.phase = gate_.phase();
   out_.levelTrend = gate_.trend();
   checkSensors(block);

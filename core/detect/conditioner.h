@@ -50,6 +50,8 @@ class Conditioner {
   void restart() noexcept;
   bool usable(const SampleBlock& block) noexcept;
   void makeSi(const SampleBlock& block) noexcept;
+  void follow(int frames) noexcept;
+  void addSquares(int from, int frames) noexcept;
   void advanceGate() noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
   void findFeed(const MachineState& machine) noexcept;
@@ -71,7 +73,10 @@ class Conditioner {
   std::vector<double> angle_;
   std::vector<double> angleStep_;
   std::array<const double*, kMaxChannels> pointers_{};
-  std::array<double, kMaxChannels> meanSquares_{};
+  // Speed and phase are judged every millisecond, however long the blocks are.
+  int stepFrames_ = 1;
+  int stepDone_ = 0;
+  std::array<double, kMaxChannels> squares_{};  // of this step
   ConditionedBlock out_;
 };
 

@@ -6,14 +6,15 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kFloorSeconds = 0.2;    // level over which the floor is taken: tonal hum beats inside it
-constexpr double kCloseRelative = 0.6;   // the gate closes at this part of its opening level
-constexpr double kEntryTurns = 8.0;      // shortest entry
-constexpr double kSlowTurns = 6.0;       // memory against which entry and exit are seen
-constexpr double kSettled = 1.6;         // 2 dB: the level no longer moves
-constexpr double kFalling = 0.5;         // 3 dB down within the memory: the tool leaves
-constexpr double kLongTurns = 40.0;      // memory against which a slow exit is seen ...
-constexpr double kSinking = 0.35;        // ... 4.5 dB down
+constexpr double kFloorSeconds = 0.2;   // level over which the floor is taken: tonal hum beats inside it
+constexpr double kCloseRelative = 0.6;  // the gate closes at this part of its opening level
+constexpr double kEntryTurns = 8.0;     // shortest entry
+constexpr double kSlowTurns = 6.0;      // memory against which entry and exit are seen
+constexpr double kSettled = 1.6;        // 2 dB: the level no longer moves
+constexpr double kFalling = 0.5;        // 3 dB down within the memory: the tool leaves
+constexpr double kStayTurns = 3.0;   // a level that falls stands still for a moment, and the tool leaves all the same
+constexpr double kLongTurns = 40.0;  // memory against which a slow exit is seen ...
+constexpr double kSinking = 0.35;    // ... 4.5 dB down
 constexpr double kLongestEntry = 120.0;  // turns; then whatever is there counts as the cut
 
 // First-order follower, exact for any step.
@@ -31,8 +32,9 @@ void CutGate::prepare(const CutSetup& setup) {
 void CutGate::reset() noexcept {
   fast_ = {};
   floor_ = {};
+  cutFloor_ = {};
   calm_ = {};
-  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = 0.0;
+  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = 0.0;
   airSeen_ = forced_ = speedKnown_ = false;
   phase_ = CutPhase::Air;
 }
@@ -58,13 +60,22 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
   }
 }
 
+// What is loud within a cut that no air was heard before is chatter, and no proof that its floor was air. There air is
+// heard when the tool leaves: the floor falls as far as a cut is above it.
+void CutGate::hearAir() noexcept {
+  if (phase_ == CutPhase::Air && level_ > openRatio_) airSeen_ = true;
+  for (std::size_t c = 0; c < channels_ && phase_ == CutPhase::Exit; ++c) {
+    if (floor_[c] * openRatio_ < cutFloor_[c]) airSeen_ = true;
+  }
+}
+
 CutPhase CutGate::next(double revolution) const noexcept {
   const bool loud = level_ > openRatio_ * (phase_ == CutPhase::Air ? 1.0 : kCloseRelative);
   const bool cutting = loud || (forced_ && !airSeen_);
   if (!cutting && quiet_ > revolution) return CutPhase::Air;
   if (phase_ == CutPhase::Air) return cutting ? CutPhase::Entry : CutPhase::Air;
   const double fast = level_;
-  const bool settled = fast < kSettled * slow_ && slow_ < kSettled * fast;
+  const bool settled = settled_ > 0.0;
   if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) {
     const double turns = sinceChange_ / revolution;
     if (!speedKnown_) return turns > kLongestEntry ? CutPhase::RunUp : phase_;
@@ -72,7 +83,7 @@ CutPhase CutGate::next(double revolution) const noexcept {
     return turns > kEntryTurns && (settled || turns > kLongestEntry) ? CutPhase::Steady : CutPhase::Entry;
   }
   if (fast < kFalling * slow_ || fast < kSinking * long_) return CutPhase::Exit;
-  if (phase_ == CutPhase::Exit && settled) return CutPhase::Steady;
+  if (phase_ == CutPhase::Exit && settled_ > kStayTurns * revolution) return CutPhase::Steady;
   return phase_;
 }
 
@@ -92,10 +103,17 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
   }
   const double limit = openRatio_ * kCloseRelative;
   quiet_ = level_ < limit ? quiet_ + dt : 0.0;
-  if (level_ > openRatio_) airSeen_ = true;
+  hearAir();
+  const bool settled = level_ < kSettled * slow_ && slow_ < kSettled * level_;
+  settled_ = settled ? settled_ + dt : 0.0;
   const CutPhase before = phase_;
   go(next(revolution.value));
-  if (before == CutPhase::Air && phase_ == CutPhase::Entry) slow_ = level_;
+  if (before == CutPhase::Air && phase_ == CutPhase::Entry) {
+    slow_ = level_;
+    cutFloor_ = floor_;
+  }
+  // A cut that goes on with less has not left; what it was before is no measure any more.
+  if (before == CutPhase::Exit && phase_ == CutPhase::Steady) long_ = level_;
   follow(slow_, level_, dt, kSlowTurns * std::max(revolution.value, dt));
   if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) long_ = slow_;
   follow(long_, level_, dt, kLongTurns * std::max(revolution.value, dt));

@@ -39,20 +39,23 @@ class CutGate {
 
  private:
   void go(CutPhase phase) noexcept;
+  void hearAir() noexcept;
   void learnFloor(std::span<const double> meanSquares, double seconds) noexcept;
   CutPhase next(double revolution) const noexcept;
 
   double openRatio_ = 4.0;
   std::size_t channels_ = 0;
-  std::array<double, kMaxChannels> fast_{};   // one turn
-  std::array<double, kMaxChannels> floor_{};  // lowest 0.2 s level
-  std::array<double, kMaxChannels> calm_{};   // 0.2 s level
-  double slow_ = 0.0;                         // fast level followed over several turns
-  double long_ = 0.0;                         // ... over many
+  std::array<double, kMaxChannels> fast_{};      // one turn
+  std::array<double, kMaxChannels> floor_{};     // lowest 0.2 s level
+  std::array<double, kMaxChannels> cutFloor_{};  // when the cut began
+  std::array<double, kMaxChannels> calm_{};      // 0.2 s level
+  double slow_ = 0.0;                            // fast level followed over several turns
+  double long_ = 0.0;                            // ... over many
   double level_ = 0.0;
   double elapsed_ = 0.0;
   double sinceChange_ = 0.0;
-  double quiet_ = 0.0;  // how long the level has been below the limit
+  double quiet_ = 0.0;    // how long the level has been below the limit
+  double settled_ = 0.0;  // how long it has not moved
   bool airSeen_ = false;
   bool forced_ = false;
   bool speedKnown_ = false;

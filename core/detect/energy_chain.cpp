@@ -1,6 +1,7 @@
 #include "core/detect/energy_chain.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace stillcut::detect {
 
@@ -80,6 +81,13 @@ double EnergyChain::ratio(int channel, int eta) const noexcept {
   const double chatter = bands_.weightedPower(channel, eta);
   const double all = unit * forced(channel, eta) + chatter;
   return all > 0.0 ? chatter / all : 0.0;
+}
+
+double EnergyChain::bandPart(int channel, Hertz f) const noexcept {
+  const double width = spindle_.value * size_.bandOrders;
+  const int m = width > 0.0 ? static_cast<int>(f.value / width) : -1;
+  const double all = bands_.weightedPower(channel, 0);
+  return m >= 0 && m < bands_.active() && all > 0.0 ? bands_.band(channel, m).power / all : 0.0;
 }
 
 }  // namespace stillcut::detect

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <complex>
 #include <vector>
 
 #include "core/detect/energy_separation.h"
@@ -43,9 +44,17 @@ class EnergyChain {
   int active() const noexcept { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
   double ratio(int channel, int eta) const noexcept;
+  // Of what the harmonics left in the last hop: the part in the band that holds f. Not weighted as in ratio(): what of
+  // a line passes the skirts of the lowest band is far above that band, and its estimated frequency is folded down
+  // there, so that the weights of an acceleration make more of it than of the line itself.
+  double bandPart(int channel, Hertz f) const noexcept;
   // Amplitude squared of harmonic n (from 1) of a channel.
   double harmonicPower(int channel, int n) const noexcept {
     return size_.fullCovariance ? full_.power(channel, n) : harmonics_.power(channel, n);
+  }
+  // Its complex amplitude against the spindle's angle.
+  std::complex<double> amplitude(int channel, int n) const noexcept {
+    return size_.fullCovariance ? full_.amplitude(channel, n) : harmonics_.amplitude(channel, n);
   }
   // What the harmonics left of one channel in the frames of the last process(), as far as they fit in one stretch.
   const double* rest(int channel) const noexcept { return rest_.data() + channel * kMost; }

@@ -41,6 +41,8 @@ class EnergyGrowth {
 
   // E_d / E_x of the newest window.
   double changed() const noexcept { return changed_; }
+  // E_d of the newest window, per hop.
+  double energy() const noexcept { return energy_; }
   // E_x of the newest eight turns, per hop.
   double level() const noexcept { return level_; }
   // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock

@@ -62,7 +62,8 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
     s.quantity = setup.channels[static_cast<std::size_t>(c)].quantity;
-    s.doubling.prepare(teeth_, integrationFactor(s.quantity));
+    s.forced.prepare(teeth_, integrationFactor(s.quantity));
+    s.orders.prepare(teeth_, integrationFactor(s.quantity), harmonics_);
   }
   retune(params);
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
@@ -78,7 +79,7 @@ void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
   for (RatioChannel& s : channelStates_) {
     s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
     s.news.prepare(limits, TurnDifference::kNewsArrival);
-    s.doubling.setEvidence(limits.evidence);
+    s.orders.setEvidence(limits.evidence);
   }
 }
 
@@ -109,13 +110,14 @@ void EnergyRatioDetector::restart() noexcept {
 
 void EnergyRatioDetector::leaveCut() noexcept {
   relearn();
+  for (RatioChannel& s : channelStates_) s.forced.reset();
   judge_.leaveCut();
 }
 
 void EnergyRatioDetector::relearn() noexcept {
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
-    s.doubling.relearn();
+    s.orders.relearn();
   }
 }
 
@@ -128,7 +130,7 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   chain_.tune(spindle_, fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->setSpindle(spindle_);
-    s.doubling.setSpindle(spindle_);
+    s.orders.setSpindle(spindle_);
   }
   followBand();
   if (!block.speedMoving) turns_.setTurn(spindle_);
@@ -165,16 +167,17 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     for (EnergyGrowth* g : {&s.growth, &s.news}) {
       if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
     }
-    s.doubling.endHop(chain_, c);
+    s.orders.endHop(chain_, c);
+    s.forced.endHop(chain_, c);
     // A load that leaps takes its own pattern of runout along.
     const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns;
-    if (held && judge_.state() == CutState::Stable) s.doubling.relearn();
-    if (test && !held) s.doubling.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
+    if (held && judge_.state() == CutState::Stable) s.orders.relearn();
+    if (test && !held) s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
   if (judge_.judge(channelStates_, lines_,
-                   {phase, length, spindle_, highest_, steadyTurns_, turnsCompare_, block.levelTrend,
-                    block.loneLine.value > 0.0}))
+                   {phase, length, spindle_, block.spindleSd, highest_, steadyTurns_, turnsCompare_, block.levelTrend,
+                    &chain_, block.loneLine.value > 0.0}))
     relearn();
 }
 

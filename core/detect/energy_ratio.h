@@ -11,9 +11,10 @@
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
-// - Period doubling with an even number of teeth lies on spindle harmonics: tooth_doubling.h.
-// Known limits: chatter nearer than 0.03 orders to a harmonic neither. Chatter that fills the cut
-// from the entry is alarmed by its line alone where that can be no tooth passing (speed_tracker.h).
+// - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
+// Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic, and nearer than 0.012 to any other, is not
+// told from forced vibration. Chatter that fills the cut from the entry is alarmed by its line alone where that can be
+// no tooth passing (speed_tracker.h).
 // Thread: worker. See detector.h.
 #pragma once
 

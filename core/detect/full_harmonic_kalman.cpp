@@ -112,6 +112,11 @@ double FullHarmonicKalman::power(int channel, int n) const noexcept {
   return state[0] * state[0] + state[lanes_] * state[lanes_];
 }
 
+std::complex<double> FullHarmonicKalman::amplitude(int channel, int n) const noexcept {
+  const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_ + n - 1;
+  return {state[0], -state[lanes_]};
+}
+
 double FullHarmonicKalman::weightedPower(int channel, const double* weight) const noexcept {
   const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_;
   return kernels_.weightedPower(state, state + lanes_, weight, lanes_);

@@ -8,6 +8,7 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "core/dsp/kernels/kernels.h"
@@ -33,6 +34,8 @@ class FullHarmonicKalman {
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
   double power(int channel, int n) const noexcept;
+  // A_n of x = Re sum A_n e^{j n theta}.
+  std::complex<double> amplitude(int channel, int n) const noexcept;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
   double weightedPower(int channel, const double* weight) const noexcept;
 

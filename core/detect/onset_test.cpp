@@ -17,7 +17,6 @@ constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pul
 constexpr double kCutOff = 0.3;     // relative loss of variance by that, at k = 1
 constexpr double kFallen = 3.0;     // standard deviations by which a short mean must lie below to take its place
 constexpr double kGrowth = 4.0;     // in energy: twice the amplitude, or it is not worth the word
-constexpr double kRisen = 2.0;      // of the energy itself
 constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 5.0;  // times the limit
@@ -56,12 +55,15 @@ void OnsetTest::update(double ratio, double turns, bool learn, double energy) no
     return;
   }
   const double k = shape();
-  const double x = ratio / std::max(mean_ * (1.0 + kSure * doubt(learnedTurns_)), 1e-30);
-  const double seen = ratio >= limits_.smallestRatio ? x : 0.0;
+  // Where the vibration has become less, what does not repeat is compared with what it was: a tool that leaves raises
+  // their ratio without anything growing.
+  const bool compare = energy > 0.0 && meanEnergy_ > 0.0;
+  const double held = compare ? std::min(ratio, energy / meanEnergy_ * mean_) : ratio;
+  const double x = held / std::max(mean_ * (1.0 + kSure * doubt(learnedTurns_)), 1e-30);
+  const double seen = held >= limits_.smallestRatio ? x : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
-  const bool risen = energy >= kRisen * meanEnergy_;
-  if (evidence_ > limits_.evidence && ratio > kGrowth * mean_ && risen) {
+  if (evidence_ > limits_.evidence && held > kGrowth * mean_) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }

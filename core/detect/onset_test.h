@@ -11,8 +11,8 @@
 // h = 12 is 160 000, and growth must show as a line between the harmonics as well. Until much is learned, k counts as 1
 // and the mean as high as its own doubt allows. The floor falls as soon as the short mean lies below it for certain,
 // rises slowly and by bounded steps so that growth does not become its own floor, and is frozen while an alarm lasts.
-// The energy itself must have grown as well: where the tool leaves the cut the vibration falls and what does not repeat
-// stays, so that their ratio rises without anything growing.
+// Where the tool leaves the cut the vibration falls and what does not repeat stays, so that their ratio rises without
+// anything growing: the energy is compared with no less vibration than the floor was learned in.
 // Thread: worker; real-time.
 #pragma once
 

@@ -12,17 +12,23 @@ namespace {
 constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
 constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
 constexpr double kEntryChatterSeconds = 0.1;
-constexpr double kSettled = 1.6;        // chatter that was there from the entry has long found its size
-constexpr double kFalling = 0.8;        // what grows does not make the vibration fall; a tool that leaves does
-constexpr double kLeastPurity = 0.4;    // chatter is a line; chips and knocks are not
-constexpr double kLostPurity = 0.25;    // an alarm whose line sinks into the noise ...
-constexpr double kLostTurns = 32.0;     // ... for so long was none, or is over
-constexpr double kOtherLine = 4.0;      // a line this much stronger than the one followed takes its place
-constexpr double kLineReach = 0.25;     // orders within which a line is the same
-constexpr double kLeastLine = 2.5e-3;   // of the vibration's energy: 5 % of its amplitude
-constexpr double kLeastDoubling = 0.5;  // line over severity from which it is no doubling
-constexpr double kDoubledSd = 2e-4;     // relative: as well as the spindle's speed is known
-constexpr double kLeastOffset = 0.03;   // orders; nearer to a harmonic a line is forced
+constexpr double kAboveCalm = 4.0;  // in energy, as onset_test.h asks of growth
+constexpr double kBandPart = 0.5;   // of what the harmonics left, in the band of the line
+constexpr double kAlarmTurns = 16.0;
+constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
+constexpr double kSettled = 1.6;       // chatter that was there from the entry has long found its size
+constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
+constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
+constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
+constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
+constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
+constexpr double kLineReach = 0.25;    // orders within which a line is the same
+constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
+constexpr double kLeastBetween = 0.5;  // line over severity from which it is not on an order
+constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
+constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
+constexpr double kSpeedDoubts = 4.0;   // ... or within so many standard deviations of the harmonic's place
+constexpr double kMostOffset = 0.25;
 
 // A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
 constexpr int kLookHops = kHopsPerTurn / 2;
@@ -40,6 +46,7 @@ void RatioJudge::leaveCut() noexcept {
   line_ = {};
   highTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
   learned_ = false;
+  calmFloor_ = {};
   frequency_ = {};
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
 }
@@ -58,14 +65,18 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   severity_ = joint_ = evidence_ = mostChanged_ = 0.0;
-  grown_ = growing_ = rising_ = false;
-  doubledOrder_ = 0;
+  grown_ = growing_ = rising_ = forced_ = false;
+  onOrder_ = 0.0;
   learned_ = true;
   for (const RatioChannel& c : channels) {
     severity_ = std::max(severity_, c.ratio);
-    severity_ = std::max(severity_, c.doubling.severity());
-    grown_ = grown_ || c.doubling.grown();
-    if (c.doubling.stands()) doubledOrder_ = c.doubling.order();
+    severity_ = std::max(severity_, c.orders.severity());
+    grown_ = grown_ || c.orders.grown();
+    if (c.orders.order() > 0.0) {
+      onOrder_ = c.orders.order();
+      doubling_ = c.orders.doubling();
+    }
+    forced_ = forced_ || c.forced.stands();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
     // What is new also holds forced vibration that changes: for the fast only.
@@ -82,25 +93,63 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   }
 }
 
+void RatioJudge::learnCalm(std::span<const RatioChannel> channels) noexcept {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const OnsetTest& onset = channels[i].growth.onset();
+    if (!onset.learned()) continue;
+    double& floor = calmFloor_[i];
+    floor = floor > 0.0 ? std::min(floor, onset.floor()) : onset.floor();
+  }
+}
+
+// Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
+// weak signal make a ratio too.
+bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const RatioChannel& c = channels[i];
+    if (c.ratio < chatterRatio_ || c.growth.changed() < kAboveCalm * calmFloor_[i]) continue;
+    const double part = chain.bandPart(static_cast<int>(i), line_.frequency);
+    if (part > kBandPart) return true;
+  }
+  return false;
+}
+
+// A tool that leaves takes its chatter along; what rings down then, or was there anyway, is none.
+bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept {
+  bool left = phase == CutPhase::Exit;
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const double now = channels[i].growth.energy();
+    double& usual = alarmEnergy_[i];
+    if (!alarming()) usual = 0.0;
+    if (alarming() && phase != CutPhase::Exit)
+      usual += usual > 0.0 ? (now - usual) / (kAlarmTurns * kHopsPerTurn) : now;
+    left = left && now < kLeft * usual;
+  }
+  return left;
+}
+
 bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_, was ? hop.length.value : 0.0);
+  if (!was && !high && hop.phase == CutPhase::Steady) learnCalm(channels);
   // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
-  const bool entry = (hop.loneLine && high) ||
-                     fromEntry(lines, hop, high && joint_ >= chatterRatio_ && hop.phase == CutPhase::Steady && !was);
+  const bool candidate = high && joint_ >= chatterRatio_ && hop.phase == CutPhase::Steady && !was;
+  const bool entry = (hop.loneLine && high) || fromEntry(channels, lines, hop, candidate);
+  const bool left = toolLeaves(channels, hop.phase);
   bool over = false;
   if (was) {
     const bool lost = lostTurns_ > kLostTurns;
-    over = lost || calm_.calm(hop.spindle) || !(high || grown_ || calm_.floorGone());
+    over = lost || left || calm_.calm(hop.spindle) || !(high || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
     const bool full = high && (hop.turnsCompare || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
-  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare && hop.levelTrend > kFalling &&
-             (entry || rising_ || doubledOrder_ > 0 ||
-              (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))) {
+  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
+             (entry ||
+              (hop.levelTrend > kFalling &&
+               (rising_ || onOrder_ > 0.0 || (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -113,18 +162,21 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
 
 // Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
 // for one and the same line over many turns.
-bool RatioJudge::fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept {
-  const bool settled = hop.levelTrend < kSettled && hop.levelTrend * kSettled > 1.0;
-  if (!high || !settled || hop.steadyTurns < kSettleTurns) {
+bool RatioJudge::fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop,
+                           bool high) noexcept {
+  if (!high || hop.steadyTurns < kSettleTurns) {
     highTurns_ = 0.0;
     sinceEntryLook_ = kLookHops;
     return false;
   }
+  // Chatter that beats goes through its lows as well: they do not count, and take nothing away.
+  if (hop.levelTrend > kSettled || hop.levelTrend * kSettled < 1.0) return false;
   if (++sinceEntryLook_ < kLookHops) return false;
   sinceEntryLook_ = 0;
   const Hertz before = line_.frequency;
   const bool stands = lineStands(lines, hop);
   const bool same = std::abs(line_.frequency.value - before.value) < hop.spindle.value * 4.0 / kLineTurns;
+  if (stands && !aboveCalm(channels, *hop.chain)) return false;
   highTurns_ = stands && same ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
   return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value);
 }
@@ -133,7 +185,9 @@ bool RatioJudge::fromEntry(LineFinder& lines, const RatioHop& hop, bool high) no
 bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
   line_ = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line_.purity;
-  return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= kLeastOffset;
+  const double doubt = kSpeedDoubts * line_.frequency / hop.spindle * (hop.spindleSd / hop.spindle);
+  const double least = std::max(kLeastOffset, std::min(doubt, kMostOffset));
+  return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= least;
 }
 
 // Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small.
@@ -156,14 +210,14 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   const double spindle = hop.spindle.value;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
-  // A line between the harmonics that is larger than the doubling is what the doubling's orders have caught a part of.
+  // A line between the harmonics that is larger than what grows on them is what those orders have caught a part of.
   const double offset = std::abs(dsp::orderOffset(line.frequency, hop.spindle));
   const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity &&
-                       mostChanged_ > kLeastDoubling * severity_ * TurnDifference::differenceGain(offset);
-  doubled_ = doubledOrder_ > 0 && !between;
-  if (doubled_) {
-    frequency_ = hop.spindle * doubledOrder_;
-    frequencySd_ = kDoubledSd * frequency_.value;
+                       mostChanged_ > kLeastBetween * severity_ * TurnDifference::differenceGain(offset);
+  doubled_ = onOrder_ > 0.0 && doubling_ && !between;
+  if (onOrder_ > 0.0 && !between) {
+    frequency_ = hop.spindle * onOrder_;
+    frequencySd_ = kOnOrderSd * frequency_.value;
     lostTurns_ = 0.0;
     return;
   }
@@ -215,6 +269,7 @@ void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
     v.reason = {ReasonCode::Learning, {(OnsetTest::kLearnTurns + kSettleTurns) / spindle.value}};
   }
   if (v.alarming()) v.kind = kind(spindle);
+  if (v.state == CutState::Stable && v.phase == CutPhase::Steady && forced_) v.kind = ChatterKind::Forced;
 }
 
 }  // namespace stillcut::detect

@@ -2,13 +2,16 @@
 // chatter; the chatter's line and its doubt. Thread: worker; real-time.
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "core/detect/calm_watch.h"
 #include "core/detect/energy_growth.h"
+#include "core/detect/forced_resonance.h"
 #include "core/detect/line_finder.h"
-#include "core/detect/tooth_doubling.h"
+#include "core/detect/order_growth.h"
 #include "core/model/channel.h"
+#include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
 
 namespace stillcut::detect {
@@ -16,7 +19,8 @@ namespace stillcut::detect {
 struct RatioChannel {
   EnergyGrowth growth;  // of the turn difference
   EnergyGrowth news;    // of the news (turn_difference.h)
-  ToothDoubling doubling;
+  OrderGrowth orders;
+  ForcedResonance forced;
   double ratio = 0.0;  // ER, smoothed
   SensorQuantity quantity = SensorQuantity::Acceleration;
 };
@@ -26,11 +30,13 @@ struct RatioHop {
   CutPhase phase = CutPhase::Air;
   Seconds length{};
   Hertz spindle{};
+  Hertz spindleSd{};
   Hertz highest{};           // up to which harmonics are removed
   double steadyTurns = 0.0;  // since the cut became steady
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
   double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
-  bool loneLine = false;     // a line that cannot be forced holds most of the vibration
+  const EnergyChain* chain = nullptr;
+  bool loneLine = false;  // a line that cannot be forced holds most of the vibration
 };
 
 class RatioJudge {
@@ -55,8 +61,11 @@ class RatioJudge {
 
  private:
   void gather(std::span<const RatioChannel> channels) noexcept;
+  void learnCalm(std::span<const RatioChannel> channels) noexcept;
+  bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;
+  bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
-  bool fromEntry(LineFinder& lines, const RatioHop& hop, bool high) noexcept;
+  bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop, bool high) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;
   void track(LineFinder& lines, const RatioHop& hop) noexcept;
@@ -77,11 +86,15 @@ class RatioJudge {
   double evidence_ = 0.0;
   double floor_ = 0.0;
   bool learned_ = false;
-  bool grown_ = false;    // of any channel
-  bool growing_ = false;  // the difference of any, and neither a blow nor what is left of one
-  bool rising_ = false;   // ... so fast that no spectrum is waited for
-  int doubledOrder_ = 0;  // spindle order of period doubling that stands; 0: none
-  bool doubled_ = false;  // the alarm is one of period doubling with even teeth
+  std::array<double, kMaxChannels> calmFloor_{};  // lowest floor of each channel while the ratio was not high; 0: none
+  std::array<double, kMaxChannels> alarmEnergy_{};  // that does not repeat, of each channel, while an alarm lasts
+  bool grown_ = false;                              // of any channel
+  bool growing_ = false;                            // the difference of any, and neither a blow nor what is left of one
+  bool forced_ = false;                             // most of the forced vibration is a resonance, in any channel
+  bool rising_ = false;                             // ... so fast that no spectrum is waited for
+  double onOrder_ = 0.0;   // where chatter on or near a spindle order stands, in orders; 0: none
+  bool doubling_ = false;  // ... and it is period doubling
+  bool doubled_ = false;   // the alarm is one of period doubling with even teeth
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double purity_ = 0.0;

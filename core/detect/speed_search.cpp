@@ -13,7 +13,9 @@ constexpr int kMostHarmonics = 40;
 constexpr double kUsableBand = 0.45;  // of the rate; above it the filters before the converter bend the lines
 constexpr double kOnComb = 0.15;      // orders
 constexpr int kPadding = 2;
-constexpr int kLobe = 2 * kPadding;           // half width of a Hann line in padded bins
+constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
+constexpr double kLoneDoubt = 1.0;   // bins of the window: a line whose amplitude changes is known to that
+constexpr double kLoneSquare = 0.2;
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
 }  // namespace
@@ -59,13 +61,17 @@ double SpeedSearch::at(const std::vector<double>& power, double position) noexce
   return (1.0 - part) * power[b] + part * power[b + 1];
 }
 
-// Sums over the comb.
-SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics) const noexcept {
+// Sums over the comb; leaveOut: frequency of a line that does not count, 0: none.
+SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics, double leaveOut) const noexcept {
   Parts sum;
+  const double line = leaveOut / spectrum_.binWidth();
+  const auto counts = [&](double position, double beside) {
+    return !(leaveOut > 0.0) || std::abs(position - beside) > kLobe;
+  };
   for (int h = 1; h <= harmonics; ++h) {
     const double position = h * spindle / spectrum_.binWidth();
-    sum.vibration += at(power_, position);
-    sum.square += at(square_, position);
+    if (counts(position, line)) sum.vibration += at(power_, position);
+    if (counts(position, 2.0 * line)) sum.square += at(square_, position);
   }
   const double scale = kLinePart / std::max(added_, 1);
   return {scale * sum.vibration, scale * sum.square};
@@ -81,9 +87,16 @@ double SpeedSearch::toothPart(double spindle) const noexcept {
   return on / std::max(added_, 1);
 }
 
+int SpeedSearch::harmonicsOf(Hertz spindle) const noexcept {
+  return spindle.value > 0.0 ? std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)) : 0;
+}
+
 SpeedSearch::Parts SpeedSearch::partsAt(Hertz spindle) const noexcept {
-  if (!(spindle.value > 0.0)) return {};
-  return parts(spindle.value, std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / spindle.value)));
+  return parts(spindle.value, harmonicsOf(spindle), 0.0);
+}
+
+SpeedSearch::Parts SpeedSearch::restAt(Hertz spindle) const noexcept {
+  return parts(spindle.value, harmonicsOf(spindle), strongest().frequency.value);
 }
 
 // Mean of both spectra's parts for combs of low, low + step ... Hz. Harmonic by harmonic: the places of its line in one
@@ -116,6 +129,18 @@ double SpeedSearch::squareBeside(Hertz line, Hertz spindle) const noexcept {
   }
   own /= std::max(added_, 1);
   return own < 1.0 ? (whole - own) / (1.0 - own) : 0.0;
+}
+
+bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept {
+  const Hertz doubt(kLoneDoubt * rate_ / window());
+  const double highest = (line + doubt) / low;  // orders
+  const double lowest = (line - doubt) / high;
+  if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return true;
+  // Where other lines stand with it on one comb, that comb is the spindle's.
+  for (double order = std::ceil(lowest); order <= highest; order += 1.0) {
+    if (squareBeside(line, Hertz(line.value / order)) > kLoneSquare) return true;
+  }
+  return false;
 }
 
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {

@@ -54,17 +54,23 @@ class SpeedSearch {
     double square = 0.0;
   };
   Parts partsAt(Hertz spindle) const noexcept;
-  // Part of the square's power on the comb of `spindle`, but for what one line of the vibration leaves at twice its
-  // frequency, which lies on every comb that the line lies on.
-  double squareBeside(Hertz line, Hertz spindle) const noexcept;
+  // The same without the strongest line of the vibration, and without twice its frequency in the square: a comb that
+  // has moved takes all of its lines along, while one that was fitted to a chatter line has little else.
+  Parts restAt(Hertz spindle) const noexcept;
+  // May this line of the vibration be forced at some speed in low..high: a tooth passing, or one of a comb of lines?
+  bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
 
  private:
   static constexpr int kMostTrials = 4096;
 
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
+  // Part of the square's power on the comb of `spindle`, but for what one line of the vibration leaves at twice its
+  // frequency, which lies on every comb that the line lies on.
+  double squareBeside(Hertz line, Hertz spindle) const noexcept;
   static double at(const std::vector<double>& power, double position) noexcept;
   void tryCombs(double low, double step, int harmonics, std::size_t count) noexcept;
-  Parts parts(double spindle, int harmonics) const noexcept;
+  Parts parts(double spindle, int harmonics, double leaveOut) const noexcept;
+  int harmonicsOf(Hertz spindle) const noexcept;
   double toothPart(double spindle) const noexcept;
 
   dsp::kernels::Kernels kernels_;

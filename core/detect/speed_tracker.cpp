@@ -19,6 +19,7 @@ constexpr double kSeekQuickly = 0.25;    // ... and quick, as a part of it
 // Where nobody knows the speed, or it has moved: a comb found over such a range must hold most of the power, the same
 // in so many windows in a row, and more than the place it was thought to be.
 constexpr double kSeekPart = 0.6;
+constexpr double kSeekRest = 0.5;  // of what is not in the strongest line
 constexpr int kSeekLooks = 3;
 constexpr int kReturnLooks = 2;
 constexpr double kReturnAgreement = 6e-3;  // it may still be moving
@@ -28,9 +29,9 @@ constexpr int kReturnTurns = 4;            // after that what was found must be 
 constexpr double kGone = 0.6;              // the old comb holds so much less
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kLonePart = 0.6;
-constexpr double kLoneSquare = 0.2;
 constexpr double kSuspectDrift = 0.02;
 constexpr double kLoneDrift = 2.0;  // bins of the window from one to the next
+constexpr double kReadBack = 2e-3;  // of a measured speed, while it stands
 constexpr double kSlipped = 0.5;    // scatter of phases that are not held
 constexpr double kFine = 7e-4;
 // A comb that carries half of all power needs no other proof; a weaker one must stand out of all other combs. In air
@@ -88,12 +89,14 @@ void SpeedTracker::reset() noexcept {
 }
 
 void SpeedTracker::restart() noexcept {
-  catchUp_ = 0.0;
+  slew_ = 0.0;
   forget();
   if (locked_) tracker_.start(spindle(), sd());
 }
 
-void SpeedTracker::listen(const MachineState& machine) noexcept {
+void SpeedTracker::listen(const MachineState& machine, int frames) noexcept {
+  blockFrames_ = std::max(frames, 1);
+  blockDone_ = 0;
   double told = nominal_;
   bool measured = false;
   before_ = told_;
@@ -115,8 +118,9 @@ void SpeedTracker::listen(const MachineState& machine) noexcept {
 }
 
 Hertz SpeedTracker::sd() const noexcept {
-  if (locked_ && !astray()) return tracker_.sd();
-  return Hertz(told_ * (source_ == SpeedSource::Machine ? kMachineRange : range_));
+  // A speed that changes is followed with some delay.
+  if (locked_ && !astray()) return Hertz(std::hypot(tracker_.sd().value, tracker_.spindle().value - heard_));
+  return Hertz(told_ * (measured_ ? kMachineRange : range_));
 }
 
 void SpeedTracker::remember(const double* const* samples, int frames) noexcept {
@@ -135,13 +139,14 @@ void SpeedTracker::lock(Hertz spindle, Hertz sd) noexcept {
   source_ = SpeedSource::Signal;
   heard_ = spindle.value;
   tracker_.start(spindle, sd);
-  catchUp_ = 0.0;
+  slew_ = 0.0;
 }
 
 void SpeedTracker::beginCut() noexcept {
-  if (!(nominal_ > 0.0) && source_ == SpeedSource::Signal) {
-    told_ = 0.0;
-    source_ = SpeedSource::None;
+  if (locked_ && tracker_.turns() < kThoroughTurns) return;  // found while the tool was coming in
+  if (source_ == SpeedSource::Signal) {                      // what was told still holds
+    told_ = nominal_ > 0.0 || measured_ ? told_ : 0.0;
+    source_ = !(told_ > 0.0) ? SpeedSource::None : measured_ ? SpeedSource::Machine : SpeedSource::Told;
   }
   locked_ = proven_ = trusted_ = returning_ = false;
   toothPart_ = 0.0;
@@ -158,6 +163,11 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     return !c.atEdge && (c.part > kClearPart || (c.part > kLeastPart && c.contrast > kContrast));
   };
   const SpeedCandidate& now = look.last;
+  if (astray() && good(now) && std::abs(now.spindle / spindle() - 1.0) < kFine) {
+    toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
+    tracker_.stay();
+    return;
+  }
   if (!good(now) || !good(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
     const double away = std::abs(now.spindle / spindle() - 1.0);
@@ -170,17 +180,18 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     if (away > kMoved && proven_ && !astray()) return;
   }
   if (locked_ && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
-    // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only.
-    const SpeedSearch::Parts here = look.search.partsAt(spindle());
-    const SpeedSearch::Parts there = look.search.partsAt(now.spindle);
-    if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) return;
+    // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only, and has
+    // little beside it.
+    const SpeedSearch::Parts here = look.search.restAt(spindle());
+    const SpeedSearch::Parts there = look.search.restAt(now.spindle);
+    if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) {
+      // What else there is has stayed in its place: it is chatter that made it look lost.
+      if (here.vibration > there.vibration && here.square > there.square) tracker_.stay();
+      return;
+    }
   }
   toothPart_ = now.toothPart;
   proven_ = now.part > kClearPart;
-  if (locked_ && astray() && std::abs(now.spindle / spindle() - 1.0) < kFine) {
-    tracker_.stay();  // the same speed: it was the cut that changed
-    return;
-  }
   lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 
@@ -188,8 +199,8 @@ bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   if (!locked_) return true;
   // Chatter leaves the forced vibration where it was; a spindle that moves takes it along.
-  const SpeedSearch::Parts here = look.search.partsAt(spindle());
-  const SpeedSearch::Parts there = look.search.partsAt(look.found.spindle);
+  const SpeedSearch::Parts here = look.search.restAt(spindle());
+  const SpeedSearch::Parts there = look.search.restAt(look.found.spindle);
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
   return here.vibration < least * there.vibration && here.square < least * there.square;
 }
@@ -200,7 +211,10 @@ void SpeedTracker::seek(Look& look) noexcept {
   const FoundSpeed before = look.found;
   look.found = look.search.find(low, high);
   const bool same = std::abs(look.found.spindle / before.spindle - 1.0) < (locked_ ? kReturnAgreement : kAgreement);
-  look.agreeing = look.found.part < kSeekPart ? 0 : same ? look.agreeing + 1 : 1;
+  // One line and its fractions make a comb of anything, a chatter line as well: the others must be on it too.
+  const double others = 1.0 - look.search.strongest().part;
+  const bool alone = !locked_ && look.search.restAt(look.found.spindle).vibration < kSeekRest * others;
+  look.agreeing = look.found.part < kSeekPart || alone ? 0 : same ? look.agreeing + 1 : 1;
   if (!believed(look)) return;
   look.agreeing = 0;
   toothPart_ = look.found.toothPart;
@@ -230,14 +244,12 @@ void SpeedTracker::watchLoneLine(const SpeedSearch& search) noexcept {
   loneLine_ = {};
   if (teeth_ < 2 || !(told_ > 0.0) || !(strongest_.value > 0.0) || !(before.value > 0.0)) return;
   if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
-  const double range = kMargin * (source_ == SpeedSource::Machine ? kMachineRange : range_);
-  const double highest = strongest_.value / (told_ * (1.0 - range));  // orders
-  const double lowest = strongest_.value / (told_ * (1.0 + range));
-  if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return;
-  // Where other lines stand with it on one comb, that comb is the spindle's.
-  for (double order = std::ceil(lowest); order <= highest; order += 1.0) {
-    if (search.squareBeside(strongest_, Hertz(strongest_.value / order)) > kLoneSquare) return;
-  }
+  const double range = kMargin * (measured_ ? kMachineRange : range_);
+  if (search.mayBeForced(strongest_, Hertz(told_ * (1.0 - range)), Hertz(told_ * (1.0 + range)))) return;
+  // A mode can make runout's harmonic the only line there is; a measured speed says where they are.
+  const Hertz told(told_);
+  const double doubt = rate_ / (search.window() * told_) + kReadBack * (strongest_ / told);
+  if (measured_ && std::abs(dsp::orderOffset(strongest_, told)) < doubt) return;
   loneLine_ = suspect_ = strongest_;
 }
 
@@ -268,7 +280,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (&look == &quick_) watchLoneLine(look.search);
   if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
   if (!(told_ > 0.0)) return;
-  const double range = kMargin * (source_ == SpeedSource::Machine ? kMachineRange : range_);
+  const double range = kMargin * (measured_ ? kMachineRange : range_);
   const SpeedCandidate before = look.last;
   // A speed found far from the told one has its own neighbourhood.
   const double middle = locked_ && std::abs(ratio_ - 1.0) > range ? told_ * ratio_ : told_;
@@ -304,10 +316,10 @@ void SpeedTracker::followSignal(double seconds) noexcept {
 }
 
 void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
-  catchUp_ = 0.0;
+  slew_ = 0.0;
   for (int f = 0; f < frames; ++f) {
     if (f % kRideFrames == 0) {
-      const double share = std::min(1.0, (f + 0.5 * kRideFrames) / frames);
+      const double share = std::min(1.0, (blockDone_ - frames + f + 0.5 * kRideFrames) / blockFrames_);
       step[f] = kTwoPi * ratio_ * (before_ + share * (told_ - before_)) / rate_;
     } else {
       step[f] = step[f - 1];
@@ -318,7 +330,6 @@ void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
   }
 }
 
-// A search over a speed that changes finds nothing.
 void SpeedTracker::forget() noexcept {
   inCut_ = 0;
   head_ = 0;
@@ -331,10 +342,14 @@ void SpeedTracker::forget() noexcept {
   strongest_ = loneLine_ = Hertz(0.0);
 }
 
+// Within the next turn; never more than 2 % of the speed, so that the angle stays monotone.
+void SpeedTracker::catchUp(double angle, double omega) noexcept {
+  const double turn = omega > 0.0 ? kTwoPi / omega * rate_ : 1.0;
+  slew_ = std::clamp(angle / turn, -0.02 * omega / rate_, 0.02 * omega / rate_);
+}
+
 void SpeedTracker::advance(const double* const* samples, int frames, double* angle, double* step) noexcept {
-  followMachine(frames / rate_);
-  followSignal(frames / rate_);
-  dropUntrusted();
+  blockDone_ += frames;
   if (riding_) {
     ride(frames, angle, step);
     forget();
@@ -345,37 +360,38 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
   quick_.since += frames;
   thorough_.since += frames;
   double omega = locked_ ? kTwoPi * tracker_.spindle().value : kTwoPi * spindle().value;
-  double slew = 0.0;
-  const auto retime = [&] {
-    // Catch up within the next turn; never more than 2 % of the speed, so that the angle stays monotone.
-    const double turn = omega > 0.0 ? kTwoPi / omega * rate_ : 1.0;
-    slew = std::clamp(catchUp_ / turn, -0.02 * omega / rate_, 0.02 * omega / rate_);
-  };
-  retime();
   std::complex<double> phasor = std::polar(1.0, angle_);
-  std::complex<double> rotation = std::polar(1.0, omega / rate_ + slew);
+  std::complex<double> rotation = std::polar(1.0, omega / rate_ + slew_);
   for (int f = 0; f < frames; ++f) {
-    const double increment = omega / rate_ + slew;
+    const double increment = omega / rate_ + slew_;
     angle[f] = angle_;
     step[f] = increment;
     if (locked_) tracker_.accumulate(phasor, samples, f);
     angle_ += increment;
-    catchUp_ -= slew;
     phasor *= rotation;
     if (angle_ < kTwoPi) continue;
     angle_ -= kTwoPi;
     if (locked_) {
-      catchUp_ = tracker_.completeTurn();
+      const double ahead = tracker_.completeTurn();
       omega = kTwoPi * tracker_.spindle().value;
       if (told_ > 0.0) ratio_ = tracker_.spindle().value / told_;
-      retime();
-      rotation = std::polar(1.0, omega / rate_ + slew);
+      catchUp(ahead, omega);
+      rotation = std::polar(1.0, omega / rate_ + slew_);
     }
     phasor = std::polar(1.0, angle_);
   }
+}
+
+void SpeedTracker::look(Seconds since, bool leaving) noexcept {
+  followMachine(since.value);
+  followSignal(since.value);
+  dropUntrusted();
+  if (riding_) return;
   returning_ = returning_ && !tracker_.clean();
-  if (locked_) strongest_ = loneLine_ = Hertz(0.0);
-  if (!locked_ || astray()) lookIfDue(quick_);
+  const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
+  if (sure) strongest_ = loneLine_ = Hertz(0.0);
+  if (locked_ && leaving) return;
+  if (!sure || astray()) lookIfDue(quick_);
   lookIfDue(thorough_);
 }
 

@@ -27,12 +27,16 @@ class SpeedTracker {
   // After a gap the angle means nothing any more; the speed still holds.
   void restart() noexcept;
 
-  // Before each block: what the machine says now.
-  void listen(const MachineState& machine) noexcept;
+  // Before each block of so many frames: what the machine says now.
+  void listen(const MachineState& machine, int frames) noexcept;
   // A new cut began: what was found in the last one is only a hint.
   void beginCut() noexcept;
-  // One block of conditioned samples, channel c at samples[c]; fills angle [rad, wrapped] and step [rad] per frame.
+  // Conditioned samples of a block or a part of it, channel c at samples[c]; fills angle [rad, wrapped] and step [rad]
+  // per frame.
   void advance(const double* const* samples, int frames, double* angle, double* step) noexcept;
+  // At times that do not depend on how the stream is cut into blocks, `since` the last: searches where one is due.
+  // leaving: the tool leaves the cut and takes the forced vibration along, so that a comb already found stays.
+  void look(Seconds since, bool leaving) noexcept;
 
   Hertz spindle() const noexcept { return Hertz(told_ * ratio_); }
   Hertz sd() const noexcept;
@@ -68,6 +72,7 @@ class SpeedTracker {
   void followMachine(double seconds) noexcept;
   void followSignal(double seconds) noexcept;
   void ride(int frames, double* angle, double* step) noexcept;
+  void catchUp(double angle, double omega) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
   void seek(Look& look) noexcept;
@@ -105,8 +110,10 @@ class SpeedTracker {
   Hertz suspect_{};  // the lone line of this cut: the comb that it lies on is not the spindle's
 
   double angle_ = 0.0;
-  double catchUp_ = 0.0;  // angle still to be slewed in
-  long inCut_ = 0;        // frames since the cut or the stream began
+  double slew_ = 0.0;    // rad per frame, by which an angle error is caught up within a turn
+  int blockFrames_ = 1;  // of the block that the machine's word came with
+  int blockDone_ = 0;
+  long inCut_ = 0;  // frames since the cut or the stream began
   std::size_t head_ = 0;
   std::array<std::vector<double>, kSearchChannels> ring_;
   std::vector<double> unrolled_;

@@ -124,6 +124,11 @@ double TurningHarmonics::power(int channel, int n) const noexcept {
   return re_[i] * re_[i] + im_[i] * im_[i];
 }
 
+std::complex<double> TurningHarmonics::amplitude(int channel, int n) const noexcept {
+  const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
+  return std::complex<double>(re_[i], im_[i]) * std::polar(1.0, -n * angle_);
+}
+
 double TurningHarmonics::weightedPower(int channel, const double* weight) const noexcept {
   return kernels_.weightedPower(re_.data() + row(channel), im_.data() + row(channel), weight, used_);
 }

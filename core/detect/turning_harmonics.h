@@ -10,6 +10,7 @@
 // oracles in the tests. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "core/dsp/kernels/kernels.h"
@@ -46,6 +47,8 @@ class TurningHarmonics {
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
   double power(int channel, int n) const noexcept;
+  // A_n: q_n against the spindle's angle.
+  std::complex<double> amplitude(int channel, int n) const noexcept;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
   double weightedPower(int channel, const double* weight) const noexcept;
 

@@ -11,13 +11,6 @@ namespace {
 constexpr double kMostDelay = 0.3;  // s
 constexpr double kLeastPart = 0.9;
 
-// s of alarm while the tool leaves the cut, in the last tenths of a second that TRUTH.csv still calls stable.
-double leaving(const std::string& file) {
-  if (file == "EBI_T25_0p25IN_6900RPM.csv") return 0.15;
-  if (file == "EBI_T100_0p375IN_7000RPMto6000RPM.csv") return 0.35;
-  return 0.0;
-}
-
 class RealCuts : public ::testing::TestWithParam<double> {};
 
 TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
@@ -28,7 +21,7 @@ TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
     const auto judged = judgeRealCut(cut, cut.channels, GetParam(), {"energy-ratio"});
     ASSERT_TRUE(judged.ok()) << judged.error().line();
     const Tally& t = judged->front();
-    EXPECT_LE(t.falseInSegment, leaving(file)) << file << " from " << t.firstFalse;
+    EXPECT_EQ(t.falseInSegment, 0.0) << file << " from " << t.firstFalse;
     const double length = chatterLength(cut);
     if (!(length > 0.0)) continue;
     EXPECT_GE(t.delay, 0.0) << file;

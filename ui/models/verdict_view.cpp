@@ -135,6 +135,7 @@ VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   view.tone = stable ? Tone::Normal : Tone::Faint;
   view.detail =
       stable && verdict.earlyWarning ? say("Early warning: vibration begins to grow") : phaseText(verdict.phase);
+  if (view.detail.isEmpty()) view.detail = kindText(verdict.kind);
   if (view.detail.isEmpty()) view.detail = stable ? say("The cut is quiet") : say("The tool does not cut");
   view.marked = totals(picture);
   return view;

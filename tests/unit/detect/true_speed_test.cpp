@@ -18,7 +18,9 @@ struct Entry {
   double forced = 1.0;
   double rampFrom = 0.0, rampTo = 0.0, rampBy = 0.0;  // relative change of the speed
   double lineHertz = 0.0, lineAmplitude = 0.0;
-  double cutTo = 1e9, fadeSeconds = 0.1;  // the forced part leaves, what else there is stays
+  double cutTo = 1e9, fadeSeconds = 0.1;         // the forced part leaves, what else there is stays
+  bool lineStays = false;                        // when the tool leaves
+  double dipFrom = 1e9, dipTo = 0.0, dip = 1.0;  // a time in which the forced part is so much less
   double noise = 0.02;
   unsigned seed = 5;
 };
@@ -39,9 +41,10 @@ Recording make(const Entry& e) {
     if (t > e.cutFrom) {
       const double in =
           std::min(1.0, (t - e.cutFrom) / 0.05) * std::clamp(1.0 - (t - e.cutTo) / e.fadeSeconds, 0.0, 1.0);
-      for (int h = 1; h <= 5; ++h) x += in * e.forced / h * std::cos(h * e.teeth * angle + h);
-      for (int h = 1; h <= 3; ++h) x += in * 0.05 * e.forced * std::cos(h * angle + 2.0 * h);
-      x += in * e.lineAmplitude * std::sin(kTwoPi * e.lineHertz * t);
+      const double load = in * e.forced * (t > e.dipFrom && t < e.dipTo ? e.dip : 1.0);
+      for (int h = 1; h <= 5; ++h) x += load / h * std::cos(h * e.teeth * angle + h);
+      for (int h = 1; h <= 3; ++h) x += 0.05 * load * std::cos(h * angle + 2.0 * h);
+      x += (e.lineStays ? 1.0 : in) * e.lineAmplitude * std::sin(kTwoPi * e.lineHertz * t);
     } else {
       x *= 0.3;
     }
@@ -89,6 +92,69 @@ TEST(TrueSpeed, IsNotClaimedWhereNothingTurns) {
     EXPECT_FALSE(found.verdicts.back().valid) << detector;
     EXPECT_EQ(found.verdicts.back().reason.code, ReasonCode::NoSpeed) << detector;
   }
+}
+
+// A chatter line alone makes a comb of anything; what is heard of it must not pass for a stable cut at another speed.
+TEST(TrueSpeed, IsNotMadeOfOneLine) {
+  Entry e;
+  e.rate = 24000.0;
+  e.spindle = 27.6;
+  e.teeth = 6;
+  e.forced = 0.1;
+  e.lineHertz = 32.6 * e.spindle;
+  e.lineAmplitude = 1.0;
+  e.seconds = 6.0;
+  RunOptions o = told(e, 0.0);
+  double wrong = 0.0;
+  o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
+    const bool calm = b.phase == CutPhase::Steady && v.valid && !v.alarming();
+    if (calm && std::abs(v.spindle.value / e.spindle - 1.0) > 0.01) wrong += b.frames / e.rate;
+  };
+  run(make(e), o);
+  EXPECT_LT(wrong, 0.1);
+}
+
+// The tool comes back to the material: until a comb is found again, what was told is the speed.
+TEST(TrueSpeed, IsWhatWasToldUntilTheNextCutIsHeard) {
+  Entry e;
+  e.seconds = 3.0;
+  Recording twice = make(e);
+  const Recording once = twice;
+  for (std::size_t c = 0; c < once.channels.size(); ++c) {
+    twice.channels[c].insert(twice.channels[c].end(), once.channels[c].begin(), once.channels[c].end());
+  }
+  RunOptions o = told(e, 60.0 * e.spindle * 1.01);
+  int heard = 0;
+  o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
+    if (b.phase == CutPhase::Air) return;
+    ++heard;
+    EXPECT_TRUE(v.valid) << sinceEpoch(v.time).value;
+    EXPECT_NEAR(b.spindle / Hertz(e.spindle), 1.0, 0.02) << sinceEpoch(v.time).value;
+  };
+  run(twice, o);
+  EXPECT_GT(heard, 0);
+}
+
+// The load changes while chatter fills the cut, and a comb that the chatter lies on (order 7 of 133.8 Hz) is within
+// what was told: the forced vibration that is left says where the spindle is.
+TEST(TrueSpeed, IsHeldThroughFullChatter) {
+  CutSignal s;
+  s.spindle = 137.3;
+  s.chatterHertz = 936.6;
+  s.growthStart = 2.0;
+  s.growthConstant = 0.02;
+  s.newLoad = 2.3;
+  s.seconds = 4.0;
+  RunOptions o;
+  o.teeth = s.teeth;
+  o.rpm = 60.0 * s.spindle;
+  double most = 0.0;
+  o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
+    if (sinceEpoch(v.time).value > 1.0) most = std::max(most, std::abs(b.spindle.value / s.spindle - 1.0));
+  };
+  const RunResult r = run(makeCut(s), o);
+  EXPECT_LT(most, 0.01);
+  EXPECT_GT(r.alarmTimeIn(2.2, 4.0), 0.95 * 1.8);
 }
 
 // An operator turns the override down in the cut, and no machine says so.
@@ -180,6 +246,81 @@ TEST(Exit, DoesNotAlarm) {
     EXPECT_LT(r.firstAlarm, 0.0) << fade;
     EXPECT_EQ(r.at(2.9).state, CutState::Stable);
     EXPECT_EQ(r.at(2.9).phase, CutPhase::Steady);
+  }
+}
+
+// A line of the machine that was there all along, and is all that is left.
+TEST(Exit, ALineThatStaysDoesNotAlarm) {
+  for (const double fade : {0.05, 0.4, 1.0}) {
+    Entry e;
+    e.lineHertz = 13.6 * e.spindle;
+    e.lineAmplitude = 0.12;
+    e.lineStays = true;
+    e.cutTo = 3.0;
+    e.fadeSeconds = fade;
+    e.seconds = 3.0 + fade;
+    const RunResult r = run(make(e), told(e, 60.0 * e.spindle));
+    EXPECT_LT(r.firstAlarm, 0.0) << fade;
+    EXPECT_EQ(r.at(2.9).state, CutState::Stable);
+  }
+}
+
+// The alarm of a chattering cut ends with it, although noise that is louder than air stays.
+TEST(Exit, EndsAnAlarm) {
+  Entry e;
+  e.spindle = 80.0;
+  e.cutTo = 3.0;
+  e.seconds = 4.0;
+  e.forced = 0.3;
+  e.lineHertz = 13.6 * e.spindle;
+  e.lineAmplitude = 1.0;
+  const RunResult r = run(make(e), told(e, 60.0 * e.spindle));
+  EXPECT_GT(r.alarmTimeIn(2.0, 3.0), 0.99);
+  EXPECT_LT(r.firstAlarmAfter(e.cutTo + e.fadeSeconds + 0.25), 0.0);
+}
+
+// A line that was learned with the stable cut, folded down from beyond the band or a machine's own, is as high as the
+// fixed ratio when the load dips; nothing has grown.
+TEST(FixedRatio, DoesNotAlarmWhereTheLineIsWhatTheCutIsUsedTo) {
+  Entry e;
+  e.lineHertz = 5.6 * e.spindle;
+  e.lineAmplitude = 0.6;
+  e.dipFrom = 4.0;
+  e.dipTo = 4.6;
+  e.dip = 0.7;
+  e.seconds = 5.0;
+  bool high = false;
+  RunOptions o = told(e, 60.0 * e.spindle);
+  o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
+    high = high || (b.phase == CutPhase::Steady && v.severity.value > 0.2);
+  };
+  EXPECT_LT(run(make(e), o).firstAlarm, 0.0);
+  EXPECT_TRUE(high);
+}
+
+// Times and states are the cut's, not those of the blocks it comes in.
+TEST(Blocks, OfAnyLengthGiveTheSameVerdicts) {
+  Entry e;
+  e.rate = 24000.0;
+  e.spindle = 27.6;
+  e.teeth = 6;
+  e.cutFrom = 1.0;
+  e.seconds = 3.0;
+  e.forced = 0.1;
+  e.lineHertz = 32.6 * e.spindle;
+  e.lineAmplitude = 1.0;
+  const Recording cut = make(e);
+  RunOptions o = told(e, 60.0 * e.spindle);
+  o.blockFrames = 24;
+  const RunResult fine = run(cut, o);
+  ASSERT_GT(fine.firstAlarm, e.cutFrom);
+  for (const int frames : {60, 120, 480}) {
+    o.blockFrames = frames;
+    const RunResult r = run(cut, o);
+    const double block = frames / e.rate;
+    EXPECT_NEAR(r.firstAlarm, fine.firstAlarm, block + 0.002) << frames;
+    EXPECT_NEAR(r.verdicts.back().spindle.value, fine.verdicts.back().spindle.value, 1e-4 * e.spindle) << frames;
+    EXPECT_NEAR(r.verdicts.back().frequency.value, fine.verdicts.back().frequency.value, 0.5) << frames;
   }
 }
 

@@ -1,4 +1,4 @@
-// Period doubling with even teeth, which lies on spindle harmonics.
+// Chatter on spindle harmonics: period doubling with even teeth, and a line beside a whole order.
 #include "tests/unit/detect/signals.h"
 
 namespace stillcut::detect::testing {
@@ -75,6 +75,61 @@ TEST(Doubling, ChatterAfterALeapOfTheLoadIsSeen) {
   const RunResult r = run(makeCut(s), told(s));
   EXPECT_GT(r.firstAlarm, s.growthStart);
   EXPECT_LT(r.firstAlarm, s.growthStart + 4.4 * s.growthConstant);
+}
+
+// So near to an order that the comb follows it; its side lines are a tooth passing apart.
+TEST(BesideAnOrder, ChatterIsSeenAndNamed) {
+  struct Case {
+    int teeth;
+    double order;
+  };
+  for (const Case c : {Case{3, 7.04}, Case{4, 6.96}, Case{4, 15.03}, Case{6, 8.04}}) {
+    for (const unsigned seed : {41U, 42U}) {
+      CutSignal s = withTeeth(c.teeth, seed);
+      s.chatterHertz = c.order * s.spindle;
+      s.speedSd = 1e-4;
+      s.growthStart = 2.5;
+      s.growthConstant = 0.03;
+      s.seconds = 3.4;
+      const RunResult r = run(makeCut(s), told(s));
+      ASSERT_GT(r.firstAlarm, s.growthStart) << c.order << " seed " << seed;
+      EXPECT_LT(r.firstAlarm, s.growthStart + s.growthConstant * std::log(s.cap / s.startAmplitude) + 4.0 / s.spindle)
+          << c.order << " seed " << seed;
+      const Verdict& v = r.at(r.firstAlarm + 0.1);
+      EXPECT_NEAR(v.frequency.value, s.chatterHertz, 0.005 * s.chatterHertz) << c.order << " seed " << seed;
+      EXPECT_EQ(v.kind, ChatterKind::Hopf) << c.order << " seed " << seed;
+      EXPECT_EQ(r.verdicts.back().state, CutState::Chatter) << c.order << " seed " << seed;
+    }
+  }
+}
+
+// A mode near the limit amplifies an order of runout to half the main harmonic: it stands still against the spindle.
+TEST(BesideAnOrder, RunoutThatAModeAmplifiesIsNone) {
+  for (const double order : {7.0, 15.0}) {
+    CutSignal s = withTeeth(4, 43);
+    s.chatterOrder = order;
+    s.growthStart = 2.5;
+    s.growthConstant = 0.15;
+    s.cap = 0.5;
+    s.seconds = 5.0;
+    EXPECT_LT(run(makeCut(s), told(s)).firstAlarm, 0.0) << order;
+  }
+}
+
+// A tooth-passing harmonic on a mode shakes the cut more than anything else, and is named for what it is.
+TEST(ForcedResonance, IsNamedAndIsNoAlarm) {
+  CutSignal s = withTeeth(4, 44);
+  const auto kindAt = [&](double resonance) {
+    s.chatterOrder = 12.0;
+    s.growthStart = resonance > 0.0 ? 0.0 : -1.0;
+    s.startAmplitude = s.cap = resonance;
+    const RunResult r = run(makeCut(s), told(s));
+    EXPECT_LT(r.firstAlarm, 0.0) << resonance;
+    EXPECT_EQ(r.verdicts.back().state, CutState::Stable) << resonance;
+    return r.verdicts.back().kind;
+  };
+  EXPECT_EQ(kindAt(6.0), ChatterKind::Forced);
+  EXPECT_EQ(kindAt(0.0), ChatterKind::Unknown);
 }
 
 }  // namespace

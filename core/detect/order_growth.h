@@ -1,0 +1,74 @@
+// Chatter that lies on spindle harmonics, or so near to one that a comb of them takes it out with the forced vibration:
+// period doubling with an even number of teeth, at orders (k + 1/2) Z, and Hopf chatter that happens to be near a whole
+// order. What tells it from forced vibration is growth. Regeneration by Z teeth ties the orders of one rest modulo Z
+// together (n and kZ +- n: side lines a tooth passing apart); in a stable cut they hold runout, a share of the
+// vibration that stays as it is while the load changes. So the share of every such class is tested against its own
+// learned floor (onset_test.h). Near the stability limit a mode amplifies runout as well, without any chatter; that
+// stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
+// strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case.
+// The tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
+#pragma once
+
+#include <complex>
+#include <vector>
+
+#include "core/detect/energy_chain.h"
+#include "core/detect/energy_growth.h"
+#include "core/detect/onset_test.h"
+
+namespace stillcut::detect {
+
+class OrderGrowth {
+ public:
+  // eta: of the energy ratio's weights (Caliskan 2018 eq. 28).
+  void prepare(int teeth, int eta, int harmonics);
+  void setEvidence(double evidence) noexcept;
+  void relearn() noexcept;
+  // What modes make of runout changes with the speed: beyond their damping's width the floors are learned anew.
+  void setSpindle(Hertz spindle) noexcept;
+  // One hop: what the harmonic filter holds of a channel.
+  void endHop(const EnergyChain& chain, int channel) noexcept;
+  void test(double turns, bool learn) noexcept;
+
+  bool grown() const noexcept;
+  // One order stands out of a class that has grown, as a mode does: where it is, in orders; 0: none.
+  double order() const noexcept { return order_; }
+  bool doubling() const noexcept { return doubling_; }
+  // Part of the weighted energy that the grown classes hold, above their floors.
+  double severity() const noexcept;
+
+ private:
+  static constexpr double kLeastPurity = 0.4;
+  struct Class {
+    double power = 0.0, weighted = 0.0;
+    double strongest = 0.0;
+    int order = 0;
+    double alarmTurns = 0.0;
+    bool counts = false;  // grown, and more than runout that a mode amplifies
+    OnsetTest onset;
+  };
+  double share(const Class& c) const noexcept { return all_ > c.power ? c.power / (all_ - c.power) : 0.0; }
+  bool flips(const Class& c) const noexcept;
+  void follow(const EnergyChain& chain, int channel) noexcept;
+  double drift(int order) const noexcept;
+  bool turns(int order) const noexcept;
+
+  int teeth_ = 0;
+  int eta_ = 0;
+  int hop_ = 0;
+  double all_ = 0.0;
+  double weightedAll_ = 0.0;
+  double order_ = 0.0;
+  bool doubling_ = false;
+  Hertz learnedAt_{};
+  std::vector<Class> classes_;  // rests 1 .. teeth / 2
+  struct Order {
+    std::complex<double> before;   // a turn ago
+    std::complex<double> product;  // of now and a turn ago, over some turns: its phase is the turn per turn
+    double power = 0.0;            // the same without phases
+  };
+  std::vector<Order> orders_;
+};
+
+}  // namespace stillcut::detect
