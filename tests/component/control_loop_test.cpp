@@ -52,7 +52,8 @@ FuzzyEnd fuzzyRun(const milling::Scenario& cut, const std::string& strategy, con
 
 class XuCut : public testing::TestWithParam<const char*> {};
 
-// Xu 2003, figures 4.6 to 4.13 and 4.21, 4.22: vibration energy and coherence end below their references.
+// Xu 2003, figures 4.6 to 4.13 and 4.21, 4.22: vibration energy and coherence end below their references. What the laws
+// reach is quiet, not always stable: their rules know the vibration and no lobes.
 TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   const milling::Scenario cut = scenarioNamed(GetParam());
   const app::RunHistory alone = runAlone(cut);
@@ -69,15 +70,21 @@ TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   }
 }
 
-// The same figures: direct tuning moves speed and feed less than the plain controller. On all cuts together, for on a
-// single one the gentler law may have to go on for longer.
+// Direct tuning moves speed and feed less than the plain controller, the flat cuts (figures 4.6, 4.10 to 4.13) each by
+// itself. Of the walls the paper says so of none (section 4.4: at the double one "some excessive feed and spindle speed
+// adjustments", at the single one no obvious advantage): they count in the sum.
 TEST(XuCuts, DirectTuningMovesLessThanThePlainController) {
   double plain = 0.0, direct = 0.0;
-  for (const char* name : {"xu-steel", "xu-aluminium", "xu-thin-wall-double", "xu-thin-wall-single"}) {
+  for (const std::string name : {"xu-steel", "xu-aluminium", "xu-thin-wall-double", "xu-thin-wall-single"}) {
     const milling::Scenario cut = scenarioNamed(name);
     const app::RunHistory alone = runAlone(cut);
-    plain += fuzzyRun(cut, "fuzzy", alone).travel;
-    direct += fuzzyRun(cut, "fuzzy-direct", alone).travel;
+    const double plainHere = fuzzyRun(cut, "fuzzy", alone).travel;
+    const double directHere = fuzzyRun(cut, "fuzzy-direct", alone).travel;
+    if (name == "xu-steel" || name == "xu-aluminium") {
+      EXPECT_LT(directHere, plainHere) << name;
+    }
+    plain += plainHere;
+    direct += directHere;
   }
   EXPECT_LT(direct, plain);
 }
@@ -294,7 +301,11 @@ class DelayedLaw : public testing::TestWithParam<std::tuple<const char*, const c
 TEST_P(DelayedLaw, NeitherHuntsNorEndsOtherwise) {
   const auto& [scenario, strategy] = GetParam();
   milling::Scenario cut = scenarioNamed(scenario);
-  cut.programme.duration = std::min(cut.programme.duration, Seconds(8.0));
+  // The fuzzy laws take seconds to go through the range (fuzzy.range-time). Where the ramp ends, 1.3 s after its
+  // chatter began, they are still on their way, and whether that moment is quiet is chance: they go on at its greatest
+  // depth.
+  const bool slow = std::string(strategy).rfind("fuzzy", 0) == 0;
+  cut.programme.duration = slow ? Seconds(8.0) : std::min(cut.programme.duration, Seconds(8.0));
   std::string usual;
   for (const int ms : {60, 0, 20, 40, 80, 100, 120}) {
     // At 20 ms the paper's law comes to stand where chatter stands on a harmonic of the spindle, which the default
