@@ -137,8 +137,8 @@ bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept 
   const double lowest = (line - doubt) / high;
   if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return true;
   // Where other lines stand with it on one comb, that comb is the spindle's.
-  for (double order = std::ceil(lowest); order <= highest; order += 1.0) {
-    if (squareBeside(line, Hertz(line.value / order)) > kLoneSquare) return true;
+  for (int order = static_cast<int>(std::ceil(lowest)); order <= highest; ++order) {
+    if (squareBeside(line, line / order) > kLoneSquare) return true;
   }
   return false;
 }
