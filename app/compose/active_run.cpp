@@ -27,11 +27,12 @@ active::EngineOptions engineOptions(const milling::Scenario& scenario, const Act
 
 // One block after the other through whatever makes strokes of errors.
 template <class Step>
-void runBlock(active::SimulatedDuplex& device, std::vector<double>& in, std::vector<double>& out, Step step) {
+void runBlock(active::SimulatedDuplex& device, std::vector<double>& in, std::vector<safety::ActuatorCommand>& out,
+              Step step) {
   (void)device.read(in);
   const std::size_t frames = in.size() / 2;
   for (std::size_t f = 0; f < frames; ++f) {
-    const active::AxisPair strokes = step(active::AxisPair{in[f], in[frames + f]});
+    const active::CommandPair strokes = step(active::AxisPair{in[f], in[frames + f]});
     out[f] = strokes[0];
     out[frames + f] = strokes[1];
   }
@@ -45,7 +46,8 @@ Result<active::PathPairFound> identify(const milling::Scenario& scenario, const 
   if (!format) return format.error();
   active::PathRecorder recorder;
   if (Status ok = recorder.prepare(engine.record, engine.limits, scenario.rate); !ok) return ok.error();
-  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
+  std::vector<double> in(2 * static_cast<std::size_t>(format->frames));
+  std::vector<safety::ActuatorCommand> out(in.size());
   while (!recorder.over()) {
     recorder.begin();
     runBlock(device, in, out, [&](const active::AxisPair& errors) { return recorder.step(errors); });
@@ -83,7 +85,8 @@ Course course(const milling::Scenario& scenario, active::SimulatedDuplex& device
   const auto format = device.open();
   if (!format) return made;
   const double last = scenario.programme.duration.value - 1.0;
-  std::vector<double> in(2 * static_cast<std::size_t>(format->frames)), out(in.size());
+  std::vector<double> in(2 * static_cast<std::size_t>(format->frames));
+  std::vector<safety::ActuatorCommand> out(in.size());
   while (made.errors[0].size() < framesOf(scenario)) {
     runBlock(device, in, out, [&](const active::AxisPair& errors) {
       for (std::size_t a = 0; a < 2; ++a) made.errors[a].push_back(errors[a]);
@@ -100,7 +103,7 @@ Course course(const milling::Scenario& scenario, active::SimulatedDuplex& device
 Course leftAlone(const milling::Scenario& scenario, const ActiveOptions& options) {
   active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
   return course(
-      scenario, device, [](const active::AxisPair&) { return active::AxisPair{}; },
+      scenario, device, [](const active::AxisPair&) { return active::CommandPair{}; },
       [](Course&, const milling::SimulatedCut&) {});
 }
 

@@ -52,7 +52,7 @@ Status ActiveEngine::open() {
   for (safety::ActuatorLimits& limits : options_.limits) limits.lease = std::max(limits.lease, 2.0 * block);
   const auto values = static_cast<std::size_t>(kActiveAxes * format_.frames);
   in_.assign(values, 0.0);
-  out_.assign(values, 0.0);
+  out_.assign(values, {});
   telling_ = {};
   telling_.rate = format_.rate;
   telling_.blockFrames = format_.frames;
@@ -232,7 +232,7 @@ void ActiveEngine::run(const std::stop_token& stop) {
   publish();
 }
 
-void ActiveEngine::block(std::span<const double> in, std::span<double> out) STILLCUT_RT {
+void ActiveEngine::block(std::span<const double> in, std::span<safety::ActuatorCommand> out) STILLCUT_RT {
   const auto frames = static_cast<std::size_t>(format_.frames);
   PathRecorder* recorder = recording_.load(std::memory_order_acquire);
   ActiveLoop* loop = loop_.load(std::memory_order_acquire);
@@ -245,7 +245,7 @@ void ActiveEngine::block(std::span<const double> in, std::span<double> out) STIL
   }
   for (std::size_t f = 0; f < frames; ++f) {
     const AxisPair errors{in[f], in[frames + f]};
-    AxisPair strokes{};
+    CommandPair strokes{};
     if (recorder != nullptr) {
       strokes = recorder->step(errors);
     } else if (loop != nullptr) {

@@ -66,7 +66,7 @@ class ActiveEngine {
  private:
   void run(const std::stop_token& stop);
   void renew(const std::stop_token& stop);
-  void block(std::span<const double> in, std::span<double> out) STILLCUT_RT;
+  void block(std::span<const double> in, std::span<safety::ActuatorCommand> out) STILLCUT_RT;
   void lost() STILLCUT_RT;
   void cut() STILLCUT_RT;
   void publish() STILLCUT_RT;
@@ -89,7 +89,8 @@ class ActiveEngine {
   // The loop's thread alone.
   ActiveSnapshot telling_;
   int untold_ = 0;  // frames since the last snapshot
-  std::vector<double> in_, out_;
+  std::vector<double> in_;
+  std::vector<safety::ActuatorCommand> out_;
   rt::TripleBuffer<ActiveSnapshot> snapshots_;
   rt::TripleBuffer<std::array<ActivePath, kActiveAxes>> promises_;  // owner to thread
   std::array<std::atomic<std::int64_t>, kActiveAxes> renewedAt_{};  // [ns]

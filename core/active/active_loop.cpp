@@ -37,7 +37,7 @@ void ActiveLoop::begin() STILLCUT_RT {
   for (Axis& axis : axes_) axis.gate.renew();
 }
 
-double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
+safety::ActuatorCommand ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   if (const PathModel* model = axis.renewed.read(); model != nullptr && axis.renewed.fresh()) {
     axis.controller.renew(*model);
     axis.added.renew(*model);
@@ -52,7 +52,8 @@ double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   }
   // What we add ourselves is no fault of the control.
   const double uncontrolled = axis.online.on() ? without - axis.added.arrive() : without;
-  const double stroke = axis.gate.pass(wanted + added, error, uncontrolled).value();
+  const safety::ActuatorCommand command = axis.gate.pass(wanted + added, error, uncontrolled);
+  const double stroke = command.value();
   if (axis.online.on()) axis.added.push(added);
   axis.controller.written(stroke, added);
   if (listening) axis.online.wrote(stroke);
@@ -72,7 +73,7 @@ double ActiveLoop::step(Axis& axis, double error) STILLCUT_RT {
   axis.before = state;
   axis.meter.add(error, without);
   axis.tally.add(error, without, stroke, axis.gate.limited());
-  return stroke;
+  return command;
 }
 
 void ActiveLoop::renewModels() {
@@ -87,10 +88,10 @@ void ActiveLoop::renewModels() {
   }
 }
 
-AxisPair ActiveLoop::step(const AxisPair& errors) STILLCUT_RT {
-  AxisPair strokes{};
-  for (std::size_t a = 0; a < kActiveAxes; ++a) strokes[a] = step(axes_[a], errors[a]);
-  return strokes;
+CommandPair ActiveLoop::step(const AxisPair& errors) STILLCUT_RT {
+  CommandPair commands{};
+  for (std::size_t a = 0; a < kActiveAxes; ++a) commands[a] = step(axes_[a], errors[a]);
+  return commands;
 }
 
 void ActiveLoop::cut() STILLCUT_RT {

@@ -26,6 +26,7 @@ struct AxisOptions {
 };
 
 using AxisPair = std::array<double, kActiveAxes>;
+using CommandPair = std::array<safety::ActuatorCommand, kActiveAxes>;
 
 class ActiveLoop {
  public:
@@ -39,7 +40,7 @@ class ActiveLoop {
   // Once a block, before its frames: the leases.
   void begin() STILLCUT_RT;
   // Errors [SI of the sensor] to strokes [converter's unit].
-  AxisPair step(const AxisPair& errors) STILLCUT_RT;
+  CommandPair step(const AxisPair& errors) STILLCUT_RT;
   // The device lost a block; its output is zero.
   void cut() STILLCUT_RT;
   void setStep(double step) noexcept;
@@ -67,7 +68,7 @@ class ActiveLoop {
     int renewals = 0;                     // beside the loop
     rt::TripleBuffer<PathModel> renewed;  // to the loop
   };
-  static double step(Axis& axis, double error) STILLCUT_RT;
+  static safety::ActuatorCommand step(Axis& axis, double error) STILLCUT_RT;
 
   std::array<Axis, kActiveAxes> axes_;
 };

@@ -11,6 +11,7 @@
 #include "core/base/realtime.h"
 #include "core/base/result.h"
 #include "core/base/units.h"
+#include "core/safety/actuator_gate.h"
 
 namespace stillcut::active {
 
@@ -34,8 +35,9 @@ class DuplexDevice {
   virtual Result<DuplexFormat> open() = 0;
   // Waits for the next block and writes it to `in`: [axis * frames + frame], SI of the sensor.
   virtual DuplexEvent read(std::span<double> in) STILLCUT_RT = 0;
-  // After a Block: what is to be played next, in metres of stroke. Lost: it came too late.
-  virtual DuplexEvent write(std::span<const double> out) STILLCUT_RT = 0;
+  // After a Block: what is to be played next, in metres of stroke, [axis * frames + frame]; only a gate makes it. Lost:
+  // it came too late.
+  virtual DuplexEvent write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT = 0;
   // Ends a read() that waits, and all after it.
   virtual void stop() noexcept = 0;
   virtual void close() noexcept = 0;

@@ -52,20 +52,21 @@ double PathRecorder::wanted(std::size_t axis) STILLCUT_RT {
   return std::numbers::sqrt2 * rms * std::sin(kTwoPi * turns);
 }
 
-AxisPair PathRecorder::step(const AxisPair& errors) STILLCUT_RT {
-  AxisPair strokes{};
+CommandPair PathRecorder::step(const AxisPair& errors) STILLCUT_RT {
+  CommandPair commands{};
   const bool recording = at_ < length_ && !released_;
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
-    strokes[a] = gates_[a].drive(recording ? wanted(a) : 0.0, errors[a]).value();
-    tallies_[a].add(errors[a], errors[a], strokes[a], gates_[a].limited());
+    commands[a] = gates_[a].drive(recording ? wanted(a) : 0.0, errors[a]);
+    const double stroke = commands[a].value();
+    tallies_[a].add(errors[a], errors[a], stroke, gates_[a].limited());
     if (!recording) continue;
-    output_[a][at_] = strokes[a];
+    output_[a][at_] = stroke;
     reading_[a][at_] = -errors[a];
     if (gates_[a].state() == ActuatorState::RampOut) released_ = true;
   }
   if (recording && ++at_ == length_) release();
   if (released_) release();
-  return strokes;
+  return commands;
 }
 
 void PathRecorder::release() noexcept {

@@ -27,7 +27,7 @@ class PathRecorder {
   Status prepare(const RecordRequest& request, const std::array<safety::ActuatorLimits, kActiveAxes>& limits,
                  Hertz rate);
   void begin() STILLCUT_RT;
-  AxisPair step(const AxisPair& errors) STILLCUT_RT;
+  CommandPair step(const AxisPair& errors) STILLCUT_RT;
   void release() noexcept;
   void cut() STILLCUT_RT;
   // All recorded, or let go before; in either case the outputs are at zero.

@@ -56,14 +56,14 @@ DuplexEvent PcmDuplex::read(std::span<double> in) STILLCUT_RT {
   return event;
 }
 
-DuplexEvent PcmDuplex::write(std::span<const double> out) STILLCUT_RT {
+DuplexEvent PcmDuplex::write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT {
   const auto frames = static_cast<std::size_t>(format_.frames);
   const auto stride = static_cast<std::size_t>(format_.outputs);
   for (std::size_t a = 0; a < 2; ++a) {
     std::int32_t* to = out_.data() + settings_.output[a];
     const double scale = kFullScale / settings_.stroke[a];
     for (std::size_t f = 0; f < frames; ++f) {
-      to[f * stride] = static_cast<std::int32_t>(std::clamp(scale * out[a * frames + f], -kLargest, kLargest));
+      to[f * stride] = static_cast<std::int32_t>(std::clamp(scale * out[a * frames + f].value(), -kLargest, kLargest));
     }
   }
   return after(driver_->write(out_.data()));

@@ -61,7 +61,7 @@ class PcmDuplex final : public DuplexDevice {
   std::string name() const override { return settings_.request.device; }
   Result<DuplexFormat> open() override;
   DuplexEvent read(std::span<double> in) STILLCUT_RT override;
-  DuplexEvent write(std::span<const double> out) STILLCUT_RT override;
+  DuplexEvent write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   void close() noexcept override { driver_->close(); }
 

@@ -88,8 +88,8 @@ DuplexEvent SimulatedDuplex::read(std::span<double> in) STILLCUT_RT {
   return DuplexEvent::Block;
 }
 
-DuplexEvent SimulatedDuplex::write(std::span<const double> out) STILLCUT_RT {
-  std::ranges::copy(out, playing_.begin());
+DuplexEvent SimulatedDuplex::write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT {
+  std::ranges::transform(out, playing_.begin(), &safety::ActuatorCommand::value);
   return DuplexEvent::Block;
 }
 

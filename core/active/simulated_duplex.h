@@ -25,7 +25,7 @@ class SimulatedDuplex final : public DuplexDevice {
   std::string name() const override { return "simulated: " + scenario_.name; }
   Result<DuplexFormat> open() override;
   DuplexEvent read(std::span<double> in) STILLCUT_RT override;
-  DuplexEvent write(std::span<const double> out) STILLCUT_RT override;
+  DuplexEvent write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   void close() noexcept override {}
 

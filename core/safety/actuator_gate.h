@@ -27,12 +27,13 @@ struct ActuatorLimits {
 
 class ActuatorCommand {
  public:
+  ActuatorCommand() = default;  // rest
   double value() const { return value_; }
 
  private:
   friend class ActuatorGate;
   explicit ActuatorCommand(double value) : value_(value) {}
-  double value_;
+  double value_ = 0.0;
 };
 
 class ActuatorGate {

@@ -81,9 +81,9 @@ void blocks(benchmark::State& state) {
       const auto began = std::chrono::steady_clock::now();
       loop.begin();
       for (int frame = 0; frame < kFrames; ++frame) {
-        const active::AxisPair stroke = loop.step(error);
-        error[0] = -error[0] + 1e-12 * stroke[0];
-        error[1] = -error[1] + 1e-12 * stroke[1];
+        const active::CommandPair stroke = loop.step(error);
+        error[0] = -error[0] + 1e-12 * stroke[0].value();
+        error[1] = -error[1] + 1e-12 * stroke[1].value();
       }
       taken.record(Seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count()));
     }

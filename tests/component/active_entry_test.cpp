@@ -60,7 +60,7 @@ class Table {
   template <class Step>
   void frame(Step step) {
     (void)device_->read(in_);
-    const active::AxisPair out = step(active::AxisPair{in_[0], in_[1]});
+    const active::CommandPair out = step(active::AxisPair{in_[0], in_[1]});
     (void)device_->write(out);
   }
   std::unique_ptr<active::SimulatedDuplex> device_;

@@ -32,7 +32,9 @@ class BlockTime final : public active::DuplexDevice {
     clock_.set(clock_.now() + toDuration(block_));
     return event;
   }
-  active::DuplexEvent write(std::span<const double> out) noexcept override { return device_->write(out); }
+  active::DuplexEvent write(std::span<const safety::ActuatorCommand> out) noexcept override {
+    return device_->write(out);
+  }
   void stop() noexcept override {
     stopped_ = true;
     device_->stop();

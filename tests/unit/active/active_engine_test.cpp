@@ -50,9 +50,9 @@ class PlayedDevice final : public DuplexDevice {
     }
     return DuplexEvent::Block;
   }
-  DuplexEvent write(std::span<const double> out) noexcept override {
-    std::copy(out.begin(), out.end(), written_.begin());
-    for (double y : out) largest.store(std::max(largest.load(), std::abs(y)));
+  DuplexEvent write(std::span<const safety::ActuatorCommand> out) noexcept override {
+    std::ranges::transform(out, written_.begin(), &safety::ActuatorCommand::value);
+    for (double y : written_) largest.store(std::max(largest.load(), std::abs(y)));
     return DuplexEvent::Block;
   }
   void stop() noexcept override { gone_ = true; }

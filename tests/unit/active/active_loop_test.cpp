@@ -45,11 +45,11 @@ class Coupled {
       const AxisPair s{paths_[0].arrive(), paths_[1].arrive()};
       const AxisPair e{d[0] - s[0] - coupling_ * s[1], d[1] - s[1] + coupling_ * s[0]};
       loop.begin();
-      const AxisPair y = loop.step(e);
+      const CommandPair y = loop.step(e);
       for (std::size_t a = 0; a < 2; ++a) {
-        paths_[a].push(y[a]);
-        jump = std::max(jump, std::abs(y[a] - last_[a]));
-        last_[a] = y[a];
+        paths_[a].push(y[a].value());
+        jump = std::max(jump, std::abs(y[a].value() - last_[a]));
+        last_[a] = y[a].value();
         left[a] += e[a] * e[a];
         alone[a] += d[a] * d[a];
       }
@@ -148,9 +148,9 @@ TEST(ActiveLoop, ALostBlockMeansZeroAtOnce) {
   world.loop.cut();
   EXPECT_TRUE(world.loop.off());
   EXPECT_EQ(world.loop.gate(0).why(), ActuatorRelease::DeviceFault);
-  const AxisPair y = world.loop.step({1.0, 1.0});
-  EXPECT_EQ(y[0], 0.0);
-  EXPECT_EQ(y[1], 0.0);
+  const CommandPair y = world.loop.step({1.0, 1.0});
+  EXPECT_EQ(y[0].value(), 0.0);
+  EXPECT_EQ(y[1].value(), 0.0);
 }
 
 TEST(ActiveLoop, RefusesWhatItCannotRunOn) {

@@ -66,7 +66,7 @@ Course run(double auxiliary, double late, int samples, double wander = 0.02, dou
     const double d = tone * std::sin(kTwoPi * kLine.value / kRate.value * n) + noise[static_cast<std::size_t>(n)];
     const double e = d - path.arrive(late * n / samples);
     loop.begin();
-    path.push(loop.step({e, 0.0})[0]);
+    path.push(loop.step({e, 0.0})[0].value());
     if (n % 500 == 0) loop.renewModels();
     if (course.letGo < 0 && loop.gate(0).why() != ActuatorRelease::None) course.letGo = n;
     if (n < samples * 9 / 10) continue;

@@ -38,8 +38,9 @@ class Recorded : public testing::Test {
       recorder_.begin();
       AxisPair errors{-paths_[0].arrive(), -paths_[1].arrive()};
       if (n >= deadFrom_) errors[1] = 0.125;
-      last_ = recorder_.step(errors);
+      const CommandPair commands = recorder_.step(errors);
       for (std::size_t a = 0; a < 2; ++a) {
+        last_[a] = commands[a].value();
         paths_[a].push(last_[a]);
         largest_ = std::max(largest_, std::abs(last_[a]));
       }

@@ -5,6 +5,8 @@
 
 #include <deque>
 
+#include "tests/unit/active/commands.h"
+
 namespace stillcut::active {
 namespace {
 
@@ -61,7 +63,7 @@ class Pcm : public testing::Test {
   }
   Script script_;
   PcmDuplex device_{settings(), std::make_unique<ScriptedDriver>(script_)};
-  std::array<double, 4> in_{}, out_{};
+  std::array<double, 4> in_{};
 };
 
 TEST_F(Pcm, GivesAxesTheirChannelsAndUnits) {
@@ -76,8 +78,7 @@ TEST_F(Pcm, GivesAxesTheirChannelsAndUnits) {
   EXPECT_DOUBLE_EQ(in_[1], 25.0);
   EXPECT_DOUBLE_EQ(in_[2], -25.0);
   EXPECT_DOUBLE_EQ(in_[3], 0.0);
-  out_ = {2e-6, -1.0, 1e-6, 0.0};
-  EXPECT_EQ(device_.write(out_), DuplexEvent::Block);
+  EXPECT_EQ(device_.write(commanded({2e-6, -1.0, 1e-6, 0.0})), DuplexEvent::Block);
   EXPECT_EQ(script_.out, (std::vector<std::int32_t>{0, 1 << 29, 0, 1 << 30, 0, 0, 0, -2147483647}));
 }
 
@@ -87,7 +88,7 @@ TEST_F(Pcm, ALossEitherWayIsSaidAndItStreamsAgain) {
   EXPECT_EQ(device_.read(in_), DuplexEvent::Lost);
   EXPECT_EQ(device_.read(in_), DuplexEvent::Block);
   script_.writes = {kDuplexLost};
-  EXPECT_EQ(device_.write(out_), DuplexEvent::Lost);
+  EXPECT_EQ(device_.write(commanded({0.0, 0.0, 0.0, 0.0})), DuplexEvent::Lost);
   EXPECT_EQ(script_.restarted, 2);
 }
 

@@ -8,6 +8,7 @@
 #include "core/active/active_engine.h"
 #include "core/milling/scenario.h"
 #include "core/rt/deadline_stats.h"
+#include "tests/unit/active/commands.h"
 
 namespace stillcut::active {
 namespace {
@@ -25,25 +26,27 @@ TEST(SimulatedDuplex, AnOutputIsHeardALengthOfABlockLater) {
     SimulatedDuplex still(scenario, frames, 1), moved(scenario, frames, 1);
     ASSERT_TRUE(still.open().ok());
     ASSERT_TRUE(moved.open().ok());
-    std::vector<double> a(2 * static_cast<std::size_t>(frames)), b(a.size()), out(a.size(), 0.0);
+    std::vector<double> a(2 * static_cast<std::size_t>(frames)), b(a.size());
+    const std::vector<safety::ActuatorCommand> rest(a.size());
+    std::vector<safety::ActuatorCommand> out = rest;
     ASSERT_EQ(still.read(a), DuplexEvent::Block);
     ASSERT_EQ(moved.read(b), DuplexEvent::Block);
     EXPECT_EQ(a, b);
-    out[0] = 1e-6;  // the first frame of x
-    (void)still.write(std::vector<double>(a.size(), 0.0));
+    out[0] = commanded({1e-6})[0];  // the first frame of x
+    (void)still.write(rest);
     (void)moved.write(out);
-    std::vector<double> rest;
+    std::vector<double> heard;
     for (int block = 0; block < 40 / frames + 1; ++block) {
       (void)still.read(a);
       (void)moved.read(b);
-      for (int f = 0; f < frames; ++f) rest.push_back(b[static_cast<std::size_t>(f)] - a[static_cast<std::size_t>(f)]);
-      (void)moved.write(std::vector<double>(a.size(), 0.0));
+      for (int f = 0; f < frames; ++f) heard.push_back(b[static_cast<std::size_t>(f)] - a[static_cast<std::size_t>(f)]);
+      (void)moved.write(rest);
     }
     // Nothing but what the one sample did, and it begins with the block after it was written.
     double largest = 0.0;
-    for (double r : rest) largest = std::max(largest, std::abs(r));
+    for (double r : heard) largest = std::max(largest, std::abs(r));
     EXPECT_GT(largest, 1e-3);
-    EXPECT_GT(std::abs(rest[0]) + std::abs(rest[1]) + std::abs(rest[2]), 0.05 * largest);
+    EXPECT_GT(std::abs(heard[0]) + std::abs(heard[1]) + std::abs(heard[2]), 0.05 * largest);
   }
 }
 
