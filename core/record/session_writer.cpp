@@ -67,6 +67,7 @@ struct SessionWriter::Impl {
   std::string operatorName;
   bool keepSamples = true;
   bool powerSafe = false;
+  bool commitLater = false;
   std::vector<SampleWriter> samples;
   TableWriter<MachineRow> machine;
   TableWriter<DecisionRow> decisions;
@@ -236,10 +237,15 @@ void SessionWriter::setPowerSafe() {
   impl_->powerSafe = true;
 }
 
+void SessionWriter::commitLater(bool later) {
+  impl_->commitLater = later;
+}
+
 Status SessionWriter::flush() {
   if (impl_->closed) return Error{path_, "the session is closed", ""};
   quietHdf5();
   if (!impl_->write()) return failed("writing");
+  if (impl_->commitLater) return Done{};
   if (!impl_->journaled->commit(impl_->powerSafe)) return failed("writing");
   return Done{};
 }

@@ -54,6 +54,9 @@ class SessionWriter {
   Status addMarker(Marker marker);
   // Hands everything to the system.
   Status flush();
+  // Many steps at once: until false is said, and flush() after it, nothing waits for the disk, and a crash leaves the
+  // file as it was before.
+  void commitLater(bool later);
   // From now on every flush waits for the disk.
   void setPowerSafe();
   // Flushes and closes; later calls fail. The destructor does the same and cannot report.

@@ -95,11 +95,15 @@ class AroundEvents final : public ManyFiles {
  private:
   Status begin() {
     if (Status s = openNext(); !s) return s;
+    // Half a minute in one go. To wait for the disk after every half second of it could take longer than the recorder
+    // can hold what comes meanwhile, and that is the alarm itself.
+    writer()->commitLater(true);
     for (const StepRecord& step : before_) {
       if (Status s = writer()->add(step.input, step.output); !s) return s;
     }
     before_.clear();
-    return Done{};
+    writer()->commitLater(false);
+    return writer()->flush();
   }
   void keep(const StepInput& input, const StepOutput& output) {
     before_.push_back({input, output});

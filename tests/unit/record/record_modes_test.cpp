@@ -95,6 +95,45 @@ TEST(RecordModes, AroundEventsKeepsTheTimeBeforeAndAfterEachAndNothingElse) {
   EXPECT_EQ(markers->size(), 1U);
 }
 
+class CountingDisk final : public Disk {
+ public:
+  bool sync(int file) override {
+    ++syncs;
+    return Disk::sync(file);
+  }
+  int syncs = 0;
+};
+
+// What was kept of the time before comes at once: a disk that takes long for each wait must not hold up what follows.
+TEST(RecordModes, AroundEventsWaitsForTheDiskOnceForAllThatWasBefore) {
+  const TempFolder folder;
+  CountingDisk disk;
+  SessionWriterOptions options;
+  options.disk = &disk;
+  RecordPlan plan;
+  plan.before = Seconds(30.0);
+  plan.after = Seconds(5.0);
+  int files = 0;
+  const auto sink = aroundEvents(exampleHeader(), plan, numbered(folder, files), options);
+  sink->setPowerSafe();
+  const auto add = [&](int i) {
+    StepRecord step = quietStep(i);
+    if (i == 2999) step.output.verdicts[0].state = CutState::Chatter;
+    ASSERT_TRUE(sink->add(step.input, step.output).ok());
+  };
+  for (int i = 0; i < 2999; ++i) add(i);
+  EXPECT_EQ(disk.syncs, 0);
+  add(2999);
+  const int once = disk.syncs;
+  EXPECT_GE(once, 1) << "it is on the disk";
+  EXPECT_LT(once, 10) << "sixty half seconds";
+  EXPECT_EQ(countSession(folder / "0.h5")->steps, 3000U) << "for everybody who looks";
+  for (int i = 3000; i < 3200; ++i) add(i);
+  EXPECT_GE(disk.syncs, once + 3) << "from then on every half second";
+  ASSERT_TRUE(sink->close().ok());
+  EXPECT_EQ(sequencesOf(folder / "0.h5").size(), 3200U);
+}
+
 // An alarm that is longer than what is kept after it, beginning with its event; and one that was there before.
 TEST(RecordModes, AroundEventsGoesOnWhileAnAlarmLasts) {
   const TempFolder folder;
