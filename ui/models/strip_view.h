@@ -43,7 +43,8 @@ struct CardView {
 // Newest first.
 std::vector<CardView> makeCards(const Picture& picture);
 
-// The newest thing that went wrong and what became of it, for half a minute; of the active table as long as it stays off; alarms are told by the verdict.
+// The newest thing that went wrong and what became of it, for half a minute; of the active table as long as it stays
+// off; alarms are told by the verdict.
 struct EventLine {
   QString text;  // "14:00:03  The machine has not answered for 1.2 s"; empty: nothing
   Tone tone = Tone::Normal;

@@ -229,7 +229,7 @@ TEST(SessionFolder, NamesFilesByJobToolAndTime) {
 
 std::string session(const TempFolder& folder, const char* name, std::int64_t age_s, std::int64_t now_ns,
                     const SessionWriterOptions& options = {}) {
-  const std::string path = folder / name;
+  std::string path = folder / name;
   auto writer = SessionWriter::create(path, exampleHeader(), options);
   EXPECT_TRUE(writer.ok());
   const StepRecord step = quietStep(0);
