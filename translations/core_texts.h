@@ -408,7 +408,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "speed {0.1} % and feed {1.1} %, with the knobs {2.1} % and {3.1} %"),
     QT_TRANSLATE_NOOP("Reason", "speed {0.1} % on its way to {1.1} %, feed {2.1} % to {3.1} %"),
     QT_TRANSLATE_NOOP("Reason", "what the machine reports makes no sense"),
-    QT_TRANSLATE_NOOP("Reason", "the program has locked the overrides"),
+    QT_TRANSLATE_NOOP("Reason", "the overrides have no effect: locked by the program, or at the machine's limit"),
     QT_TRANSLATE_NOOP("Reason", "something else controls the overrides"),
     QT_TRANSLATE_NOOP("Reason", "the detector's verdict is not usable"),
     QT_TRANSLATE_NOOP("Reason", "the request is {0.2} s old"),

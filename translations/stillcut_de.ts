@@ -1676,8 +1676,8 @@
         <translation>was die Maschine meldet, ergibt keinen Sinn</translation>
     </message>
     <message>
-        <source>the program has locked the overrides</source>
-        <translation>das Programm hat die Overrides gesperrt</translation>
+        <source>the overrides have no effect: locked by the program, or at the machine&apos;s limit</source>
+        <translation>die Overrides wirken nicht: vom Programm gesperrt, oder die Maschine ist an ihrer Grenze</translation>
     </message>
     <message>
         <source>something else controls the overrides</source>
@@ -3014,8 +3014,8 @@
         <translation>Die Maschine ist aus</translation>
     </message>
     <message>
-        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
-        <translation>Die Maschine ist aus und behält Drehzahl %1, Vorschub %2, bis sie an ist</translation>
+        <source>The machine is off at speed %1, feed %2; Stillcut brings them back when it is on</source>
+        <translation>Die Maschine ist aus bei Drehzahl %1, Vorschub %2; Stillcut nimmt beides zurück, wenn sie an ist</translation>
     </message>
     <message>
         <source>The machine is in alarm</source>
@@ -3030,12 +3030,12 @@
         <translation>Das Programm hat beide Override gesperrt (M49)</translation>
     </message>
     <message>
-        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
-        <translation>Der Spindel-Override wirkt nicht: vom Programm gesperrt (M51, M49)</translation>
+        <source>The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit</source>
+        <translation>Der Spindel-Override wirkt nicht: vom Programm gesperrt (M51, M49), oder die Maschine ist an ihrer Grenze</translation>
     </message>
     <message>
-        <source>The feed override has no effect: locked by the program (M50, M49)</source>
-        <translation>Der Vorschub-Override wirkt nicht: vom Programm gesperrt (M50, M49)</translation>
+        <source>The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit</source>
+        <translation>Der Vorschub-Override wirkt nicht: vom Programm gesperrt (M50, M49), oder die Maschine ist an ihrer Grenze</translation>
     </message>
     <message>
         <source>Adaptive feed has no effect: the program has not said M52 P1</source>

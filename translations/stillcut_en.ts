@@ -1675,8 +1675,8 @@
         <translation>what the machine reports makes no sense</translation>
     </message>
     <message>
-        <source>the program has locked the overrides</source>
-        <translation>the program has locked the overrides</translation>
+        <source>the overrides have no effect: locked by the program, or at the machine's limit</source>
+        <translation>the overrides have no effect: locked by the program, or at the machine's limit</translation>
     </message>
     <message>
         <source>something else controls the overrides</source>
@@ -3013,8 +3013,8 @@
         <translation>The machine is off</translation>
     </message>
     <message>
-        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
-        <translation>The machine is off and keeps speed %1, feed %2 until it is on</translation>
+        <source>The machine is off at speed %1, feed %2; Stillcut brings them back when it is on</source>
+        <translation>The machine is off at speed %1, feed %2; Stillcut brings them back when it is on</translation>
     </message>
     <message>
         <source>The machine is in alarm</source>
@@ -3029,12 +3029,12 @@
         <translation>The program has locked both overrides (M49)</translation>
     </message>
     <message>
-        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
-        <translation>The spindle override has no effect: locked by the program (M51, M49)</translation>
+        <source>The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit</source>
+        <translation>The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit</translation>
     </message>
     <message>
-        <source>The feed override has no effect: locked by the program (M50, M49)</source>
-        <translation>The feed override has no effect: locked by the program (M50, M49)</translation>
+        <source>The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit</source>
+        <translation>The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit</translation>
     </message>
     <message>
         <source>Adaptive feed has no effect: the program has not said M52 P1</source>

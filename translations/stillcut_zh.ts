@@ -1676,8 +1676,8 @@
         <translation>机床报告的数据不合理</translation>
     </message>
     <message>
-        <source>the program has locked the overrides</source>
-        <translation>程序已锁定倍率</translation>
+        <source>the overrides have no effect: locked by the program, or at the machine&apos;s limit</source>
+        <translation>倍率不起作用：被程序锁定，或机床已到极限</translation>
     </message>
     <message>
         <source>something else controls the overrides</source>
@@ -3014,8 +3014,8 @@
         <translation>机床已关闭</translation>
     </message>
     <message>
-        <source>The machine is off and keeps speed %1, feed %2 until it is on</source>
-        <translation>机床已关闭，开机前保持转速 %1、进给 %2</translation>
+        <source>The machine is off at speed %1, feed %2; Stillcut brings them back when it is on</source>
+        <translation>机床已关闭，转速为 %1、进给为 %2；开机后由 Stillcut 恢复</translation>
     </message>
     <message>
         <source>The machine is in alarm</source>
@@ -3030,12 +3030,12 @@
         <translation>程序已锁定两个倍率（M49）</translation>
     </message>
     <message>
-        <source>The spindle override has no effect: locked by the program (M51, M49)</source>
-        <translation>主轴倍率不起作用：被程序锁定（M51、M49）</translation>
+        <source>The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit</source>
+        <translation>主轴倍率不起作用：被程序锁定（M51、M49），或机床已到极限</translation>
     </message>
     <message>
-        <source>The feed override has no effect: locked by the program (M50, M49)</source>
-        <translation>进给倍率不起作用：被程序锁定（M50、M49）</translation>
+        <source>The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit</source>
+        <translation>进给倍率不起作用：被程序锁定（M50、M49），或机床已到极限</translation>
     </message>
     <message>
         <source>Adaptive feed has no effect: the program has not said M52 P1</source>

@@ -66,7 +66,6 @@ Status ModbusLink::open() {
 
 void ModbusLink::close() noexcept {
   release(clock_.now());
-  touched_ = false;
   bus_->close();
   broke(clock_.now());
   nextTry_ = {};

@@ -186,8 +186,8 @@ TEST_F(FaultScript, TheProgramResetsTheOverride) {
   run_.machine().enableOverrides(false);  // M49
   runFor(1.0);
   expectProgrammedAgain();
-  EXPECT_TRUE(said("the program has locked the overrides"));
-  expectFlight("the program has locked the overrides", "locked");
+  EXPECT_TRUE(said("the overrides have no effect: locked by the program, or at the machine's limit"));
+  expectFlight("the overrides have no effect", "locked");
   run_.machine().enableOverrides(true);
   runFor(0.5);
   EXPECT_EQ(machine().speedOverride, Ratio(1.0)) << "it does not jump back to where it was";

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
-# A PLC of registers by pymodbus, with the addresses of resources/machines/modbus-example.toml: it multiplies, follows,
-# and restores 100 % when the heartbeat stops for 0.2 s. LOG gets a line for every override and control flag written.
-# Usage: modbus_peer.py tcp PORT LOG | rtu DEVICE LOG
+# A PLC of registers by pymodbus, with the addresses of resources/machines/modbus-example.toml: it multiplies and
+# follows. `watched`: it restores 100 % when the heartbeat stops for 0.2 s; `retained`: nobody watches, and the overrides
+# are kept over a restart. LOG gets a line for every override and control flag written.
+# Usage: modbus_peer.py tcp PORT LOG watched|retained | rtu DEVICE LOG watched|retained
 import asyncio
 import sys
 import time
@@ -13,11 +14,21 @@ from pymodbus.transaction import ModbusRtuFramer
 KNOB, SPEED_WORD, FEED_WORD = 100, 8000, 600
 written = {100: 1000, 101: 1000}
 last_beat = 0.0
-log = open(sys.argv[3], "a", buffering=1)
+log = open(sys.argv[3], "a+", buffering=1)
+watched = sys.argv[4] == "watched"
+if not watched:
+    log.seek(0)
+    for what, value in (line.split() for line in log):
+        if what != "control":
+            written[int(what)] = int(value)
+
+
+def forsaken():
+    return watched and time.monotonic() - last_beat > 0.2
 
 
 def factor(address):
-    if time.monotonic() - last_beat > 0.2:
+    if forsaken():
         written[100] = written[101] = 1000
     return written[address] / 1000.0
 
@@ -34,7 +45,7 @@ class Holding(ModbusSequentialDataBlock):
             if address + i == 102:
                 last_beat = time.monotonic()
             else:
-                if time.monotonic() - last_beat > 0.2:
+                if forsaken():
                     last_beat = time.monotonic()  # the first command of an engagement
                 written[address + i] = value
                 print(address + i, value, file=log)

@@ -39,7 +39,8 @@ bool pymodbusIsHere() {
 class Plc {
  public:
   enum class Wire { Tcp, Rtu };
-  Plc(Wire wire, int port) : wire_(wire), port_(port) {
+  // `watched`: it goes home by itself; else it keeps what was written, over a restart too.
+  Plc(Wire wire, int port, bool watched) : wire_(wire), port_(port), watched_(watched) {
     if (wire == Wire::Rtu) plugIn();
     start();
   }
@@ -47,7 +48,8 @@ class Plc {
   void start() {
     const std::vector<std::string> to = wire_ == Wire::Tcp ? std::vector<std::string>{"tcp", std::to_string(port_)}
                                                            : std::vector<std::string>{"rtu", theirs_};
-    server_ = std::make_unique<Child>(std::vector<std::string>{"/usr/bin/python3", kScript, to[0], to[1], log_});
+    server_ = std::make_unique<Child>(
+        std::vector<std::string>{"/usr/bin/python3", kScript, to[0], to[1], log_, watched_ ? "watched" : "retained"});
   }
   void die() { server_.reset(); }
   void signal(int number) const { server_->signal(number); }
@@ -81,6 +83,7 @@ class Plc {
  private:
   Wire wire_;
   int port_;
+  bool watched_;
   testing::TemporaryFolder folder_;
   std::string ours_ = folder_.file("a"), theirs_ = folder_.file("b"), log_ = folder_.file("log");
   std::unique_ptr<Child> cable_, server_;
@@ -93,14 +96,15 @@ class ModbusReal : public ::testing::TestWithParam<Plc::Wire> {
     if (GetParam() == Plc::Wire::Rtu && std::system("command -v socat >/dev/null") != 0) {
       GTEST_SKIP() << "socat is not installed";
     }
-    plc_ = std::make_unique<Plc>(GetParam(), kPort);
+    plc_ = std::make_unique<Plc>(GetParam(), kPort, watched());
     link_ = make();
   }
+  virtual bool watched() const { return true; }
   std::unique_ptr<ModbusLink> make(const std::function<void(BusAddress&)>& change = nullptr) {
     auto map = loadRegisterMap(STILLCUT_SOURCE_DIR "/resources/machines/modbus-example.toml");
     EXPECT_TRUE(map.ok());
     plc_->locate(map->bus);
-    map->watchdog = true;  // the script has one
+    map->watchdog = watched();
     // The feed that is in force can be read here: no knob stands before it.
     map->read[static_cast<std::size_t>(MachineSignal::FeedOverride)] = map->at(MachineOrder::FeedOverride);
     if (change) change(map->bus);
@@ -141,6 +145,12 @@ class ModbusReal : public ::testing::TestWithParam<Plc::Wire> {
   int ticks_ = 0;
 };
 
+// Nobody but the link brings anything home.
+class ModbusRetained : public ModbusReal {
+ protected:
+  bool watched() const override { return false; }
+};
+
 TEST_P(ModbusReal, ReadsMovesBothOverridesAndBringsThemBack) {
   ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.programRunning; }));
   EXPECT_EQ(seen_.programmedSpeed.value, 8000.0);
@@ -157,8 +167,7 @@ TEST_P(ModbusReal, ReadsMovesBothOverridesAndBringsThemBack) {
   EXPECT_TRUE(broughtBack());
 }
 
-// By us, and not by the watchdog: the registers say what was written last.
-TEST_P(ModbusReal, EndOfTheProgramBringsBack) {
+TEST_P(ModbusRetained, EndOfTheProgramBringsBack) {
   ASSERT_TRUE(take());
   link_.reset();
   EXPECT_TRUE(broughtBack());
@@ -177,16 +186,17 @@ TEST_P(ModbusReal, KilledProgramIsTheMachinesOwnWayHome) {
   EXPECT_TRUE(plc_->lastWritten("100", 900) && plc_->lastWritten("101", 900)) << "nobody of ours wrote it back";
 }
 
-TEST_P(ModbusReal, ServerThatDiesIsDownAndOneThatComesBackIsTakenUpHome) {
+TEST_P(ModbusRetained, ServerThatDiesIsDownAndOneThatComesBackIsTakenUpHome) {
   ASSERT_TRUE(take());
   plc_->die();
   EXPECT_TRUE(until(down));
   link_->release(clock_.now());  // the lease ran out meanwhile
   plc_->start();
   EXPECT_TRUE(until(home));
+  EXPECT_TRUE(broughtBack());
 }
 
-TEST_P(ModbusReal, HungServerIsDownHoldsTheEndOnceAndIsHomeWhenItGoesOn) {
+TEST_P(ModbusRetained, HungServerIsDownHoldsTheEndOnceAndIsHomeWhenItGoesOn) {
   ASSERT_TRUE(take());
   plc_->signal(SIGSTOP);
   EXPECT_TRUE(until([](const MachineState& m) { return !m.valid; }));
@@ -196,9 +206,10 @@ TEST_P(ModbusReal, HungServerIsDownHoldsTheEndOnceAndIsHomeWhenItGoesOn) {
   EXPECT_LT(secondsBetween(began, clock_.now()).value, toSeconds(ModbusLink::kReleaseTime).value + 0.5);
   plc_->signal(SIGCONT);
   EXPECT_TRUE(until(home));
+  EXPECT_TRUE(broughtBack());
 }
 
-TEST_P(ModbusReal, PulledCableIsDownAndHomeOnceItIsIn) {
+TEST_P(ModbusRetained, PulledCableIsDownAndHomeOnceItIsIn) {
   if (GetParam() == Plc::Wire::Tcp) GTEST_SKIP() << "over TCP it is as a server that dies";
   ASSERT_TRUE(take());
   plc_->pull();
@@ -207,6 +218,7 @@ TEST_P(ModbusReal, PulledCableIsDownAndHomeOnceItIsIn) {
   plc_->plugIn();
   plc_->start();
   EXPECT_TRUE(until(home));
+  EXPECT_TRUE(broughtBack());
 }
 
 TEST_P(ModbusReal, WrongUnitIsSilenceAndSaidOnce) {
@@ -240,8 +252,10 @@ TEST_P(ModbusReal, WaitingTakesNoProcessorTime) {
   EXPECT_LT(used() - before, 0.25 * passed);
 }
 
-INSTANTIATE_TEST_SUITE_P(Wires, ModbusReal, ::testing::Values(Plc::Wire::Tcp, Plc::Wire::Rtu),
-                         [](const auto& wire) { return std::string(wire.param == Plc::Wire::Tcp ? "Tcp" : "Rtu"); });
+const auto kWires = ::testing::Values(Plc::Wire::Tcp, Plc::Wire::Rtu);
+constexpr auto kNamed = [](const auto& wire) { return std::string(wire.param == Plc::Wire::Tcp ? "Tcp" : "Rtu"); };
+INSTANTIATE_TEST_SUITE_P(Wires, ModbusReal, kWires, kNamed);
+INSTANTIATE_TEST_SUITE_P(Wires, ModbusRetained, kWires, kNamed);
 
 }  // namespace
 }  // namespace stillcut::cnc

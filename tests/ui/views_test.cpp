@@ -213,6 +213,7 @@ TEST(MachineView, AMachineThatIsOffSaysWhatItKeepsOfOurs) {
   EXPECT_EQ(makeMachineView(s.picture()).note, QString("The machine is off"));
   m.speedOverride = Ratio(0.9);
   EXPECT_TRUE(makeMachineView(s.picture()).note.contains(percent(0.9)));
+  EXPECT_TRUE(makeMachineView(s.picture()).note.contains("Stillcut brings them back"));  // if it is still there
 }
 
 TEST(Bars, LimitsBecomeMarksAndAbsentDetectorsNoBar) {

@@ -24,13 +24,13 @@ OverrideRow row(const QString& label, const QString& unit, double programmed, Ra
   return r;
 }
 
-// Overrides of ours in a machine that takes none while it is off: they stay, whatever becomes of us.
+// Overrides of ours in a machine that takes none while it is off: they stay until somebody brings them back.
 QString machineOff(const MachineState& m) {
   const auto stays = [](Ratio inForce, Ratio knob) { return std::abs(inForce.value - knob.value) > 0.004; };
   if (!stays(m.speedOverride, m.operatorSpeed) && !stays(m.feedOverride, m.operatorFeed)) {
     return say("The machine is off");
   }
-  return say("The machine is off and keeps speed %1, feed %2 until it is on")
+  return say("The machine is off at speed %1, feed %2; Stillcut brings them back when it is on")
       .arg(percent(m.speedOverride.value), percent(m.feedOverride.value));
 }
 
@@ -45,9 +45,10 @@ QString blocked(const MachineState& m) {
     case OrderBlock::OverridesLocked:
       return say("The program has locked both overrides (M49)");
     case OrderBlock::SpeedLocked:
-      return say("The spindle override has no effect: locked by the program (M51, M49)");
+      return say(
+          "The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit");
     case OrderBlock::FeedLocked:
-      return say("The feed override has no effect: locked by the program (M50, M49)");
+      return say("The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit");
     case OrderBlock::AdaptiveLocked:
       return say("Adaptive feed has no effect: the program has not said M52 P1");
     case OrderBlock::OtherClient:
