@@ -1,6 +1,7 @@
 // What session files cost: the share of a core that writing takes, how long it takes to open ten hours and go to any
 // time in them, and how fast all detectors go through a recording.
-//   bench_session [HOURS]      of the long file, 10 unless told (8 GB in the folder for temporary files)
+//   bench_session [HOURS]      of the long file, 10 unless told (8 GB in the folder for temporary files); 0: only how
+//                              fast the detectors are, on a longer cut (for a profile)
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -153,10 +154,9 @@ bool goingAnywhere(const record::TempFolder& folder, double hours) {
   return true;
 }
 
-bool analysing(const record::TempFolder& folder) {
-  constexpr double kLength = 30.0;
+bool analysing(const record::TempFolder& folder, double length) {
   const std::string path = folder / "cut.h5";
-  auto made = app::buildScenarioRig(test::demoCut(kLength),
+  auto made = app::buildScenarioRig(test::demoCut(length),
                                     {.methods = app::Methods{}, .params = {}, .live = false, .watched = false});
   if (!made || !made->rig->recordTo(path, "")) return false;
   made->rig->runToEnd({});
@@ -172,7 +172,7 @@ bool analysing(const record::TempFolder& folder) {
   std::printf(
       "an hour of 2 x 25.6 kHz, most of it chatter, by %zu detectors: %.0f s of one core (asked: 60), %.0f times real "
       "time, %.0f ns a sample and channel\n",
-      options.methods.detectors.size(), cpu * 3600.0 / kLength, kLength / cpu, cpu * 1e9 / (kLength * 2.0 * 25600.0));
+      options.methods.detectors.size(), cpu * 3600.0 / length, length / cpu, cpu * 1e9 / (length * 2.0 * 25600.0));
   return true;
 }
 
@@ -183,7 +183,8 @@ int main(int argc, char** argv) {
   using namespace stillcut;
   const double hours = argc > 1 ? std::atof(argv[1]) : 10.0;
   const record::TempFolder folder;
-  const bool done = bench::writing(folder, false) && bench::writing(folder, true) && bench::analysing(folder) &&
+  if (hours <= 0.0) return bench::analysing(folder, 300.0) ? 0 : 1;
+  const bool done = bench::writing(folder, false) && bench::writing(folder, true) && bench::analysing(folder, 30.0) &&
                     bench::goingAnywhere(folder, hours);
   return done ? 0 : 1;
 }
