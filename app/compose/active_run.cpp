@@ -20,7 +20,6 @@ using Errors = std::array<std::vector<double>, 2>;
 
 active::EngineOptions engineOptions(const milling::Scenario& scenario, const ActiveOptions& options) {
   active::EngineOptions engine = activeOptions(*scenario.workHolder, options.params);
-  engine.controller.emphasis.lines = engine.lines;
   engine.record.seed = options.seed != 0 ? options.seed : scenario.seed;
   return engine;
 }
@@ -145,7 +144,8 @@ bool chatters(const Course& alone, const Course& held, double ratio, double grow
   return alone.chatter ? ratio > kAsLoud : held.chatter || ratio > kLouder;
 }
 
-// Lines worth telling: chatter, the modes an actuator of this bandwidth is for, tooth passing and spindle.
+// Lines worth telling: chatter, the modes an actuator of this bandwidth is for, what is to be quietened, tooth passing
+// and spindle.
 std::vector<double> linesOf(const milling::Scenario& s, double chatterHz, const char* axis) {
   std::vector<double> lines;
   if (chatterHz > 0.0) lines.push_back(chatterHz);
@@ -153,8 +153,8 @@ std::vector<double> linesOf(const milling::Scenario& s, double chatterHz, const 
     const bool along = std::string(axis) == "x" ? m.direction[0] != 0.0 : m.direction[1] != 0.0;
     if (along && m.frequency.value > 250.0) lines.push_back(m.frequency.value);
   }
-  for (const double fixed : {339.0, 1000.0, 1024.0}) {
-    if (std::find(lines.begin(), lines.end(), fixed) == lines.end()) lines.push_back(fixed);
+  for (const Hertz line : s.workHolder->quieten) {
+    if (std::find(lines.begin(), lines.end(), line.value) == lines.end()) lines.push_back(line.value);
   }
   const double spindle = s.programme.speed.value / 60.0;
   lines.push_back(spindle);
@@ -172,17 +172,13 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   auto paths = identify(scenario, options, engine);
   if (!paths) return paths.error();
 
-  std::array<active::AxisOptions, 2> axes;
   std::array<ActivePath, 2> promises;
   for (std::size_t a = 0; a < 2; ++a) {
     promises[a] = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
     if (Status promised = active::checkPromise(promises[a], kAxes[a]); !promised) return promised.error();
-    axes[a] = {engine.controller, (*paths)[a].model, engine.limits[a], engine.lines, {}};
-    axes[a].online.rms = engine.auxiliary * engine.limits[a].amplitude;
-    axes[a].online.seed += a;
   }
   const auto loop = std::make_unique<active::ActiveLoop>();
-  if (Status ok = loop->prepare(axes, scenario.rate); !ok) return ok.error();
+  if (Status ok = loop->prepare(active::axisOptions(engine, *paths), scenario.rate); !ok) return ok.error();
   const Course alone = leftAlone(scenario, options);
   const Course held = controlled(scenario, options, *loop);
 

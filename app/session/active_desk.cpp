@@ -20,6 +20,7 @@ Status ActiveDesk::identify() {
     if (Status opened = engine_.open(); !opened) return opened;
   }
   if (Status begun = engine_.identify(); !begun) return begun;
+  fits_.reset();
   if (simulated_ != nullptr) simulated_->cut(false);  // not before: a cut that is held goes on
   problem_.clear();
   awaited_ = true;
@@ -35,6 +36,7 @@ Status ActiveDesk::start() {
 }
 
 bool ActiveDesk::poll() {
+  engine_.renew();
   bool changed = fitting_.collect();
   if (awaited_ && engine_.recorded()) {
     awaited_ = false;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kTellEvery = 1.0 / 30.0;  // [s]
 constexpr auto kRampOutTakes = std::chrono::milliseconds(500);
-constexpr Seconds kLongestLease{1.0};
+constexpr Seconds kLease{1.0};  // the longest that a gate takes
 constexpr int kQueued = 4;  // blocks that a device may hold back, and one: the ramp has been played before it is closed
 constexpr auto kRenewEvery = std::chrono::milliseconds(100);
 constexpr auto kNap = std::chrono::milliseconds(1);
@@ -25,14 +25,23 @@ Error refused(std::string what, std::string why) {
 
 }  // namespace
 
+std::array<AxisOptions, kActiveAxes> axisOptions(const EngineOptions& options, const PathPairFound& paths) {
+  std::array<AxisOptions, kActiveAxes> axes;
+  for (std::size_t a = 0; a < kActiveAxes; ++a) {
+    axes[a] = {options.controller, paths[a].model, options.limits[a], options.lines, {}};
+    axes[a].controller.emphasis.lines = options.lines;
+    axes[a].online.rms = options.auxiliary * options.limits[a].amplitude;
+    axes[a].online.seed += a;  // two axes that hear each other need noises that do not know each other
+  }
+  return axes;
+}
+
 ActiveEngine::ActiveEngine(std::unique_ptr<DuplexDevice> device, EngineOptions options, const Clock& clock)
     : device_(std::move(device)),
       options_(std::move(options)),
       clock_(clock),
       step_(options_.controller.filter.step),
-      leak_(options_.controller.filter.leak) {
-  options_.controller.emphasis.lines = options_.lines;
-}
+      leak_(options_.controller.filter.leak) {}
 
 ActiveEngine::~ActiveEngine() {
   close();
@@ -43,13 +52,12 @@ Status ActiveEngine::open() {
   auto opened = device_->open();
   if (!opened) return opened.error();
   format_ = *opened;
-  // The lease is renewed once a block.
   const Seconds block(format_.frames / format_.rate.value);
-  if (2.0 * block.value > kLongestLease.value) {
+  if (2.0 * block.value > kLease.value) {
     device_->close();
     return refused("blocks of " + std::to_string(format_.frames) + " frames are too long", "half a second at most");
   }
-  for (safety::ActuatorLimits& limits : options_.limits) limits.lease = std::max(limits.lease, 2.0 * block);
+  for (safety::ActuatorLimits& limits : options_.limits) limits.lease = kLease;
   const auto values = static_cast<std::size_t>(kActiveAxes * format_.frames);
   in_.assign(values, 0.0);
   out_.assign(values, {});
@@ -101,6 +109,12 @@ Status ActiveEngine::identify() {
   if (ActiveLoop* loop = loop_.load(); loop != nullptr) loop->release();  // also of a start not yet heard
   auto recorder = std::make_unique<PathRecorder>();
   if (Status ok = recorder->prepare(options_.record, options_.limits, format_.rate); !ok) return ok;
+  // What is identified anew is no longer trusted as it was.
+  loop_.store(nullptr);
+  paths_ = {};
+  promises_.back() = paths_;
+  promises_.publish();
+  delayLost_.store(false);
   recorded_.store(false);
   recorder_ = std::move(recorder);
   recording_.store(recorder_.get());
@@ -125,20 +139,14 @@ Result<PathPairFound> ActiveEngine::fit() const {
 Status ActiveEngine::install(const PathPairFound& paths) {
   if (!isOpen()) return refused("the device does not run", "open it first");
   if (busy()) return refused("a path cannot be taken over while the table moves", "stop it first");
-  std::array<AxisOptions, kActiveAxes> axes;
-  for (std::size_t a = 0; a < kActiveAxes; ++a) {
-    axes[a] = {options_.controller, paths[a].model, options_.limits[a], options_.lines, {}};
-    axes[a].online.rms = options_.auxiliary * options_.limits[a].amplitude;
-    axes[a].online.seed += a;  // two axes that hear each other need noises that do not know each other
-  }
+  if (delayLost_.load()) return refused("blocks were lost since the record was made", "identify it again");
   auto loop = std::make_unique<ActiveLoop>();
-  if (Status ok = loop->prepare(axes, format_.rate); !ok) return ok;
+  if (Status ok = loop->prepare(axisOptions(options_, paths), format_.rate); !ok) return ok;
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
     paths_[a] = promiseOf(paths[a], options_.lines, format_.rate);
     paths_[a].identified = clock_.now();
   }
   for (auto& at : renewedAt_) at.store(0);
-  delayLost_.store(false);
   promises_.back() = paths_;
   promises_.publish();
   loops_.push_back(std::move(loop));
@@ -236,10 +244,13 @@ void ActiveEngine::block(std::span<const double> in, std::span<safety::ActuatorC
   const auto frames = static_cast<std::size_t>(format_.frames);
   PathRecorder* recorder = recording_.load(std::memory_order_acquire);
   ActiveLoop* loop = loop_.load(std::memory_order_acquire);
+  const std::uint64_t renewals = renewals_.load(std::memory_order_relaxed);
+  const bool renewed = renewals != heardRenewals_;
+  heardRenewals_ = renewals;
   if (recorder != nullptr) {
-    recorder->begin();
+    if (renewed) recorder->begin();
   } else if (loop != nullptr) {
-    loop->begin();
+    if (renewed) loop->begin();
     loop->setStep(step_.load(std::memory_order_relaxed));
     loop->setLeak(leak_.load(std::memory_order_relaxed));
   }

@@ -1,8 +1,9 @@
 // ActiveEngine: the loop of the active work-holder on its device, with a thread of its own: identifies, controls, and
 // tells what it does. A start is refused without a valid model, with one too old, one that promises no stability, and
 // after the device was opened anew or may have become later. Whatever the device loses makes the output zero and is
-// counted. Thread: one owner for everything; fit() may be called on another while nothing is being recorded. The owner
-// may go away at any time: the destructor ramps out first.
+// counted. The owner renews the lease of the gates, at least every half second: when it stands still, the table is let
+// go after a second of the device's time. Thread: one owner for everything; fit() may be called on another while
+// nothing is being recorded. The owner may go away at any time: the destructor ramps out first.
 #pragma once
 
 #include <array>
@@ -34,6 +35,9 @@ struct EngineOptions {
 
 using PathPairFound = std::array<IdentifiedPath, kActiveAxes>;
 
+// What each axis of a loop on these paths is to be.
+std::array<AxisOptions, kActiveAxes> axisOptions(const EngineOptions& options, const PathPairFound& paths);
+
 class ActiveEngine {
  public:
   ActiveEngine(std::unique_ptr<DuplexDevice> device, EngineOptions options, const Clock& clock);
@@ -57,6 +61,7 @@ class ActiveEngine {
 
   Status start();
   void stop();
+  void renew() { renewals_.fetch_add(1, std::memory_order_relaxed); }
   Status setStep(double step);  // 0 .. 1
   Status setLeak(double leak);  // 0.9 .. 1
 
@@ -85,9 +90,11 @@ class ActiveEngine {
   std::atomic<bool> open_{false}, recorded_{false};
   std::atomic<bool> delayLost_{false};  // what the models say of it may no longer hold
   std::atomic<double> step_, leak_;
+  std::atomic<std::uint64_t> renewals_{0};
 
   // The loop's thread alone.
   ActiveSnapshot telling_;
+  std::uint64_t heardRenewals_ = 0;
   int untold_ = 0;  // frames since the last snapshot
   std::vector<double> in_;
   std::vector<safety::ActuatorCommand> out_;

@@ -37,7 +37,7 @@ class ActiveLoop {
   void release() noexcept;
   bool off() const noexcept;  // both gates
 
-  // Once a block, before its frames: the leases.
+  // Before the frames of a block whose owner is alive: the leases.
   void begin() STILLCUT_RT;
   // Errors [SI of the sensor] to strokes [converter's unit].
   CommandPair step(const AxisPair& errors) STILLCUT_RT;

@@ -41,7 +41,9 @@ void ActuatorGate::listen() STILLCUT_RT {
   seenRenewals_ = renewals;
   // Asked for once in a while, looked at each sample: an exchange costs as much as a fifth of the loop.
   const bool stop = releaseAsked_.load(std::memory_order_relaxed) && releaseAsked_.exchange(false);
-  const bool start = engageAsked_.load(std::memory_order_relaxed) && engageAsked_.exchange(false);
+  // Asked for while it ramps out, it waits for the end.
+  const bool start = engageAsked_.load(std::memory_order_relaxed) && (stop || state_ != ActuatorState::RampOut) &&
+                     engageAsked_.exchange(false);
   const bool open = state_ == ActuatorState::RampIn || state_ == ActuatorState::On;
   if (open && stop) letGo(ActuatorRelease::Asked);
   if (open && !stop && sinceRenewal_ >= leaseSamples_) letGo(ActuatorRelease::LeaseOver);
@@ -125,6 +127,7 @@ ActuatorCommand ActuatorGate::through(double wanted, double error, double withou
     const LoopHealth found = watch_.watch(error, without, output, limited_);
     if (health == Health::Judged || found == LoopHealth::DeadSensor) heed(found);
   }
+  if (state_ == ActuatorState::Off && std::isfinite(error)) watch_.listen(error);
   if (state_ == ActuatorState::RampOut) output = ramped();
   if (!std::isfinite(output)) output = 0.0;  // last, whatever happened above
   last_ = output;

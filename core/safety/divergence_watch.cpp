@@ -13,6 +13,8 @@ constexpr double kGrowth = 1.3;         // energy, from window to window
 constexpr double kBeyond = 4.0;         // energy: twice the amplitude
 constexpr double kWorse = 2.0;          // energy
 constexpr double kSlight = 0.01;        // of the largest output, rms
+constexpr double kAtStake = 0.1;        // of the largest output, rms
+constexpr double kLouder = 1.5;         // energy, over a quarter second
 constexpr std::size_t kSaturating = 3;  // windows
 constexpr std::size_t kBefore = 4;      // windows before a silence
 constexpr double kSilenced = 0.01;      // energy: 20 dB
@@ -26,8 +28,11 @@ constexpr double kForgets = 30.0;   // [s] until the quietest counts as twice as
 void DivergenceWatch::prepare(Hertz rate, double amplitude) noexcept {
   length_ = std::max(4, static_cast<int>(std::lround(kWindow * rate.value)));
   slight_ = kSlight * kSlight * amplitude * amplitude * length_;
+  atStake_ = kAtStake * kAtStake * amplitude * amplitude * length_;
   silence_ = std::max(4, static_cast<int>(std::lround(kSilence * rate.value)));
   forgets_ = std::exp2(kWindow / kForgets);
+  before_ = 0.0;
+  heard_ = 0;
   reset();
 }
 
@@ -37,6 +42,15 @@ void DivergenceWatch::reset() noexcept {
   open_ = {};
   count_ = still_ = 0;
   last_ = usual_ = quietest_ = 0.0;
+}
+
+void DivergenceWatch::listen(double error) STILLCUT_RT {
+  open_.error += error * error;
+  if (++count_ < length_) return;
+  heard_ = std::min(heard_ + 1, kWindows);
+  before_ += (open_.error - before_) / static_cast<double>(heard_);
+  open_ = {};
+  count_ = 0;
 }
 
 LoopHealth DivergenceWatch::watch(double error, double without, double output, bool limited) STILLCUT_RT {
@@ -57,14 +71,17 @@ LoopHealth DivergenceWatch::watch(double error, double without, double output, b
 }
 
 LoopHealth DivergenceWatch::judge() STILLCUT_RT {
+  before_ *= forgets_;
   usual_ += (back(0).error - usual_) / static_cast<double>(std::min(filled_, kUsual));
   quietest_ = filled_ < kUsual ? usual_ : std::min(quietest_ * forgets_, usual_);
   if (filled_ <= kGrowing) return LoopHealth::Fine;
   if (atEnd(kSaturating) && loud()) return LoopHealth::Saturated;
-  if (usual_ > kBeyond * quietest_ && filled_ == kWindows && atEnd(kWindows)) return LoopHealth::Saturated;
+  if ((usual_ > kBeyond * quietest_ || louderThanBefore()) && filled_ == kWindows && atEnd(kWindows)) {
+    return LoopHealth::Saturated;
+  }
   if (silenced()) return LoopHealth::Silenced;
   if (worse()) return LoopHealth::Worse;
-  return growing() && loud() ? LoopHealth::Diverging : LoopHealth::Fine;
+  return back(0).output > atStake_ && growing() && loud() ? LoopHealth::Diverging : LoopHealth::Fine;
 }
 
 // More than half of the samples of these windows were cut off.
@@ -72,6 +89,12 @@ bool DivergenceWatch::atEnd(std::size_t windows) const STILLCUT_RT {
   int limited = 0;
   for (std::size_t w = 0; w < windows; ++w) limited += back(w).limited;
   return 2 * limited > static_cast<int>(windows) * length_;
+}
+
+bool DivergenceWatch::louderThanBefore() const STILLCUT_RT {
+  double now = 0.0;
+  for (const Window& w : ring_) now += w.error;
+  return heard_ == kWindows && now > kLouder * before_ * static_cast<double>(kWindows);
 }
 
 bool DivergenceWatch::growing() const STILLCUT_RT {

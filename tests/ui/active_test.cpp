@@ -69,8 +69,10 @@ TEST(ActiveWords, EveryPageIsToldWhatTheTableDoes) {
   s.identifying = true;
   s.identified = 0.5;
   EXPECT_TRUE(makeActiveTable(s).text.contains(QStringLiteral("50"))) << "the table moves";
-  s.open = false;
+  s.identifying = s.open = false;
   EXPECT_EQ(makeActiveTable(s).tone, Tone::Faint);
+  s.axes[0].release = ActuatorRelease::DeviceFault;
+  EXPECT_TRUE(makeActiveTable(s).fault.contains(QStringLiteral("lost"))) << "unplugged while it held the cut";
 }
 
 TEST(PathFitPlot, PhaseErrorIsThatOfTheModelWhereCoherenceTells) {

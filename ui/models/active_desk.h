@@ -14,7 +14,8 @@ class ActiveDesk {
  public:
   virtual ~ActiveDesk() = default;
 
-  // Takes over what has been finished. True: a fit or the problem has changed. Every display tick.
+  // Takes over what has been finished, and renews the lease: without it for a second, the table is let go. True: a fit
+  // or the problem has changed. Every display tick.
   virtual bool poll() = 0;
 
   // The newest, or null before the first. Valid until the next call.

@@ -99,8 +99,7 @@ ActiveAxisView makeActiveAxis(const ActiveSnapshot& snapshot, int axis) {
 
 ActiveTableView makeActiveTable(const ActiveSnapshot& snapshot) {
   ActiveTableView view;
-  if (!snapshot.open) return {say("does not run"), Tone::Faint, {}};
-  if (snapshot.identifying) return {say("identifying, %1").arg(percent(snapshot.identified)), Tone::Advice, {}};
+  if (snapshot.identifying && snapshot.open) return {say("identifying, %1").arg(percent(snapshot.identified)), Tone::Advice, {}};
   QStringList moving, fallen;
   for (int axis = 0; axis < kActiveAxes; ++axis) {
     const ActiveAxis& a = snapshot.axes[static_cast<std::size_t>(axis)];
@@ -116,6 +115,7 @@ ActiveTableView makeActiveTable(const ActiveSnapshot& snapshot) {
     }
   }
   fallen += moving;
+  if (!snapshot.open && fallen.isEmpty()) return {say("does not run"), Tone::Faint, {}};
   if (fallen.isEmpty()) return {say("off"), Tone::Faint, {}};
   view.text = fallen.join(QStringLiteral(", "));
   return view;

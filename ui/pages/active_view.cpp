@@ -84,7 +84,9 @@ void ActiveView::display() {
     fit_->display(nullptr);
     return;
   }
-  problem_->setText(refused_.isEmpty() ? desk->problem() : refused_);
+  if (desk->problem() != problemSeen_) refused_.clear();  // older than the problem
+  problemSeen_ = desk->problem();
+  problem_->setText(refused_.isEmpty() ? problemSeen_ : refused_);
   problem_->setVisible(!problem_->text().isEmpty());
   fit_->display(desk->fit(axis_));
   const ActiveSnapshot* snapshot = desk->pull();

@@ -35,6 +35,7 @@ class ActiveView : public QWidget, public Themed {
   FindDesk desk_;
   int axis_ = 0;
   QString refused_;  // the last touch, and why; empty: it was not
+  QString problemSeen_;
   QHBoxLayout *actions_, *axes_;
   TouchButton *identify_, *start_, *stop_;
   std::array<TouchButton*, kActiveAxes> axisButtons_{};

@@ -32,7 +32,10 @@ double PathFitPlot::phaseError(const PathFit& fit, std::size_t k) {
 }
 
 void PathFitPlot::display(const PathFit* fit) {
-  const bool same = fit == nullptr ? !hasFit() : hasFit() && fit->path.identified == fit_.path.identified;
+  // Both axes were identified at one time; their magnitudes are never the same.
+  const bool same = fit == nullptr
+                        ? !hasFit()
+                        : hasFit() && fit->path.identified == fit_.path.identified && fit->measured == fit_.measured;
   if (same) return;
   fit_ = fit != nullptr ? *fit : PathFit();
   update();

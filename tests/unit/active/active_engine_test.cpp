@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <thread>
 
@@ -33,6 +34,7 @@ class PlayedDevice final : public DuplexDevice {
     while (!gone_ && allowed_.load() <= read_.load()) std::this_thread::yield();
     if (gone_) return DuplexEvent::Gone;
     read_.fetch_add(1);
+    if (owner) owner();
     clock_.set(clock_.now() + toDuration(Seconds(kFrames / kRate)));
     if (lose_.exchange(false)) {
       written_.fill(0.0);
@@ -52,7 +54,10 @@ class PlayedDevice final : public DuplexDevice {
   }
   DuplexEvent write(std::span<const safety::ActuatorCommand> out) noexcept override {
     std::ranges::transform(out, written_.begin(), &safety::ActuatorCommand::value);
-    for (double y : written_) largest.store(std::max(largest.load(), std::abs(y)));
+    double most = 0.0;
+    for (double y : written_) most = std::max(most, std::abs(y));
+    lastLargest.store(most);
+    largest.store(std::max(largest.load(), most));
     return DuplexEvent::Block;
   }
   void stop() noexcept override { gone_ = true; }
@@ -67,8 +72,9 @@ class PlayedDevice final : public DuplexDevice {
   void lose() { lose_ = true; }
   void unplug() { gone_ = true; }
 
-  std::atomic<double> loud{0.0}, largest{0.0};
-  bool keepsDelay = true;  // before it is opened
+  std::atomic<double> loud{0.0}, largest{0.0}, lastLargest{0.0};
+  bool keepsDelay = true;       // before it is opened
+  std::function<void()> owner;  // block by block; before it is opened
 
  private:
   ManualClock& clock_;
@@ -94,8 +100,12 @@ class Engine : public testing::Test {
     }
     options.record.duration = Seconds(2.0);
     engine_ = std::make_unique<ActiveEngine>(std::move(device), options, clock_);
+    device_->owner = [this] {
+      if (ownerLives_) engine_->renew();
+    };
   }
   ~Engine() override {
+    ownerLives_ = false;
     device_->flow();  // the loop may ramp out
     engine_.reset();
   }
@@ -118,6 +128,7 @@ class Engine : public testing::Test {
 
   ManualClock clock_;
   PlayedDevice* device_ = nullptr;
+  std::atomic<bool> ownerLives_{true};
   std::unique_ptr<ActiveEngine> engine_;
 };
 
@@ -183,6 +194,66 @@ TEST_F(Engine, RefusesAModelThatHearsNothingOnTheLines) {
   EXPECT_NE(deaf.error().line().find("along y"), std::string::npos);
 }
 
+// The screen stands still: the loop's thread is well, and nobody watches it.
+TEST_F(Engine, AnOwnerThatStandsStillLosesTheTableAfterASecond) {
+  identified();
+  device_->loud = 1.0;
+  ASSERT_TRUE(engine_->start().ok());
+  device_->play(1000);
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::On);
+  ownerLives_ = false;
+  device_->play(500);  // 0.8 s
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::On);
+  device_->play(125);
+  device_->largest = 0.0;
+  const ActiveSnapshot told = newest();
+  for (const ActiveAxis& axis : told.axes) {
+    EXPECT_EQ(axis.state, ActuatorState::Off);
+    EXPECT_EQ(axis.release, ActuatorRelease::LeaseOver);
+  }
+  EXPECT_EQ(device_->largest.load(), 0.0);
+  ownerLives_ = true;
+  device_->play(100);
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::Off);  // until it is started again
+}
+
+TEST_F(Engine, WhatIsIdentifiedAnewIsNoLongerTrustedAsItWas) {
+  identified();
+  ASSERT_TRUE(engine_->identify().ok());
+  device_->play(100);
+  device_->lose();
+  device_->play(2);
+  ASSERT_FALSE(engine_->fit().ok());
+  const Status none = engine_->start();
+  ASSERT_FALSE(none.ok());
+  EXPECT_NE(none.error().line().find("no model"), std::string::npos) << none.error().line();
+}
+
+TEST_F(Engine, ABlockLostBetweenRecordAndModelIsNotForgotten) {
+  device_->keepsDelay = false;
+  identified();
+  const auto found = engine_->fit();
+  ASSERT_TRUE(found.ok());
+  device_->lose();
+  device_->play(2);
+  const Status refused = engine_->install(*found);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("lost"), std::string::npos);
+}
+
+// Closed while it moves: by the ramp, and with rest at the end.
+TEST_F(Engine, ClosedUnderControlItEndsAtRest) {
+  identified();
+  device_->loud = 1.0;
+  ASSERT_TRUE(engine_->start().ok());
+  device_->play(2000);
+  EXPECT_GT(device_->largest.load(), 0.1);
+  device_->flow();
+  engine_->close();
+  EXPECT_FALSE(engine_->isOpen());
+  EXPECT_EQ(device_->lastLargest.load(), 0.0);
+}
+
 TEST_F(Engine, ALostBlockIsCountedAndTheOutputIsZero) {
   identified();
   device_->loud = 1.0;
@@ -246,6 +317,7 @@ TEST_F(Engine, ASweepIdentifiesTheSamePaths) {
   auto made = std::make_unique<PlayedDevice>(clock_);
   PlayedDevice* device = made.get();
   ActiveEngine engine(std::move(made), options, clock_);
+  device->owner = [&] { engine.renew(); };
   ASSERT_TRUE(engine.open().ok());
   ASSERT_TRUE(engine.identify().ok());
   for (int i = 0; i < 80 && !engine.recorded(); ++i) device->play(100);

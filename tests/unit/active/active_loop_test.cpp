@@ -160,6 +160,12 @@ TEST(ActiveLoop, RefusesWhatItCannotRunOn) {
   const Status refused = loop.prepare(none, Hertz(kRate));
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().line().find("along y"), std::string::npos);
+  auto late = options();
+  late[0].online.rms = 0.1;
+  late[0].path.delay = late[0].online.lags;
+  EXPECT_FALSE(loop.prepare(late, Hertz(kRate)).ok());
+  late[0].online.rms = 0.0;
+  EXPECT_TRUE(loop.prepare(late, Hertz(kRate)).ok());
   auto open = options();
   open[0].limits.amplitude = 0.0;
   EXPECT_FALSE(loop.prepare(open, Hertz(kRate)).ok());

@@ -38,6 +38,8 @@ struct Course {
   double leftLast = 0.0;  // rms of the error over the last fifth, over that of the disturbance
 };
 
+constexpr int kListens = 2000;  // before the start
+
 Course run(const Loop& loop, int samples) {
   FxlmsController controller;
   controller.prepare({loop.filter, Reference::InternalModel, {}}, loop.model, Hertz(kRate));
@@ -46,22 +48,22 @@ Course run(const Loop& loop, int samples) {
   limits.amplitude = loop.amplitude;
   limits.slew = 1e6;
   EXPECT_TRUE(gate.prepare(limits, Hertz(kRate)).ok());
-  gate.engage();
   PathFilter path;
   path.prepare(loop.truth);
   Course course;
   double largest = 0.0, left = 0.0, all = 0.0;
   for (int n = 0; n < samples; ++n) {
+    if (n == kListens) gate.engage();
     const double d = loop.disturbance(n);
     largest = std::max(largest, std::abs(d));
     const double e = loop.sensor(n, d - path.arrive());
-    if (course.beyond < 0 && n > 500 && std::abs(e) > 2.0 * largest) course.beyond = n;
+    if (course.beyond < 0 && n > kListens && std::abs(e) > 2.0 * largest) course.beyond = n;
     gate.renew();
     const double wanted = controller.process(e);
     const double y = gate.pass(wanted, e, controller.disturbance()).value();
     controller.written(y);
     path.push(y);
-    if (course.atEnd < 0 && n > 1000 && gate.limited()) course.atEnd = n;
+    if (course.atEnd < 0 && n > kListens + 1000 && gate.limited()) course.atEnd = n;
     if (course.letGo < 0 && gate.state() == ActuatorState::RampOut) course.letGo = n;
     if (y != 0.0) course.zero = -1;
     if (course.letGo >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
@@ -92,19 +94,20 @@ TEST(GatedLoop, AGoodModelIsLeftAlone) {
 
 // Whatever the step, from one that runs away within milliseconds to one that takes seconds, and whatever the stroke:
 // one that the wrong output does not reach in time, and those at whose end it stays. What never doubles the error is
-// not asked for; what is too slow to be told from a cut that became louder ends at the end of the stroke.
+// asked for only where it has half as much power again; what is too slow to be told from a cut that became louder ends
+// at the end of the stroke.
 void expectNoRunaway(Loop loop) {
   for (const double step : {0.0005, 0.002, 0.005, 0.02, 0.1, 0.5}) {
-    for (const double amplitude : {10.0, 3.0, 1.5}) {
+    for (const double amplitude : {10.0, 3.0, 1.5, 1.0, 0.7, 0.3}) {
       SCOPED_TRACE(testing::Message() << "step " << step << ", stroke " << amplitude);
       loop.filter.step = step;
       loop.amplitude = amplitude;
       const Course course = run(loop, 60000);
       if (course.letGo < 0 && course.beyond < 0) {
-        EXPECT_LT(course.leftLast, 2.0);
+        EXPECT_LT(course.leftLast, 1.25);
       } else if (course.atEnd >= 0 && course.letGo - course.beyond > 200) {
         EXPECT_GE(course.letGo, 0);
-        EXPECT_LE(course.letGo - course.atEnd, 2500);  // half a second
+        EXPECT_LE(course.letGo - course.atEnd, 3000);  // 0.6 s
         EXPECT_LE(course.zero - course.letGo, 25);
       } else {
         expectCaught(course, step < 0.02 ? 200 : 100);  // 0.02 is the default

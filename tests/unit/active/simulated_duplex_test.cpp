@@ -1,4 +1,4 @@
-// The loop through the block device, on virtual time, and what it costs against the time a block has.
+// The simulated work-holder as a block device, on virtual time.
 #include "core/active/simulated_duplex.h"
 
 #include <gtest/gtest.h>

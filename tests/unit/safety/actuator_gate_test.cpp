@@ -151,6 +151,24 @@ TEST_F(OpenGate, LetsGoWhenTheModelSaysItWouldBeQuieterWithout) {
   expectRampsOut(ActuatorRelease::Worse);
 }
 
+// A touch that follows another at once is not lost.
+TEST_F(OpenGate, AStartWhileItRampsOutWaitsForTheEnd) {
+  gate_.release();
+  step(0.5, 0.1);
+  ASSERT_EQ(gate_.state(), ActuatorState::RampOut);
+  gate_.engage();
+  step(0.5, 0.2);
+  EXPECT_EQ(gate_.state(), ActuatorState::RampOut);
+  for (int n = 0; n < 30; ++n) step(0.5, 0.1 * wave(n));
+  EXPECT_EQ(gate_.state(), ActuatorState::RampIn);
+  gate_.engage();
+  gate_.release();  // the later touch counts
+  step(0.5, 0.1);
+  EXPECT_EQ(gate_.state(), ActuatorState::RampOut);
+  for (int n = 0; n < 60; ++n) step(0.5, 0.1 * wave(n));
+  EXPECT_EQ(gate_.state(), ActuatorState::Off);
+}
+
 TEST_F(OpenGate, LetsGoOfADeadSensor) {
   int n = 0;
   while (gate_.state() == ActuatorState::On && n < 1000) {
