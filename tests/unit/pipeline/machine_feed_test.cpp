@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/pipeline/link_runner.h"
+
 namespace stillcut::pipeline {
 namespace {
 
@@ -41,6 +43,49 @@ TEST(LiveMachineFeed, GivesTheNewestStateAndInputsInOrder) {
   feed.complete(step);  // the rest comes with the next block; the state stays the newest there is
   EXPECT_EQ(step.inputCount, 2);
   EXPECT_DOUBLE_EQ(step.machine.actualSpeed.value, 5100.0);
+}
+
+// Tells its speed as a slow control does: what was measured 30 ms ago, and when. The spindle runs up meanwhile.
+class SlowToTell final : public cnc::CncLink {
+ public:
+  static constexpr double kLate_s = 0.030;
+  static Rpm speedAt(Instant time) { return Rpm(5000.0 + 1000.0 * sinceEpoch(time).value); }
+  cnc::LinkInfo describe() const override { return {.id = "slow", .label = "Slow"}; }
+  Status open() override { return Done{}; }
+  MachineState read(Instant now) noexcept override {
+    MachineState m;
+    m.time = now;
+    m.valid = m.linkUp = true;
+    m.link.speed = now - toDuration(Seconds(kLate_s));
+    m.actualSpeed = speedAt(m.link.speed);
+    return m;
+  }
+  void apply(const OverrideCommand& /*command*/, Instant /*now*/) noexcept override {}
+  void release(Instant /*now*/) noexcept override {}
+};
+
+// On the samples' clock, and nobody restamps: with every block comes what the machine told of a moment before its end,
+// which moment, and so how late it is.
+TEST(LiveMachineFeed, TelemetryKeepsItsPlaceAmongTheSamplesAndItsDelay) {
+  SlowToTell link;
+  rt::Mailbox<OverrideCommand> commands;
+  rt::Mailbox<MachineState> states;
+  rt::SpscRing<OperatorInput> inputs(8);
+  LinkRunner runner(link, commands, states);
+  LiveMachineFeed feed(states, inputs);
+  constexpr double kTick = 0.007, kBlock = 0.010;  // the link's thread and the samples go by different steps
+  double ticked = 0.0;
+  for (double end = 1.0; end < 3.0; end += kBlock) {
+    for (; ticked + kTick <= end; ticked += kTick) runner.tick(Instant(toDuration(Seconds(ticked + kTick))));
+    StepInput step = blockAt(end);
+    feed.complete(step);
+    ASSERT_TRUE(step.machine.valid);
+    EXPECT_DOUBLE_EQ(step.machine.actualSpeed.value, SlowToTell::speedAt(step.machine.link.speed).value);
+    const double late = secondsBetween(step.machine.link.speed, step.block.end()).value;
+    EXPECT_GE(late, SlowToTell::kLate_s - 1e-6);
+    EXPECT_LE(late, SlowToTell::kLate_s + kTick + 1e-6);
+    EXPECT_NEAR(secondsBetween(step.machine.link.speed, step.machine.time).value, SlowToTell::kLate_s, 1e-9);
+  }
 }
 
 TEST(SpeedLogFeed, InterpolatesAndHoldsTheEnds) {
