@@ -48,7 +48,7 @@ TEST(LiveMachineFeed, GivesTheNewestStateAndInputsInOrder) {
 // Tells its speed as a slow control does: what was measured 30 ms ago, and when. The spindle runs up meanwhile.
 class SlowToTell final : public cnc::CncLink {
  public:
-  static constexpr double kLate_s = 0.030;
+  static constexpr Seconds kLate{0.030};
   static Rpm speedAt(Instant time) { return Rpm(5000.0 + 1000.0 * sinceEpoch(time).value); }
   cnc::LinkInfo describe() const override { return {.id = "slow", .label = "Slow"}; }
   Status open() override { return Done{}; }
@@ -56,7 +56,7 @@ class SlowToTell final : public cnc::CncLink {
     MachineState m;
     m.time = now;
     m.valid = m.linkUp = true;
-    m.link.speed = now - toDuration(Seconds(kLate_s));
+    m.link.speed = now - toDuration(kLate);
     m.actualSpeed = speedAt(m.link.speed);
     return m;
   }
@@ -74,17 +74,18 @@ TEST(LiveMachineFeed, TelemetryKeepsItsPlaceAmongTheSamplesAndItsDelay) {
   LinkRunner runner(link, commands, states);
   LiveMachineFeed feed(states, inputs);
   constexpr double kTick = 0.007, kBlock = 0.010;  // the link's thread and the samples go by different steps
-  double ticked = 0.0;
-  for (double end = 1.0; end < 3.0; end += kBlock) {
-    for (; ticked + kTick <= end; ticked += kTick) runner.tick(Instant(toDuration(Seconds(ticked + kTick))));
+  int ticks = 0;
+  for (int block = 100; block < 300; ++block) {
+    const double end = block * kBlock;
+    for (; (ticks + 1) * kTick <= end; ++ticks) runner.tick(Instant(toDuration(Seconds((ticks + 1) * kTick))));
     StepInput step = blockAt(end);
     feed.complete(step);
     ASSERT_TRUE(step.machine.valid);
     EXPECT_DOUBLE_EQ(step.machine.actualSpeed.value, SlowToTell::speedAt(step.machine.link.speed).value);
     const double late = secondsBetween(step.machine.link.speed, step.block.end()).value;
-    EXPECT_GE(late, SlowToTell::kLate_s - 1e-6);
-    EXPECT_LE(late, SlowToTell::kLate_s + kTick + 1e-6);
-    EXPECT_NEAR(secondsBetween(step.machine.link.speed, step.machine.time).value, SlowToTell::kLate_s, 1e-9);
+    EXPECT_GE(late, SlowToTell::kLate.value - 1e-6);
+    EXPECT_LE(late, SlowToTell::kLate.value + kTick + 1e-6);
+    EXPECT_NEAR(secondsBetween(step.machine.link.speed, step.machine.time).value, SlowToTell::kLate.value, 1e-9);
   }
 }
 
