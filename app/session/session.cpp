@@ -99,7 +99,7 @@ void Session::endWith(const ui::MainWindow& window, std::function<void(const Err
 }
 
 Status Session::stop() {
-  if (!rig_) return Done{};  // another session has taken it over
+  if (!rig_) return Done{};      // another session has taken it over
   if (active_) active_->stop();  // its ramp is over long before the disk is
   const Status recorded = rig_->stop();
   const Status flown = flightLog_ ? flightLog_->finish() : Status(Done{});

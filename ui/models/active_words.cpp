@@ -99,7 +99,8 @@ ActiveAxisView makeActiveAxis(const ActiveSnapshot& snapshot, int axis) {
 
 ActiveTableView makeActiveTable(const ActiveSnapshot& snapshot) {
   ActiveTableView view;
-  if (snapshot.identifying && snapshot.open) return {say("identifying, %1").arg(percent(snapshot.identified)), Tone::Advice, {}};
+  if (snapshot.identifying && snapshot.open)
+    return {say("identifying, %1").arg(percent(snapshot.identified)), Tone::Advice, {}};
   QStringList moving, fallen;
   for (int axis = 0; axis < kActiveAxes; ++axis) {
     const ActiveAxis& a = snapshot.axes[static_cast<std::size_t>(axis)];
