@@ -4140,6 +4140,10 @@
         <translation>SUCHEN</translation>
     </message>
     <message>
+        <source>STOP</source>
+        <translation>STOPP</translation>
+    </message>
+    <message>
         <source>Look for serial ports and machines, once</source>
         <translation>Einmal nach seriellen Anschlüssen und Maschinen suchen</translation>
     </message>

@@ -4139,6 +4139,10 @@
         <translation>FIND</translation>
     </message>
     <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
         <source>Look for serial ports and machines, once</source>
         <translation>Look for serial ports and machines, once</translation>
     </message>

@@ -4140,6 +4140,10 @@
         <translation>查找</translation>
     </message>
     <message>
+        <source>STOP</source>
+        <translation>停止</translation>
+    </message>
+    <message>
         <source>Look for serial ports and machines, once</source>
         <translation>查找一次串口和机床</translation>
     </message>

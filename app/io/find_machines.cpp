@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -72,9 +73,11 @@ struct Knock {
   }
 };
 
-void knockOn(std::span<const std::string> hosts, Seconds atMost, std::vector<FoundMachine>& found) {
+void knockOn(std::span<const std::string> hosts, Seconds atMost, const std::function<bool()>& toEnd,
+             std::vector<FoundMachine>& found) {
   std::vector<Knock> knocks;
   for (const std::string& host : hosts) {
+    if (toEnd()) return;
     for (const Service& service : kServices) {
       auto wire = TcpWire::make(host, service.port);
       if (!wire) {
@@ -93,7 +96,7 @@ void knockOn(std::span<const std::string> hosts, Seconds atMost, std::vector<Fou
       if (k.pending()) waiting = &k;
     }
     if (waiting != nullptr) waiting->wire->wait(std::chrono::milliseconds(1));
-  } while (waiting != nullptr && clock.now() < end);
+  } while (waiting != nullptr && clock.now() < end && !toEnd());
   for (const Knock& k : knocks) {
     if (k.open) found.push_back(k.found());
   }
@@ -178,12 +181,14 @@ std::vector<std::string_view> foundSentences() {
   return all;
 }
 
-std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost) {
+std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost,
+                                       const std::function<bool()>& toEnd) {
+  const auto ends = [&toEnd] { return toEnd && toEnd(); };
   std::vector<FoundMachine> found;
   addSerialPorts(found);
   const std::span<const std::string> all(hosts);
-  for (std::size_t first = 0; first < all.size(); first += kAtOnce) {
-    knockOn(all.subspan(first, std::min(kAtOnce, all.size() - first)), atMost, found);
+  for (std::size_t first = 0; first < all.size() && !ends(); first += kAtOnce) {
+    knockOn(all.subspan(first, std::min(kAtOnce, all.size() - first)), atMost, ends, found);
   }
   return found;
 }

@@ -3,6 +3,7 @@
 // Thread: one that may wait: `atMost` for every 32 hosts, besides the names' look-up.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,8 @@ Result<std::vector<std::string>> hostsIn(const std::string& typed);
 // All that `what` can be, but for what is wrong with a name.
 std::vector<std::string_view> foundSentences();
 
-std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost);
+// `toEnd`: asked between any two steps; true: what was found so far is all.
+std::vector<FoundMachine> findMachines(const std::vector<std::string>& hosts, Seconds atMost,
+                                       const std::function<bool()>& toEnd = nullptr);
 
 }  // namespace stillcut::app

@@ -5,8 +5,10 @@
 
 namespace stillcut::app {
 
-void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work work) {
+void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work work,
+                           std::function<void(const Error&)> failed) {
   leave();
+  failed_ = std::move(failed);
   what_ = what;
   file_ = file;
   problem_.clear();
@@ -14,7 +16,7 @@ void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work w
   thread_ = std::jthread([before = std::move(thread_), job = job_, work = std::move(work)]() mutable {
     if (before.joinable()) before.join();
     try {
-      const bool left = job->progress.stopped();
+      const bool left = job->left.load(std::memory_order_relaxed);
       job->result.emplace(left ? Result<Apply>(Error{"task", "stopped", ""}) : work(job->progress));
     } catch (const std::exception& e) {
       job->result.emplace(Error{"task", e.what(), ""});
@@ -23,9 +25,14 @@ void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work w
   });
 }
 
+void BackgroundTask::askToEnd() {
+  if (job_) job_->progress.stop.store(true, std::memory_order_relaxed);
+}
+
 void BackgroundTask::leave() {
   if (!job_) return;
-  job_->progress.stop.store(true, std::memory_order_relaxed);
+  askToEnd();
+  job_->left.store(true, std::memory_order_relaxed);
   job_.reset();
 }
 
@@ -40,6 +47,7 @@ bool BackgroundTask::collect() {
   const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
   if (!*job->result) {
     problem_ = QString::fromStdString(job->result->error().line());
+    if (failed_) failed_(job->result->error());
   } else if (const Apply& apply = job->result->value()) {
     apply();
   }

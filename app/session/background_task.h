@@ -27,8 +27,12 @@ class BackgroundTask {
 
   ~BackgroundTask() { cancel(); }
 
-  // What still runs is left; the new work begins when that has ended. Returns at once.
-  void start(ui::TaskState::What what, const QString& file, Work work);
+  // What still runs is left; the new work begins when that has ended. `failed`: in the place of a result, on the GUI
+  // thread, where the work gives an error or throws. Returns at once.
+  void start(ui::TaskState::What what, const QString& file, Work work,
+             std::function<void(const Error&)> failed = nullptr);
+  // It need not go on; what it has by then is taken over as usual. Returns at once.
+  void askToEnd();
   // Tells it to stop and throws its result away. Returns at once: the work may be deep in a slow disk.
   void leave();
   // The same, and waits for its end: afterwards nobody works any more.
@@ -40,13 +44,14 @@ class BackgroundTask {
  private:
   struct Job {
     Progress progress;
-    std::atomic<bool> finished{false};
+    std::atomic<bool> finished{false}, left{false};
     std::optional<Result<Apply>> result;  // the worker's until `finished`
   };
   std::shared_ptr<Job> job_;
   std::jthread thread_;
   ui::TaskState::What what_ = ui::TaskState::What::None;
   QString file_, problem_;
+  std::function<void(const Error&)> failed_;
 };
 
 }  // namespace stillcut::app

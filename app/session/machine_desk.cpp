@@ -166,10 +166,14 @@ ui::Heard MachineDesk::heard() {
 void MachineDesk::ask(std::function<ui::SensorTrial()> sensors) {
   listener_.stop();  // most devices can be opened once
   sensorTrial_ = {ui::SensorTrial::State::Runs, {}, {}};
-  asking_.start(ui::TaskState::What::None, {},
-                [this, sensors = std::move(sensors)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                  return BackgroundTask::Apply([this, said = sensors()] { sensorTrial_ = said; });
-                });
+  asking_.start(
+      ui::TaskState::What::None, {},
+      [this, sensors = std::move(sensors)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        return BackgroundTask::Apply([this, said = sensors()] { sensorTrial_ = said; });
+      },
+      [this](const Error& error) {
+        sensorTrial_ = {ui::SensorTrial::State::Bad, viewText(error.line()), {}};
+      });
 }
 
 void MachineDesk::calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
@@ -187,16 +191,21 @@ void MachineDesk::findMachines(const QString& typed) {
   search_ = {true, false, {}, {}};
   searching_.start(
       ui::TaskState::What::None, {},
-      [this, typed = typed.toStdString()](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+      [this, typed = typed.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
         ui::MachineSearch found{false, true, {}, {}};
+        const auto toEnd = [&progress] { return progress.stopped(); };
         auto hosts = hostsIn("localhost " + typed);
         if (!hosts) found.problem = viewText(hosts.error().line());
         if (hosts) {
-          for (FoundMachine& machine : app::findMachines(*hosts, kFindTime)) {
+          for (FoundMachine& machine : app::findMachines(*hosts, kFindTime, toEnd)) {
             found.places.push_back({viewText(machine.where), viewText(machine.what), std::move(machine.link)});
           }
         }
+        found.done = !toEnd() || !found.places.empty();
         return BackgroundTask::Apply([this, found] { search_ = found; });
+      },
+      [this](const Error& error) {
+        search_ = {false, true, {}, viewText(error.line())};
       });
 }
 
@@ -206,14 +215,20 @@ void MachineDesk::testLink(const config::Profile& profile, const QString& name) 
   linkTest_ = {ui::LinkTest::State::Runs, {}};
   testing_.start(
       ui::TaskState::What::None, {},
-      [this, profile, path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        const Seconds look = tryLinkOf(profile, path, steps_);
-        return BackgroundTask::Apply([this, look, link = profile.link] {
+      [this, profile,
+       path = profileFileOrNew(name)](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
+        const Seconds look = tryLinkOf(profile, path, steps_, progress.stop);
+        const auto notGood = progress.stopped() ? ui::LinkTest::State::Off : ui::LinkTest::State::Bad;
+        return BackgroundTask::Apply([this, look, notGood, link = profile.link] {
           auto last = steps_.take();
           linkTest_.steps.insert(linkTest_.steps.end(), last.begin(), last.end());
-          linkTest_.state = look.value > 0.0 ? ui::LinkTest::State::Good : ui::LinkTest::State::Bad;
+          linkTest_.state = look.value > 0.0 ? ui::LinkTest::State::Good : notGood;
           if (look.value > 0.0) tried_ = {link, look, {}};
         });
+      },
+      [this](const Error& error) {
+        linkTest_.steps.push_back({QStringLiteral("Settings"), viewText(error.line()), false});
+        linkTest_.state = ui::LinkTest::State::Bad;
       });
 }
 
@@ -227,6 +242,9 @@ void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
           trial_ = tried.steps;
           tried_ = {link, tried.look, {}};
         });
+      },
+      [this](const Error& error) {
+        trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Bad, viewText(error.line())}};
       });
 }
 

@@ -57,8 +57,10 @@ class MachineDesk final : public ui::SetupDesk {
   void knock(const config::Profile& profile, const QString& name, int channel) override;
   const ui::SensorTrial& sensorTrial() const override { return sensorTrial_; }
   void findMachines(const QString& typed) override;
+  void stopFinding() override { searching_.askToEnd(); }
   const ui::MachineSearch& search() const override { return search_; }
   void testLink(const config::Profile& profile, const QString& name) override;
+  void stopTest() override { testing_.askToEnd(); }
   const ui::LinkTest& linkTest() const override { return linkTest_; }
   void tryOut(const config::Profile& profile, const QString& name) override;
   const std::vector<ui::TrialStep>& trial() const override { return trial_; }

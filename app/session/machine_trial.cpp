@@ -95,7 +95,8 @@ Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
 
 }  // namespace
 
-Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps) {
+Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps,
+                  const std::atomic<bool>& toEnd) {
   const SteadyClock clock;
   auto link = cnc::makeLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
   if (!link) {
@@ -103,7 +104,7 @@ Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkS
     return {};
   }
   cnc::LinkTrial trial(**link, clock);
-  while (trial.next()) {
+  while (!toEnd && trial.next()) {
     const cnc::TrialStep& step = trial.steps().back();
     steps.put({text(step.what), text(step.said), step.good});
   }

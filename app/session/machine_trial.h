@@ -2,6 +2,7 @@
 // Thread: any one; takes up to a few seconds. What it opened is closed again; nothing is commanded.
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -38,7 +39,8 @@ class LinkStepBox {
   std::vector<ui::LinkTest::Step> steps_;
 };
 
-// The profile's link alone. How long a look at the machine takes; 0: it has not passed.
-Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps);
+// The profile's link alone. How long a look at the machine takes; 0: it has not passed, or `toEnd` was set before.
+Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps,
+                  const std::atomic<bool>& toEnd);
 
 }  // namespace stillcut::app

@@ -18,20 +18,24 @@ namespace {
 
 // Whoever asks for something else goes on at once; the work that is left ends by itself, and only then the next begins.
 TEST(BackgroundTask, NobodyWaitsForWorkThatIsLeft) {
-  std::binary_semaphore slowDisk{0};
+  std::binary_semaphore slowDisk{0}, begun{0};
   std::vector<int> order;
   std::atomic<bool> told{false};
   int applied = 0;
   BackgroundTask task;
   const auto work = [&](int number) {
     return [&, number](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-      if (number == 1) slowDisk.acquire();
+      if (number == 1) {
+        begun.release();
+        slowDisk.acquire();
+      }
       told = told || progress.stopped();
       order.push_back(number);
       return BackgroundTask::Apply([&applied, number] { applied = number; });
     };
   };
   task.start(ui::TaskState::What::Reading, QStringLiteral("slow"), work(1));
+  begun.acquire();
   task.start(ui::TaskState::What::Reading, QStringLiteral("never"), work(2));
   task.start(ui::TaskState::What::Reading, QStringLiteral("next"), work(3));
   EXPECT_TRUE(task.state().running);

@@ -92,11 +92,13 @@ class FakeSetupDesk final : public SetupDesk {
     lookedAt.push_back(typed);
     finding = {true, false, {}, {}};
   }
+  void stopFinding() override { finding.runs = false; }
   const MachineSearch& search() const override { return finding; }
   void testLink(const config::Profile& profile, const QString&) override {
     tested = profile.link;
     test = {LinkTest::State::Runs, {}};
   }
+  void stopTest() override { test.state = LinkTest::State::Off; }
   const LinkTest& linkTest() const override { return test; }
   void tryOut(const config::Profile& profile, const QString&) override {
     steps = {{TrialStep::What::Settings, TrialStep::State::Good, {}},

@@ -3,7 +3,10 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
+#include <stdexcept>
 
+#include "app/io/find_machines.h"
 #include "app/session/machine_desk.h"
 #include "tests/protocol/pty_grbl.h"
 
@@ -68,6 +71,43 @@ TEST_F(LinkDeskTest, WhatIsWrongWithALinkIsTheLastStep) {
   waitFor([&] { return desk_.linkTest().state == State::Bad; });
   ASSERT_EQ(desk_.linkTest().steps.size(), 1U) << "of this test alone";
   EXPECT_TRUE(desk_.linkTest().steps[0].said.contains(QStringLiteral("baud")));
+}
+
+// No failure when it was stopped, and nothing to save.
+TEST_F(LinkDeskTest, ATestThatIsStoppedIsNeitherGoodNorBad) {
+  const cnc::testing::PtyGrbl controller(path_);
+  desk_.testLink(profile_, QStringLiteral("mill"));
+  desk_.stopTest();
+  waitFor([&] { return desk_.linkTest().state != State::Runs; });
+  EXPECT_EQ(desk_.linkTest().state, State::Off);
+  EXPECT_LT(desk_.linkTest().steps.size(), 4U);
+}
+
+TEST_F(LinkDeskTest, ASearchThatIsStoppedAsksNobodyElse) {
+  const std::vector<std::string> hosts{"no.such.host.invalid"};
+  const auto named = [](const std::vector<FoundMachine>& found) {
+    return std::ranges::any_of(found, [](const FoundMachine& m) { return m.where == "no.such.host.invalid"; });
+  };
+  EXPECT_TRUE(named(findMachines(hosts, Seconds(0.2))));
+  EXPECT_FALSE(named(findMachines(hosts, Seconds(0.2), [] { return true; })));
+  desk_.findMachines(QStringLiteral("192.0.2.0/24 198.51.100.0/24 203.0.113.0/24"));
+  desk_.stopFinding();
+  waitFor([&] { return !desk_.search().runs; });
+}
+
+// Whatever the work throws: the desk is told on its own thread, and may begin anew.
+TEST(BackgroundTaskTest, WorkThatThrowsIsAFailureThatIsTold) {
+  BackgroundTask task;
+  std::string told;
+  for (int round = 0; round < 2; ++round) {
+    told.clear();
+    task.start(
+        ui::TaskState::What::None, {},
+        [](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> { throw std::runtime_error("no memory"); },
+        [&told](const Error& error) { told = error.line(); });
+    EXPECT_TRUE(QTest::qWaitFor([&] { return task.collect(); }, 60000));
+    EXPECT_NE(told.find("no memory"), std::string::npos);
+  }
 }
 
 TEST_F(LinkDeskTest, FindingEndsAndWhatIsNoHostIsASentence) {

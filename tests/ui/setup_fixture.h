@@ -8,6 +8,22 @@
 
 namespace stillcut::ui {
 
+// As a search finds them: one is no machine.
+inline MachineSearch twoServersOfOneMill() {
+  return {
+      false,
+      true,
+      {{QStringLiteral("/dev/ttyUSB0"),
+        QStringLiteral("serial port, for 'grbl' or 'modbus'"),
+        {"grbl", {{"device", "/dev/ttyUSB0"}}}},
+       {QStringLiteral("mill:5007"), QStringLiteral("linuxcncrsh, for 'linuxcnc'"), {"linuxcnc", {{"host", "mill"}}}},
+       {QStringLiteral("mill:5008"),
+        QStringLiteral("stillcut-hal, watchdog for 'linuxcnc'"),
+        {"linuxcnc", {{"host", "mill"}, {"hal_component_port", "5008"}}}},
+       {QStringLiteral("nowhere"), QStringLiteral("nowhere:5007: the host cannot be found"), {}}},
+      {}};
+}
+
 class SetupPageTest : public WindowTest {
  protected:
   void openSetup(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {

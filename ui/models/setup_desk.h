@@ -129,9 +129,11 @@ class SetupDesk {
 
   // Serial ports, this computer, and what was typed: hosts and subnets.
   virtual void findMachines(const QString& typed) = 0;
+  virtual void stopFinding() = 0;  // what was found so far stays
   virtual const MachineSearch& search() const = 0;
   // Only reads; what it measures is saved with the profile.
   virtual void testLink(const config::Profile& profile, const QString& name) = 0;
+  virtual void stopTest() = 0;  // after the step that is being taken
   virtual const LinkTest& linkTest() const = 0;
 
   virtual void tryOut(const config::Profile& profile, const QString& name) = 0;

@@ -41,12 +41,20 @@ SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   column->addLayout(buttons);
   column->addWidget(steps_);
   connect(find_, &TouchButton::clicked, this, [this] {
-    desk_.findMachines(hosts_->text().trimmed());
+    if (desk_.search().runs) {
+      desk_.stopFinding();
+    } else {
+      desk_.findMachines(hosts_->text().trimmed());
+    }
     refresh();
   });
   connect(use_, &TouchButton::clicked, this, &SetupFinder::use);
   connect(test_, &TouchButton::clicked, this, [this] {
-    desk_.testLink(draft_.profile(), draft_.name());
+    if (desk_.linkTest().state == LinkTest::State::Runs) {
+      desk_.stopTest();
+    } else {
+      desk_.testLink(draft_.profile(), draft_.name());
+    }
     refresh();
   });
   connect(save_, &TouchButton::clicked, this, &SetupFinder::save);
@@ -105,8 +113,10 @@ void SetupFinder::showTest() {
 void SetupFinder::refresh() {
   const MachineSearch& search = desk_.search();
   const std::string& link = draft_.profile().link.id;
-  find_->setEnabled(!search.runs);
-  test_->setEnabled(!link.empty() && link != "simulated" && desk_.linkTest().state != LinkTest::State::Runs);
+  const bool tests = desk_.linkTest().state == LinkTest::State::Runs;
+  find_->setText(search.runs ? tr("STOP") : tr("FIND"));
+  test_->setText(tests ? tr("STOP") : tr("TEST THE LINK"));
+  test_->setEnabled(tests || (!link.empty() && link != "simulated"));
   save_->setEnabled(desk_.linkTest().state == LinkTest::State::Good && !draft_.name().isEmpty());
   QStringList rows;
   for (const MachineSearch::Place& place : search.places) {
