@@ -93,7 +93,10 @@ class AlsaDuplex : public ::testing::Test {
   bool within(double seconds, Done done) {
     const Instant end = clock_.now() + toDuration(Seconds(seconds));
     rt::Wakeup never;  // only its time-out is used
-    while (!done() && clock_.now() < end) never.waitFor(Seconds(0.005));
+    while (!done() && clock_.now() < end) {
+      engine_->renew();
+      never.waitFor(Seconds(0.005));
+    }
     return done();
   }
   // On a busy computer a period may really be lost: then the record is made again.

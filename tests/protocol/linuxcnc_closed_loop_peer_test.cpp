@@ -79,6 +79,8 @@ struct Seen {
   Seconds quiet{};  // since the last onset or chatter, at another speed
   MachineState machine;
   Instant noisy{};
+  CutState state = CutState::Air;
+  Reason reason;
 };
 
 void look(const Snapshot& s, Seen& seen) {
@@ -91,6 +93,8 @@ void look(const Snapshot& s, Seen& seen) {
   seen.peakRms = std::max(seen.peakRms, s.vibrationRms);
   seen.lastRms = s.vibrationRms;
   seen.machine = s.machine;
+  seen.state = state;
+  seen.reason = s.verdicts[static_cast<std::size_t>(s.inCharge)].reason;
 }
 
 TEST(LinuxCncClosedLoop, ChatterIsFoundAndSuppressedThroughTheRealController) {
@@ -134,7 +138,8 @@ TEST(LinuxCncClosedLoop, ChatterIsFoundAndSuppressedThroughTheRealController) {
   std::printf("LinuxCNC's spindle at %.0f rev/min, feed %.0f %%, vibration %.3g of its peak\n",
               seen.machine.actualSpeed.value, 100.0 * seen.machine.feedOverride.value, seen.lastRms / seen.peakRms);
   EXPECT_TRUE(seen.chatterAtProgrammedSpeed);
-  EXPECT_TRUE(suppressed) << "quiet for " << seen.quiet.value << " s";
+  EXPECT_TRUE(suppressed) << "quiet for " << seen.quiet.value << " s, now " << name(seen.state) << ": "
+                          << sentence(seen.reason);
   EXPECT_LT(seen.lastRms, 0.5 * seen.peakRms);
   // The same on LinuxCNC's own screen: its override, not only what we read.
   const int percent = static_cast<int>(std::lround(100.0 * seen.machine.speedOverride.value));
