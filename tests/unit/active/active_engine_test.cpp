@@ -100,8 +100,8 @@ class Engine : public testing::Test {
     }
     options.record.duration = Seconds(2.0);
     engine_ = std::make_unique<ActiveEngine>(std::move(device), options, clock_);
-    device_->owner = [this] {
-      if (ownerLives_) engine_->renew();
+    device_->owner = [this, engine = engine_.get()] {
+      if (ownerLives_) engine->renew();
     };
   }
   ~Engine() override {
