@@ -1,5 +1,5 @@
-# The Debian packages Stillcut needs, and one function that installs those that are missing. Sourced by app/run and
-# tests/run; nothing else installs anything.
+# The Debian packages Stillcut needs, a function that installs those that are missing, and the way every script configures
+# a build folder. Sourced by app/run, tests/run and their kin; nothing else installs anything.
 
 build_packages="g++ cmake ninja-build pkg-config ccache mold libeigen3-dev libfftw3-dev libsndfile1-dev
   libhdf5-dev libmatio-dev zlib1g-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libcomedi-dev
@@ -39,4 +39,18 @@ install_missing() {
 use_ccache() {
   export CCACHE_BASEDIR="$1" CCACHE_NOHASHDIR=1
   export CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+}
+
+# configure PRESET NAME=VALUE... [or NAME?=VALUE...] : makes build/PRESET, or sets what differs there, so that nobody works
+# in a folder as somebody else left it. NAME?=VALUE is for a new folder only. A second run costs nothing.
+configure() {
+  local preset=$1 cache=build/$1/CMakeCache.txt want options=()
+  shift
+  for want in "$@"; do
+    [[ $want == *'?='* && -f $cache ]] && continue
+    want=${want/'?='/=}
+    grep -q "^${want%%=*}:[A-Z]*=${want#*=}\$" "$cache" 2>/dev/null || options+=("-D$want")
+  done
+  [ ${#options[@]} -eq 0 ] && [ -f "build/$preset/build.ninja" ] && return 0
+  cmake --preset "$preset" "${options[@]}" >/dev/null
 }

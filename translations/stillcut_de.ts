@@ -1411,6 +1411,3174 @@
         <source>Modbus server, for &apos;modbus&apos; with a map</source>
         <translation>Modbus-Server, für &apos;modbus&apos; mit Registertabelle</translation>
     </message>
+    <message>
+        <source>marker</source>
+        <translation>Markierung</translation>
+    </message>
+    <message>
+        <source>needs a label</source>
+        <translation>braucht eine Bezeichnung</translation>
+    </message>
+    <message>
+        <source>type one beside SPAN</source>
+        <translation>eine neben BEREICH eintippen</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>the recording is still being read</source>
+        <translation>die Aufnahme wird noch gelesen</translation>
+    </message>
+    <message>
+        <source>a moment later</source>
+        <translation>gleich noch einmal</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>aktive Spannvorrichtung</translation>
+    </message>
+    <message>
+        <source>the last record is still being worked on</source>
+        <translation>die letzte Aufnahme wird noch ausgewertet</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>nothing is marked here</source>
+        <translation>hier ist nichts markiert</translation>
+    </message>
+    <message>
+        <source>mark true and false alarms first</source>
+        <translation>zuerst wahre und falsche Alarme markieren</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep it in</source>
+        <translation>es gibt keinen Ordner dafür</translation>
+    </message>
+    <message>
+        <source>letters and digits</source>
+        <translation>Buchstaben und Ziffern</translation>
+    </message>
+    <message>
+        <source>cannot be put in force here</source>
+        <translation>lässt sich hier nicht in Kraft setzen</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>Vorführung</translation>
+    </message>
+    <message>
+        <source>cannot run here</source>
+        <translation>kann hier nicht laufen</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep them in</source>
+        <translation>es gibt keinen Ordner dafür</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Messwerte</translation>
+    </message>
+    <message>
+        <source>the device has stopped</source>
+        <translation>das Gerät ist stehen geblieben</translation>
+    </message>
+    <message>
+        <source>this channel never moves</source>
+        <translation>dieser Kanal bewegt sich nie</translation>
+    </message>
+    <message>
+        <source>is the sensor connected?</source>
+        <translation>ist der Sensor angeschlossen?</translation>
+    </message>
+    <message>
+        <source>nothing is open</source>
+        <translation>nichts ist geöffnet</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>is no longer there</source>
+        <translation>ist nicht mehr da</translation>
+    </message>
+    <message>
+        <source>tune</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>there is no profile to keep them in</source>
+        <translation>es gibt kein Profil dafür</translation>
+    </message>
+    <message>
+        <source>start with --profile</source>
+        <translation>mit --profile starten</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>the machine is under our authority</source>
+        <translation>Stillcut hat das Kommando über die Maschine</translation>
+    </message>
+    <message>
+        <source>set it to Off first</source>
+        <translation>zuerst auf Aus stellen</translation>
+    </message>
+    <message>
+        <source>Vibration limit</source>
+        <translation>Grenze der Schwingung</translation>
+    </message>
+    <message>
+        <source>Vibration (rms, SI unit of the first channel) from which the bar of the operator&apos;s page says that it is too much; auto: no limit</source>
+        <translation>Schwingung (Effektivwert, SI-Einheit des ersten Kanals), ab der der Balken auf der Seite Bedienen sagt, dass sie zu groß ist; automatisch: keine Grenze</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 antwortet</translation>
+    </message>
+    <message>
+        <source>it answers, but its state is incomplete</source>
+        <translation>sie antwortet, aber ihr Zustand ist unvollständig</translation>
+    </message>
+    <message>
+        <source>the machine is off</source>
+        <translation>die Maschine ist aus</translation>
+    </message>
+    <message>
+        <source>the machine is in alarm</source>
+        <translation>die Maschine steht auf Alarm</translation>
+    </message>
+    <message>
+        <source>feed held</source>
+        <translation>Vorschub angehalten</translation>
+    </message>
+    <message>
+        <source>program running</source>
+        <translation>Programm läuft</translation>
+    </message>
+    <message>
+        <source>no program running</source>
+        <translation>kein Programm läuft</translation>
+    </message>
+    <message>
+        <source>spindle %1 rev/min, programmed %2</source>
+        <translation>Spindel %1 rpm, programmiert %2</translation>
+    </message>
+    <message>
+        <source>overrides %1 % speed, %2 % feed</source>
+        <translation>Override Drehzahl %1 %, Vorschub %2 %</translation>
+    </message>
+    <message>
+        <source>locked by the program</source>
+        <translation>vom Programm gesperrt</translation>
+    </message>
+    <message>
+        <source>a look takes %1 ms, and what it shows is %2 ms old</source>
+        <translation>eine Abfrage dauert %1 ms, was sie zeigt, ist %2 ms alt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 looks were lost</source>
+        <translation>%1 von %2 Abfragen gingen verloren</translation>
+    </message>
+    <message>
+        <source>speed %1 to %2 %, feed %3 to %4 %</source>
+        <translation>Drehzahl %1 bis %2 %, Vorschub %3 bis %4 %</translation>
+    </message>
+    <message>
+        <source>the machine goes back by itself when nothing comes from here</source>
+        <translation>die Maschine geht von selbst zurück, wenn von hier nichts kommt</translation>
+    </message>
+    <message>
+        <source>the machine has no watchdog: if this program dies, the overrides stay</source>
+        <translation>die Maschine hat keinen Watchdog: stirbt dieses Programm, bleiben die Overrides stehen</translation>
+    </message>
+    <message>
+        <source>one knock along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <translation>ein Klopfen längs %1: &apos;%2&apos; hörte am meisten, %3 dB über dem nächsten</translation>
+    </message>
+    <message>
+        <source>%4 knocks along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <translation>%4 Klopfer längs %1: &apos;%2&apos; hörte am meisten, %3 dB über dem nächsten</translation>
+    </message>
+    <message>
+        <source>it is right</source>
+        <translation>es stimmt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; are exchanged</source>
+        <translation>&apos;%1&apos; und &apos;%2&apos; sind vertauscht</translation>
+    </message>
+    <message>
+        <source>A recording, in real time or at another pace: file, pace, rate_hz where the file does not say</source>
+        <translation>Eine Aufzeichnung, in Echtzeit oder einem anderen Tempo: file, pace, rate_hz, wo die Datei sie nicht nennt</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>the device counts nothing: a loss of less than 30 ms or three blocks does not show, a longer one after a second or two</source>
+        <translation>das Gerät zählt nicht mit: ein Verlust unter 30 ms oder drei Blöcken zeigt sich nicht, ein längerer nach ein bis zwei Sekunden</translation>
+    </message>
+    <message>
+        <source>the card is not calibrated, its volts are nominal; comedi_soft_calibrate calibrates it</source>
+        <translation>die Karte ist nicht kalibriert, ihre Volt sind Nennwerte; comedi_soft_calibrate kalibriert sie</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>is it there, and free?</source>
+        <translation>ist es da und frei?</translation>
+    </message>
+    <message>
+        <source>nothing is sent</source>
+        <translation>es wird nichts gesendet</translation>
+    </message>
+    <message>
+        <source>does the device stream?</source>
+        <translation>sendet das Gerät?</translation>
+    </message>
+    <message>
+        <source>bytes come, and no sample of the [[channels]] is in them</source>
+        <translation>Bytes kommen an, aber kein Messwert der [[channels]] ist darin</translation>
+    </message>
+    <message>
+        <source>are format, sync, sample, checksum, baud and the number of channels those of the sender?</source>
+        <translation>sind format, sync, sample, checksum, baud und die Zahl der Kanäle die des Senders?</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>antwortet nicht</translation>
+    </message>
+    <message>
+        <source>does not stream</source>
+        <translation>liefert keinen Datenstrom</translation>
+    </message>
+    <message>
+        <source>does not start</source>
+        <translation>startet nicht</translation>
+    </message>
+    <message>
+        <source>has no inputs that stream</source>
+        <translation>hat keine Eingänge, die fortlaufend liefern</translation>
+    </message>
+    <message>
+        <source>it may read single values only</source>
+        <translation>vielleicht liest es nur Einzelwerte</translation>
+    </message>
+    <message>
+        <source>it only shares its memory</source>
+        <translation>es gibt nur seinen Speicher frei</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>does not take these settings together</source>
+        <translation>nimmt diese Einstellungen nicht zusammen an</translation>
+    </message>
+    <message>
+        <source>has not delivered enough in one piece</source>
+        <translation>hat nicht genug am Stück geliefert</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>das Gerät</translation>
+    </message>
+    <message>
+        <source>%1 (configuration)</source>
+        <translation>%1 (Konfiguration)</translation>
+    </message>
+    <message>
+        <source>%1 Hz cannot be heard at %2 samples a second</source>
+        <translation>%1 Hz sind bei %2 Werten je Sekunde nicht zu hören</translation>
+    </message>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz, Kanäle: %2</translation>
+    </message>
+    <message>
+        <source>%1 MB are left</source>
+        <translation>%1 MB sind frei</translation>
+    </message>
+    <message>
+        <source>%1 [[channels]] in the profile</source>
+        <translation>%1 [[channels]] im Profil</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames</source>
+        <translation>%1 und %2 Werte</translation>
+    </message>
+    <message>
+        <source>%1 at %2: nothing comes any more, the wire is taken up again</source>
+        <translation>%1 an %2: es kommt nichts mehr, die Leitung wird neu aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>%1 channels, %2 Hz, %3 bits</source>
+        <translation>%1 Kanäle, %2 Hz, %3 Bit</translation>
+    </message>
+    <message>
+        <source>%1 datasets 58 hold other functions</source>
+        <translation>%1 Datensätze 58 enthalten andere Funktionen</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 Tage</translation>
+    </message>
+    <message>
+        <source>%1 has no higher voltage</source>
+        <translation>%1 hat keine höhere Spannung</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 Stunden</translation>
+    </message>
+    <message>
+        <source>%1 is longer than the file</source>
+        <translation>%1 ist länger als die Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a sample</source>
+        <translation>%1 ist zu groß für einen Messwert</translation>
+    </message>
+    <message>
+        <source>%1 mm is no depth</source>
+        <translation>%1 mm ist keine Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes are there; copy it again</source>
+        <translation>%1 von %2 Bytes sind da; bitte neu kopieren</translation>
+    </message>
+    <message>
+        <source>%1 rpm is no speed</source>
+        <translation>%1 rpm ist keine Drehzahl</translation>
+    </message>
+    <message>
+        <source>%1 rpm is too low for these modes</source>
+        <translation>%1 rpm ist zu langsam für diese Moden</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 mal</translation>
+    </message>
+    <message>
+        <source>%1 turns the table round</source>
+        <translation>%1 kehrt die Tabelle um</translation>
+    </message>
+    <message>
+        <source>%1 unit %2</source>
+        <translation>%1 Einheit %2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; before %3</source>
+        <translation>%1 hätte %2 gemeldet; vorher %3</translation>
+    </message>
+    <message>
+        <source>%1, device %2: %3</source>
+        <translation>%1, Gerät %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 failed (%3)</source>
+        <translation>%1: %2 misslungen (%3)</translation>
+    </message>
+    <message>
+        <source>%1: a length inside it is wrong</source>
+        <translation>%1: eine Länge darin ist falsch</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1: ein Ton von %2 Hz, %3 % des Gehörten; Faktor %4 ± %5 %6</translation>
+    </message>
+    <message>
+        <source>%1: feed per tooth</source>
+        <translation>%1: Zahnvorschub</translation>
+    </message>
+    <message>
+        <source>%1: is not the device that it was</source>
+        <translation>%1: ist nicht mehr dasselbe Gerät</translation>
+    </message>
+    <message>
+        <source>%1: path along %2</source>
+        <translation>%1: Pfad entlang %2</translation>
+    </message>
+    <message>
+        <source>%1: path to the accelerometer along %2</source>
+        <translation>%1: Pfad zum Beschleunigungssensor entlang %2</translation>
+    </message>
+    <message>
+        <source>%1; some devices need a &apos;trigger&apos;</source>
+        <translation>%1; manche Geräte brauchen einen „trigger“</translation>
+    </message>
+    <message>
+        <source>%1; stillcut-cli devices lists what there is</source>
+        <translation>%1; stillcut-cli devices zählt auf, was da ist</translation>
+    </message>
+    <message>
+        <source>%1; the cut before has been stopped</source>
+        <translation>%1; der Schnitt davor wurde beendet</translation>
+    </message>
+    <message>
+        <source>&apos; converts, or stands before what does</source>
+        <translation>&apos; wandelt um oder steht vor etwas, das es tut</translation>
+    </message>
+    <message>
+        <source>&apos; is a sound server&apos;s</source>
+        <translation>&apos; gehört zu einem Tonserver</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
+        <translation>„%1“ und „%2“ hörten es mit weniger als %3 dB Unterschied</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be opened</source>
+        <translation>„%1“ lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read</source>
+        <translation>„%1“ lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no other axis beside it</source>
+        <translation>„%1“ hat keine zweite Achse neben sich</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither true nor false</source>
+        <translation>„%1“ ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no delay</source>
+        <translation>„%1“ ist keine Verzögerung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no name for a file</source>
+        <translation>„%1“ ist kein Dateiname</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no quantity</source>
+        <translation>„%1“ ist keine Messgröße</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none</source>
+        <translation>„%1“ ist keine</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=VALUE</source>
+        <translation>„%1“ ist nicht KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a choice</source>
+        <translation>„%1“ steht nicht zur Wahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time and a speed</source>
+        <translation>„%1“ ist keine Zeit mit Drehzahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known</source>
+        <translation>„%1“ ist unbekannt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; promises more numbers than the file holds</source>
+        <translation>„%1“ verspricht mehr Zahlen, als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>&apos;%1, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>&apos;%1, was Rate und Kanäle ändern kann; hw: nennt das Gerät selbst</translation>
+    </message>
+    <message>
+        <source>&apos;%1channels&apos; is %2</source>
+        <translation>„%1channels“ ist %2</translation>
+    </message>
+    <message>
+        <source>&apos;adaptive_feed&apos; needs &apos;hal_component_port&apos;</source>
+        <translation>„adaptive_feed“ braucht „hal_component_port“</translation>
+    </message>
+    <message>
+        <source>&apos;device&apos; = &apos;%1&apos;</source>
+        <translation>„device“ = „%1“</translation>
+    </message>
+    <message>
+        <source>&apos;full_stroke_um&apos; is less</source>
+        <translation>„full_stroke_um“ ist kleiner</translation>
+    </message>
+    <message>
+        <source>&apos;input_x&apos; and &apos;input_y&apos;</source>
+        <translation>„input_x“ und „input_y“</translation>
+    </message>
+    <message>
+        <source>&apos;map&apos; is missing</source>
+        <translation>„map“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;output_x&apos; and &apos;output_y&apos;</source>
+        <translation>„output_x“ und „output_y“</translation>
+    </message>
+    <message>
+        <source>&apos;rate_hz&apos; = %1 is not among its rates</source>
+        <translation>„rate_hz“ = %1 gehört nicht zu seinen Raten</translation>
+    </message>
+    <message>
+        <source>&apos;rms&apos; must be above 0 and at most 0.3 of the stroke</source>
+        <translation>„rms“ muss über 0 und höchstens 0,3 des Hubs sein</translation>
+    </message>
+    <message>
+        <source>&apos;source.id&apos; is missing</source>
+        <translation>„source.id“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;stroke_um&apos; is more than the output can drive</source>
+        <translation>„stroke_um“ ist mehr, als der Ausgang schafft</translation>
+    </message>
+    <message>
+        <source>, %1 bits; &apos;range&apos;</source>
+        <translation>, %1 Bit; „range“</translation>
+    </message>
+    <message>
+        <source>, %1 of them marked false</source>
+        <translation>, davon %1 als falsch markiert</translation>
+    </message>
+    <message>
+        <source>, and could at %1</source>
+        <translation>, und könnte es mit %1</translation>
+    </message>
+    <message>
+        <source>, or as &quot;1 g&quot;</source>
+        <translation>, oder als „1 g“</translation>
+    </message>
+    <message>
+        <source>, or as &quot;94 dB&quot;</source>
+        <translation>, oder als „94 dB“</translation>
+    </message>
+    <message>
+        <source>, or auto</source>
+        <translation>, oder auto</translation>
+    </message>
+    <message>
+        <source>, up to %1 Hz for one</source>
+        <translation>, bis %1 Hz für einen</translation>
+    </message>
+    <message>
+        <source>/24 or a larger number</source>
+        <translation>/24 oder eine größere Zahl</translation>
+    </message>
+    <message>
+        <source>0 to %1 (&apos;inputs&apos;)</source>
+        <translation>0 bis %1 („inputs“)</translation>
+    </message>
+    <message>
+        <source>0 to 1000000 rev/min</source>
+        <translation>0 bis 1000000 U/min</translation>
+    </message>
+    <message>
+        <source>1 to 32 sensors are needed</source>
+        <translation>1 bis 32 Sensoren sind nötig</translation>
+    </message>
+    <message>
+        <source>1 to 64 channels and a rate above zero were expected</source>
+        <translation>1 bis 64 Kanäle und eine Rate über null wurden erwartet</translation>
+    </message>
+    <message>
+        <source>1_id, 1_channels, 1_delay_ms and 1_ with the device&apos;s own settings, then 2_</source>
+        <translation>1_id, 1_channels, 1_delay_ms und 1_ mit den Einstellungen des Geräts, dann 2_</translation>
+    </message>
+    <message>
+        <source>: samples are lost again and again</source>
+        <translation>: immer wieder gehen Werte verloren</translation>
+    </message>
+    <message>
+        <source>Analog override</source>
+        <translation>Analoger Override</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>Verbindung abgebrochen</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Verbindung abgelehnt; läuft die Gegenstelle?</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Zeit für die Verbindung abgelaufen; Adresse und Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>DEC and IBM formats are not read</source>
+        <translation>DEC- und IBM-Formate werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>Delta_X holds &apos;%1&apos;</source>
+        <translation>Delta_X enthält „%1“</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Belegt: ein anderes Programm hat es offen</translation>
+    </message>
+    <message>
+        <source>DynoWare text</source>
+        <translation>DynoWare-Text</translation>
+    </message>
+    <message>
+        <source>FLAC holds at most 8 channels</source>
+        <translation>FLAC fasst höchstens 8 Kanäle</translation>
+    </message>
+    <message>
+        <source>Format not recognised.</source>
+        <translation>Format nicht erkannt.</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler; Kabel und Gerät prüfen</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Kept by the Tune page; stillcut-cli reads it with --config.</source>
+        <translation>Von der Seite Abstimmen gespeichert; stillcut-cli liest es mit --config.</translation>
+    </message>
+    <message>
+        <source>LabVIEW Measurement</source>
+        <translation>LabVIEW-Messung</translation>
+    </message>
+    <message>
+        <source>LabVIEW measurement text</source>
+        <translation>LabVIEW-Messtext</translation>
+    </message>
+    <message>
+        <source>Modbus is not part of this build</source>
+        <translation>Modbus gehört nicht zu diesem Programmbau</translation>
+    </message>
+    <message>
+        <source>Modbus machine</source>
+        <translation>Modbus-Maschine</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>Kein Weg zum Rechner; Netz und Adresse prüfen</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>Kein Platz mehr auf dem Datenträger; Platz schaffen</translation>
+    </message>
+    <message>
+        <source>No such</source>
+        <translation>Kein solches</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>Gerät gibt es nicht; ist es angeschlossen?</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>Gerät oder Adresse gibt es nicht; ist es angeschlossen?</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Ist kein Ordner</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Keine Berechtigung; Besitzer und Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Datenträger ist schreibgeschützt</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>Wiedergabe: %1</translation>
+    </message>
+    <message>
+        <source>SI units per device unit</source>
+        <translation>SI-Einheiten je Geräteeinheit</translation>
+    </message>
+    <message>
+        <source>Simulated mill</source>
+        <translation>Simulierte Fräsmaschine</translation>
+    </message>
+    <message>
+        <source>Stillcut session</source>
+        <translation>Stillcut-Sitzung</translation>
+    </message>
+    <message>
+        <source>Supported file format but file is malformed.</source>
+        <translation>Das Format ist bekannt, aber die Datei ist fehlerhaft.</translation>
+    </message>
+    <message>
+        <source>Supported file format but unsupported encoding.</source>
+        <translation>Das Format ist bekannt, aber die Kodierung nicht.</translation>
+    </message>
+    <message>
+        <source>System error.</source>
+        <translation>Systemfehler.</translation>
+    </message>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>Das Gerät ist weg; neu identifizieren, wenn es wieder da ist</translation>
+    </message>
+    <message>
+        <source>The tools of this shop; the Set up page writes this file.</source>
+        <translation>Die Werkzeuge dieser Werkstatt; die Seite Einrichten schreibt diese Datei.</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>[cut] speed_rpm or feed_mm_min is missing</source>
+        <translation>[cut] speed_rpm oder feed_mm_min fehlt</translation>
+    </message>
+    <message>
+        <source>a block has %1 channels</source>
+        <translation>ein Block hat %1 Kanäle</translation>
+    </message>
+    <message>
+        <source>a block needs at least one frame</source>
+        <translation>ein Block braucht mindestens einen Wert</translation>
+    </message>
+    <message>
+        <source>a chain needs 1 to 6 detectors</source>
+        <translation>eine Kette braucht 1 bis 6 Detektoren</translation>
+    </message>
+    <message>
+        <source>a chain needs a strategy</source>
+        <translation>eine Kette braucht eine Strategie</translation>
+    </message>
+    <message>
+        <source>a coil or discrete input is one bit</source>
+        <translation>ein Coil oder Discrete Input ist ein Bit</translation>
+    </message>
+    <message>
+        <source>a cutting speed cannot be limited without the tool&apos;s diameter</source>
+        <translation>ohne Werkzeugdurchmesser lässt sich die Schnittgeschwindigkeit nicht begrenzen</translation>
+    </message>
+    <message>
+        <source>a damaged file</source>
+        <translation>eine beschädigte Datei</translation>
+    </message>
+    <message>
+        <source>a damaged or truncated file</source>
+        <translation>eine beschädigte oder abgeschnittene Datei</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>ein Gerät</translation>
+    </message>
+    <message>
+        <source>a finite number was expected</source>
+        <translation>eine endliche Zahl wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a gap of %1 s</source>
+        <translation>eine Lücke von %1 s</translation>
+    </message>
+    <message>
+        <source>a history of features; detectors need the samples themselves</source>
+        <translation>ein Verlauf von Merkmalen; Detektoren brauchen die Messwerte selbst</translation>
+    </message>
+    <message>
+        <source>a line longer than any of this format</source>
+        <translation>eine Zeile, länger als jede dieses Formats</translation>
+    </message>
+    <message>
+        <source>a path cannot be taken over while the table moves</source>
+        <translation>ein Pfad lässt sich nicht übernehmen, solange der Tisch sich bewegt</translation>
+    </message>
+    <message>
+        <source>a quarter of a turn must fit into 512 samples</source>
+        <translation>eine Viertelumdrehung muss in 512 Werte passen</translation>
+    </message>
+    <message>
+        <source>a range is two numbers, lowest and highest</source>
+        <translation>ein Bereich sind zwei Zahlen, kleinste und größte</translation>
+    </message>
+    <message>
+        <source>a recording of this name is still being written, or was cut off; take another name</source>
+        <translation>eine Aufzeichnung dieses Namens wird noch geschrieben oder wurde abgebrochen; anderen Namen nehmen</translation>
+    </message>
+    <message>
+        <source>a run needs a device</source>
+        <translation>ein Lauf braucht ein Gerät</translation>
+    </message>
+    <message>
+        <source>a scenario is needed</source>
+        <translation>ein Szenario ist nötig</translation>
+    </message>
+    <message>
+        <source>a second segment of the measurement begins</source>
+        <translation>ein zweiter Abschnitt der Messung beginnt</translation>
+    </message>
+    <message>
+        <source>a sensor needs a name</source>
+        <translation>ein Sensor braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>a session, or a recording of any kind that is imported</source>
+        <translation>eine Sitzung oder eine Aufzeichnung, die importiert werden kann</translation>
+    </message>
+    <message>
+        <source>a simulated or recorded cut may not drive a real machine</source>
+        <translation>ein simulierter oder aufgezeichneter Schnitt darf keine echte Maschine steuern</translation>
+    </message>
+    <message>
+        <source>a table is missing or has another layout</source>
+        <translation>eine Tabelle fehlt oder ist anders aufgebaut</translation>
+    </message>
+    <message>
+        <source>a time step above zero was expected</source>
+        <translation>ein Zeitschritt über null wurde erwartet</translation>
+    </message>
+    <message>
+        <source>a truncated file</source>
+        <translation>eine abgeschnittene Datei</translation>
+    </message>
+    <message>
+        <source>a truncated file, or its header is wrong</source>
+        <translation>eine abgeschnittene Datei, oder ihr Kopf ist falsch</translation>
+    </message>
+    <message>
+        <source>a truncated or damaged file</source>
+        <translation>eine abgeschnittene oder beschädigte Datei</translation>
+    </message>
+    <message>
+        <source>a value is out of range</source>
+        <translation>ein Wert liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>a value must belong to one voltage</source>
+        <translation>ein Wert muss zu einer Spannung gehören</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>ein Wert war nicht endlich</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1000 mm</source>
+        <translation>über 0 und bis 1000 mm</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1e6 rpm</source>
+        <translation>über 0 und bis 1e6 rpm</translation>
+    </message>
+    <message>
+        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
+        <translation>acceleration, velocity, displacement, sound, force, current oder speed</translation>
+    </message>
+    <message>
+        <source>active &apos;%1&apos;</source>
+        <translation>aktiv „%1“</translation>
+    </message>
+    <message>
+        <source>active &apos;alsa&apos;</source>
+        <translation>aktiv „alsa“</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>Aktor</translation>
+    </message>
+    <message>
+        <source>all are time, indicators or empty</source>
+        <translation>alle sind Zeit, Kennwerte oder leer</translation>
+    </message>
+    <message>
+        <source>allowed: %1 and above</source>
+        <translation>erlaubt: %1 und mehr</translation>
+    </message>
+    <message>
+        <source>allowed: %1 to %2</source>
+        <translation>erlaubt: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>allowed: up to %1</source>
+        <translation>erlaubt: bis %1</translation>
+    </message>
+    <message>
+        <source>an echo is two numbers, delay in ms and gain</source>
+        <translation>ein Echo sind zwei Zahlen, Verzögerung in ms und Verstärkung</translation>
+    </message>
+    <message>
+        <source>an echo&apos;s delay must lie between 0 and 1 s</source>
+        <translation>die Verzögerung eines Echos muss zwischen 0 und 1 s liegen</translation>
+    </message>
+    <message>
+        <source>analog outputs are not part of this build</source>
+        <translation>analoge Ausgänge gehören nicht zu diesem Programmbau</translation>
+    </message>
+    <message>
+        <source>angles above zero, 360 degrees together</source>
+        <translation>Winkel über null, zusammen 360 Grad</translation>
+    </message>
+    <message>
+        <source>announces %1 bytes, but its points take %2</source>
+        <translation>kündigt %1 Bytes an, aber seine Punkte brauchen %2</translation>
+    </message>
+    <message>
+        <source>announces %1 points, more than the file holds</source>
+        <translation>kündigt %1 Punkte an, mehr als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>are the unit and the register map right?</source>
+        <translation>stimmen unit und Registertabelle?</translation>
+    </message>
+    <message>
+        <source>as 192.168.1.0/24</source>
+        <translation>wie 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>as many as the device sends, 1 to %1</source>
+        <translation>so viele, wie das Gerät sendet, 1 bis %1</translation>
+    </message>
+    <message>
+        <source>at least %1 samples</source>
+        <translation>mindestens %1 Werte</translation>
+    </message>
+    <message>
+        <source>at least one mode is needed</source>
+        <translation>mindestens eine Mode ist nötig</translation>
+    </message>
+    <message>
+        <source>at most %1 frequencies above 0, for example 339, 1024</source>
+        <translation>höchstens %1 Frequenzen über 0, zum Beispiel 339, 1024</translation>
+    </message>
+    <message>
+        <source>at most %1 modes can be simulated</source>
+        <translation>höchstens %1 Moden lassen sich simulieren</translation>
+    </message>
+    <message>
+        <source>at most 31, 63 and 511 bytes</source>
+        <translation>höchstens 31, 63 und 511 Bytes</translation>
+    </message>
+    <message>
+        <source>at most 8</source>
+        <translation>höchstens 8</translation>
+    </message>
+    <message>
+        <source>at point %1</source>
+        <translation>bei Punkt %1</translation>
+    </message>
+    <message>
+        <source>axis must be x or y</source>
+        <translation>axis muss x oder y sein</translation>
+    </message>
+    <message>
+        <source>binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55</source>
+        <translation>binäre Rahmen beginnen mit 1 bis 8 Bytes hexadezimal, zum Beispiel AA55</translation>
+    </message>
+    <message>
+        <source>block frames must lie between 1 and 65536</source>
+        <translation>die Blocklänge muss zwischen 1 und 65536 liegen</translation>
+    </message>
+    <message>
+        <source>blocks of %1 frames are too long</source>
+        <translation>Blöcke von %1 Werten sind zu lang</translation>
+    </message>
+    <message>
+        <source>blocks were lost since the record was made</source>
+        <translation>seit der Aufnahme gingen Blöcke verloren</translation>
+    </message>
+    <message>
+        <source>blocks were lost, and input and output of this device do not start together</source>
+        <translation>Blöcke gingen verloren, und Ein- und Ausgang dieses Geräts beginnen nicht gemeinsam</translation>
+    </message>
+    <message>
+        <source>byte order, format, lines, bytes</source>
+        <translation>Bytefolge, Format, Zeilen, Bytes</translation>
+    </message>
+    <message>
+        <source>cannot be decided again</source>
+        <translation>lässt sich nicht neu entscheiden</translation>
+    </message>
+    <message>
+        <source>cannot be drawn so</source>
+        <translation>lässt sich so nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>cannot be marked: the journal beside it belongs to another recording, or is in use</source>
+        <translation>lässt sich nicht markieren: das Journal daneben gehört zu einer anderen Aufzeichnung oder wird benutzt</translation>
+    </message>
+    <message>
+        <source>cannot be opened for %1</source>
+        <translation>lässt sich nicht für %1 öffnen</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>cannot be recorded</source>
+        <translation>lässt sich nicht aufzeichnen</translation>
+    </message>
+    <message>
+        <source>cannot identify while the table moves</source>
+        <translation>keine Identifikation, solange der Tisch sich bewegt</translation>
+    </message>
+    <message>
+        <source>cannot stream at a rate</source>
+        <translation>kann nicht mit fester Rate liefern</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>Kanal %1</translation>
+    </message>
+    <message>
+        <source>channels of one recording are of one length</source>
+        <translation>Kanäle einer Aufzeichnung sind gleich lang</translation>
+    </message>
+    <message>
+        <source>channels, block length or rate</source>
+        <translation>Kanäle, Blocklänge oder Rate</translation>
+    </message>
+    <message>
+        <source>channels, rate and block length must be known before</source>
+        <translation>Kanäle, Rate und Blocklänge müssen vorher bekannt sein</translation>
+    </message>
+    <message>
+        <source>check the machine&apos;s profile</source>
+        <translation>Profil der Maschine prüfen</translation>
+    </message>
+    <message>
+        <source>choices: %1</source>
+        <translation>zur Wahl: %1</translation>
+    </message>
+    <message>
+        <source>choices: acceleration, velocity, displacement, sound, force, current, speed</source>
+        <translation>zur Wahl: acceleration, velocity, displacement, sound, force, current, speed</translation>
+    </message>
+    <message>
+        <source>choices: iepe, ac, dc</source>
+        <translation>zur Wahl: iepe, ac, dc</translation>
+    </message>
+    <message>
+        <source>choose some with --channel N[,N]</source>
+        <translation>mit --channel N[,N] einige auswählen</translation>
+    </message>
+    <message>
+        <source>ci value</source>
+        <translation>CI-Wert</translation>
+    </message>
+    <message>
+        <source>coil or holding</source>
+        <translation>coil oder holding</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>column %1 holds %2</source>
+        <translation>Spalte %1 enthält %2</translation>
+    </message>
+    <message>
+        <source>conditioner: %1 channels (allowed: 1 to %2)</source>
+        <translation>Aufbereitung: %1 Kanäle (erlaubt: 1 bis %2)</translation>
+    </message>
+    <message>
+        <source>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</source>
+        <translation>Aufbereitung: Abtastrate %1 Hz (erlaubt: 100 bis 1000000)</translation>
+    </message>
+    <message>
+        <source>conditioner: the longest block has no frames</source>
+        <translation>Aufbereitung: der längste Block ist leer</translation>
+    </message>
+    <message>
+        <source>configure with STILLCUT_DESKTOP=ON</source>
+        <translation>mit STILLCUT_DESKTOP=ON bauen</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>die Regelung hat die Schwingung verstärkt</translation>
+    </message>
+    <message>
+        <source>convert to CSV instead, or a span without it</source>
+        <translation>stattdessen nach CSV umwandeln oder einen Abschnitt ohne sie</translation>
+    </message>
+    <message>
+        <source>could not be repaired</source>
+        <translation>ließ sich nicht reparieren</translation>
+    </message>
+    <message>
+        <source>cutting coefficients must be finite</source>
+        <translation>Schnittkoeffizienten müssen endlich sein</translation>
+    </message>
+    <message>
+        <source>damping ratio must lie between 0 and 1</source>
+        <translation>der Dämpfungsgrad muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>dataset %1</source>
+        <translation>Datensatz %1</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>Detektor</translation>
+    </message>
+    <message>
+        <source>device &apos;%1&apos;</source>
+        <translation>Gerät „%1“</translation>
+    </message>
+    <message>
+        <source>diameter must be above zero</source>
+        <translation>der Durchmesser muss über null liegen</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>war „%1“ gemeint?</translation>
+    </message>
+    <message>
+        <source>direction must not be zero</source>
+        <translation>die Richtung darf nicht null sein</translation>
+    </message>
+    <message>
+        <source>does not end after its %1 points</source>
+        <translation>endet nicht nach seinen %1 Punkten</translation>
+    </message>
+    <message>
+        <source>does not go once around</source>
+        <translation>geht nicht einmal herum</translation>
+    </message>
+    <message>
+        <source>does not hold 100 %</source>
+        <translation>enthält nicht 100 %</translation>
+    </message>
+    <message>
+        <source>does not take the trigger &apos;%1&apos;</source>
+        <translation>nimmt den Trigger „%1“ nicht an</translation>
+    </message>
+    <message>
+        <source>does not tell its range</source>
+        <translation>nennt seinen Bereich nicht</translation>
+    </message>
+    <message>
+        <source>does the calibrator run, on this channel, and is the machine quiet?</source>
+        <translation>läuft der Kalibrator, auf diesem Kanal, und ist die Maschine still?</translation>
+    </message>
+    <message>
+        <source>dominant multiplier</source>
+        <translation>dominanter Multiplikator</translation>
+    </message>
+    <message>
+        <source>duration must lie between 0 and 3600 s</source>
+        <translation>die Dauer muss zwischen 0 und 3600 s liegen</translation>
+    </message>
+    <message>
+        <source>each override has an output of its own</source>
+        <translation>jeder Override hat einen eigenen Ausgang</translation>
+    </message>
+    <message>
+        <source>ended before the record was whole</source>
+        <translation>endete, bevor die Aufnahme vollständig war</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 frames</source>
+        <translation>endet nach %1 von %2 Werten</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points</source>
+        <translation>endet nach %1 von %2 Punkten</translation>
+    </message>
+    <message>
+        <source>ends before it begins</source>
+        <translation>endet, bevor es beginnt</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>every channel has a time column of its own</source>
+        <translation>jeder Kanal hat eine eigene Zeitspalte</translation>
+    </message>
+    <message>
+        <source>every value must be above zero</source>
+        <translation>jeder Wert muss über null liegen</translation>
+    </message>
+    <message>
+        <source>every value would be the offset</source>
+        <translation>jeder Wert wäre der Nullpunkt</translation>
+    </message>
+    <message>
+        <source>exponent must lie in (0, 1]</source>
+        <translation>der Exponent muss in (0, 1] liegen</translation>
+    </message>
+    <message>
+        <source>export with one X column</source>
+        <translation>mit einer einzigen X-Spalte exportieren</translation>
+    </message>
+    <message>
+        <source>feed lag must lie between 0 and 10 s</source>
+        <translation>die Vorschubverzögerung muss zwischen 0 und 10 s liegen</translation>
+    </message>
+    <message>
+        <source>feed per tooth must lie between 0 and 10 mm</source>
+        <translation>der Zahnvorschub muss zwischen 0 und 10 mm liegen</translation>
+    </message>
+    <message>
+        <source>feed per tooth must not be negative</source>
+        <translation>der Zahnvorschub darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>fits no path</source>
+        <translation>passt zu keinem Pfad</translation>
+    </message>
+    <message>
+        <source>for example energy-ratio.chatter=0.2</source>
+        <translation>zum Beispiel energy-ratio.chatter=0.2</translation>
+    </message>
+    <message>
+        <source>force feedback needs one per axis</source>
+        <translation>Kraftrückführung braucht einen je Achse</translation>
+    </message>
+    <message>
+        <source>frame %1 of channel %2 is not a finite number</source>
+        <translation>Wert %1 von Kanal %2 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>frequency must be above zero</source>
+        <translation>die Frequenz muss über null liegen</translation>
+    </message>
+    <message>
+        <source>from must lie before to, with 1 to 65536 columns</source>
+        <translation>from muss vor to liegen, mit 1 bis 65536 Spalten</translation>
+    </message>
+    <message>
+        <source>full scale</source>
+        <translation>Vollausschlag</translation>
+    </message>
+    <message>
+        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
+        <translation>fuzzy.energy-limit: muss über fuzzy.energy-reference liegen</translation>
+    </message>
+    <message>
+        <source>gain must not be zero</source>
+        <translation>die Verstärkung darf nicht null sein</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the rows as evenly spaced</source>
+        <translation>mit --rate HZ werden die Zeilen als gleichabständig gelesen</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the samples as evenly spaced</source>
+        <translation>mit --rate HZ werden die Werte als gleichabständig gelesen</translation>
+    </message>
+    <message>
+        <source>give it with --rate HZ</source>
+        <translation>mit --rate HZ angeben</translation>
+    </message>
+    <message>
+        <source>give the diameter or set it to auto</source>
+        <translation>Durchmesser angeben oder auf auto setzen</translation>
+    </message>
+    <message>
+        <source>half a second at most</source>
+        <translation>höchstens eine halbe Sekunde</translation>
+    </message>
+    <message>
+        <source>has %1 channels at %2 Hz</source>
+        <translation>hat %1 Kanäle mit %2 Hz</translation>
+    </message>
+    <message>
+        <source>has %1 columns where %2 were expected</source>
+        <translation>hat %1 Spalten, wo %2 erwartet wurden</translation>
+    </message>
+    <message>
+        <source>has %1 samples, those before %2</source>
+        <translation>hat %1 Werte, die davor %2</translation>
+    </message>
+    <message>
+        <source>has a row of %1 numbers</source>
+        <translation>hat eine Zeile mit %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>has another sampling rate than those before</source>
+        <translation>hat eine andere Abtastrate als die davor</translation>
+    </message>
+    <message>
+        <source>has different periods for input and output</source>
+        <translation>hat verschiedene Perioden für Ein- und Ausgang</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>hat weniger als zwei Punkte</translation>
+    </message>
+    <message>
+        <source>has more numbers than its %1 points</source>
+        <translation>hat mehr Zahlen als seine %1 Punkte</translation>
+    </message>
+    <message>
+        <source>has more than 256 columns</source>
+        <translation>hat mehr als 256 Spalten</translation>
+    </message>
+    <message>
+        <source>has more than 64 channels</source>
+        <translation>hat mehr als 64 Kanäle</translation>
+    </message>
+    <message>
+        <source>has no %1 Hz (%2)</source>
+        <translation>hat keine %1 Hz (%2)</translation>
+    </message>
+    <message>
+        <source>has no %1 channels (%2)</source>
+        <translation>hat keine %1 Kanäle (%2)</translation>
+    </message>
+    <message>
+        <source>has no %1 channels (&apos;inputs&apos;)</source>
+        <translation>hat keine %1 Kanäle („inputs“)</translation>
+    </message>
+    <message>
+        <source>has no active work-holder</source>
+        <translation>hat keinen aktiven Werkstückhalter</translation>
+    </message>
+    <message>
+        <source>has no channel %1</source>
+        <translation>hat keinen Kanal %1</translation>
+    </message>
+    <message>
+        <source>has no column &apos;%1&apos;</source>
+        <translation>hat keine Spalte „%1“</translation>
+    </message>
+    <message>
+        <source>has no end</source>
+        <translation>hat kein Ende</translation>
+    </message>
+    <message>
+        <source>has no input %1 (&apos;inputs&apos;)</source>
+        <translation>hat keinen Eingang %1 („inputs“)</translation>
+    </message>
+    <message>
+        <source>has no marker %1</source>
+        <translation>hat keine Marke %1</translation>
+    </message>
+    <message>
+        <source>has no marker &apos;%1&apos;</source>
+        <translation>hat keine Marke „%1“</translation>
+    </message>
+    <message>
+        <source>has no range %1 (&apos;range&apos;)</source>
+        <translation>hat keinen Bereich %1 („range“)</translation>
+    </message>
+    <message>
+        <source>has no samples of %1 bits (&apos;bits&apos;)</source>
+        <translation>hat keine Werte mit %1 Bit („bits“)</translation>
+    </message>
+    <message>
+        <source>has no samples of 32 bits (%1)</source>
+        <translation>hat keine Werte mit 32 Bit (%1)</translation>
+    </message>
+    <message>
+        <source>has the channel of &apos;speed&apos;</source>
+        <translation>hat den Kanal von „speed“</translation>
+    </message>
+    <message>
+        <source>header inconsistent</source>
+        <translation>Kopf widersprüchlich</translation>
+    </message>
+    <message>
+        <source>helix angle (straight teeth assumed)</source>
+        <translation>Drallwinkel (gerade Zähne angenommen)</translation>
+    </message>
+    <message>
+        <source>helix must lie within 80 degrees</source>
+        <translation>der Drall muss innerhalb von 80 Grad liegen</translation>
+    </message>
+    <message>
+        <source>helix slices must lie between 1 and 200</source>
+        <translation>die Drallscheiben müssen zwischen 1 und 200 liegen</translation>
+    </message>
+    <message>
+        <source>hold sensor and calibrator still</source>
+        <translation>Sensor und Kalibrator ruhig halten</translation>
+    </message>
+    <message>
+        <source>holds %1 data sets in several places</source>
+        <translation>enthält %1 Datensätze an mehreren Stellen</translation>
+    </message>
+    <message>
+        <source>holds a row that is not all finite numbers</source>
+        <translation>enthält eine Zeile, die nicht nur endliche Zahlen hat</translation>
+    </message>
+    <message>
+        <source>holds a value that is not finite</source>
+        <translation>enthält einen Wert, der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>holds bytes that are no text</source>
+        <translation>enthält Bytes, die kein Text sind</translation>
+    </message>
+    <message>
+        <source>holds fewer bytes than it announces</source>
+        <translation>enthält weniger Bytes als angekündigt</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 channels</source>
+        <translation>enthält mehr als 4096 Kanäle</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 objects</source>
+        <translation>enthält mehr als 4096 Objekte</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 variables</source>
+        <translation>enthält mehr als 4096 Variablen</translation>
+    </message>
+    <message>
+        <source>holds no array of samples</source>
+        <translation>enthält kein Feld von Messwerten</translation>
+    </message>
+    <message>
+        <source>holds no data set of numbers</source>
+        <translation>enthält keinen Datensatz mit Zahlen</translation>
+    </message>
+    <message>
+        <source>holds no dataset 58</source>
+        <translation>enthält keinen Datensatz 58</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>enthält keine Messwerte</translation>
+    </message>
+    <message>
+        <source>holds no speeds</source>
+        <translation>enthält keine Drehzahlen</translation>
+    </message>
+    <message>
+        <source>holds no time recording</source>
+        <translation>enthält keine Zeitaufzeichnung</translation>
+    </message>
+    <message>
+        <source>holds no truth</source>
+        <translation>enthält keine Wahrheit</translation>
+    </message>
+    <message>
+        <source>holds no variable that can be read</source>
+        <translation>enthält keine lesbare Variable</translation>
+    </message>
+    <message>
+        <source>holds something that is not a finite number</source>
+        <translation>enthält etwas, das keine endliche Zahl ist</translation>
+    </message>
+    <message>
+        <source>holds something that is not a text</source>
+        <translation>enthält etwas, das kein Text ist</translation>
+    </message>
+    <message>
+        <source>holds times that are not finite</source>
+        <translation>enthält Zeiten, die nicht endlich sind</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>Identifikation</translation>
+    </message>
+    <message>
+        <source>identify first</source>
+        <translation>erst identifizieren</translation>
+    </message>
+    <message>
+        <source>identify it again</source>
+        <translation>neu identifizieren</translation>
+    </message>
+    <message>
+        <source>identify it first</source>
+        <translation>erst identifizieren</translation>
+    </message>
+    <message>
+        <source>input %1 has %2 bits in %3</source>
+        <translation>Eingang %1 hat %2 Bit in %3</translation>
+    </message>
+    <message>
+        <source>input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>install %1 and build again</source>
+        <translation>%1 installieren und neu bauen</translation>
+    </message>
+    <message>
+        <source>install libcomedi-dev and build again</source>
+        <translation>libcomedi-dev installieren und neu bauen</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>ist 0</translation>
+    </message>
+    <message>
+        <source>is 2</source>
+        <translation>ist 2</translation>
+    </message>
+    <message>
+        <source>is a folder, not a recording</source>
+        <translation>ist ein Ordner, keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>is a session of version %1</source>
+        <translation>ist eine Sitzung der Version %1</translation>
+    </message>
+    <message>
+        <source>is an HDF5 file, but not a Stillcut session</source>
+        <translation>ist eine HDF5-Datei, aber keine Stillcut-Sitzung</translation>
+    </message>
+    <message>
+        <source>is being written already</source>
+        <translation>wird schon geschrieben</translation>
+    </message>
+    <message>
+        <source>is cut short: its end is missing</source>
+        <translation>ist abgeschnitten: das Ende fehlt</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is given beside &apos;device&apos;</source>
+        <translation>steht neben „device“</translation>
+    </message>
+    <message>
+        <source>is given beside sensitivity_mv</source>
+        <translation>steht neben sensitivity_mv</translation>
+    </message>
+    <message>
+        <source>is halrmt running there?</source>
+        <translation>läuft dort halrmt?</translation>
+    </message>
+    <message>
+        <source>is it connected?</source>
+        <translation>ist er angeschlossen?</translation>
+    </message>
+    <message>
+        <source>is larger than 16 MB: no file of settings</source>
+        <translation>ist größer als 16 MB: keine Einstellungsdatei</translation>
+    </message>
+    <message>
+        <source>is later than on-line identification looks, %1 samples</source>
+        <translation>kommt später, als die laufende Identifikation schaut, %1 Werte</translation>
+    </message>
+    <message>
+        <source>is linuxcncrsh running there?</source>
+        <translation>läuft dort linuxcncrsh?</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>is missing or no object in JSON</source>
+        <translation>fehlt oder ist kein Objekt in JSON</translation>
+    </message>
+    <message>
+        <source>is missing, and so is &apos;feed&apos;</source>
+        <translation>fehlt, und „feed“ ebenso</translation>
+    </message>
+    <message>
+        <source>is more than 256 addresses</source>
+        <translation>sind mehr als 256 Adressen</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>ist weder true noch false</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 or 7</source>
+        <translation>ist keine MATLAB-Datei der Version 5 oder 7</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 to 7.3</source>
+        <translation>ist keine MATLAB-Datei der Version 5 bis 7.3</translation>
+    </message>
+    <message>
+        <source>is no gap of the recording beside it</source>
+        <translation>ist keine Lücke der Aufzeichnung daneben</translation>
+    </message>
+    <message>
+        <source>is no lobe case</source>
+        <translation>ist kein Stabilitätsfall</translation>
+    </message>
+    <message>
+        <source>is no session</source>
+        <translation>ist keine Sitzung</translation>
+    </message>
+    <message>
+        <source>is no session file</source>
+        <translation>ist keine Sitzungsdatei</translation>
+    </message>
+    <message>
+        <source>is no sound file that can be read</source>
+        <translation>ist keine lesbare Tondatei</translation>
+    </message>
+    <message>
+        <source>is no subnet</source>
+        <translation>ist kein Teilnetz</translation>
+    </message>
+    <message>
+        <source>is not a choice: &apos;%1&apos;</source>
+        <translation>steht nicht zur Wahl: „%1“</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is not a single value</source>
+        <translation>ist kein einzelner Wert</translation>
+    </message>
+    <message>
+        <source>is not a table</source>
+        <translation>ist keine Tabelle</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>is not an array of numbers</source>
+        <translation>ist kein Feld von Zahlen</translation>
+    </message>
+    <message>
+        <source>is not an array of rows</source>
+        <translation>ist kein Feld von Zeilen</translation>
+    </message>
+    <message>
+        <source>is not an array of tables</source>
+        <translation>ist kein Feld von Tabellen</translation>
+    </message>
+    <message>
+        <source>is not an array of texts</source>
+        <translation>ist kein Feld von Texten</translation>
+    </message>
+    <message>
+        <source>is not at %1</source>
+        <translation>ist nicht bei %1</translation>
+    </message>
+    <message>
+        <source>is not repaired: the journal beside it does not fit it</source>
+        <translation>ist nicht repariert: das Journal daneben passt nicht dazu</translation>
+    </message>
+    <message>
+        <source>is not replaced</source>
+        <translation>wird nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>is out of range: %1</source>
+        <translation>liegt außerhalb des Bereichs: %1</translation>
+    </message>
+    <message>
+        <source>is spindle 0 configured?</source>
+        <translation>ist Spindel 0 konfiguriert?</translation>
+    </message>
+    <message>
+        <source>is still being recorded</source>
+        <translation>wird noch aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>is stillcut-hal loaded by the machine&apos;s HAL file?</source>
+        <translation>lädt die HAL-Datei der Maschine stillcut-hal?</translation>
+    </message>
+    <message>
+        <source>is stillcut.hal wired as it came?</source>
+        <translation>ist stillcut.hal verdrahtet wie geliefert?</translation>
+    </message>
+    <message>
+        <source>is stored in pieces of more than 64 MB</source>
+        <translation>ist in Stücken über 64 MB gespeichert</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>ist Text in UTF-16</translation>
+    </message>
+    <message>
+        <source>is the machine on, and the address right?</source>
+        <translation>ist die Maschine an, und stimmt die Adresse?</translation>
+    </message>
+    <message>
+        <source>is this a recording?</source>
+        <translation>ist das eine Aufzeichnung?</translation>
+    </message>
+    <message>
+        <source>is this the controller&apos;s port, and the baud rate right?</source>
+        <translation>ist das der Anschluss der Steuerung, und stimmt die Baudrate?</translation>
+    </message>
+    <message>
+        <source>is true without [write.heartbeat]</source>
+        <translation>ist true ohne [write.heartbeat]</translation>
+    </message>
+    <message>
+        <source>is unknown: &apos;%1&apos;</source>
+        <translation>ist unbekannt: „%1“</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>ist null</translation>
+    </message>
+    <message>
+        <source>it begins before the previous one ends</source>
+        <translation>er beginnt, bevor der vorige endet</translation>
+    </message>
+    <message>
+        <source>it ends before it begins</source>
+        <translation>er endet, bevor er beginnt</translation>
+    </message>
+    <message>
+        <source>it goes through stillcut-hal</source>
+        <translation>er geht über stillcut-hal</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>es hat %1</translation>
+    </message>
+    <message>
+        <source>it has %1, counted from 0</source>
+        <translation>es hat %1, ab 0 gezählt</translation>
+    </message>
+    <message>
+        <source>it has 0 to %1</source>
+        <translation>es hat 0 bis %1</translation>
+    </message>
+    <message>
+        <source>it has changed since it was opened</source>
+        <translation>sie wurde seit dem Öffnen geändert</translation>
+    </message>
+    <message>
+        <source>it has no markers</source>
+        <translation>sie hat keine Marken</translation>
+    </message>
+    <message>
+        <source>it has, from 0: %1</source>
+        <translation>es hat, ab 0: %1</translation>
+    </message>
+    <message>
+        <source>it is a recorded session; take another name</source>
+        <translation>es ist eine aufgezeichnete Sitzung; anderen Namen nehmen</translation>
+    </message>
+    <message>
+        <source>it may be a recording that is damaged; take another name</source>
+        <translation>es ist vielleicht eine beschädigte Aufzeichnung; anderen Namen nehmen</translation>
+    </message>
+    <message>
+        <source>it must be below %1</source>
+        <translation>es muss unter %1 liegen</translation>
+    </message>
+    <message>
+        <source>it names the file with outputs and calibration tables</source>
+        <translation>es nennt die Datei mit Ausgängen und Kalibriertabellen</translation>
+    </message>
+    <message>
+        <source>it names the file with the machine&apos;s registers</source>
+        <translation>es nennt die Datei mit den Registern der Maschine</translation>
+    </message>
+    <message>
+        <source>it reads up to version %1</source>
+        <translation>es liest bis Version %1</translation>
+    </message>
+    <message>
+        <source>it samples at %1</source>
+        <translation>es tastet mit %1 ab</translation>
+    </message>
+    <message>
+        <source>it says teeth and speed</source>
+        <translation>es nennt Zähne und Drehzahl</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>sie wurde angehalten</translation>
+    </message>
+    <message>
+        <source>it would run out between two commands</source>
+        <translation>sie liefe zwischen zwei Befehlen ab</translation>
+    </message>
+    <message>
+        <source>its 58b line is incomplete</source>
+        <translation>seine 58b-Zeile ist unvollständig</translation>
+    </message>
+    <message>
+        <source>its abscissa start and step are missing</source>
+        <translation>Anfang und Schritt seiner Abszisse fehlen</translation>
+    </message>
+    <message>
+        <source>its abscissa step is not positive</source>
+        <translation>der Schritt seiner Abszisse ist nicht positiv</translation>
+    </message>
+    <message>
+        <source>its byte count is not a size</source>
+        <translation>seine Bytezahl ist keine Größe</translation>
+    </message>
+    <message>
+        <source>its byte order is neither 1 (little) nor 2 (big endian)</source>
+        <translation>seine Bytefolge ist weder 1 (little) noch 2 (big endian)</translation>
+    </message>
+    <message>
+        <source>its ends must be finite</source>
+        <translation>seine Enden müssen endlich sein</translation>
+    </message>
+    <message>
+        <source>its header ends early</source>
+        <translation>sein Kopf endet zu früh</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>sein Kopf ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its header is missing</source>
+        <translation>sein Kopf fehlt</translation>
+    </message>
+    <message>
+        <source>its header is not 11 lines long</source>
+        <translation>sein Kopf ist nicht 11 Zeilen lang</translation>
+    </message>
+    <message>
+        <source>its header is wrong</source>
+        <translation>sein Kopf ist falsch</translation>
+    </message>
+    <message>
+        <source>its layout is damaged</source>
+        <translation>sein Aufbau ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its level must be above zero</source>
+        <translation>sein Pegel muss über null liegen</translation>
+    </message>
+    <message>
+        <source>its name, as stillcut-cli devices lists it</source>
+        <translation>sein Name, wie stillcut-cli devices ihn nennt</translation>
+    </message>
+    <message>
+        <source>its number of points is not a size</source>
+        <translation>seine Punktzahl ist keine Größe</translation>
+    </message>
+    <message>
+        <source>its numbers are not IEEE 754</source>
+        <translation>seine Zahlen sind nicht IEEE 754</translation>
+    </message>
+    <message>
+        <source>its numbers make no sense in the byte order its header gives</source>
+        <translation>seine Zahlen ergeben in der Bytefolge des Kopfs keinen Sinn</translation>
+    </message>
+    <message>
+        <source>its ordinate type is none of 2, 4, 5, 6</source>
+        <translation>sein Ordinatentyp ist keiner von 2, 4, 5, 6</translation>
+    </message>
+    <message>
+        <source>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</source>
+        <translation>seine Phase liegt 90 Grad oder mehr daneben, oder der Sensor hört den Aktor dort nicht</translation>
+    </message>
+    <message>
+        <source>its samples are not evenly spaced in time</source>
+        <translation>seine Werte haben keine gleichen Zeitabstände</translation>
+    </message>
+    <message>
+        <source>its samples lie in another file</source>
+        <translation>seine Werte liegen in einer anderen Datei</translation>
+    </message>
+    <message>
+        <source>its samples lie in other data sets</source>
+        <translation>seine Werte liegen in anderen Datensätzen</translation>
+    </message>
+    <message>
+        <source>its size line (record 7) is unreadable</source>
+        <translation>seine Größenzeile (Satz 7) ist unlesbar</translation>
+    </message>
+    <message>
+        <source>its times cannot be read</source>
+        <translation>seine Zeiten lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>journals are written as memory has them</source>
+        <translation>Journale werden geschrieben, wie der Speicher sie hält</translation>
+    </message>
+    <message>
+        <source>knock along %1, hard, with the machine quiet</source>
+        <translation>kräftig entlang %1 klopfen, bei stiller Maschine</translation>
+    </message>
+    <message>
+        <source>knock straight along %1, close to the sensor</source>
+        <translation>gerade entlang %1 klopfen, nahe am Sensor</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>bekannt: %1</translation>
+    </message>
+    <message>
+        <source>label, author or note is too long</source>
+        <translation>Name, Urheber oder Notiz ist zu lang</translation>
+    </message>
+    <message>
+        <source>largest depth</source>
+        <translation>größte Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>leave it out for the usual value</source>
+        <translation>für den üblichen Wert weglassen</translation>
+    </message>
+    <message>
+        <source>leaves no room for two words</source>
+        <translation>lässt keinen Platz für zwei Worte</translation>
+    </message>
+    <message>
+        <source>leaves what a machine can do</source>
+        <translation>verlässt, was eine Maschine kann</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>ausgelassen: %1</translation>
+    </message>
+    <message>
+        <source>linearise the force at the mean chip thickness first</source>
+        <translation>die Kraft zuerst bei der mittleren Spandicke linearisieren</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;</source>
+        <translation>Verbindung „%1“</translation>
+    </message>
+    <message>
+        <source>link &apos;analog&apos;</source>
+        <translation>Verbindung „analog“</translation>
+    </message>
+    <message>
+        <source>link &apos;grbl&apos;</source>
+        <translation>Verbindung „grbl“</translation>
+    </message>
+    <message>
+        <source>link &apos;linuxcnc&apos;</source>
+        <translation>Verbindung „linuxcnc“</translation>
+    </message>
+    <message>
+        <source>link &apos;modbus&apos;</source>
+        <translation>Verbindung „modbus“</translation>
+    </message>
+    <message>
+        <source>link &apos;simulated&apos;</source>
+        <translation>Verbindung „simulated“</translation>
+    </message>
+    <message>
+        <source>little and big endian mixed up</source>
+        <translation>little und big endian verwechselt</translation>
+    </message>
+    <message>
+        <source>mV per g, Pa, N ... of the data sheet</source>
+        <translation>mV je g, Pa, N ... aus dem Datenblatt</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos;</source>
+        <translation>Marke „%1“</translation>
+    </message>
+    <message>
+        <source>more than %1 MB</source>
+        <translation>mehr als %1 MB</translation>
+    </message>
+    <message>
+        <source>more than a million speeds</source>
+        <translation>mehr als eine Million Drehzahlen</translation>
+    </message>
+    <message>
+        <source>move %1 away</source>
+        <translation>%1 anderswohin verschieben</translation>
+    </message>
+    <message>
+        <source>move %1 away to clear the mark of the dead writer alone</source>
+        <translation>%1 verschieben, um nur die Marke des toten Schreibers zu löschen</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>muss eine Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>must be a number other than zero</source>
+        <translation>muss eine Zahl ungleich null sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be above zero</source>
+        <translation>muss über null liegen</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must lie between 0 and 1 m</source>
+        <translation>muss zwischen 0 und 1 m liegen</translation>
+    </message>
+    <message>
+        <source>must take half a second to a minute</source>
+        <translation>muss eine halbe Sekunde bis eine Minute dauern</translation>
+    </message>
+    <message>
+        <source>name one of them or their folder: %1</source>
+        <translation>eines davon oder ihren Ordner nennen: %1</translation>
+    </message>
+    <message>
+        <source>name the one to read: FILE:/path</source>
+        <translation>das zu lesende nennen: DATEI:/Pfad</translation>
+    </message>
+    <message>
+        <source>names %1 columns where the rows have %2</source>
+        <translation>nennt %1 Spalten, wo die Zeilen %2 haben</translation>
+    </message>
+    <message>
+        <source>names parted by commas were expected</source>
+        <translation>durch Komma getrennte Namen wurden erwartet</translation>
+    </message>
+    <message>
+        <source>needs one angle per tooth</source>
+        <translation>braucht einen Winkel je Zahn</translation>
+    </message>
+    <message>
+        <source>needs the numbers t_s and ratio_chatter_to_forced</source>
+        <translation>braucht die Zahlen t_s und ratio_chatter_to_forced</translation>
+    </message>
+    <message>
+        <source>neither &apos;host&apos; nor &apos;device&apos; is given</source>
+        <translation>weder „host“ noch „device“ ist angegeben</translation>
+    </message>
+    <message>
+        <source>no GRBL status report</source>
+        <translation>kein GRBL-Statusbericht</translation>
+    </message>
+    <message>
+        <source>no accelerometer along %1</source>
+        <translation>kein Beschleunigungssensor entlang %1</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>no column is a channel</source>
+        <translation>keine Spalte ist ein Kanal</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>keine Verbindung</translation>
+    </message>
+    <message>
+        <source>no dataset 58 in it</source>
+        <translation>kein Datensatz 58 darin</translation>
+    </message>
+    <message>
+        <source>no force sensor along %1</source>
+        <translation>kein Kraftsensor entlang %1</translation>
+    </message>
+    <message>
+        <source>no model of the path from actuator to sensor</source>
+        <translation>kein Modell des Pfads vom Aktor zum Sensor</translation>
+    </message>
+    <message>
+        <source>no rows of numbers found in its first %1 lines</source>
+        <translation>keine Zahlenreihen in den ersten %1 Zeilen</translation>
+    </message>
+    <message>
+        <source>no spindle speed is given</source>
+        <translation>keine Drehzahl angegeben</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>keine solche Datei</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>niemand hat die Befugnis erneuert</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step and bandwidth must not be negative</source>
+        <translation>Rauschen, Vollausschlag, Schritt und Bandbreite dürfen nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>noise, or a sensor that is not on the table</source>
+        <translation>Rauschen, oder ein Sensor, der nicht auf dem Tisch sitzt</translation>
+    </message>
+    <message>
+        <source>none of its samples is a number</source>
+        <translation>keiner seiner Werte ist eine Zahl</translation>
+    </message>
+    <message>
+        <source>none was heard</source>
+        <translation>keiner war zu hören</translation>
+    </message>
+    <message>
+        <source>not a Stillcut session either</source>
+        <translation>auch keine Stillcut-Sitzung</translation>
+    </message>
+    <message>
+        <source>not a readable file</source>
+        <translation>keine lesbare Datei</translation>
+    </message>
+    <message>
+        <source>not a universal file of measured functions</source>
+        <translation>keine Universaldatei mit Messfunktionen</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source>nothing is heard</source>
+        <translation>nichts ist zu hören</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nichts wurde aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing was written to the actuator</source>
+        <translation>nichts ging an den Aktor</translation>
+    </message>
+    <message>
+        <source>older than %1</source>
+        <translation>älter als %1</translation>
+    </message>
+    <message>
+        <source>on-line model</source>
+        <translation>laufendes Modell</translation>
+    </message>
+    <message>
+        <source>one input from 0 for each of the %1 [[channels]], for example 0,1</source>
+        <translation>ein Eingang ab 0 für jeden der %1 [[channels]], zum Beispiel 0,1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>one of them is needed</source>
+        <translation>eines davon ist nötig</translation>
+    </message>
+    <message>
+        <source>one of them says it all</source>
+        <translation>eines davon sagt alles</translation>
+    </message>
+    <message>
+        <source>one of them says where the machine is</source>
+        <translation>eines davon sagt, wo die Maschine ist</translation>
+    </message>
+    <message>
+        <source>one row of numbers is no recording</source>
+        <translation>eine Zahlenzeile ist keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>only %1 % of what is heard is a tone near %2 Hz</source>
+        <translation>nur %1 % des Gehörten ist ein Ton bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>only HDF5 and MATLAB files have places inside</source>
+        <translation>nur HDF5- und MATLAB-Dateien haben Orte darin</translation>
+    </message>
+    <message>
+        <source>only Stillcut sessions say how they were made</source>
+        <translation>nur Stillcut-Sitzungen sagen, wie sie entstanden</translation>
+    </message>
+    <message>
+        <source>only sessions have markers</source>
+        <translation>nur Sitzungen haben Marken</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>erst öffnen</translation>
+    </message>
+    <message>
+        <source>output and reading differ in length</source>
+        <translation>Ausgabe und Messung sind verschieden lang</translation>
+    </message>
+    <message>
+        <source>path along %1</source>
+        <translation>Pfad entlang %1</translation>
+    </message>
+    <message>
+        <source>path to the force along %1</source>
+        <translation>Pfad zur Kraft entlang %1</translation>
+    </message>
+    <message>
+        <source>peaks reach three times it</source>
+        <translation>Spitzen erreichen das Dreifache</translation>
+    </message>
+    <message>
+        <source>pitch angles must be above zero</source>
+        <translation>Teilungswinkel müssen über null liegen</translation>
+    </message>
+    <message>
+        <source>pitch angles must sum to 360 degrees</source>
+        <translation>Teilungswinkel müssen zusammen 360 Grad ergeben</translation>
+    </message>
+    <message>
+        <source>pitch needs one angle per tooth</source>
+        <translation>die Teilung braucht einen Winkel je Zahn</translation>
+    </message>
+    <message>
+        <source>place needs one weight per mode</source>
+        <translation>place braucht ein Gewicht je Mode</translation>
+    </message>
+    <message>
+        <source>plughw: in front of it converts them</source>
+        <translation>plughw: davor wandelt sie um</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>point %1 is not a finite number</source>
+        <translation>Punkt %1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>point %1 is not finite</source>
+        <translation>Punkt %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>process damping (limits at low speed are too low)</source>
+        <translation>Prozessdämpfung (Grenzen bei kleiner Drehzahl sind zu niedrig)</translation>
+    </message>
+    <message>
+        <source>profile version %1 is newer than this program</source>
+        <translation>Profilversion %1 ist neuer als dieses Programm</translation>
+    </message>
+    <message>
+        <source>promises more samples than the file holds</source>
+        <translation>verspricht mehr Werte, als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>put names that hold the delimiter in quotes</source>
+        <translation>Namen, die das Trennzeichen enthalten, in Anführungszeichen setzen</translation>
+    </message>
+    <message>
+        <source>quantity or scale is missing or senseless</source>
+        <translation>Messgröße oder Faktor fehlt oder ist sinnlos</translation>
+    </message>
+    <message>
+        <source>radial immersion must lie in (0, 1]</source>
+        <translation>die radiale Eingriffsbreite muss in (0, 1] liegen</translation>
+    </message>
+    <message>
+        <source>ramps must be above zero and at most ten seconds</source>
+        <translation>Rampen müssen über null und höchstens zehn Sekunden lang sein</translation>
+    </message>
+    <message>
+        <source>random force must lie between 0 and 1000 N/sqrt(Hz)</source>
+        <translation>die Zufallskraft muss zwischen 0 und 1000 N/sqrt(Hz) liegen</translation>
+    </message>
+    <message>
+        <source>rate must lie between 10 Hz and 1 MHz</source>
+        <translation>die Rate muss zwischen 10 Hz und 1 MHz liegen</translation>
+    </message>
+    <message>
+        <source>recording failed while %1</source>
+        <translation>Aufzeichnung misslungen beim Schritt: %1</translation>
+    </message>
+    <message>
+        <source>recording stopped: the disk is nearly full</source>
+        <translation>Aufzeichnung angehalten: Datenträger fast voll; Platz schaffen und neu starten</translation>
+    </message>
+    <message>
+        <source>recording stopped: the file was deleted or moved away</source>
+        <translation>Aufzeichnung angehalten: die Datei wurde gelöscht oder verschoben</translation>
+    </message>
+    <message>
+        <source>remove the list where it belongs to another file</source>
+        <translation>die Liste entfernen, wenn sie zu einer anderen Datei gehört</translation>
+    </message>
+    <message>
+        <source>rms in %1</source>
+        <translation>Effektivwert in %1</translation>
+    </message>
+    <message>
+        <source>runout must be finite</source>
+        <translation>der Rundlauf muss endlich sein</translation>
+    </message>
+    <message>
+        <source>runout needs one value per tooth</source>
+        <translation>der Rundlauf braucht einen Wert je Zahn</translation>
+    </message>
+    <message>
+        <source>sample %1 of &apos;%2&apos;</source>
+        <translation>Wert %1 von „%2“</translation>
+    </message>
+    <message>
+        <source>samples a second, from 100 to 1000000</source>
+        <translation>Werte je Sekunde, von 100 bis 1000000</translation>
+    </message>
+    <message>
+        <source>samples a second, one of the device&apos;s</source>
+        <translation>Werte je Sekunde, eine Rate des Geräts</translation>
+    </message>
+    <message>
+        <source>save each segment as a file of its own</source>
+        <translation>jeden Abschnitt als eigene Datei sichern</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>als UTF-8 sichern</translation>
+    </message>
+    <message>
+        <source>say which one it should lie along</source>
+        <translation>angeben, entlang welcher sie liegen soll</translation>
+    </message>
+    <message>
+        <source>see gate.highest-feed</source>
+        <translation>siehe gate.highest-feed</translation>
+    </message>
+    <message>
+        <source>see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and gate.highest-cutting-speed</source>
+        <translation>siehe gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed und gate.highest-cutting-speed</translation>
+    </message>
+    <message>
+        <source>semi-discretization needs 1 to 2000 cells a tooth period</source>
+        <translation>die Semidiskretisierung braucht 1 bis 2000 Zellen je Zahnperiode</translation>
+    </message>
+    <message>
+        <source>serial ports are not part of this build</source>
+        <translation>serielle Anschlüsse gehören nicht zu diesem Programmbau</translation>
+    </message>
+    <message>
+        <source>set [device] subdevice</source>
+        <translation>[device] subdevice angeben</translation>
+    </message>
+    <message>
+        <source>set its gain lower</source>
+        <translation>seine Verstärkung kleiner stellen</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>setting the length</source>
+        <translation>Länge festlegen</translation>
+    </message>
+    <message>
+        <source>simulate a variable pitch instead</source>
+        <translation>ungleiche Teilung stattdessen simulieren</translation>
+    </message>
+    <message>
+        <source>simulated cut</source>
+        <translation>simulierter Schnitt</translation>
+    </message>
+    <message>
+        <source>simulated machine</source>
+        <translation>simulierte Maschine</translation>
+    </message>
+    <message>
+        <source>simulated source</source>
+        <translation>simulierte Quelle</translation>
+    </message>
+    <message>
+        <source>simulated: %1</source>
+        <translation>simuliert: %1</translation>
+    </message>
+    <message>
+        <source>sound file</source>
+        <translation>Tondatei</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>source &apos;alsa&apos;</source>
+        <translation>Quelle „alsa“</translation>
+    </message>
+    <message>
+        <source>source &apos;comedi&apos;</source>
+        <translation>Quelle „comedi“</translation>
+    </message>
+    <message>
+        <source>source &apos;iio&apos;</source>
+        <translation>Quelle „iio“</translation>
+    </message>
+    <message>
+        <source>source &apos;joined&apos;</source>
+        <translation>Quelle „joined“</translation>
+    </message>
+    <message>
+        <source>source &apos;replay&apos;</source>
+        <translation>Quelle „replay“</translation>
+    </message>
+    <message>
+        <source>source &apos;serial&apos;</source>
+        <translation>Quelle „serial“</translation>
+    </message>
+    <message>
+        <source>source &apos;simulated&apos;</source>
+        <translation>Quelle „simulated“</translation>
+    </message>
+    <message>
+        <source>source &apos;tcp&apos;</source>
+        <translation>Quelle „tcp“</translation>
+    </message>
+    <message>
+        <source>speed must lie between 1 and 200000 rev/min</source>
+        <translation>die Drehzahl muss zwischen 1 und 200000 U/min liegen</translation>
+    </message>
+    <message>
+        <source>speeds must be FROM:TO:STEP with 0 &lt; FROM &lt;= TO</source>
+        <translation>Drehzahlen als VON:BIS:SCHRITT mit 0 &lt; VON &lt;= BIS</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>stability lobes need a force exponent of 1</source>
+        <translation>Stabilitätskarten brauchen den Kraftexponenten 1</translation>
+    </message>
+    <message>
+        <source>stability lobes need a regular pitch</source>
+        <translation>Stabilitätskarten brauchen gleiche Teilung</translation>
+    </message>
+    <message>
+        <source>steps must be 8 to 5000</source>
+        <translation>steps muss 8 bis 5000 sein</translation>
+    </message>
+    <message>
+        <source>steps per revolution must lie between 0 (automatic) and 1000000</source>
+        <translation>Schritte je Umdrehung müssen zwischen 0 (automatisch) und 1000000 liegen</translation>
+    </message>
+    <message>
+        <source>stiffness must be above zero</source>
+        <translation>die Steifigkeit muss über null liegen</translation>
+    </message>
+    <message>
+        <source>stop it first</source>
+        <translation>erst anhalten</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>Strategie</translation>
+    </message>
+    <message>
+        <source>strategy &apos;active&apos; needs a table [work_holder]</source>
+        <translation>Strategie „active“ braucht eine Tabelle [work_holder]</translation>
+    </message>
+    <message>
+        <source>subdevice %1 is no analog output</source>
+        <translation>Untergerät %1 ist kein analoger Ausgang</translation>
+    </message>
+    <message>
+        <source>such a machine tells nothing of its program</source>
+        <translation>eine solche Maschine sagt nichts über ihr Programm</translation>
+    </message>
+    <message>
+        <source>such devices are not part of this build</source>
+        <translation>solche Geräte gehören nicht zu diesem Programmbau</translation>
+    </message>
+    <message>
+        <source>switch &apos;active.auxiliary&apos; off, or take shorter blocks</source>
+        <translation>„active.auxiliary“ ausschalten oder kürzere Blöcke nehmen</translation>
+    </message>
+    <message>
+        <source>t0_s and t1_s must be times, one after the other</source>
+        <translation>t0_s und t1_s müssen Zeiten sein, eine nach der anderen</translation>
+    </message>
+    <message>
+        <source>take a larger step</source>
+        <translation>größeren Schritt nehmen</translation>
+    </message>
+    <message>
+        <source>take a smaller depth</source>
+        <translation>kleinere Schnitttiefe nehmen</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>Aufgabe</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to 12, not %1</source>
+        <translation>1 bis 12 Zähne, nicht %1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file cannot be opened</source>
+        <translation>die HDF5-Datei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the [[channels]] are %1 in all, and %2 of them are taken</source>
+        <translation>es sind insgesamt %1 [[channels]], und %2 davon sind vergeben</translation>
+    </message>
+    <message>
+        <source>the active table needs one per axis</source>
+        <translation>der aktive Tisch braucht einen je Achse</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>der Aktor war am Anschlag und die Schwingung wuchs</translation>
+    </message>
+    <message>
+        <source>the amplitude limit must be above zero</source>
+        <translation>die Amplitudengrenze muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the block does not fit where it is read to</source>
+        <translation>der Block passt nicht an seinen Platz</translation>
+    </message>
+    <message>
+        <source>the calibrator&apos;s level</source>
+        <translation>der Pegel des Kalibrators</translation>
+    </message>
+    <message>
+        <source>the chosen channel has no axis</source>
+        <translation>der gewählte Kanal hat keine Achse</translation>
+    </message>
+    <message>
+        <source>the cut is too unstable for double precision</source>
+        <translation>der Schnitt ist zu instabil für doppelte Genauigkeit</translation>
+    </message>
+    <message>
+        <source>the data chunk is missing: a truncated file</source>
+        <translation>der Datenblock fehlt: eine abgeschnittene Datei</translation>
+    </message>
+    <message>
+        <source>the delays must rise from 0 or more to at most 10 s</source>
+        <translation>die Verzögerungen müssen von 0 oder mehr bis höchstens 10 s steigen</translation>
+    </message>
+    <message>
+        <source>the detector in charge or its fallback is not among the enabled ones</source>
+        <translation>der führende Detektor oder sein Ersatz gehört nicht zu den eingeschalteten</translation>
+    </message>
+    <message>
+        <source>the device does not run</source>
+        <translation>das Gerät läuft nicht</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>das Gerät hat einen Block verloren</translation>
+    </message>
+    <message>
+        <source>the devices have %1: N_channels says how many are theirs</source>
+        <translation>die Geräte haben %1: N_channels sagt, wie viele ihnen gehören</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>das Ende</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>der Fehlersensor steht still</translation>
+    </message>
+    <message>
+        <source>the fastest mode swings %1 times between two teeth</source>
+        <translation>die schnellste Mode schwingt %1-mal zwischen zwei Zähnen</translation>
+    </message>
+    <message>
+        <source>the feed range must rise from 0 or more to at most 300 %</source>
+        <translation>der Vorschubbereich muss von 0 oder mehr bis höchstens 300 % steigen</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file is cut off or its header is wrong</source>
+        <translation>die Datei ist abgeschnitten oder ihr Kopf ist falsch</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>der Ordner lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the folder cannot be written to</source>
+        <translation>in den Ordner lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the gear&apos;s table must hold [cut] speed_rpm, or there is nothing to go back to</source>
+        <translation>die Tabelle der Getriebestufe muss [cut] speed_rpm enthalten, sonst gibt es nichts, wohin zurück</translation>
+    </message>
+    <message>
+        <source>the header is not &apos;t,rpm&apos;</source>
+        <translation>der Kopf ist nicht „t,rpm“</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of samples, the file holds %2</source>
+        <translation>der Kopf verspricht %1 Bytes Messwerte, die Datei enthält %2</translation>
+    </message>
+    <message>
+        <source>the host cannot be found</source>
+        <translation>der Rechner ist nicht zu finden</translation>
+    </message>
+    <message>
+        <source>the leak must lie between 0.9 and 1</source>
+        <translation>das Leck muss zwischen 0,9 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the lease is shorter than two blocks</source>
+        <translation>die Befugnis ist kürzer als zwei Blöcke</translation>
+    </message>
+    <message>
+        <source>the lease must be above zero and at most one second</source>
+        <translation>die Befugnis muss über null und höchstens eine Sekunde lang sein</translation>
+    </message>
+    <message>
+        <source>the level moves by %1 %</source>
+        <translation>der Pegel schwankt um %1 %</translation>
+    </message>
+    <message>
+        <source>the line is too long</source>
+        <translation>die Zeile ist zu lang</translation>
+    </message>
+    <message>
+        <source>the longest was %1 of %2</source>
+        <translation>das längste war %1 von %2</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>die Schleife divergierte</translation>
+    </message>
+    <message>
+        <source>the lowest feed is not below the highest</source>
+        <translation>der kleinste Vorschub liegt nicht unter dem größten</translation>
+    </message>
+    <message>
+        <source>the lowest speed is not below the highest</source>
+        <translation>die kleinste Drehzahl liegt nicht unter der größten</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s override cannot reach the allowed range</source>
+        <translation>der Override der Maschine erreicht den erlaubten Bereich nicht</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s state is incomplete</source>
+        <translation>der Zustand der Maschine ist unvollständig</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s watchdog was not seen to act</source>
+        <translation>der Wächter der Maschine hat sich nicht gerührt</translation>
+    </message>
+    <message>
+        <source>the marker cannot be written</source>
+        <translation>die Marke lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the markers cannot be read</source>
+        <translation>die Marken lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the model along %1 is %2 minutes old</source>
+        <translation>das Modell entlang %1 ist %2 Minuten alt</translation>
+    </message>
+    <message>
+        <source>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</source>
+        <translation>das Modell entlang %1 verspricht auf den zu dämpfenden Linien keine Stabilität, am schlechtesten bei %2 Hz</translation>
+    </message>
+    <message>
+        <source>the nearest is %1</source>
+        <translation>am nächsten liegt %1</translation>
+    </message>
+    <message>
+        <source>the number of channels changed</source>
+        <translation>die Kanalzahl hat sich geändert</translation>
+    </message>
+    <message>
+        <source>the order of semi-discretization must be 0 or 1</source>
+        <translation>die Ordnung der Semidiskretisierung muss 0 oder 1 sein</translation>
+    </message>
+    <message>
+        <source>the output does not take the programmed values</source>
+        <translation>der Ausgang nimmt die programmierten Werte nicht an</translation>
+    </message>
+    <message>
+        <source>the pace must be above zero</source>
+        <translation>das Tempo muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the pace must be zero (as fast as possible) or above, with a clock</source>
+        <translation>das Tempo muss null (so schnell wie möglich) oder größer sein, mit einer Uhr</translation>
+    </message>
+    <message>
+        <source>the path may be later than its model says; identify it again</source>
+        <translation>der Pfad kann später sein, als sein Modell sagt; neu identifizieren</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model has more than %1 taps</source>
+        <translation>das Pfadmodell hat mehr als %1 Koeffizienten</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model holds a number that is not finite</source>
+        <translation>das Pfadmodell enthält eine nicht endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model is delayed by more than %1 samples</source>
+        <translation>das Pfadmodell ist um mehr als %1 Werte verzögert</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model is unstable</source>
+        <translation>das Pfadmodell ist instabil</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model says that the actuator does nothing</source>
+        <translation>laut Pfadmodell bewirkt der Aktor nichts</translation>
+    </message>
+    <message>
+        <source>the paths are being identified</source>
+        <translation>die Pfade werden identifiziert</translation>
+    </message>
+    <message>
+        <source>the profile&apos;s has %1</source>
+        <translation>das des Profils hat %1</translation>
+    </message>
+    <message>
+        <source>the programmed speed is outside the speed table</source>
+        <translation>die programmierte Drehzahl liegt außerhalb der Drehzahltabelle</translation>
+    </message>
+    <message>
+        <source>the programmed value must be reachable</source>
+        <translation>der programmierte Wert muss erreichbar sein</translation>
+    </message>
+    <message>
+        <source>the range of the feed override is empty</source>
+        <translation>der Bereich des Vorschub-Overrides ist leer</translation>
+    </message>
+    <message>
+        <source>the range of the speed override is empty</source>
+        <translation>der Bereich des Drehzahl-Overrides ist leer</translation>
+    </message>
+    <message>
+        <source>the reading does not follow the actuator</source>
+        <translation>die Messung folgt dem Aktor nicht</translation>
+    </message>
+    <message>
+        <source>the registers do not answer</source>
+        <translation>die Register antworten nicht</translation>
+    </message>
+    <message>
+        <source>the repaired file could not be written</source>
+        <translation>die reparierte Datei ließ sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>der Lauf ist beendet</translation>
+    </message>
+    <message>
+        <source>the sample rate must be above zero</source>
+        <translation>die Abtastrate muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the samples are missing</source>
+        <translation>die Messwerte fehlen</translation>
+    </message>
+    <message>
+        <source>the samples cannot be read</source>
+        <translation>die Messwerte lassen sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: it holds neither a rate nor times</source>
+        <translation>die Abtastrate ist unbekannt: weder Rate noch Zeiten enthalten</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: there is no time column</source>
+        <translation>die Abtastrate ist unbekannt: es gibt keine Zeitspalte</translation>
+    </message>
+    <message>
+        <source>the sampling rate is senseless</source>
+        <translation>die Abtastrate ist sinnlos</translation>
+    </message>
+    <message>
+        <source>the sensor read nothing</source>
+        <translation>der Sensor las nichts</translation>
+    </message>
+    <message>
+        <source>the session file cannot be created</source>
+        <translation>die Sitzungsdatei lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the session file cannot be opened</source>
+        <translation>die Sitzungsdatei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>the session file cannot be repaired</source>
+        <translation>die Sitzungsdatei lässt sich nicht reparieren</translation>
+    </message>
+    <message>
+        <source>the session file is damaged</source>
+        <translation>die Sitzungsdatei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the session file was not closed cleanly</source>
+        <translation>die Sitzungsdatei wurde nicht sauber geschlossen</translation>
+    </message>
+    <message>
+        <source>the session has others</source>
+        <translation>die Sitzung hat andere</translation>
+    </message>
+    <message>
+        <source>the session is closed</source>
+        <translation>die Sitzung ist geschlossen</translation>
+    </message>
+    <message>
+        <source>the setup is missing</source>
+        <translation>die Einrichtung fehlt</translation>
+    </message>
+    <message>
+        <source>the setup is senseless</source>
+        <translation>die Einrichtung ist sinnlos</translation>
+    </message>
+    <message>
+        <source>the size in its header is wrong, or the file is cut off</source>
+        <translation>die Größe im Kopf ist falsch, oder die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the slew limit must be above zero</source>
+        <translation>die Anstiegsgrenze muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the span from %1 is empty</source>
+        <translation>der Abschnitt ab %1 ist leer</translation>
+    </message>
+    <message>
+        <source>the span holds no samples</source>
+        <translation>der Abschnitt enthält keine Messwerte</translation>
+    </message>
+    <message>
+        <source>the speed must be above zero</source>
+        <translation>die Drehzahl muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the speed range is empty</source>
+        <translation>der Drehzahlbereich ist leer</translation>
+    </message>
+    <message>
+        <source>the speed range must rise from above 0 to at most 300 %</source>
+        <translation>der Drehzahlbereich muss von über 0 bis höchstens 300 % steigen</translation>
+    </message>
+    <message>
+        <source>the step between speeds must be above zero</source>
+        <translation>der Schritt zwischen Drehzahlen muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the step must lie between 0 and 1</source>
+        <translation>der Schritt muss zwischen 0 und 1 liegen</translation>
+    </message>
+    <message>
+        <source>the table of blocks cannot be read</source>
+        <translation>die Blocktabelle lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>the tangential coefficient must be above zero</source>
+        <translation>der tangentiale Koeffizient muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the time column does not grow</source>
+        <translation>die Zeitspalte wächst nicht</translation>
+    </message>
+    <message>
+        <source>the time does not rise</source>
+        <translation>die Zeit steigt nicht</translation>
+    </message>
+    <message>
+        <source>the time repeats</source>
+        <translation>die Zeit wiederholt sich</translation>
+    </message>
+    <message>
+        <source>the time runs backwards</source>
+        <translation>die Zeit läuft rückwärts</translation>
+    </message>
+    <message>
+        <source>the time steps are uneven</source>
+        <translation>die Zeitschritte sind ungleich</translation>
+    </message>
+    <message>
+        <source>the tone is cut off at the input&apos;s limit</source>
+        <translation>der Ton ist an der Grenze des Eingangs abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the tool has %1 teeth</source>
+        <translation>das Werkzeug hat %1 Zähne</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s cutting speed lies below the speed range</source>
+        <translation>die Schnittgeschwindigkeit des Werkzeugs liegt unter dem Drehzahlbereich</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s cutting speed must be above zero</source>
+        <translation>die Schnittgeschwindigkeit des Werkzeugs muss über null liegen</translation>
+    </message>
+    <message>
+        <source>the value is not a finite number</source>
+        <translation>der Wert ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the work-holder needs a flexure with frequency, damping and stiffness</source>
+        <translation>der Werkstückhalter braucht ein Gelenk mit Frequenz, Dämpfung und Steifigkeit</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s filter and amplifier need a bandwidth and a slew limit</source>
+        <translation>Filter und Verstärker des Werkstückhalters brauchen Bandbreite und Anstiegsgrenze</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s lines to quieten must be positive frequencies</source>
+        <translation>die zu dämpfenden Linien des Werkstückhalters müssen positive Frequenzen sein</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s stroke must be above zero and at most 1 mm</source>
+        <translation>der Hub des Werkstückhalters muss über null und höchstens 1 mm sein</translation>
+    </message>
+    <message>
+        <source>there are: </source>
+        <translation>es gibt: </translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>es gibt: %1</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>es gibt keinen Kanal %1</translation>
+    </message>
+    <message>
+        <source>there is no clock here</source>
+        <translation>hier gibt es keine Uhr</translation>
+    </message>
+    <message>
+        <source>there is no plant to drive</source>
+        <translation>es gibt keine Strecke zu steuern</translation>
+    </message>
+    <message>
+        <source>there is no such array in the file</source>
+        <translation>ein solches Feld gibt es in der Datei nicht</translation>
+    </message>
+    <message>
+        <source>there is no such data set or folder in the file</source>
+        <translation>einen solchen Datensatz oder Ordner gibt es in der Datei nicht</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>eine solche Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no trigger &apos;%1&apos; at %2</source>
+        <translation>es gibt keinen Trigger „%1“ an %2</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real device here</source>
+        <translation>hier führt keine Leitung zu einem echten Gerät</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real machine here</source>
+        <translation>hier führt keine Leitung zu einer echten Maschine</translation>
+    </message>
+    <message>
+        <source>there is nothing to exchange it with</source>
+        <translation>es gibt nichts, womit er zu tauschen wäre</translation>
+    </message>
+    <message>
+        <source>they must rise</source>
+        <translation>sie müssen steigen</translation>
+    </message>
+    <message>
+        <source>this HDF5 library cannot repair files</source>
+        <translation>diese HDF5-Bibliothek kann keine Dateien reparieren</translation>
+    </message>
+    <message>
+        <source>this is no text recording</source>
+        <translation>das ist keine Textaufzeichnung</translation>
+    </message>
+    <message>
+        <source>this program reads versions %1 to %2</source>
+        <translation>dieses Programm liest Versionen %1 bis %2</translation>
+    </message>
+    <message>
+        <source>this program was built without alsa-lib</source>
+        <translation>dieses Programm wurde ohne alsa-lib gebaut</translation>
+    </message>
+    <message>
+        <source>this recording cannot be gone back in</source>
+        <translation>in dieser Aufzeichnung geht es nicht zurück</translation>
+    </message>
+    <message>
+        <source>too large for a sample</source>
+        <translation>zu groß für einen Messwert</translation>
+    </message>
+    <message>
+        <source>too short</source>
+        <translation>zu kurz</translation>
+    </message>
+    <message>
+        <source>too short to identify a path from</source>
+        <translation>zu kurz, um einen Pfad zu identifizieren</translation>
+    </message>
+    <message>
+        <source>turns too slowly for its rate</source>
+        <translation>dreht zu langsam für seine Rate</translation>
+    </message>
+    <message>
+        <source>two devices or more are joined: 1_id, 2_id ...</source>
+        <translation>zwei oder mehr Geräte werden verbunden: 1_id, 2_id ...</translation>
+    </message>
+    <message>
+        <source>two seconds are needed</source>
+        <translation>zwei Sekunden sind nötig</translation>
+    </message>
+    <message>
+        <source>two seconds of the tone are needed</source>
+        <translation>zwei Sekunden des Tons sind nötig</translation>
+    </message>
+    <message>
+        <source>unevenness must lie between 0 and 0.01 / sqrt(Hz)</source>
+        <translation>die Ungleichmäßigkeit muss zwischen 0 und 0,01 / sqrt(Hz) liegen</translation>
+    </message>
+    <message>
+        <source>universal file, dataset 58</source>
+        <translation>Universaldatei, Datensatz 58</translation>
+    </message>
+    <message>
+        <source>unknown id &apos;%1&apos;</source>
+        <translation>unbekannte Kennung „%1“</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>unbekannter Schlüssel „%1“</translation>
+    </message>
+    <message>
+        <source>up to 64 can be read</source>
+        <translation>bis zu 64 lassen sich lesen</translation>
+    </message>
+    <message>
+        <source>use the link &apos;simulated&apos;</source>
+        <translation>die Verbindung „simulated“ verwenden</translation>
+    </message>
+    <message>
+        <source>variable %1</source>
+        <translation>Variable %1</translation>
+    </message>
+    <message>
+        <source>virtual data sets are not read</source>
+        <translation>virtuelle Datensätze werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>volts of one device unit, for example of full scale</source>
+        <translation>Volt einer Geräteeinheit, zum Beispiel des Vollausschlags</translation>
+    </message>
+    <message>
+        <source>wait for the end</source>
+        <translation>das Ende abwarten</translation>
+    </message>
+    <message>
+        <source>was stopped</source>
+        <translation>wurde angehalten</translation>
+    </message>
+    <message>
+        <source>what full scale means must be a number other than 0</source>
+        <translation>was Vollausschlag bedeutet, muss eine Zahl ungleich 0 sein</translation>
+    </message>
+    <message>
+        <source>what is there is left as it is</source>
+        <translation>was da ist, bleibt, wie es ist</translation>
+    </message>
+    <message>
+        <source>what would the machine watch?</source>
+        <translation>was würde die Maschine überwachen?</translation>
+    </message>
+    <message>
+        <source>without it nothing can be told or done</source>
+        <translation>ohne sie lässt sich nichts sagen oder tun</translation>
+    </message>
+    <message>
+        <source>writing the journal</source>
+        <translation>Journal schreiben</translation>
+    </message>
+    <message>
+        <source>writing to disk</source>
+        <translation>auf den Datenträger schreiben</translation>
+    </message>
+    <message>
+        <source>x and y are on the same channel</source>
+        <translation>x und y liegen auf demselben Kanal</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force (a tooth cuts %1 % of the time): expect errors of tens of percent between the lobes; the exact method has none</source>
+        <translation>die nullte Ordnung mittelt die Kraft (ein Zahn schneidet %1 % der Zeit): zwischen den Lobes sind Fehler von einigen zehn Prozent zu erwarten; die exakte Methode hat keine</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
+        <translation>die nullte Ordnung mittelt die Kraft, obwohl ein Zahn nur %1 % der Zeit schneidet: Grenzen können viel zu hoch sein, Flip-Lobes und Inseln fehlen; die exakte Methode nehmen</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1480,10 +4648,6 @@
         <translation>Aus</translation>
     </message>
     <message>
-        <source>still learning the noise, {0.1} s to go</source>
-        <translation>lernt noch das Grundrauschen, noch {0.1} s</translation>
-    </message>
-    <message>
         <source>the spindle speed is not known</source>
         <translation>die Drehzahl ist nicht bekannt</translation>
     </message>
@@ -1492,8 +4656,8 @@
         <translation>die Zähnezahl ist nicht bekannt</translation>
     </message>
     <message>
-        <source>{0.0} samples are missing</source>
-        <translation>{0.0} Abtastwerte fehlen</translation>
+        <source>samples are missing ({0.0} counted)</source>
+        <translation>es fehlen Abtastwerte ({0.0} gezählt)</translation>
     </message>
     <message>
         <source>the sensor is at its limit</source>
@@ -1792,8 +4956,8 @@
         <translation>das Werkzeug verließ den Schnitt nach {0.2} s und {1.1} mm Vorschub im Rattern</translation>
     </message>
     <message>
-        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
-        <translation>Kanal {0.0} verstummte im Schnitt, während ein anderer weiterläuft, nach einem Kabelbruch sehen</translation>
+        <source>channel {0.0} fell silent in the middle of the cut, look for a broken cable</source>
+        <translation>Kanal {0.0} verstummte mitten im Schnitt, nach einem Kabelbruch sehen</translation>
     </message>
     <message>
         <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
@@ -1816,16 +4980,20 @@
         <translation>die Kanäle {0.0} und {1.0} nennen zwei Achsen und liefern dasselbe, einer ist falsch verdrahtet oder benannt</translation>
     </message>
     <message>
-        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
-        <translation>Kanal {0.0} wiederholt jeden Wert, seine Werte wurden mit kleinerer Rate aufgenommen als angegeben</translation>
-    </message>
-    <message>
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>das Gerät liefert {0.1} Werte in der Sekunde statt {1.1}</translation>
     </message>
     <message>
         <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
         <translation>Kanal {0.0} zeigt bei {1.1} Hz eine Linie, die sich wie die zurückgefaltete Ordnung {2.0} bewegt, sein Antialiasing-Filter fehlt</translation>
+    </message>
+    <message>
+        <source>still learning, {0.1} s to go</source>
+        <translation>lernt noch, {0.1} s fehlen</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats its values, or comes at another rate than told</source>
+        <translation>Kanal {0.0} wiederholt Werte oder kommt mit anderer Rate als angegeben</translation>
     </message>
 </context>
 <context>
@@ -1869,6 +5037,32 @@
     <message>
         <source>Settings at the beginning</source>
         <translation>Einstellungen zu Beginn</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>Das Gerät ist weg; wenn es wieder da ist, neu identifizieren</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>Wiedergabe: %1</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>der Lauf ist zu Ende</translation>
+    </message>
+</context>
+<context>
+    <name>Trial</name>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz, Kanäle: %2</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1: ein Ton von %2 Hz, %3 % des Gehörten; Faktor %4 ± %5 %6</translation>
     </message>
 </context>
 <context>
@@ -2110,10 +5304,6 @@
         <translation>Sie haben das Kommando</translation>
     </message>
     <message>
-        <source>speed %1, feed %2</source>
-        <translation>Drehzahl %1, Vorschub %2</translation>
-    </message>
-    <message>
         <source>Stillcut is in command</source>
         <translation>Stillcut hat das Kommando</translation>
     </message>
@@ -2154,16 +5344,12 @@
         <translation>RATTERN</translation>
     </message>
     <message>
-        <source>Hopf</source>
-        <translation>Hopf</translation>
-    </message>
-    <message>
         <source>period doubling</source>
-        <translation>Periodenverdopplung</translation>
+        <translation>doppelte Periode</translation>
     </message>
     <message>
         <source>forced vibration</source>
-        <translation>erzwungene Schwingung</translation>
+        <translation>fremderregt</translation>
     </message>
     <message>
         <source>growing</source>
@@ -2954,8 +6140,8 @@
         <translation>ein eigener Regelkreis</translation>
     </message>
     <message>
-        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
-        <translation>Weiteres Gerät, %1 Kanäle: %2 nach der Uhr dieses Rechners, auf %3 µs ausgerichtet</translation>
+        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, times steady within %3 µs, beside any constant delay of its wire</source>
+        <translation>Weiteres Gerät, %1 Kanäle: %2 nach der Uhr dieses Rechners, Zeiten auf %3 µs gleichmäßig, ohne eine feste Verzögerung seiner Leitung</translation>
     </message>
     <message>
         <source>No program runs, or the machine is off</source>
@@ -3058,18 +6244,6 @@
         <translation>Der Watchdog der Maschine oder der Schalter des Bedieners hat Stillcut herausgenommen</translation>
     </message>
     <message>
-        <source>FIND THE MACHINE</source>
-        <translation>MASCHINE SUCHEN</translation>
-    </message>
-    <message>
-        <source>more hosts, or 192.168.1.0/24</source>
-        <translation>weitere Rechner, oder 192.168.1.0/24</translation>
-    </message>
-    <message>
-        <source>What was found</source>
-        <translation>Gefunden</translation>
-    </message>
-    <message>
         <source>identifying, %1</source>
         <translation>identifiziert, %1</translation>
     </message>
@@ -3084,6 +6258,74 @@
     <message>
         <source>Table</source>
         <translation>Tisch</translation>
+    </message>
+    <message>
+        <source>The marker is in the file</source>
+        <translation>Die Markierung steht in der Datei</translation>
+    </message>
+    <message>
+        <source>Vibration %1</source>
+        <translation>Schwingung %1</translation>
+    </message>
+    <message>
+        <source>Vibration %1: the chatter is gone</source>
+        <translation>Schwingung %1: Rattern weg</translation>
+    </message>
+    <message>
+        <source>Vibration %1: no chatter, %2 is the teeth</source>
+        <translation>Schwingung %1: kein Rattern, %2 Zähne</translation>
+    </message>
+    <message>
+        <source>Onset %1, quiet after %2, nothing marked</source>
+        <translation>Ansatz %1, ruhig nach %2, nichts markiert</translation>
+    </message>
+    <message>
+        <source>Onsets in this run: %1, no chatter</source>
+        <translation>Ansätze in diesem Lauf: %1, kein Rattern</translation>
+    </message>
+    <message>
+        <source>ADVICE IN THE REPLAY</source>
+        <translation>RAT IN DER WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>live, %1</source>
+        <translation>live, %1</translation>
+    </message>
+    <message>
+        <source>being checked</source>
+        <translation>in Prüfung</translation>
+    </message>
+    <message>
+        <source>regenerative</source>
+        <translation>regenerativ</translation>
+    </message>
+    <message>
+        <source>Not computed so deep</source>
+        <translation>So tief nicht berechnet</translation>
+    </message>
+    <message>
+        <source>no limit found down to %1</source>
+        <translation>bis %1 keine Grenze gefunden</translation>
+    </message>
+    <message>
+        <source>STABLE, no limit found down to %1</source>
+        <translation>STABIL, bis %1 keine Grenze gefunden</translation>
+    </message>
+    <message>
+        <source>limit deeper than %1</source>
+        <translation>Grenze tiefer als %1</translation>
+    </message>
+    <message>
+        <source>, B: %1</source>
+        <translation>, B: %1</translation>
+    </message>
+    <message>
+        <source>dB re 1 %1</source>
+        <translation>dB re 1 %1</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1 eff.</translation>
     </message>
 </context>
 <context>
@@ -3264,6 +6506,10 @@
         <source>F4, no watchdog</source>
         <translation>F4, ohne Watchdog</translation>
     </message>
+    <message>
+        <source>ACCEPT</source>
+        <translation>ANNEHMEN</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::DisplayPanel</name>
@@ -3390,6 +6636,30 @@
         <source>depth of cut [mm]</source>
         <translation>Schnitttiefe [mm]</translation>
     </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>was wäre wenn</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>war stabil</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>Rattern</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::LobesPage</name>
@@ -3434,10 +6704,6 @@
         <translation>Ruhige Bereiche in dieser Tiefe</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
-        <translation>Einen Bereich wählen, um seine beste Drehzahl zu versuchen. In Klammern: außerhalb der Reichweite des Overrides.</translation>
-    </message>
-    <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
         <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Mit dem Hammer messen (Aufbau) oder im Profil eine Modelldatei nennen; mehr braucht das Diagramm nicht.</translation>
     </message>
@@ -3450,16 +6716,24 @@
         <translation>Rechnet; das vorige Diagramm bleibt bis dahin stehen</translation>
     </message>
     <message>
-        <source>%1. Left out: %2</source>
-        <translation>%1. Nicht berücksichtigt: %2</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>Abgebrochen</translation>
     </message>
     <message>
         <source>Cannot be computed: %1</source>
         <translation>Kann nicht berechnet werden: %1</translation>
+    </message>
+    <message>
+        <source>In brackets: beyond the override&apos;s reach</source>
+        <translation>In Klammern: außerhalb der Reichweite des Overrides</translation>
+    </message>
+    <message>
+        <source>Choose a pocket to try its best speed</source>
+        <translation>Einen Bereich wählen, um seine beste Drehzahl zu versuchen</translation>
+    </message>
+    <message>
+        <source>Nothing new arrives: the working point is not shown</source>
+        <translation>Nichts Neues kommt an: Der Arbeitspunkt wird nicht gezeigt</translation>
     </message>
 </context>
 <context>
@@ -3570,6 +6844,14 @@
     <message>
         <source>Marker removed</source>
         <translation>Markierung entfernt</translation>
+    </message>
+    <message>
+        <source>Marker put back</source>
+        <translation>Markierung zurückgeholt</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>ZURÜCK</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +7036,14 @@
         <source>down to</source>
         <translation>bis</translation>
     </message>
+    <message>
+        <source>&gt; %1</source>
+        <translation>&gt; %1</translation>
+    </message>
+    <message>
+        <source>No limit found: the search ended there</source>
+        <translation>Keine Grenze gefunden: dort endete die Suche</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>
@@ -3792,6 +7082,10 @@
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
         <translation>Kein Zeitpunkt: 14:03:20 schreiben, oder -12 für Sekunden zuvor</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>ZURÜCK</translation>
     </message>
 </context>
 <context>
@@ -3959,6 +7253,14 @@
         <source>as recorded</source>
         <translation>Aufnahme</translation>
     </message>
+    <message>
+        <source>before</source>
+        <translation>vorher</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>nachher</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionsPage</name>
@@ -4090,6 +7392,18 @@
         <source>Not scored: %1</source>
         <translation>Nicht gewertet: %1</translation>
     </message>
+    <message>
+        <source>BESIDE</source>
+        <translation>DANEBEN</translation>
+    </message>
+    <message>
+        <source>Keep this recording beside the next one that is opened</source>
+        <translation>Diese Aufnahme neben der nächsten behalten, die geöffnet wird</translation>
+    </message>
+    <message>
+        <source>Open another recording: this one stays beside it, as the dashed line</source>
+        <translation>Eine andere Aufnahme öffnen: diese bleibt daneben, als gestrichelte Linie</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SettingsForm</name>
@@ -4187,6 +7501,18 @@
         <source>Nothing is looked for before you ask.</source>
         <translation>Gesucht wird erst, wenn Sie es verlangen.</translation>
     </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>MASCHINE SUCHEN</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>weitere Rechner, oder 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Was gefunden wurde</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupGuide</name>
@@ -4246,10 +7572,6 @@
         <translation>Programmierte Drehzahl in 1/min</translation>
     </message>
     <message>
-        <source>Programmed feed in mm per minute</source>
-        <translation>Programmierter Vorschub in mm je Minute</translation>
-    </message>
-    <message>
         <source>AUTO MAY BE CHOSEN</source>
         <translation>AUTOMATIK WÄHLBAR</translation>
     </message>
@@ -4266,12 +7588,20 @@
         <translation>Drehzahl, 1/min</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
-        <translation>Vorschub, mm/min</translation>
-    </message>
-    <message>
         <source>LINK TO THE CONTROL</source>
         <translation>VERBINDUNG ZUR STEUERUNG</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Programmierter Vorschub</translation>
+    </message>
+    <message>
+        <source>Feed, %1</source>
+        <translation>Vorschub, %1</translation>
+    </message>
+    <message>
+        <source>Programmed feed in %1</source>
+        <translation>Programmierter Vorschub in %1</translation>
     </message>
 </context>
 <context>
@@ -4592,10 +7922,6 @@
         <translation>Zähne</translation>
     </message>
     <message>
-        <source>Diameter, mm</source>
-        <translation>Durchmesser, mm</translation>
-    </message>
-    <message>
         <source>Pitch angles, degrees</source>
         <translation>Teilung, Grad</translation>
     </message>
@@ -4690,6 +8016,34 @@
     <message>
         <source>Noted</source>
         <translation>Vermerkt</translation>
+    </message>
+    <message>
+        <source>Not kept: the pitch needs one angle per tooth, 360 degrees together</source>
+        <translation>Nicht behalten: Die Teilung braucht einen Winkel je Zahn, zusammen 360 Grad</translation>
+    </message>
+    <message>
+        <source>PUT IT BACK</source>
+        <translation>ZURÜCKHOLEN</translation>
+    </message>
+    <message>
+        <source>Put the removed tool back</source>
+        <translation>Das entfernte Werkzeug zurückholen</translation>
+    </message>
+    <message>
+        <source>It is back</source>
+        <translation>Es ist wieder da</translation>
+    </message>
+    <message>
+        <source>Not kept yet</source>
+        <translation>Noch nicht behalten</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Diameter, %1</source>
+        <translation>Durchmesser, %1</translation>
     </message>
 </context>
 <context>
@@ -4797,6 +8151,10 @@
         <source>chatter %1</source>
         <translation>Rattern %1</translation>
     </message>
+    <message>
+        <source>SPECTRUM, STALE: nothing new arrives</source>
+        <translation>SPEKTRUM, VERALTET: nichts Neues</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -4815,12 +8173,12 @@
 <context>
     <name>stillcut::ui::ToolModel</name>
     <message>
-        <source>D %1 mm, %2 teeth</source>
-        <translation>D %1 mm, %2 Zähne</translation>
-    </message>
-    <message>
         <source>chattered here before: %1</source>
         <translation>ratterte schon: %1</translation>
+    </message>
+    <message>
+        <source>D %1, %2 teeth</source>
+        <translation>D %1, %2 Zähne</translation>
     </message>
 </context>
 <context>
@@ -4833,6 +8191,10 @@
         <source>No samples kept of this stretch</source>
         <translation>Von diesem Abschnitt sind keine Werte aufgehoben</translation>
     </message>
+    <message>
+        <source>peak %1</source>
+        <translation>Spitze %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::TrackPlot</name>
@@ -4843,6 +8205,10 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>Niedrig: stabil. Halb: Beginn. Voll: Rattern. Schraffiert: kein Urteil. Die Linie ist die erste Kenngröße.</translation>
+    </message>
+    <message>
+        <source>low: stable, half: onset, full: chatter; line: first indicator</source>
+        <translation>tief: ruhig, halb: Ansatz, voll: Rattern; Linie: erste Kenngröße</translation>
     </message>
 </context>
 <context>
@@ -4905,6 +8271,10 @@
     <message>
         <source>as the run began</source>
         <translation>wie zu Beginn</translation>
+    </message>
+    <message>
+        <source>both sides alike</source>
+        <translation>beide Seiten gleich</translation>
     </message>
 </context>
 <context>
@@ -4988,6 +8358,10 @@
     <message>
         <source>Not kept: %1</source>
         <translation>Nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>The picture is stale: nothing new for %1</source>
+        <translation>Das Bild ist veraltet: seit %1 nichts Neues</translation>
     </message>
 </context>
 <context>

@@ -1410,6 +1410,3174 @@
         <source>Modbus server, for 'modbus' with a map</source>
         <translation>Modbus server, for 'modbus' with a map</translation>
     </message>
+    <message>
+        <source>marker</source>
+        <translation>marker</translation>
+    </message>
+    <message>
+        <source>needs a label</source>
+        <translation>needs a label</translation>
+    </message>
+    <message>
+        <source>type one beside SPAN</source>
+        <translation>type one beside SPAN</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>export</translation>
+    </message>
+    <message>
+        <source>the recording is still being read</source>
+        <translation>the recording is still being read</translation>
+    </message>
+    <message>
+        <source>a moment later</source>
+        <translation>a moment later</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>cannot be written</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>active work-holder</translation>
+    </message>
+    <message>
+        <source>the last record is still being worked on</source>
+        <translation>the last record is still being worked on</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>score</translation>
+    </message>
+    <message>
+        <source>nothing is marked here</source>
+        <translation>nothing is marked here</translation>
+    </message>
+    <message>
+        <source>mark true and false alarms first</source>
+        <translation>mark true and false alarms first</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>profile</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep it in</source>
+        <translation>there is no folder to keep it in</translation>
+    </message>
+    <message>
+        <source>letters and digits</source>
+        <translation>letters and digits</translation>
+    </message>
+    <message>
+        <source>cannot be put in force here</source>
+        <translation>cannot be put in force here</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>demonstration</translation>
+    </message>
+    <message>
+        <source>cannot run here</source>
+        <translation>cannot run here</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>tools</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep them in</source>
+        <translation>there is no folder to keep them in</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>samples</translation>
+    </message>
+    <message>
+        <source>the device has stopped</source>
+        <translation>the device has stopped</translation>
+    </message>
+    <message>
+        <source>this channel never moves</source>
+        <translation>this channel never moves</translation>
+    </message>
+    <message>
+        <source>is the sensor connected?</source>
+        <translation>is the sensor connected?</translation>
+    </message>
+    <message>
+        <source>nothing is open</source>
+        <translation>nothing is open</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>replay</translation>
+    </message>
+    <message>
+        <source>is no longer there</source>
+        <translation>is no longer there</translation>
+    </message>
+    <message>
+        <source>tune</source>
+        <translation>tune</translation>
+    </message>
+    <message>
+        <source>there is no profile to keep them in</source>
+        <translation>there is no profile to keep them in</translation>
+    </message>
+    <message>
+        <source>start with --profile</source>
+        <translation>start with --profile</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>cannot be made</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>start</translation>
+    </message>
+    <message>
+        <source>the machine is under our authority</source>
+        <translation>the machine is under our authority</translation>
+    </message>
+    <message>
+        <source>set it to Off first</source>
+        <translation>set it to Off first</translation>
+    </message>
+    <message>
+        <source>Vibration limit</source>
+        <translation>Vibration limit</translation>
+    </message>
+    <message>
+        <source>Vibration (rms, SI unit of the first channel) from which the bar of the operator's page says that it is too much; auto: no limit</source>
+        <translation>Vibration (rms, SI unit of the first channel) from which the bar of the operator's page says that it is too much; auto: no limit</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 answers</translation>
+    </message>
+    <message>
+        <source>it answers, but its state is incomplete</source>
+        <translation>it answers, but its state is incomplete</translation>
+    </message>
+    <message>
+        <source>the machine is off</source>
+        <translation>the machine is off</translation>
+    </message>
+    <message>
+        <source>the machine is in alarm</source>
+        <translation>the machine is in alarm</translation>
+    </message>
+    <message>
+        <source>feed held</source>
+        <translation>feed held</translation>
+    </message>
+    <message>
+        <source>program running</source>
+        <translation>program running</translation>
+    </message>
+    <message>
+        <source>no program running</source>
+        <translation>no program running</translation>
+    </message>
+    <message>
+        <source>spindle %1 rev/min, programmed %2</source>
+        <translation>spindle %1 rev/min, programmed %2</translation>
+    </message>
+    <message>
+        <source>overrides %1 % speed, %2 % feed</source>
+        <translation>overrides %1 % speed, %2 % feed</translation>
+    </message>
+    <message>
+        <source>locked by the program</source>
+        <translation>locked by the program</translation>
+    </message>
+    <message>
+        <source>a look takes %1 ms, and what it shows is %2 ms old</source>
+        <translation>a look takes %1 ms, and what it shows is %2 ms old</translation>
+    </message>
+    <message>
+        <source>%1 of %2 looks were lost</source>
+        <translation>%1 of %2 looks were lost</translation>
+    </message>
+    <message>
+        <source>speed %1 to %2 %, feed %3 to %4 %</source>
+        <translation>speed %1 to %2 %, feed %3 to %4 %</translation>
+    </message>
+    <message>
+        <source>the machine goes back by itself when nothing comes from here</source>
+        <translation>the machine goes back by itself when nothing comes from here</translation>
+    </message>
+    <message>
+        <source>the machine has no watchdog: if this program dies, the overrides stay</source>
+        <translation>the machine has no watchdog: if this program dies, the overrides stay</translation>
+    </message>
+    <message>
+        <source>one knock along %1: '%2' heard most, %3 dB above the next</source>
+        <translation>one knock along %1: '%2' heard most, %3 dB above the next</translation>
+    </message>
+    <message>
+        <source>%4 knocks along %1: '%2' heard most, %3 dB above the next</source>
+        <translation>%4 knocks along %1: '%2' heard most, %3 dB above the next</translation>
+    </message>
+    <message>
+        <source>it is right</source>
+        <translation>it is right</translation>
+    </message>
+    <message>
+        <source>'%1' and '%2' are exchanged</source>
+        <translation>'%1' and '%2' are exchanged</translation>
+    </message>
+    <message>
+        <source>A recording, in real time or at another pace: file, pace, rate_hz where the file does not say</source>
+        <translation>A recording, in real time or at another pace: file, pace, rate_hz where the file does not say</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>File</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>Pace</translation>
+    </message>
+    <message>
+        <source>the device counts nothing: a loss of less than 30 ms or three blocks does not show, a longer one after a second or two</source>
+        <translation>the device counts nothing: a loss of less than 30 ms or three blocks does not show, a longer one after a second or two</translation>
+    </message>
+    <message>
+        <source>the card is not calibrated, its volts are nominal; comedi_soft_calibrate calibrates it</source>
+        <translation>the card is not calibrated, its volts are nominal; comedi_soft_calibrate calibrates it</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>cannot be opened</translation>
+    </message>
+    <message>
+        <source>is it there, and free?</source>
+        <translation>is it there, and free?</translation>
+    </message>
+    <message>
+        <source>nothing is sent</source>
+        <translation>nothing is sent</translation>
+    </message>
+    <message>
+        <source>does the device stream?</source>
+        <translation>does the device stream?</translation>
+    </message>
+    <message>
+        <source>bytes come, and no sample of the [[channels]] is in them</source>
+        <translation>bytes come, and no sample of the [[channels]] is in them</translation>
+    </message>
+    <message>
+        <source>are format, sync, sample, checksum, baud and the number of channels those of the sender?</source>
+        <translation>are format, sync, sample, checksum, baud and the number of channels those of the sender?</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>does not answer</translation>
+    </message>
+    <message>
+        <source>does not stream</source>
+        <translation>does not stream</translation>
+    </message>
+    <message>
+        <source>does not start</source>
+        <translation>does not start</translation>
+    </message>
+    <message>
+        <source>has no inputs that stream</source>
+        <translation>has no inputs that stream</translation>
+    </message>
+    <message>
+        <source>it may read single values only</source>
+        <translation>it may read single values only</translation>
+    </message>
+    <message>
+        <source>it only shares its memory</source>
+        <translation>it only shares its memory</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>cannot be read</translation>
+    </message>
+    <message>
+        <source>does not take these settings together</source>
+        <translation>does not take these settings together</translation>
+    </message>
+    <message>
+        <source>has not delivered enough in one piece</source>
+        <translation>has not delivered enough in one piece</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>the device</translation>
+    </message>
+    <message>
+        <source>%1 (configuration)</source>
+        <translation>%1 (configuration)</translation>
+    </message>
+    <message>
+        <source>%1 Hz cannot be heard at %2 samples a second</source>
+        <translation>%1 Hz cannot be heard at %2 samples a second</translation>
+    </message>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz, channels: %2</translation>
+    </message>
+    <message>
+        <source>%1 MB are left</source>
+        <translation>%1 MB are left</translation>
+    </message>
+    <message>
+        <source>%1 [[channels]] in the profile</source>
+        <translation>%1 [[channels]] in the profile</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames</source>
+        <translation>%1 and %2 frames</translation>
+    </message>
+    <message>
+        <source>%1 at %2: nothing comes any more, the wire is taken up again</source>
+        <translation>%1 at %2: nothing comes any more, the wire is taken up again</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 cannot be read</translation>
+    </message>
+    <message>
+        <source>%1 channels, %2 Hz, %3 bits</source>
+        <translation>%1 channels, %2 Hz, %3 bits</translation>
+    </message>
+    <message>
+        <source>%1 datasets 58 hold other functions</source>
+        <translation>%1 datasets 58 hold other functions</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 days</translation>
+    </message>
+    <message>
+        <source>%1 has no higher voltage</source>
+        <translation>%1 has no higher voltage</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 hours</translation>
+    </message>
+    <message>
+        <source>%1 is longer than the file</source>
+        <translation>%1 is longer than the file</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 is not a finite number</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 is not a whole number</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 is out of range</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a sample</source>
+        <translation>%1 is too large for a sample</translation>
+    </message>
+    <message>
+        <source>%1 mm is no depth</source>
+        <translation>%1 mm is no depth</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes are there; copy it again</source>
+        <translation>%1 of %2 bytes are there; copy it again</translation>
+    </message>
+    <message>
+        <source>%1 rpm is no speed</source>
+        <translation>%1 rpm is no speed</translation>
+    </message>
+    <message>
+        <source>%1 rpm is too low for these modes</source>
+        <translation>%1 rpm is too low for these modes</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 times</translation>
+    </message>
+    <message>
+        <source>%1 turns the table round</source>
+        <translation>%1 turns the table round</translation>
+    </message>
+    <message>
+        <source>%1 unit %2</source>
+        <translation>%1 unit %2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; before %3</source>
+        <translation>%1 would have alarmed %2; before %3</translation>
+    </message>
+    <message>
+        <source>%1, device %2: %3</source>
+        <translation>%1, device %2: %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 failed (%3)</source>
+        <translation>%1: %2 failed (%3)</translation>
+    </message>
+    <message>
+        <source>%1: a length inside it is wrong</source>
+        <translation>%1: a length inside it is wrong</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</translation>
+    </message>
+    <message>
+        <source>%1: feed per tooth</source>
+        <translation>%1: feed per tooth</translation>
+    </message>
+    <message>
+        <source>%1: is not the device that it was</source>
+        <translation>%1: is not the device that it was</translation>
+    </message>
+    <message>
+        <source>%1: path along %2</source>
+        <translation>%1: path along %2</translation>
+    </message>
+    <message>
+        <source>%1: path to the accelerometer along %2</source>
+        <translation>%1: path to the accelerometer along %2</translation>
+    </message>
+    <message>
+        <source>%1; some devices need a 'trigger'</source>
+        <translation>%1; some devices need a 'trigger'</translation>
+    </message>
+    <message>
+        <source>%1; stillcut-cli devices lists what there is</source>
+        <translation>%1; stillcut-cli devices lists what there is</translation>
+    </message>
+    <message>
+        <source>%1; the cut before has been stopped</source>
+        <translation>%1; the cut before has been stopped</translation>
+    </message>
+    <message>
+        <source>' converts, or stands before what does</source>
+        <translation>' converts, or stands before what does</translation>
+    </message>
+    <message>
+        <source>' is a sound server's</source>
+        <translation>' is a sound server's</translation>
+    </message>
+    <message>
+        <source>'%1' and '%2' heard it within %3 dB of each other</source>
+        <translation>'%1' and '%2' heard it within %3 dB of each other</translation>
+    </message>
+    <message>
+        <source>'%1' cannot be opened</source>
+        <translation>'%1' cannot be opened</translation>
+    </message>
+    <message>
+        <source>'%1' cannot be read</source>
+        <translation>'%1' cannot be read</translation>
+    </message>
+    <message>
+        <source>'%1' has no other axis beside it</source>
+        <translation>'%1' has no other axis beside it</translation>
+    </message>
+    <message>
+        <source>'%1' is missing</source>
+        <translation>'%1' is missing</translation>
+    </message>
+    <message>
+        <source>'%1' is neither true nor false</source>
+        <translation>'%1' is neither true nor false</translation>
+    </message>
+    <message>
+        <source>'%1' is no delay</source>
+        <translation>'%1' is no delay</translation>
+    </message>
+    <message>
+        <source>'%1' is no name for a file</source>
+        <translation>'%1' is no name for a file</translation>
+    </message>
+    <message>
+        <source>'%1' is no quantity</source>
+        <translation>'%1' is no quantity</translation>
+    </message>
+    <message>
+        <source>'%1' is none</source>
+        <translation>'%1' is none</translation>
+    </message>
+    <message>
+        <source>'%1' is not KEY=VALUE</source>
+        <translation>'%1' is not KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>'%1' is not a choice</source>
+        <translation>'%1' is not a choice</translation>
+    </message>
+    <message>
+        <source>'%1' is not a number</source>
+        <translation>'%1' is not a number</translation>
+    </message>
+    <message>
+        <source>'%1' is not a time and a speed</source>
+        <translation>'%1' is not a time and a speed</translation>
+    </message>
+    <message>
+        <source>'%1' is not known</source>
+        <translation>'%1' is not known</translation>
+    </message>
+    <message>
+        <source>'%1' promises more numbers than the file holds</source>
+        <translation>'%1' promises more numbers than the file holds</translation>
+    </message>
+    <message>
+        <source>'%1, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>'%1, which may change the rate and mix channels; hw: names the device itself</translation>
+    </message>
+    <message>
+        <source>'%1channels' is %2</source>
+        <translation>'%1channels' is %2</translation>
+    </message>
+    <message>
+        <source>'adaptive_feed' needs 'hal_component_port'</source>
+        <translation>'adaptive_feed' needs 'hal_component_port'</translation>
+    </message>
+    <message>
+        <source>'device' = '%1'</source>
+        <translation>'device' = '%1'</translation>
+    </message>
+    <message>
+        <source>'full_stroke_um' is less</source>
+        <translation>'full_stroke_um' is less</translation>
+    </message>
+    <message>
+        <source>'input_x' and 'input_y'</source>
+        <translation>'input_x' and 'input_y'</translation>
+    </message>
+    <message>
+        <source>'map' is missing</source>
+        <translation>'map' is missing</translation>
+    </message>
+    <message>
+        <source>'output_x' and 'output_y'</source>
+        <translation>'output_x' and 'output_y'</translation>
+    </message>
+    <message>
+        <source>'rate_hz' = %1 is not among its rates</source>
+        <translation>'rate_hz' = %1 is not among its rates</translation>
+    </message>
+    <message>
+        <source>'rms' must be above 0 and at most 0.3 of the stroke</source>
+        <translation>'rms' must be above 0 and at most 0.3 of the stroke</translation>
+    </message>
+    <message>
+        <source>'source.id' is missing</source>
+        <translation>'source.id' is missing</translation>
+    </message>
+    <message>
+        <source>'stroke_um' is more than the output can drive</source>
+        <translation>'stroke_um' is more than the output can drive</translation>
+    </message>
+    <message>
+        <source>, %1 bits; 'range'</source>
+        <translation>, %1 bits; 'range'</translation>
+    </message>
+    <message>
+        <source>, %1 of them marked false</source>
+        <translation>, %1 of them marked false</translation>
+    </message>
+    <message>
+        <source>, and could at %1</source>
+        <translation>, and could at %1</translation>
+    </message>
+    <message>
+        <source>, or as "1 g"</source>
+        <translation>, or as "1 g"</translation>
+    </message>
+    <message>
+        <source>, or as "94 dB"</source>
+        <translation>, or as "94 dB"</translation>
+    </message>
+    <message>
+        <source>, or auto</source>
+        <translation>, or auto</translation>
+    </message>
+    <message>
+        <source>, up to %1 Hz for one</source>
+        <translation>, up to %1 Hz for one</translation>
+    </message>
+    <message>
+        <source>/24 or a larger number</source>
+        <translation>/24 or a larger number</translation>
+    </message>
+    <message>
+        <source>0 to %1 ('inputs')</source>
+        <translation>0 to %1 ('inputs')</translation>
+    </message>
+    <message>
+        <source>0 to 1000000 rev/min</source>
+        <translation>0 to 1000000 rev/min</translation>
+    </message>
+    <message>
+        <source>1 to 32 sensors are needed</source>
+        <translation>1 to 32 sensors are needed</translation>
+    </message>
+    <message>
+        <source>1 to 64 channels and a rate above zero were expected</source>
+        <translation>1 to 64 channels and a rate above zero were expected</translation>
+    </message>
+    <message>
+        <source>1_id, 1_channels, 1_delay_ms and 1_ with the device's own settings, then 2_</source>
+        <translation>1_id, 1_channels, 1_delay_ms and 1_ with the device's own settings, then 2_</translation>
+    </message>
+    <message>
+        <source>: samples are lost again and again</source>
+        <translation>: samples are lost again and again</translation>
+    </message>
+    <message>
+        <source>Analog override</source>
+        <translation>Analog override</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>Broken pipe</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>Connection refused</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>Connection timed out</translation>
+    </message>
+    <message>
+        <source>DEC and IBM formats are not read</source>
+        <translation>DEC and IBM formats are not read</translation>
+    </message>
+    <message>
+        <source>Delta_X holds '%1'</source>
+        <translation>Delta_X holds '%1'</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>Device or resource busy</translation>
+    </message>
+    <message>
+        <source>DynoWare text</source>
+        <translation>DynoWare text</translation>
+    </message>
+    <message>
+        <source>FLAC holds at most 8 channels</source>
+        <translation>FLAC holds at most 8 channels</translation>
+    </message>
+    <message>
+        <source>Format not recognised.</source>
+        <translation>Format not recognised.</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Input/output error</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>Is a directory</translation>
+    </message>
+    <message>
+        <source>Kept by the Tune page; stillcut-cli reads it with --config.</source>
+        <translation>Kept by the Tune page; stillcut-cli reads it with --config.</translation>
+    </message>
+    <message>
+        <source>LabVIEW Measurement</source>
+        <translation>LabVIEW Measurement</translation>
+    </message>
+    <message>
+        <source>LabVIEW measurement text</source>
+        <translation>LabVIEW measurement text</translation>
+    </message>
+    <message>
+        <source>Modbus is not part of this build</source>
+        <translation>Modbus is not part of this build</translation>
+    </message>
+    <message>
+        <source>Modbus machine</source>
+        <translation>Modbus machine</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>No route to host</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>No space left on device</translation>
+    </message>
+    <message>
+        <source>No such</source>
+        <translation>No such</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>No such device</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>No such device or address</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>No such file or directory</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>Not a directory</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>Permission denied</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Read-only file system</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>Replay: %1</translation>
+    </message>
+    <message>
+        <source>SI units per device unit</source>
+        <translation>SI units per device unit</translation>
+    </message>
+    <message>
+        <source>Simulated mill</source>
+        <translation>Simulated mill</translation>
+    </message>
+    <message>
+        <source>Stillcut session</source>
+        <translation>Stillcut session</translation>
+    </message>
+    <message>
+        <source>Supported file format but file is malformed.</source>
+        <translation>Supported file format but file is malformed.</translation>
+    </message>
+    <message>
+        <source>Supported file format but unsupported encoding.</source>
+        <translation>Supported file format but unsupported encoding.</translation>
+    </message>
+    <message>
+        <source>System error.</source>
+        <translation>System error.</translation>
+    </message>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>The device is gone; identify again when it is back</translation>
+    </message>
+    <message>
+        <source>The tools of this shop; the Set up page writes this file.</source>
+        <translation>The tools of this shop; the Set up page writes this file.</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>Too many open files</translation>
+    </message>
+    <message>
+        <source>[cut] speed_rpm or feed_mm_min is missing</source>
+        <translation>[cut] speed_rpm or feed_mm_min is missing</translation>
+    </message>
+    <message>
+        <source>a block has %1 channels</source>
+        <translation>a block has %1 channels</translation>
+    </message>
+    <message>
+        <source>a block needs at least one frame</source>
+        <translation>a block needs at least one frame</translation>
+    </message>
+    <message>
+        <source>a chain needs 1 to 6 detectors</source>
+        <translation>a chain needs 1 to 6 detectors</translation>
+    </message>
+    <message>
+        <source>a chain needs a strategy</source>
+        <translation>a chain needs a strategy</translation>
+    </message>
+    <message>
+        <source>a coil or discrete input is one bit</source>
+        <translation>a coil or discrete input is one bit</translation>
+    </message>
+    <message>
+        <source>a cutting speed cannot be limited without the tool's diameter</source>
+        <translation>a cutting speed cannot be limited without the tool's diameter</translation>
+    </message>
+    <message>
+        <source>a damaged file</source>
+        <translation>a damaged file</translation>
+    </message>
+    <message>
+        <source>a damaged or truncated file</source>
+        <translation>a damaged or truncated file</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>a device</translation>
+    </message>
+    <message>
+        <source>a finite number was expected</source>
+        <translation>a finite number was expected</translation>
+    </message>
+    <message>
+        <source>a gap of %1 s</source>
+        <translation>a gap of %1 s</translation>
+    </message>
+    <message>
+        <source>a history of features; detectors need the samples themselves</source>
+        <translation>a history of features; detectors need the samples themselves</translation>
+    </message>
+    <message>
+        <source>a line longer than any of this format</source>
+        <translation>a line longer than any of this format</translation>
+    </message>
+    <message>
+        <source>a path cannot be taken over while the table moves</source>
+        <translation>a path cannot be taken over while the table moves</translation>
+    </message>
+    <message>
+        <source>a quarter of a turn must fit into 512 samples</source>
+        <translation>a quarter of a turn must fit into 512 samples</translation>
+    </message>
+    <message>
+        <source>a range is two numbers, lowest and highest</source>
+        <translation>a range is two numbers, lowest and highest</translation>
+    </message>
+    <message>
+        <source>a recording of this name is still being written, or was cut off; take another name</source>
+        <translation>a recording of this name is still being written, or was cut off; take another name</translation>
+    </message>
+    <message>
+        <source>a run needs a device</source>
+        <translation>a run needs a device</translation>
+    </message>
+    <message>
+        <source>a scenario is needed</source>
+        <translation>a scenario is needed</translation>
+    </message>
+    <message>
+        <source>a second segment of the measurement begins</source>
+        <translation>a second segment of the measurement begins</translation>
+    </message>
+    <message>
+        <source>a sensor needs a name</source>
+        <translation>a sensor needs a name</translation>
+    </message>
+    <message>
+        <source>a session, or a recording of any kind that is imported</source>
+        <translation>a session, or a recording of any kind that is imported</translation>
+    </message>
+    <message>
+        <source>a simulated or recorded cut may not drive a real machine</source>
+        <translation>a simulated or recorded cut may not drive a real machine</translation>
+    </message>
+    <message>
+        <source>a table is missing or has another layout</source>
+        <translation>a table is missing or has another layout</translation>
+    </message>
+    <message>
+        <source>a time step above zero was expected</source>
+        <translation>a time step above zero was expected</translation>
+    </message>
+    <message>
+        <source>a truncated file</source>
+        <translation>a truncated file</translation>
+    </message>
+    <message>
+        <source>a truncated file, or its header is wrong</source>
+        <translation>a truncated file, or its header is wrong</translation>
+    </message>
+    <message>
+        <source>a truncated or damaged file</source>
+        <translation>a truncated or damaged file</translation>
+    </message>
+    <message>
+        <source>a value is out of range</source>
+        <translation>a value is out of range</translation>
+    </message>
+    <message>
+        <source>a value must belong to one voltage</source>
+        <translation>a value must belong to one voltage</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>a value was not finite</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1000 mm</source>
+        <translation>above 0 and up to 1000 mm</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1e6 rpm</source>
+        <translation>above 0 and up to 1e6 rpm</translation>
+    </message>
+    <message>
+        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
+        <translation>acceleration, velocity, displacement, sound, force, current or speed</translation>
+    </message>
+    <message>
+        <source>active '%1'</source>
+        <translation>active '%1'</translation>
+    </message>
+    <message>
+        <source>active 'alsa'</source>
+        <translation>active 'alsa'</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>actuator</translation>
+    </message>
+    <message>
+        <source>all are time, indicators or empty</source>
+        <translation>all are time, indicators or empty</translation>
+    </message>
+    <message>
+        <source>allowed: %1 and above</source>
+        <translation>allowed: %1 and above</translation>
+    </message>
+    <message>
+        <source>allowed: %1 to %2</source>
+        <translation>allowed: %1 to %2</translation>
+    </message>
+    <message>
+        <source>allowed: up to %1</source>
+        <translation>allowed: up to %1</translation>
+    </message>
+    <message>
+        <source>an echo is two numbers, delay in ms and gain</source>
+        <translation>an echo is two numbers, delay in ms and gain</translation>
+    </message>
+    <message>
+        <source>an echo's delay must lie between 0 and 1 s</source>
+        <translation>an echo's delay must lie between 0 and 1 s</translation>
+    </message>
+    <message>
+        <source>analog outputs are not part of this build</source>
+        <translation>analog outputs are not part of this build</translation>
+    </message>
+    <message>
+        <source>angles above zero, 360 degrees together</source>
+        <translation>angles above zero, 360 degrees together</translation>
+    </message>
+    <message>
+        <source>announces %1 bytes, but its points take %2</source>
+        <translation>announces %1 bytes, but its points take %2</translation>
+    </message>
+    <message>
+        <source>announces %1 points, more than the file holds</source>
+        <translation>announces %1 points, more than the file holds</translation>
+    </message>
+    <message>
+        <source>are the unit and the register map right?</source>
+        <translation>are the unit and the register map right?</translation>
+    </message>
+    <message>
+        <source>as 192.168.1.0/24</source>
+        <translation>as 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>as many as the device sends, 1 to %1</source>
+        <translation>as many as the device sends, 1 to %1</translation>
+    </message>
+    <message>
+        <source>at least %1 samples</source>
+        <translation>at least %1 samples</translation>
+    </message>
+    <message>
+        <source>at least one mode is needed</source>
+        <translation>at least one mode is needed</translation>
+    </message>
+    <message>
+        <source>at most %1 frequencies above 0, for example 339, 1024</source>
+        <translation>at most %1 frequencies above 0, for example 339, 1024</translation>
+    </message>
+    <message>
+        <source>at most %1 modes can be simulated</source>
+        <translation>at most %1 modes can be simulated</translation>
+    </message>
+    <message>
+        <source>at most 31, 63 and 511 bytes</source>
+        <translation>at most 31, 63 and 511 bytes</translation>
+    </message>
+    <message>
+        <source>at most 8</source>
+        <translation>at most 8</translation>
+    </message>
+    <message>
+        <source>at point %1</source>
+        <translation>at point %1</translation>
+    </message>
+    <message>
+        <source>axis must be x or y</source>
+        <translation>axis must be x or y</translation>
+    </message>
+    <message>
+        <source>binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55</source>
+        <translation>binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55</translation>
+    </message>
+    <message>
+        <source>block frames must lie between 1 and 65536</source>
+        <translation>block frames must lie between 1 and 65536</translation>
+    </message>
+    <message>
+        <source>blocks of %1 frames are too long</source>
+        <translation>blocks of %1 frames are too long</translation>
+    </message>
+    <message>
+        <source>blocks were lost since the record was made</source>
+        <translation>blocks were lost since the record was made</translation>
+    </message>
+    <message>
+        <source>blocks were lost, and input and output of this device do not start together</source>
+        <translation>blocks were lost, and input and output of this device do not start together</translation>
+    </message>
+    <message>
+        <source>byte order, format, lines, bytes</source>
+        <translation>byte order, format, lines, bytes</translation>
+    </message>
+    <message>
+        <source>cannot be decided again</source>
+        <translation>cannot be decided again</translation>
+    </message>
+    <message>
+        <source>cannot be drawn so</source>
+        <translation>cannot be drawn so</translation>
+    </message>
+    <message>
+        <source>cannot be marked: the journal beside it belongs to another recording, or is in use</source>
+        <translation>cannot be marked: the journal beside it belongs to another recording, or is in use</translation>
+    </message>
+    <message>
+        <source>cannot be opened for %1</source>
+        <translation>cannot be opened for %1</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>cannot be opened: %1</translation>
+    </message>
+    <message>
+        <source>cannot be recorded</source>
+        <translation>cannot be recorded</translation>
+    </message>
+    <message>
+        <source>cannot identify while the table moves</source>
+        <translation>cannot identify while the table moves</translation>
+    </message>
+    <message>
+        <source>cannot stream at a rate</source>
+        <translation>cannot stream at a rate</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>channel %1</translation>
+    </message>
+    <message>
+        <source>channels of one recording are of one length</source>
+        <translation>channels of one recording are of one length</translation>
+    </message>
+    <message>
+        <source>channels, block length or rate</source>
+        <translation>channels, block length or rate</translation>
+    </message>
+    <message>
+        <source>channels, rate and block length must be known before</source>
+        <translation>channels, rate and block length must be known before</translation>
+    </message>
+    <message>
+        <source>check the machine's profile</source>
+        <translation>check the machine's profile</translation>
+    </message>
+    <message>
+        <source>choices: %1</source>
+        <translation>choices: %1</translation>
+    </message>
+    <message>
+        <source>choices: acceleration, velocity, displacement, sound, force, current, speed</source>
+        <translation>choices: acceleration, velocity, displacement, sound, force, current, speed</translation>
+    </message>
+    <message>
+        <source>choices: iepe, ac, dc</source>
+        <translation>choices: iepe, ac, dc</translation>
+    </message>
+    <message>
+        <source>choose some with --channel N[,N]</source>
+        <translation>choose some with --channel N[,N]</translation>
+    </message>
+    <message>
+        <source>ci value</source>
+        <translation>ci value</translation>
+    </message>
+    <message>
+        <source>coil or holding</source>
+        <translation>coil or holding</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>column %1</translation>
+    </message>
+    <message>
+        <source>column %1 holds %2</source>
+        <translation>column %1 holds %2</translation>
+    </message>
+    <message>
+        <source>conditioner: %1 channels (allowed: 1 to %2)</source>
+        <translation>conditioner: %1 channels (allowed: 1 to %2)</translation>
+    </message>
+    <message>
+        <source>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</source>
+        <translation>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</translation>
+    </message>
+    <message>
+        <source>conditioner: the longest block has no frames</source>
+        <translation>conditioner: the longest block has no frames</translation>
+    </message>
+    <message>
+        <source>configure with STILLCUT_DESKTOP=ON</source>
+        <translation>configure with STILLCUT_DESKTOP=ON</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>control made the vibration worse</translation>
+    </message>
+    <message>
+        <source>convert to CSV instead, or a span without it</source>
+        <translation>convert to CSV instead, or a span without it</translation>
+    </message>
+    <message>
+        <source>could not be repaired</source>
+        <translation>could not be repaired</translation>
+    </message>
+    <message>
+        <source>cutting coefficients must be finite</source>
+        <translation>cutting coefficients must be finite</translation>
+    </message>
+    <message>
+        <source>damping ratio must lie between 0 and 1</source>
+        <translation>damping ratio must lie between 0 and 1</translation>
+    </message>
+    <message>
+        <source>dataset %1</source>
+        <translation>dataset %1</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>depth</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>detector</translation>
+    </message>
+    <message>
+        <source>device '%1'</source>
+        <translation>device '%1'</translation>
+    </message>
+    <message>
+        <source>diameter must be above zero</source>
+        <translation>diameter must be above zero</translation>
+    </message>
+    <message>
+        <source>did you mean '%1'?</source>
+        <translation>did you mean '%1'?</translation>
+    </message>
+    <message>
+        <source>direction must not be zero</source>
+        <translation>direction must not be zero</translation>
+    </message>
+    <message>
+        <source>does not end after its %1 points</source>
+        <translation>does not end after its %1 points</translation>
+    </message>
+    <message>
+        <source>does not go once around</source>
+        <translation>does not go once around</translation>
+    </message>
+    <message>
+        <source>does not hold 100 %</source>
+        <translation>does not hold 100 %</translation>
+    </message>
+    <message>
+        <source>does not take the trigger '%1'</source>
+        <translation>does not take the trigger '%1'</translation>
+    </message>
+    <message>
+        <source>does not tell its range</source>
+        <translation>does not tell its range</translation>
+    </message>
+    <message>
+        <source>does the calibrator run, on this channel, and is the machine quiet?</source>
+        <translation>does the calibrator run, on this channel, and is the machine quiet?</translation>
+    </message>
+    <message>
+        <source>dominant multiplier</source>
+        <translation>dominant multiplier</translation>
+    </message>
+    <message>
+        <source>duration must lie between 0 and 3600 s</source>
+        <translation>duration must lie between 0 and 3600 s</translation>
+    </message>
+    <message>
+        <source>each override has an output of its own</source>
+        <translation>each override has an output of its own</translation>
+    </message>
+    <message>
+        <source>ended before the record was whole</source>
+        <translation>ended before the record was whole</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 frames</source>
+        <translation>ends after %1 of %2 frames</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points</source>
+        <translation>ends after %1 of %2 points</translation>
+    </message>
+    <message>
+        <source>ends before it begins</source>
+        <translation>ends before it begins</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>ends early</translation>
+    </message>
+    <message>
+        <source>every channel has a time column of its own</source>
+        <translation>every channel has a time column of its own</translation>
+    </message>
+    <message>
+        <source>every value must be above zero</source>
+        <translation>every value must be above zero</translation>
+    </message>
+    <message>
+        <source>every value would be the offset</source>
+        <translation>every value would be the offset</translation>
+    </message>
+    <message>
+        <source>exponent must lie in (0, 1]</source>
+        <translation>exponent must lie in (0, 1]</translation>
+    </message>
+    <message>
+        <source>export with one X column</source>
+        <translation>export with one X column</translation>
+    </message>
+    <message>
+        <source>feed lag must lie between 0 and 10 s</source>
+        <translation>feed lag must lie between 0 and 10 s</translation>
+    </message>
+    <message>
+        <source>feed per tooth must lie between 0 and 10 mm</source>
+        <translation>feed per tooth must lie between 0 and 10 mm</translation>
+    </message>
+    <message>
+        <source>feed per tooth must not be negative</source>
+        <translation>feed per tooth must not be negative</translation>
+    </message>
+    <message>
+        <source>fits no path</source>
+        <translation>fits no path</translation>
+    </message>
+    <message>
+        <source>for example energy-ratio.chatter=0.2</source>
+        <translation>for example energy-ratio.chatter=0.2</translation>
+    </message>
+    <message>
+        <source>force feedback needs one per axis</source>
+        <translation>force feedback needs one per axis</translation>
+    </message>
+    <message>
+        <source>frame %1 of channel %2 is not a finite number</source>
+        <translation>frame %1 of channel %2 is not a finite number</translation>
+    </message>
+    <message>
+        <source>frequency must be above zero</source>
+        <translation>frequency must be above zero</translation>
+    </message>
+    <message>
+        <source>from must lie before to, with 1 to 65536 columns</source>
+        <translation>from must lie before to, with 1 to 65536 columns</translation>
+    </message>
+    <message>
+        <source>full scale</source>
+        <translation>full scale</translation>
+    </message>
+    <message>
+        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
+        <translation>fuzzy.energy-limit: must be above fuzzy.energy-reference</translation>
+    </message>
+    <message>
+        <source>gain must not be zero</source>
+        <translation>gain must not be zero</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the rows as evenly spaced</source>
+        <translation>give --rate HZ to read the rows as evenly spaced</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the samples as evenly spaced</source>
+        <translation>give --rate HZ to read the samples as evenly spaced</translation>
+    </message>
+    <message>
+        <source>give it with --rate HZ</source>
+        <translation>give it with --rate HZ</translation>
+    </message>
+    <message>
+        <source>give the diameter or set it to auto</source>
+        <translation>give the diameter or set it to auto</translation>
+    </message>
+    <message>
+        <source>half a second at most</source>
+        <translation>half a second at most</translation>
+    </message>
+    <message>
+        <source>has %1 channels at %2 Hz</source>
+        <translation>has %1 channels at %2 Hz</translation>
+    </message>
+    <message>
+        <source>has %1 columns where %2 were expected</source>
+        <translation>has %1 columns where %2 were expected</translation>
+    </message>
+    <message>
+        <source>has %1 samples, those before %2</source>
+        <translation>has %1 samples, those before %2</translation>
+    </message>
+    <message>
+        <source>has a row of %1 numbers</source>
+        <translation>has a row of %1 numbers</translation>
+    </message>
+    <message>
+        <source>has another sampling rate than those before</source>
+        <translation>has another sampling rate than those before</translation>
+    </message>
+    <message>
+        <source>has different periods for input and output</source>
+        <translation>has different periods for input and output</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>has fewer than two points</translation>
+    </message>
+    <message>
+        <source>has more numbers than its %1 points</source>
+        <translation>has more numbers than its %1 points</translation>
+    </message>
+    <message>
+        <source>has more than 256 columns</source>
+        <translation>has more than 256 columns</translation>
+    </message>
+    <message>
+        <source>has more than 64 channels</source>
+        <translation>has more than 64 channels</translation>
+    </message>
+    <message>
+        <source>has no %1 Hz (%2)</source>
+        <translation>has no %1 Hz (%2)</translation>
+    </message>
+    <message>
+        <source>has no %1 channels (%2)</source>
+        <translation>has no %1 channels (%2)</translation>
+    </message>
+    <message>
+        <source>has no %1 channels ('inputs')</source>
+        <translation>has no %1 channels ('inputs')</translation>
+    </message>
+    <message>
+        <source>has no active work-holder</source>
+        <translation>has no active work-holder</translation>
+    </message>
+    <message>
+        <source>has no channel %1</source>
+        <translation>has no channel %1</translation>
+    </message>
+    <message>
+        <source>has no column '%1'</source>
+        <translation>has no column '%1'</translation>
+    </message>
+    <message>
+        <source>has no end</source>
+        <translation>has no end</translation>
+    </message>
+    <message>
+        <source>has no input %1 ('inputs')</source>
+        <translation>has no input %1 ('inputs')</translation>
+    </message>
+    <message>
+        <source>has no marker %1</source>
+        <translation>has no marker %1</translation>
+    </message>
+    <message>
+        <source>has no marker '%1'</source>
+        <translation>has no marker '%1'</translation>
+    </message>
+    <message>
+        <source>has no range %1 ('range')</source>
+        <translation>has no range %1 ('range')</translation>
+    </message>
+    <message>
+        <source>has no samples of %1 bits ('bits')</source>
+        <translation>has no samples of %1 bits ('bits')</translation>
+    </message>
+    <message>
+        <source>has no samples of 32 bits (%1)</source>
+        <translation>has no samples of 32 bits (%1)</translation>
+    </message>
+    <message>
+        <source>has the channel of 'speed'</source>
+        <translation>has the channel of 'speed'</translation>
+    </message>
+    <message>
+        <source>header inconsistent</source>
+        <translation>header inconsistent</translation>
+    </message>
+    <message>
+        <source>helix angle (straight teeth assumed)</source>
+        <translation>helix angle (straight teeth assumed)</translation>
+    </message>
+    <message>
+        <source>helix must lie within 80 degrees</source>
+        <translation>helix must lie within 80 degrees</translation>
+    </message>
+    <message>
+        <source>helix slices must lie between 1 and 200</source>
+        <translation>helix slices must lie between 1 and 200</translation>
+    </message>
+    <message>
+        <source>hold sensor and calibrator still</source>
+        <translation>hold sensor and calibrator still</translation>
+    </message>
+    <message>
+        <source>holds %1 data sets in several places</source>
+        <translation>holds %1 data sets in several places</translation>
+    </message>
+    <message>
+        <source>holds a row that is not all finite numbers</source>
+        <translation>holds a row that is not all finite numbers</translation>
+    </message>
+    <message>
+        <source>holds a value that is not finite</source>
+        <translation>holds a value that is not finite</translation>
+    </message>
+    <message>
+        <source>holds bytes that are no text</source>
+        <translation>holds bytes that are no text</translation>
+    </message>
+    <message>
+        <source>holds fewer bytes than it announces</source>
+        <translation>holds fewer bytes than it announces</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 channels</source>
+        <translation>holds more than 4096 channels</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 objects</source>
+        <translation>holds more than 4096 objects</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 variables</source>
+        <translation>holds more than 4096 variables</translation>
+    </message>
+    <message>
+        <source>holds no array of samples</source>
+        <translation>holds no array of samples</translation>
+    </message>
+    <message>
+        <source>holds no data set of numbers</source>
+        <translation>holds no data set of numbers</translation>
+    </message>
+    <message>
+        <source>holds no dataset 58</source>
+        <translation>holds no dataset 58</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>holds no samples</translation>
+    </message>
+    <message>
+        <source>holds no speeds</source>
+        <translation>holds no speeds</translation>
+    </message>
+    <message>
+        <source>holds no time recording</source>
+        <translation>holds no time recording</translation>
+    </message>
+    <message>
+        <source>holds no truth</source>
+        <translation>holds no truth</translation>
+    </message>
+    <message>
+        <source>holds no variable that can be read</source>
+        <translation>holds no variable that can be read</translation>
+    </message>
+    <message>
+        <source>holds something that is not a finite number</source>
+        <translation>holds something that is not a finite number</translation>
+    </message>
+    <message>
+        <source>holds something that is not a text</source>
+        <translation>holds something that is not a text</translation>
+    </message>
+    <message>
+        <source>holds times that are not finite</source>
+        <translation>holds times that are not finite</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>identification</translation>
+    </message>
+    <message>
+        <source>identify first</source>
+        <translation>identify first</translation>
+    </message>
+    <message>
+        <source>identify it again</source>
+        <translation>identify it again</translation>
+    </message>
+    <message>
+        <source>identify it first</source>
+        <translation>identify it first</translation>
+    </message>
+    <message>
+        <source>input %1 has %2 bits in %3</source>
+        <translation>input %1 has %2 bits in %3</translation>
+    </message>
+    <message>
+        <source>input/output error</source>
+        <translation>input/output error</translation>
+    </message>
+    <message>
+        <source>install %1 and build again</source>
+        <translation>install %1 and build again</translation>
+    </message>
+    <message>
+        <source>install libcomedi-dev and build again</source>
+        <translation>install libcomedi-dev and build again</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>is 0</translation>
+    </message>
+    <message>
+        <source>is 2</source>
+        <translation>is 2</translation>
+    </message>
+    <message>
+        <source>is a folder, not a recording</source>
+        <translation>is a folder, not a recording</translation>
+    </message>
+    <message>
+        <source>is a session of version %1</source>
+        <translation>is a session of version %1</translation>
+    </message>
+    <message>
+        <source>is an HDF5 file, but not a Stillcut session</source>
+        <translation>is an HDF5 file, but not a Stillcut session</translation>
+    </message>
+    <message>
+        <source>is being written already</source>
+        <translation>is being written already</translation>
+    </message>
+    <message>
+        <source>is cut short: its end is missing</source>
+        <translation>is cut short: its end is missing</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>is empty</translation>
+    </message>
+    <message>
+        <source>is given beside 'device'</source>
+        <translation>is given beside 'device'</translation>
+    </message>
+    <message>
+        <source>is given beside sensitivity_mv</source>
+        <translation>is given beside sensitivity_mv</translation>
+    </message>
+    <message>
+        <source>is halrmt running there?</source>
+        <translation>is halrmt running there?</translation>
+    </message>
+    <message>
+        <source>is it connected?</source>
+        <translation>is it connected?</translation>
+    </message>
+    <message>
+        <source>is larger than 16 MB: no file of settings</source>
+        <translation>is larger than 16 MB: no file of settings</translation>
+    </message>
+    <message>
+        <source>is later than on-line identification looks, %1 samples</source>
+        <translation>is later than on-line identification looks, %1 samples</translation>
+    </message>
+    <message>
+        <source>is linuxcncrsh running there?</source>
+        <translation>is linuxcncrsh running there?</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>is missing</translation>
+    </message>
+    <message>
+        <source>is missing or no object in JSON</source>
+        <translation>is missing or no object in JSON</translation>
+    </message>
+    <message>
+        <source>is missing, and so is 'feed'</source>
+        <translation>is missing, and so is 'feed'</translation>
+    </message>
+    <message>
+        <source>is more than 256 addresses</source>
+        <translation>is more than 256 addresses</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>is neither true nor false</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 or 7</source>
+        <translation>is no MATLAB file of version 5 or 7</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 to 7.3</source>
+        <translation>is no MATLAB file of version 5 to 7.3</translation>
+    </message>
+    <message>
+        <source>is no gap of the recording beside it</source>
+        <translation>is no gap of the recording beside it</translation>
+    </message>
+    <message>
+        <source>is no lobe case</source>
+        <translation>is no lobe case</translation>
+    </message>
+    <message>
+        <source>is no session</source>
+        <translation>is no session</translation>
+    </message>
+    <message>
+        <source>is no session file</source>
+        <translation>is no session file</translation>
+    </message>
+    <message>
+        <source>is no sound file that can be read</source>
+        <translation>is no sound file that can be read</translation>
+    </message>
+    <message>
+        <source>is no subnet</source>
+        <translation>is no subnet</translation>
+    </message>
+    <message>
+        <source>is not a choice: '%1'</source>
+        <translation>is not a choice: '%1'</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>is not a finite number</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>is not a number</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>is not a regular file</translation>
+    </message>
+    <message>
+        <source>is not a single value</source>
+        <translation>is not a single value</translation>
+    </message>
+    <message>
+        <source>is not a table</source>
+        <translation>is not a table</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>is not a text</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>is not a whole number</translation>
+    </message>
+    <message>
+        <source>is not an array of numbers</source>
+        <translation>is not an array of numbers</translation>
+    </message>
+    <message>
+        <source>is not an array of rows</source>
+        <translation>is not an array of rows</translation>
+    </message>
+    <message>
+        <source>is not an array of tables</source>
+        <translation>is not an array of tables</translation>
+    </message>
+    <message>
+        <source>is not an array of texts</source>
+        <translation>is not an array of texts</translation>
+    </message>
+    <message>
+        <source>is not at %1</source>
+        <translation>is not at %1</translation>
+    </message>
+    <message>
+        <source>is not repaired: the journal beside it does not fit it</source>
+        <translation>is not repaired: the journal beside it does not fit it</translation>
+    </message>
+    <message>
+        <source>is not replaced</source>
+        <translation>is not replaced</translation>
+    </message>
+    <message>
+        <source>is out of range: %1</source>
+        <translation>is out of range: %1</translation>
+    </message>
+    <message>
+        <source>is spindle 0 configured?</source>
+        <translation>is spindle 0 configured?</translation>
+    </message>
+    <message>
+        <source>is still being recorded</source>
+        <translation>is still being recorded</translation>
+    </message>
+    <message>
+        <source>is stillcut-hal loaded by the machine's HAL file?</source>
+        <translation>is stillcut-hal loaded by the machine's HAL file?</translation>
+    </message>
+    <message>
+        <source>is stillcut.hal wired as it came?</source>
+        <translation>is stillcut.hal wired as it came?</translation>
+    </message>
+    <message>
+        <source>is stored in pieces of more than 64 MB</source>
+        <translation>is stored in pieces of more than 64 MB</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>is text in UTF-16</translation>
+    </message>
+    <message>
+        <source>is the machine on, and the address right?</source>
+        <translation>is the machine on, and the address right?</translation>
+    </message>
+    <message>
+        <source>is this a recording?</source>
+        <translation>is this a recording?</translation>
+    </message>
+    <message>
+        <source>is this the controller's port, and the baud rate right?</source>
+        <translation>is this the controller's port, and the baud rate right?</translation>
+    </message>
+    <message>
+        <source>is true without [write.heartbeat]</source>
+        <translation>is true without [write.heartbeat]</translation>
+    </message>
+    <message>
+        <source>is unknown: '%1'</source>
+        <translation>is unknown: '%1'</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>is zero</translation>
+    </message>
+    <message>
+        <source>it begins before the previous one ends</source>
+        <translation>it begins before the previous one ends</translation>
+    </message>
+    <message>
+        <source>it ends before it begins</source>
+        <translation>it ends before it begins</translation>
+    </message>
+    <message>
+        <source>it goes through stillcut-hal</source>
+        <translation>it goes through stillcut-hal</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>it has %1</translation>
+    </message>
+    <message>
+        <source>it has %1, counted from 0</source>
+        <translation>it has %1, counted from 0</translation>
+    </message>
+    <message>
+        <source>it has 0 to %1</source>
+        <translation>it has 0 to %1</translation>
+    </message>
+    <message>
+        <source>it has changed since it was opened</source>
+        <translation>it has changed since it was opened</translation>
+    </message>
+    <message>
+        <source>it has no markers</source>
+        <translation>it has no markers</translation>
+    </message>
+    <message>
+        <source>it has, from 0: %1</source>
+        <translation>it has, from 0: %1</translation>
+    </message>
+    <message>
+        <source>it is a recorded session; take another name</source>
+        <translation>it is a recorded session; take another name</translation>
+    </message>
+    <message>
+        <source>it may be a recording that is damaged; take another name</source>
+        <translation>it may be a recording that is damaged; take another name</translation>
+    </message>
+    <message>
+        <source>it must be below %1</source>
+        <translation>it must be below %1</translation>
+    </message>
+    <message>
+        <source>it names the file with outputs and calibration tables</source>
+        <translation>it names the file with outputs and calibration tables</translation>
+    </message>
+    <message>
+        <source>it names the file with the machine's registers</source>
+        <translation>it names the file with the machine's registers</translation>
+    </message>
+    <message>
+        <source>it reads up to version %1</source>
+        <translation>it reads up to version %1</translation>
+    </message>
+    <message>
+        <source>it samples at %1</source>
+        <translation>it samples at %1</translation>
+    </message>
+    <message>
+        <source>it says teeth and speed</source>
+        <translation>it says teeth and speed</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>it was stopped</translation>
+    </message>
+    <message>
+        <source>it would run out between two commands</source>
+        <translation>it would run out between two commands</translation>
+    </message>
+    <message>
+        <source>its 58b line is incomplete</source>
+        <translation>its 58b line is incomplete</translation>
+    </message>
+    <message>
+        <source>its abscissa start and step are missing</source>
+        <translation>its abscissa start and step are missing</translation>
+    </message>
+    <message>
+        <source>its abscissa step is not positive</source>
+        <translation>its abscissa step is not positive</translation>
+    </message>
+    <message>
+        <source>its byte count is not a size</source>
+        <translation>its byte count is not a size</translation>
+    </message>
+    <message>
+        <source>its byte order is neither 1 (little) nor 2 (big endian)</source>
+        <translation>its byte order is neither 1 (little) nor 2 (big endian)</translation>
+    </message>
+    <message>
+        <source>its ends must be finite</source>
+        <translation>its ends must be finite</translation>
+    </message>
+    <message>
+        <source>its header ends early</source>
+        <translation>its header ends early</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>its header is damaged</translation>
+    </message>
+    <message>
+        <source>its header is missing</source>
+        <translation>its header is missing</translation>
+    </message>
+    <message>
+        <source>its header is not 11 lines long</source>
+        <translation>its header is not 11 lines long</translation>
+    </message>
+    <message>
+        <source>its header is wrong</source>
+        <translation>its header is wrong</translation>
+    </message>
+    <message>
+        <source>its layout is damaged</source>
+        <translation>its layout is damaged</translation>
+    </message>
+    <message>
+        <source>its level must be above zero</source>
+        <translation>its level must be above zero</translation>
+    </message>
+    <message>
+        <source>its name, as stillcut-cli devices lists it</source>
+        <translation>its name, as stillcut-cli devices lists it</translation>
+    </message>
+    <message>
+        <source>its number of points is not a size</source>
+        <translation>its number of points is not a size</translation>
+    </message>
+    <message>
+        <source>its numbers are not IEEE 754</source>
+        <translation>its numbers are not IEEE 754</translation>
+    </message>
+    <message>
+        <source>its numbers make no sense in the byte order its header gives</source>
+        <translation>its numbers make no sense in the byte order its header gives</translation>
+    </message>
+    <message>
+        <source>its ordinate type is none of 2, 4, 5, 6</source>
+        <translation>its ordinate type is none of 2, 4, 5, 6</translation>
+    </message>
+    <message>
+        <source>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</source>
+        <translation>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</translation>
+    </message>
+    <message>
+        <source>its samples are not evenly spaced in time</source>
+        <translation>its samples are not evenly spaced in time</translation>
+    </message>
+    <message>
+        <source>its samples lie in another file</source>
+        <translation>its samples lie in another file</translation>
+    </message>
+    <message>
+        <source>its samples lie in other data sets</source>
+        <translation>its samples lie in other data sets</translation>
+    </message>
+    <message>
+        <source>its size line (record 7) is unreadable</source>
+        <translation>its size line (record 7) is unreadable</translation>
+    </message>
+    <message>
+        <source>its times cannot be read</source>
+        <translation>its times cannot be read</translation>
+    </message>
+    <message>
+        <source>journals are written as memory has them</source>
+        <translation>journals are written as memory has them</translation>
+    </message>
+    <message>
+        <source>knock along %1, hard, with the machine quiet</source>
+        <translation>knock along %1, hard, with the machine quiet</translation>
+    </message>
+    <message>
+        <source>knock straight along %1, close to the sensor</source>
+        <translation>knock straight along %1, close to the sensor</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>known: %1</translation>
+    </message>
+    <message>
+        <source>label, author or note is too long</source>
+        <translation>label, author or note is too long</translation>
+    </message>
+    <message>
+        <source>largest depth</source>
+        <translation>largest depth</translation>
+    </message>
+    <message>
+        <source>leave it out for the usual value</source>
+        <translation>leave it out for the usual value</translation>
+    </message>
+    <message>
+        <source>leaves no room for two words</source>
+        <translation>leaves no room for two words</translation>
+    </message>
+    <message>
+        <source>leaves what a machine can do</source>
+        <translation>leaves what a machine can do</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>left out: %1</translation>
+    </message>
+    <message>
+        <source>linearise the force at the mean chip thickness first</source>
+        <translation>linearise the force at the mean chip thickness first</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>link</translation>
+    </message>
+    <message>
+        <source>link '%1'</source>
+        <translation>link '%1'</translation>
+    </message>
+    <message>
+        <source>link 'analog'</source>
+        <translation>link 'analog'</translation>
+    </message>
+    <message>
+        <source>link 'grbl'</source>
+        <translation>link 'grbl'</translation>
+    </message>
+    <message>
+        <source>link 'linuxcnc'</source>
+        <translation>link 'linuxcnc'</translation>
+    </message>
+    <message>
+        <source>link 'modbus'</source>
+        <translation>link 'modbus'</translation>
+    </message>
+    <message>
+        <source>link 'simulated'</source>
+        <translation>link 'simulated'</translation>
+    </message>
+    <message>
+        <source>little and big endian mixed up</source>
+        <translation>little and big endian mixed up</translation>
+    </message>
+    <message>
+        <source>mV per g, Pa, N ... of the data sheet</source>
+        <translation>mV per g, Pa, N ... of the data sheet</translation>
+    </message>
+    <message>
+        <source>marker '%1'</source>
+        <translation>marker '%1'</translation>
+    </message>
+    <message>
+        <source>more than %1 MB</source>
+        <translation>more than %1 MB</translation>
+    </message>
+    <message>
+        <source>more than a million speeds</source>
+        <translation>more than a million speeds</translation>
+    </message>
+    <message>
+        <source>move %1 away</source>
+        <translation>move %1 away</translation>
+    </message>
+    <message>
+        <source>move %1 away to clear the mark of the dead writer alone</source>
+        <translation>move %1 away to clear the mark of the dead writer alone</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>must be a number from %1 to %2</translation>
+    </message>
+    <message>
+        <source>must be a number other than zero</source>
+        <translation>must be a number other than zero</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>must be a whole number</translation>
+    </message>
+    <message>
+        <source>must be above zero</source>
+        <translation>must be above zero</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>must be true or false</translation>
+    </message>
+    <message>
+        <source>must lie between 0 and 1 m</source>
+        <translation>must lie between 0 and 1 m</translation>
+    </message>
+    <message>
+        <source>must take half a second to a minute</source>
+        <translation>must take half a second to a minute</translation>
+    </message>
+    <message>
+        <source>name one of them or their folder: %1</source>
+        <translation>name one of them or their folder: %1</translation>
+    </message>
+    <message>
+        <source>name the one to read: FILE:/path</source>
+        <translation>name the one to read: FILE:/path</translation>
+    </message>
+    <message>
+        <source>names %1 columns where the rows have %2</source>
+        <translation>names %1 columns where the rows have %2</translation>
+    </message>
+    <message>
+        <source>names parted by commas were expected</source>
+        <translation>names parted by commas were expected</translation>
+    </message>
+    <message>
+        <source>needs one angle per tooth</source>
+        <translation>needs one angle per tooth</translation>
+    </message>
+    <message>
+        <source>needs the numbers t_s and ratio_chatter_to_forced</source>
+        <translation>needs the numbers t_s and ratio_chatter_to_forced</translation>
+    </message>
+    <message>
+        <source>neither 'host' nor 'device' is given</source>
+        <translation>neither 'host' nor 'device' is given</translation>
+    </message>
+    <message>
+        <source>no GRBL status report</source>
+        <translation>no GRBL status report</translation>
+    </message>
+    <message>
+        <source>no accelerometer along %1</source>
+        <translation>no accelerometer along %1</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>no answer</translation>
+    </message>
+    <message>
+        <source>no column is a channel</source>
+        <translation>no column is a channel</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>no connection</translation>
+    </message>
+    <message>
+        <source>no dataset 58 in it</source>
+        <translation>no dataset 58 in it</translation>
+    </message>
+    <message>
+        <source>no force sensor along %1</source>
+        <translation>no force sensor along %1</translation>
+    </message>
+    <message>
+        <source>no model of the path from actuator to sensor</source>
+        <translation>no model of the path from actuator to sensor</translation>
+    </message>
+    <message>
+        <source>no rows of numbers found in its first %1 lines</source>
+        <translation>no rows of numbers found in its first %1 lines</translation>
+    </message>
+    <message>
+        <source>no spindle speed is given</source>
+        <translation>no spindle speed is given</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>no such file</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>nobody renewed the lease</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step and bandwidth must not be negative</source>
+        <translation>noise, full scale, step and bandwidth must not be negative</translation>
+    </message>
+    <message>
+        <source>noise, or a sensor that is not on the table</source>
+        <translation>noise, or a sensor that is not on the table</translation>
+    </message>
+    <message>
+        <source>none of its samples is a number</source>
+        <translation>none of its samples is a number</translation>
+    </message>
+    <message>
+        <source>none was heard</source>
+        <translation>none was heard</translation>
+    </message>
+    <message>
+        <source>not a Stillcut session either</source>
+        <translation>not a Stillcut session either</translation>
+    </message>
+    <message>
+        <source>not a readable file</source>
+        <translation>not a readable file</translation>
+    </message>
+    <message>
+        <source>not a universal file of measured functions</source>
+        <translation>not a universal file of measured functions</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>not at all</translation>
+    </message>
+    <message>
+        <source>nothing is heard</source>
+        <translation>nothing is heard</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nothing was recorded</translation>
+    </message>
+    <message>
+        <source>nothing was written to the actuator</source>
+        <translation>nothing was written to the actuator</translation>
+    </message>
+    <message>
+        <source>older than %1</source>
+        <translation>older than %1</translation>
+    </message>
+    <message>
+        <source>on-line model</source>
+        <translation>on-line model</translation>
+    </message>
+    <message>
+        <source>one input from 0 for each of the %1 [[channels]], for example 0,1</source>
+        <translation>one input from 0 for each of the %1 [[channels]], for example 0,1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>one of %1</translation>
+    </message>
+    <message>
+        <source>one of them is needed</source>
+        <translation>one of them is needed</translation>
+    </message>
+    <message>
+        <source>one of them says it all</source>
+        <translation>one of them says it all</translation>
+    </message>
+    <message>
+        <source>one of them says where the machine is</source>
+        <translation>one of them says where the machine is</translation>
+    </message>
+    <message>
+        <source>one row of numbers is no recording</source>
+        <translation>one row of numbers is no recording</translation>
+    </message>
+    <message>
+        <source>only %1 % of what is heard is a tone near %2 Hz</source>
+        <translation>only %1 % of what is heard is a tone near %2 Hz</translation>
+    </message>
+    <message>
+        <source>only HDF5 and MATLAB files have places inside</source>
+        <translation>only HDF5 and MATLAB files have places inside</translation>
+    </message>
+    <message>
+        <source>only Stillcut sessions say how they were made</source>
+        <translation>only Stillcut sessions say how they were made</translation>
+    </message>
+    <message>
+        <source>only sessions have markers</source>
+        <translation>only sessions have markers</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>open it first</translation>
+    </message>
+    <message>
+        <source>output and reading differ in length</source>
+        <translation>output and reading differ in length</translation>
+    </message>
+    <message>
+        <source>path along %1</source>
+        <translation>path along %1</translation>
+    </message>
+    <message>
+        <source>path to the force along %1</source>
+        <translation>path to the force along %1</translation>
+    </message>
+    <message>
+        <source>peaks reach three times it</source>
+        <translation>peaks reach three times it</translation>
+    </message>
+    <message>
+        <source>pitch angles must be above zero</source>
+        <translation>pitch angles must be above zero</translation>
+    </message>
+    <message>
+        <source>pitch angles must sum to 360 degrees</source>
+        <translation>pitch angles must sum to 360 degrees</translation>
+    </message>
+    <message>
+        <source>pitch needs one angle per tooth</source>
+        <translation>pitch needs one angle per tooth</translation>
+    </message>
+    <message>
+        <source>place needs one weight per mode</source>
+        <translation>place needs one weight per mode</translation>
+    </message>
+    <message>
+        <source>plughw: in front of it converts them</source>
+        <translation>plughw: in front of it converts them</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>point %1</translation>
+    </message>
+    <message>
+        <source>point %1 is not a finite number</source>
+        <translation>point %1 is not a finite number</translation>
+    </message>
+    <message>
+        <source>point %1 is not finite</source>
+        <translation>point %1 is not finite</translation>
+    </message>
+    <message>
+        <source>process damping (limits at low speed are too low)</source>
+        <translation>process damping (limits at low speed are too low)</translation>
+    </message>
+    <message>
+        <source>profile version %1 is newer than this program</source>
+        <translation>profile version %1 is newer than this program</translation>
+    </message>
+    <message>
+        <source>promises more samples than the file holds</source>
+        <translation>promises more samples than the file holds</translation>
+    </message>
+    <message>
+        <source>put names that hold the delimiter in quotes</source>
+        <translation>put names that hold the delimiter in quotes</translation>
+    </message>
+    <message>
+        <source>quantity or scale is missing or senseless</source>
+        <translation>quantity or scale is missing or senseless</translation>
+    </message>
+    <message>
+        <source>radial immersion must lie in (0, 1]</source>
+        <translation>radial immersion must lie in (0, 1]</translation>
+    </message>
+    <message>
+        <source>ramps must be above zero and at most ten seconds</source>
+        <translation>ramps must be above zero and at most ten seconds</translation>
+    </message>
+    <message>
+        <source>random force must lie between 0 and 1000 N/sqrt(Hz)</source>
+        <translation>random force must lie between 0 and 1000 N/sqrt(Hz)</translation>
+    </message>
+    <message>
+        <source>rate must lie between 10 Hz and 1 MHz</source>
+        <translation>rate must lie between 10 Hz and 1 MHz</translation>
+    </message>
+    <message>
+        <source>recording failed while %1</source>
+        <translation>recording failed while %1</translation>
+    </message>
+    <message>
+        <source>recording stopped: the disk is nearly full</source>
+        <translation>recording stopped: the disk is nearly full</translation>
+    </message>
+    <message>
+        <source>recording stopped: the file was deleted or moved away</source>
+        <translation>recording stopped: the file was deleted or moved away</translation>
+    </message>
+    <message>
+        <source>remove the list where it belongs to another file</source>
+        <translation>remove the list where it belongs to another file</translation>
+    </message>
+    <message>
+        <source>rms in %1</source>
+        <translation>rms in %1</translation>
+    </message>
+    <message>
+        <source>runout must be finite</source>
+        <translation>runout must be finite</translation>
+    </message>
+    <message>
+        <source>runout needs one value per tooth</source>
+        <translation>runout needs one value per tooth</translation>
+    </message>
+    <message>
+        <source>sample %1 of '%2'</source>
+        <translation>sample %1 of '%2'</translation>
+    </message>
+    <message>
+        <source>samples a second, from 100 to 1000000</source>
+        <translation>samples a second, from 100 to 1000000</translation>
+    </message>
+    <message>
+        <source>samples a second, one of the device's</source>
+        <translation>samples a second, one of the device's</translation>
+    </message>
+    <message>
+        <source>save each segment as a file of its own</source>
+        <translation>save each segment as a file of its own</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>save it as UTF-8</translation>
+    </message>
+    <message>
+        <source>say which one it should lie along</source>
+        <translation>say which one it should lie along</translation>
+    </message>
+    <message>
+        <source>see gate.highest-feed</source>
+        <translation>see gate.highest-feed</translation>
+    </message>
+    <message>
+        <source>see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and gate.highest-cutting-speed</source>
+        <translation>see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and gate.highest-cutting-speed</translation>
+    </message>
+    <message>
+        <source>semi-discretization needs 1 to 2000 cells a tooth period</source>
+        <translation>semi-discretization needs 1 to 2000 cells a tooth period</translation>
+    </message>
+    <message>
+        <source>serial ports are not part of this build</source>
+        <translation>serial ports are not part of this build</translation>
+    </message>
+    <message>
+        <source>set [device] subdevice</source>
+        <translation>set [device] subdevice</translation>
+    </message>
+    <message>
+        <source>set its gain lower</source>
+        <translation>set its gain lower</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>set-up</translation>
+    </message>
+    <message>
+        <source>setting the length</source>
+        <translation>setting the length</translation>
+    </message>
+    <message>
+        <source>simulate a variable pitch instead</source>
+        <translation>simulate a variable pitch instead</translation>
+    </message>
+    <message>
+        <source>simulated cut</source>
+        <translation>simulated cut</translation>
+    </message>
+    <message>
+        <source>simulated machine</source>
+        <translation>simulated machine</translation>
+    </message>
+    <message>
+        <source>simulated source</source>
+        <translation>simulated source</translation>
+    </message>
+    <message>
+        <source>simulated: %1</source>
+        <translation>simulated: %1</translation>
+    </message>
+    <message>
+        <source>sound file</source>
+        <translation>sound file</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>source</translation>
+    </message>
+    <message>
+        <source>source 'alsa'</source>
+        <translation>source 'alsa'</translation>
+    </message>
+    <message>
+        <source>source 'comedi'</source>
+        <translation>source 'comedi'</translation>
+    </message>
+    <message>
+        <source>source 'iio'</source>
+        <translation>source 'iio'</translation>
+    </message>
+    <message>
+        <source>source 'joined'</source>
+        <translation>source 'joined'</translation>
+    </message>
+    <message>
+        <source>source 'replay'</source>
+        <translation>source 'replay'</translation>
+    </message>
+    <message>
+        <source>source 'serial'</source>
+        <translation>source 'serial'</translation>
+    </message>
+    <message>
+        <source>source 'simulated'</source>
+        <translation>source 'simulated'</translation>
+    </message>
+    <message>
+        <source>source 'tcp'</source>
+        <translation>source 'tcp'</translation>
+    </message>
+    <message>
+        <source>speed must lie between 1 and 200000 rev/min</source>
+        <translation>speed must lie between 1 and 200000 rev/min</translation>
+    </message>
+    <message>
+        <source>speeds must be FROM:TO:STEP with 0 &lt; FROM &lt;= TO</source>
+        <translation>speeds must be FROM:TO:STEP with 0 &lt; FROM &lt;= TO</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>spindle speed</translation>
+    </message>
+    <message>
+        <source>stability lobes need a force exponent of 1</source>
+        <translation>stability lobes need a force exponent of 1</translation>
+    </message>
+    <message>
+        <source>stability lobes need a regular pitch</source>
+        <translation>stability lobes need a regular pitch</translation>
+    </message>
+    <message>
+        <source>steps must be 8 to 5000</source>
+        <translation>steps must be 8 to 5000</translation>
+    </message>
+    <message>
+        <source>steps per revolution must lie between 0 (automatic) and 1000000</source>
+        <translation>steps per revolution must lie between 0 (automatic) and 1000000</translation>
+    </message>
+    <message>
+        <source>stiffness must be above zero</source>
+        <translation>stiffness must be above zero</translation>
+    </message>
+    <message>
+        <source>stop it first</source>
+        <translation>stop it first</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stopped</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>strategy</translation>
+    </message>
+    <message>
+        <source>strategy 'active' needs a table [work_holder]</source>
+        <translation>strategy 'active' needs a table [work_holder]</translation>
+    </message>
+    <message>
+        <source>subdevice %1 is no analog output</source>
+        <translation>subdevice %1 is no analog output</translation>
+    </message>
+    <message>
+        <source>such a machine tells nothing of its program</source>
+        <translation>such a machine tells nothing of its program</translation>
+    </message>
+    <message>
+        <source>such devices are not part of this build</source>
+        <translation>such devices are not part of this build</translation>
+    </message>
+    <message>
+        <source>switch 'active.auxiliary' off, or take shorter blocks</source>
+        <translation>switch 'active.auxiliary' off, or take shorter blocks</translation>
+    </message>
+    <message>
+        <source>t0_s and t1_s must be times, one after the other</source>
+        <translation>t0_s and t1_s must be times, one after the other</translation>
+    </message>
+    <message>
+        <source>take a larger step</source>
+        <translation>take a larger step</translation>
+    </message>
+    <message>
+        <source>take a smaller depth</source>
+        <translation>take a smaller depth</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>task</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to 12, not %1</source>
+        <translation>teeth must be 1 to 12, not %1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file cannot be opened</source>
+        <translation>the HDF5 file cannot be opened</translation>
+    </message>
+    <message>
+        <source>the [[channels]] are %1 in all, and %2 of them are taken</source>
+        <translation>the [[channels]] are %1 in all, and %2 of them are taken</translation>
+    </message>
+    <message>
+        <source>the active table needs one per axis</source>
+        <translation>the active table needs one per axis</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>the actuator was at its end and the vibration grew</translation>
+    </message>
+    <message>
+        <source>the amplitude limit must be above zero</source>
+        <translation>the amplitude limit must be above zero</translation>
+    </message>
+    <message>
+        <source>the block does not fit where it is read to</source>
+        <translation>the block does not fit where it is read to</translation>
+    </message>
+    <message>
+        <source>the calibrator's level</source>
+        <translation>the calibrator's level</translation>
+    </message>
+    <message>
+        <source>the chosen channel has no axis</source>
+        <translation>the chosen channel has no axis</translation>
+    </message>
+    <message>
+        <source>the cut is too unstable for double precision</source>
+        <translation>the cut is too unstable for double precision</translation>
+    </message>
+    <message>
+        <source>the data chunk is missing: a truncated file</source>
+        <translation>the data chunk is missing: a truncated file</translation>
+    </message>
+    <message>
+        <source>the delays must rise from 0 or more to at most 10 s</source>
+        <translation>the delays must rise from 0 or more to at most 10 s</translation>
+    </message>
+    <message>
+        <source>the detector in charge or its fallback is not among the enabled ones</source>
+        <translation>the detector in charge or its fallback is not among the enabled ones</translation>
+    </message>
+    <message>
+        <source>the device does not run</source>
+        <translation>the device does not run</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>the device lost a block</translation>
+    </message>
+    <message>
+        <source>the devices have %1: N_channels says how many are theirs</source>
+        <translation>the devices have %1: N_channels says how many are theirs</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>the end</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>the error sensor stands still</translation>
+    </message>
+    <message>
+        <source>the fastest mode swings %1 times between two teeth</source>
+        <translation>the fastest mode swings %1 times between two teeth</translation>
+    </message>
+    <message>
+        <source>the feed range must rise from 0 or more to at most 300 %</source>
+        <translation>the feed range must rise from 0 or more to at most 300 %</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>the file is cut off</translation>
+    </message>
+    <message>
+        <source>the file is cut off or its header is wrong</source>
+        <translation>the file is cut off or its header is wrong</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>the file is damaged</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>the file is empty</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>the folder cannot be made</translation>
+    </message>
+    <message>
+        <source>the folder cannot be written to</source>
+        <translation>the folder cannot be written to</translation>
+    </message>
+    <message>
+        <source>the gear's table must hold [cut] speed_rpm, or there is nothing to go back to</source>
+        <translation>the gear's table must hold [cut] speed_rpm, or there is nothing to go back to</translation>
+    </message>
+    <message>
+        <source>the header is not 't,rpm'</source>
+        <translation>the header is not 't,rpm'</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of samples, the file holds %2</source>
+        <translation>the header promises %1 bytes of samples, the file holds %2</translation>
+    </message>
+    <message>
+        <source>the host cannot be found</source>
+        <translation>the host cannot be found</translation>
+    </message>
+    <message>
+        <source>the leak must lie between 0.9 and 1</source>
+        <translation>the leak must lie between 0.9 and 1</translation>
+    </message>
+    <message>
+        <source>the lease is shorter than two blocks</source>
+        <translation>the lease is shorter than two blocks</translation>
+    </message>
+    <message>
+        <source>the lease must be above zero and at most one second</source>
+        <translation>the lease must be above zero and at most one second</translation>
+    </message>
+    <message>
+        <source>the level moves by %1 %</source>
+        <translation>the level moves by %1 %</translation>
+    </message>
+    <message>
+        <source>the line is too long</source>
+        <translation>the line is too long</translation>
+    </message>
+    <message>
+        <source>the longest was %1 of %2</source>
+        <translation>the longest was %1 of %2</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>the loop diverged</translation>
+    </message>
+    <message>
+        <source>the lowest feed is not below the highest</source>
+        <translation>the lowest feed is not below the highest</translation>
+    </message>
+    <message>
+        <source>the lowest speed is not below the highest</source>
+        <translation>the lowest speed is not below the highest</translation>
+    </message>
+    <message>
+        <source>the machine's override cannot reach the allowed range</source>
+        <translation>the machine's override cannot reach the allowed range</translation>
+    </message>
+    <message>
+        <source>the machine's state is incomplete</source>
+        <translation>the machine's state is incomplete</translation>
+    </message>
+    <message>
+        <source>the machine's watchdog was not seen to act</source>
+        <translation>the machine's watchdog was not seen to act</translation>
+    </message>
+    <message>
+        <source>the marker cannot be written</source>
+        <translation>the marker cannot be written</translation>
+    </message>
+    <message>
+        <source>the markers cannot be read</source>
+        <translation>the markers cannot be read</translation>
+    </message>
+    <message>
+        <source>the model along %1 is %2 minutes old</source>
+        <translation>the model along %1 is %2 minutes old</translation>
+    </message>
+    <message>
+        <source>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</source>
+        <translation>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</translation>
+    </message>
+    <message>
+        <source>the nearest is %1</source>
+        <translation>the nearest is %1</translation>
+    </message>
+    <message>
+        <source>the number of channels changed</source>
+        <translation>the number of channels changed</translation>
+    </message>
+    <message>
+        <source>the order of semi-discretization must be 0 or 1</source>
+        <translation>the order of semi-discretization must be 0 or 1</translation>
+    </message>
+    <message>
+        <source>the output does not take the programmed values</source>
+        <translation>the output does not take the programmed values</translation>
+    </message>
+    <message>
+        <source>the pace must be above zero</source>
+        <translation>the pace must be above zero</translation>
+    </message>
+    <message>
+        <source>the pace must be zero (as fast as possible) or above, with a clock</source>
+        <translation>the pace must be zero (as fast as possible) or above, with a clock</translation>
+    </message>
+    <message>
+        <source>the path may be later than its model says; identify it again</source>
+        <translation>the path may be later than its model says; identify it again</translation>
+    </message>
+    <message>
+        <source>the path's model has more than %1 taps</source>
+        <translation>the path's model has more than %1 taps</translation>
+    </message>
+    <message>
+        <source>the path's model holds a number that is not finite</source>
+        <translation>the path's model holds a number that is not finite</translation>
+    </message>
+    <message>
+        <source>the path's model is delayed by more than %1 samples</source>
+        <translation>the path's model is delayed by more than %1 samples</translation>
+    </message>
+    <message>
+        <source>the path's model is unstable</source>
+        <translation>the path's model is unstable</translation>
+    </message>
+    <message>
+        <source>the path's model says that the actuator does nothing</source>
+        <translation>the path's model says that the actuator does nothing</translation>
+    </message>
+    <message>
+        <source>the paths are being identified</source>
+        <translation>the paths are being identified</translation>
+    </message>
+    <message>
+        <source>the profile's has %1</source>
+        <translation>the profile's has %1</translation>
+    </message>
+    <message>
+        <source>the programmed speed is outside the speed table</source>
+        <translation>the programmed speed is outside the speed table</translation>
+    </message>
+    <message>
+        <source>the programmed value must be reachable</source>
+        <translation>the programmed value must be reachable</translation>
+    </message>
+    <message>
+        <source>the range of the feed override is empty</source>
+        <translation>the range of the feed override is empty</translation>
+    </message>
+    <message>
+        <source>the range of the speed override is empty</source>
+        <translation>the range of the speed override is empty</translation>
+    </message>
+    <message>
+        <source>the reading does not follow the actuator</source>
+        <translation>the reading does not follow the actuator</translation>
+    </message>
+    <message>
+        <source>the registers do not answer</source>
+        <translation>the registers do not answer</translation>
+    </message>
+    <message>
+        <source>the repaired file could not be written</source>
+        <translation>the repaired file could not be written</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>the run has ended</translation>
+    </message>
+    <message>
+        <source>the sample rate must be above zero</source>
+        <translation>the sample rate must be above zero</translation>
+    </message>
+    <message>
+        <source>the samples are missing</source>
+        <translation>the samples are missing</translation>
+    </message>
+    <message>
+        <source>the samples cannot be read</source>
+        <translation>the samples cannot be read</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: it holds neither a rate nor times</source>
+        <translation>the sampling rate is not known: it holds neither a rate nor times</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: there is no time column</source>
+        <translation>the sampling rate is not known: there is no time column</translation>
+    </message>
+    <message>
+        <source>the sampling rate is senseless</source>
+        <translation>the sampling rate is senseless</translation>
+    </message>
+    <message>
+        <source>the sensor read nothing</source>
+        <translation>the sensor read nothing</translation>
+    </message>
+    <message>
+        <source>the session file cannot be created</source>
+        <translation>the session file cannot be created</translation>
+    </message>
+    <message>
+        <source>the session file cannot be opened</source>
+        <translation>the session file cannot be opened</translation>
+    </message>
+    <message>
+        <source>the session file cannot be repaired</source>
+        <translation>the session file cannot be repaired</translation>
+    </message>
+    <message>
+        <source>the session file is damaged</source>
+        <translation>the session file is damaged</translation>
+    </message>
+    <message>
+        <source>the session file was not closed cleanly</source>
+        <translation>the session file was not closed cleanly</translation>
+    </message>
+    <message>
+        <source>the session has others</source>
+        <translation>the session has others</translation>
+    </message>
+    <message>
+        <source>the session is closed</source>
+        <translation>the session is closed</translation>
+    </message>
+    <message>
+        <source>the setup is missing</source>
+        <translation>the setup is missing</translation>
+    </message>
+    <message>
+        <source>the setup is senseless</source>
+        <translation>the setup is senseless</translation>
+    </message>
+    <message>
+        <source>the size in its header is wrong, or the file is cut off</source>
+        <translation>the size in its header is wrong, or the file is cut off</translation>
+    </message>
+    <message>
+        <source>the slew limit must be above zero</source>
+        <translation>the slew limit must be above zero</translation>
+    </message>
+    <message>
+        <source>the span from %1 is empty</source>
+        <translation>the span from %1 is empty</translation>
+    </message>
+    <message>
+        <source>the span holds no samples</source>
+        <translation>the span holds no samples</translation>
+    </message>
+    <message>
+        <source>the speed must be above zero</source>
+        <translation>the speed must be above zero</translation>
+    </message>
+    <message>
+        <source>the speed range is empty</source>
+        <translation>the speed range is empty</translation>
+    </message>
+    <message>
+        <source>the speed range must rise from above 0 to at most 300 %</source>
+        <translation>the speed range must rise from above 0 to at most 300 %</translation>
+    </message>
+    <message>
+        <source>the step between speeds must be above zero</source>
+        <translation>the step between speeds must be above zero</translation>
+    </message>
+    <message>
+        <source>the step must lie between 0 and 1</source>
+        <translation>the step must lie between 0 and 1</translation>
+    </message>
+    <message>
+        <source>the table of blocks cannot be read</source>
+        <translation>the table of blocks cannot be read</translation>
+    </message>
+    <message>
+        <source>the tangential coefficient must be above zero</source>
+        <translation>the tangential coefficient must be above zero</translation>
+    </message>
+    <message>
+        <source>the time column does not grow</source>
+        <translation>the time column does not grow</translation>
+    </message>
+    <message>
+        <source>the time does not rise</source>
+        <translation>the time does not rise</translation>
+    </message>
+    <message>
+        <source>the time repeats</source>
+        <translation>the time repeats</translation>
+    </message>
+    <message>
+        <source>the time runs backwards</source>
+        <translation>the time runs backwards</translation>
+    </message>
+    <message>
+        <source>the time steps are uneven</source>
+        <translation>the time steps are uneven</translation>
+    </message>
+    <message>
+        <source>the tone is cut off at the input's limit</source>
+        <translation>the tone is cut off at the input's limit</translation>
+    </message>
+    <message>
+        <source>the tool has %1 teeth</source>
+        <translation>the tool has %1 teeth</translation>
+    </message>
+    <message>
+        <source>the tool's cutting speed lies below the speed range</source>
+        <translation>the tool's cutting speed lies below the speed range</translation>
+    </message>
+    <message>
+        <source>the tool's cutting speed must be above zero</source>
+        <translation>the tool's cutting speed must be above zero</translation>
+    </message>
+    <message>
+        <source>the value is not a finite number</source>
+        <translation>the value is not a finite number</translation>
+    </message>
+    <message>
+        <source>the work-holder needs a flexure with frequency, damping and stiffness</source>
+        <translation>the work-holder needs a flexure with frequency, damping and stiffness</translation>
+    </message>
+    <message>
+        <source>the work-holder's filter and amplifier need a bandwidth and a slew limit</source>
+        <translation>the work-holder's filter and amplifier need a bandwidth and a slew limit</translation>
+    </message>
+    <message>
+        <source>the work-holder's lines to quieten must be positive frequencies</source>
+        <translation>the work-holder's lines to quieten must be positive frequencies</translation>
+    </message>
+    <message>
+        <source>the work-holder's stroke must be above zero and at most 1 mm</source>
+        <translation>the work-holder's stroke must be above zero and at most 1 mm</translation>
+    </message>
+    <message>
+        <source>there are: </source>
+        <translation>there are: </translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>there are: %1</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>there is no channel %1</translation>
+    </message>
+    <message>
+        <source>there is no clock here</source>
+        <translation>there is no clock here</translation>
+    </message>
+    <message>
+        <source>there is no plant to drive</source>
+        <translation>there is no plant to drive</translation>
+    </message>
+    <message>
+        <source>there is no such array in the file</source>
+        <translation>there is no such array in the file</translation>
+    </message>
+    <message>
+        <source>there is no such data set or folder in the file</source>
+        <translation>there is no such data set or folder in the file</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>there is no such file</translation>
+    </message>
+    <message>
+        <source>there is no trigger '%1' at %2</source>
+        <translation>there is no trigger '%1' at %2</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real device here</source>
+        <translation>there is no wire to a real device here</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real machine here</source>
+        <translation>there is no wire to a real machine here</translation>
+    </message>
+    <message>
+        <source>there is nothing to exchange it with</source>
+        <translation>there is nothing to exchange it with</translation>
+    </message>
+    <message>
+        <source>they must rise</source>
+        <translation>they must rise</translation>
+    </message>
+    <message>
+        <source>this HDF5 library cannot repair files</source>
+        <translation>this HDF5 library cannot repair files</translation>
+    </message>
+    <message>
+        <source>this is no text recording</source>
+        <translation>this is no text recording</translation>
+    </message>
+    <message>
+        <source>this program reads versions %1 to %2</source>
+        <translation>this program reads versions %1 to %2</translation>
+    </message>
+    <message>
+        <source>this program was built without alsa-lib</source>
+        <translation>this program was built without alsa-lib</translation>
+    </message>
+    <message>
+        <source>this recording cannot be gone back in</source>
+        <translation>this recording cannot be gone back in</translation>
+    </message>
+    <message>
+        <source>too large for a sample</source>
+        <translation>too large for a sample</translation>
+    </message>
+    <message>
+        <source>too short</source>
+        <translation>too short</translation>
+    </message>
+    <message>
+        <source>too short to identify a path from</source>
+        <translation>too short to identify a path from</translation>
+    </message>
+    <message>
+        <source>turns too slowly for its rate</source>
+        <translation>turns too slowly for its rate</translation>
+    </message>
+    <message>
+        <source>two devices or more are joined: 1_id, 2_id ...</source>
+        <translation>two devices or more are joined: 1_id, 2_id ...</translation>
+    </message>
+    <message>
+        <source>two seconds are needed</source>
+        <translation>two seconds are needed</translation>
+    </message>
+    <message>
+        <source>two seconds of the tone are needed</source>
+        <translation>two seconds of the tone are needed</translation>
+    </message>
+    <message>
+        <source>unevenness must lie between 0 and 0.01 / sqrt(Hz)</source>
+        <translation>unevenness must lie between 0 and 0.01 / sqrt(Hz)</translation>
+    </message>
+    <message>
+        <source>universal file, dataset 58</source>
+        <translation>universal file, dataset 58</translation>
+    </message>
+    <message>
+        <source>unknown id '%1'</source>
+        <translation>unknown id '%1'</translation>
+    </message>
+    <message>
+        <source>unknown key '%1'</source>
+        <translation>unknown key '%1'</translation>
+    </message>
+    <message>
+        <source>up to 64 can be read</source>
+        <translation>up to 64 can be read</translation>
+    </message>
+    <message>
+        <source>use the link 'simulated'</source>
+        <translation>use the link 'simulated'</translation>
+    </message>
+    <message>
+        <source>variable %1</source>
+        <translation>variable %1</translation>
+    </message>
+    <message>
+        <source>virtual data sets are not read</source>
+        <translation>virtual data sets are not read</translation>
+    </message>
+    <message>
+        <source>volts of one device unit, for example of full scale</source>
+        <translation>volts of one device unit, for example of full scale</translation>
+    </message>
+    <message>
+        <source>wait for the end</source>
+        <translation>wait for the end</translation>
+    </message>
+    <message>
+        <source>was stopped</source>
+        <translation>was stopped</translation>
+    </message>
+    <message>
+        <source>what full scale means must be a number other than 0</source>
+        <translation>what full scale means must be a number other than 0</translation>
+    </message>
+    <message>
+        <source>what is there is left as it is</source>
+        <translation>what is there is left as it is</translation>
+    </message>
+    <message>
+        <source>what would the machine watch?</source>
+        <translation>what would the machine watch?</translation>
+    </message>
+    <message>
+        <source>without it nothing can be told or done</source>
+        <translation>without it nothing can be told or done</translation>
+    </message>
+    <message>
+        <source>writing the journal</source>
+        <translation>writing the journal</translation>
+    </message>
+    <message>
+        <source>writing to disk</source>
+        <translation>writing to disk</translation>
+    </message>
+    <message>
+        <source>x and y are on the same channel</source>
+        <translation>x and y are on the same channel</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force (a tooth cuts %1 % of the time): expect errors of tens of percent between the lobes; the exact method has none</source>
+        <translation>zeroth order averages the force (a tooth cuts %1 % of the time): expect errors of tens of percent between the lobes; the exact method has none</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
+        <translation>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1479,10 +4647,6 @@
         <translation>Off</translation>
     </message>
     <message>
-        <source>still learning the noise, {0.1} s to go</source>
-        <translation>still learning the noise, {0.1} s to go</translation>
-    </message>
-    <message>
         <source>the spindle speed is not known</source>
         <translation>the spindle speed is not known</translation>
     </message>
@@ -1491,8 +4655,8 @@
         <translation>the number of teeth is not known</translation>
     </message>
     <message>
-        <source>{0.0} samples are missing</source>
-        <translation>{0.0} samples are missing</translation>
+        <source>samples are missing ({0.0} counted)</source>
+        <translation>samples are missing ({0.0} counted)</translation>
     </message>
     <message>
         <source>the sensor is at its limit</source>
@@ -1791,8 +4955,8 @@
         <translation>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</translation>
     </message>
     <message>
-        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
-        <translation>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</translation>
+        <source>channel {0.0} fell silent in the middle of the cut, look for a broken cable</source>
+        <translation>channel {0.0} fell silent in the middle of the cut, look for a broken cable</translation>
     </message>
     <message>
         <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
@@ -1815,16 +4979,20 @@
         <translation>channels {0.0} and {1.0} claim two axes and deliver the same, one of them is wired or named wrongly</translation>
     </message>
     <message>
-        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
-        <translation>channel {0.0} repeats each value, its samples were taken at a lower rate than told</translation>
-    </message>
-    <message>
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>the device delivers {0.1} samples a second instead of {1.1}</translation>
     </message>
     <message>
         <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
         <translation>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</translation>
+    </message>
+    <message>
+        <source>still learning, {0.1} s to go</source>
+        <translation>still learning, {0.1} s to go</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats its values, or comes at another rate than told</source>
+        <translation>channel {0.0} repeats its values, or comes at another rate than told</translation>
     </message>
 </context>
 <context>
@@ -1868,6 +5036,32 @@
     <message>
         <source>Settings at the beginning</source>
         <translation>Settings at the beginning</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>The device is gone; identify again when it is back</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>Replay: %1</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>the run has ended</translation>
+    </message>
+</context>
+<context>
+    <name>Trial</name>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz, channels: %2</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</translation>
     </message>
 </context>
 <context>
@@ -2109,10 +5303,6 @@
         <translation>You are in command</translation>
     </message>
     <message>
-        <source>speed %1, feed %2</source>
-        <translation>speed %1, feed %2</translation>
-    </message>
-    <message>
         <source>Stillcut is in command</source>
         <translation>Stillcut is in command</translation>
     </message>
@@ -2151,10 +5341,6 @@
     <message>
         <source>CHATTER</source>
         <translation>CHATTER</translation>
-    </message>
-    <message>
-        <source>Hopf</source>
-        <translation>Hopf</translation>
     </message>
     <message>
         <source>period doubling</source>
@@ -2953,8 +6139,8 @@
         <translation>a loop of its own</translation>
     </message>
     <message>
-        <source>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</source>
-        <translation>Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs</translation>
+        <source>Joined device, %1 channels: %2 by this computer's clock, times steady within %3 µs, beside any constant delay of its wire</source>
+        <translation>Joined device, %1 channels: %2 by this computer's clock, times steady within %3 µs, beside any constant delay of its wire</translation>
     </message>
     <message>
         <source>No program runs, or the machine is off</source>
@@ -3057,18 +6243,6 @@
         <translation>The machine's watchdog or the operator's switch has taken Stillcut out</translation>
     </message>
     <message>
-        <source>FIND THE MACHINE</source>
-        <translation>FIND THE MACHINE</translation>
-    </message>
-    <message>
-        <source>more hosts, or 192.168.1.0/24</source>
-        <translation>more hosts, or 192.168.1.0/24</translation>
-    </message>
-    <message>
-        <source>What was found</source>
-        <translation>What was found</translation>
-    </message>
-    <message>
         <source>identifying, %1</source>
         <translation>identifying, %1</translation>
     </message>
@@ -3083,6 +6257,74 @@
     <message>
         <source>Table</source>
         <translation>Table</translation>
+    </message>
+    <message>
+        <source>The marker is in the file</source>
+        <translation>The marker is in the file</translation>
+    </message>
+    <message>
+        <source>Vibration %1</source>
+        <translation>Vibration %1</translation>
+    </message>
+    <message>
+        <source>Vibration %1: the chatter is gone</source>
+        <translation>Vibration %1: the chatter is gone</translation>
+    </message>
+    <message>
+        <source>Vibration %1: no chatter, %2 is the teeth</source>
+        <translation>Vibration %1: no chatter, %2 is the teeth</translation>
+    </message>
+    <message>
+        <source>Onset %1, quiet after %2, nothing marked</source>
+        <translation>Onset %1, quiet after %2, nothing marked</translation>
+    </message>
+    <message>
+        <source>Onsets in this run: %1, no chatter</source>
+        <translation>Onsets in this run: %1, no chatter</translation>
+    </message>
+    <message>
+        <source>ADVICE IN THE REPLAY</source>
+        <translation>ADVICE IN THE REPLAY</translation>
+    </message>
+    <message>
+        <source>live, %1</source>
+        <translation>live, %1</translation>
+    </message>
+    <message>
+        <source>being checked</source>
+        <translation>being checked</translation>
+    </message>
+    <message>
+        <source>regenerative</source>
+        <translation>regenerative</translation>
+    </message>
+    <message>
+        <source>Not computed so deep</source>
+        <translation>Not computed so deep</translation>
+    </message>
+    <message>
+        <source>no limit found down to %1</source>
+        <translation>no limit found down to %1</translation>
+    </message>
+    <message>
+        <source>STABLE, no limit found down to %1</source>
+        <translation>STABLE, no limit found down to %1</translation>
+    </message>
+    <message>
+        <source>limit deeper than %1</source>
+        <translation>limit deeper than %1</translation>
+    </message>
+    <message>
+        <source>, B: %1</source>
+        <translation>, B: %1</translation>
+    </message>
+    <message>
+        <source>dB re 1 %1</source>
+        <translation>dB re 1 %1</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1 rms</translation>
     </message>
 </context>
 <context>
@@ -3263,6 +6505,10 @@
         <source>F4, no watchdog</source>
         <translation>F4, no watchdog</translation>
     </message>
+    <message>
+        <source>ACCEPT</source>
+        <translation>ACCEPT</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::DisplayPanel</name>
@@ -3389,6 +6635,30 @@
         <source>depth of cut [mm]</source>
         <translation>depth of cut [mm]</translation>
     </message>
+    <message>
+        <source>now</source>
+        <translation>now</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>advised</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>what if</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>was stable</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>onset</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>chatter</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::LobesPage</name>
@@ -3433,10 +6703,6 @@
         <translation>Quiet pockets at this depth</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</source>
-        <translation>Choose a pocket to try its best speed. In brackets: beyond the override's reach.</translation>
-    </message>
-    <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
         <translation>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</translation>
     </message>
@@ -3449,16 +6715,24 @@
         <translation>Computing; the diagram before stays until it is done</translation>
     </message>
     <message>
-        <source>%1. Left out: %2</source>
-        <translation>%1. Left out: %2</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>Cancelled</translation>
     </message>
     <message>
         <source>Cannot be computed: %1</source>
         <translation>Cannot be computed: %1</translation>
+    </message>
+    <message>
+        <source>In brackets: beyond the override's reach</source>
+        <translation>In brackets: beyond the override's reach</translation>
+    </message>
+    <message>
+        <source>Choose a pocket to try its best speed</source>
+        <translation>Choose a pocket to try its best speed</translation>
+    </message>
+    <message>
+        <source>Nothing new arrives: the working point is not shown</source>
+        <translation>Nothing new arrives: the working point is not shown</translation>
     </message>
 </context>
 <context>
@@ -3569,6 +6843,14 @@
     <message>
         <source>Marker removed</source>
         <translation>Marker removed</translation>
+    </message>
+    <message>
+        <source>Marker put back</source>
+        <translation>Marker put back</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>UNDO</translation>
     </message>
 </context>
 <context>
@@ -3753,6 +7035,14 @@
         <source>down to</source>
         <translation>down to</translation>
     </message>
+    <message>
+        <source>&gt; %1</source>
+        <translation>&gt; %1</translation>
+    </message>
+    <message>
+        <source>No limit found: the search ended there</source>
+        <translation>No limit found: the search ended there</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>
@@ -3791,6 +7081,10 @@
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
         <translation>Not a moment: write 14:03:20, or -12 for seconds ago</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>UNDO</translation>
     </message>
 </context>
 <context>
@@ -3958,6 +7252,14 @@
         <source>as recorded</source>
         <translation>as recorded</translation>
     </message>
+    <message>
+        <source>before</source>
+        <translation>before</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>after</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionsPage</name>
@@ -4089,6 +7391,18 @@
         <source>Not scored: %1</source>
         <translation>Not scored: %1</translation>
     </message>
+    <message>
+        <source>BESIDE</source>
+        <translation>BESIDE</translation>
+    </message>
+    <message>
+        <source>Keep this recording beside the next one that is opened</source>
+        <translation>Keep this recording beside the next one that is opened</translation>
+    </message>
+    <message>
+        <source>Open another recording: this one stays beside it, as the dashed line</source>
+        <translation>Open another recording: this one stays beside it, as the dashed line</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SettingsForm</name>
@@ -4186,6 +7500,18 @@
         <source>Nothing is looked for before you ask.</source>
         <translation>Nothing is looked for before you ask.</translation>
     </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>FIND THE MACHINE</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>more hosts, or 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>What was found</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupGuide</name>
@@ -4245,10 +7571,6 @@
         <translation>Programmed speed in rpm</translation>
     </message>
     <message>
-        <source>Programmed feed in mm per minute</source>
-        <translation>Programmed feed in mm per minute</translation>
-    </message>
-    <message>
         <source>AUTO MAY BE CHOSEN</source>
         <translation>AUTO MAY BE CHOSEN</translation>
     </message>
@@ -4265,12 +7587,20 @@
         <translation>Speed, rpm</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
-        <translation>Feed, mm/min</translation>
-    </message>
-    <message>
         <source>LINK TO THE CONTROL</source>
         <translation>LINK TO THE CONTROL</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Programmed feed</translation>
+    </message>
+    <message>
+        <source>Feed, %1</source>
+        <translation>Feed, %1</translation>
+    </message>
+    <message>
+        <source>Programmed feed in %1</source>
+        <translation>Programmed feed in %1</translation>
     </message>
 </context>
 <context>
@@ -4591,10 +7921,6 @@
         <translation>Teeth</translation>
     </message>
     <message>
-        <source>Diameter, mm</source>
-        <translation>Diameter, mm</translation>
-    </message>
-    <message>
         <source>Pitch angles, degrees</source>
         <translation>Pitch angles, degrees</translation>
     </message>
@@ -4689,6 +8015,34 @@
     <message>
         <source>Noted</source>
         <translation>Noted</translation>
+    </message>
+    <message>
+        <source>Not kept: the pitch needs one angle per tooth, 360 degrees together</source>
+        <translation>Not kept: the pitch needs one angle per tooth, 360 degrees together</translation>
+    </message>
+    <message>
+        <source>PUT IT BACK</source>
+        <translation>PUT IT BACK</translation>
+    </message>
+    <message>
+        <source>Put the removed tool back</source>
+        <translation>Put the removed tool back</translation>
+    </message>
+    <message>
+        <source>It is back</source>
+        <translation>It is back</translation>
+    </message>
+    <message>
+        <source>Not kept yet</source>
+        <translation>Not kept yet</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diameter</translation>
+    </message>
+    <message>
+        <source>Diameter, %1</source>
+        <translation>Diameter, %1</translation>
     </message>
 </context>
 <context>
@@ -4796,6 +8150,10 @@
         <source>chatter %1</source>
         <translation>chatter %1</translation>
     </message>
+    <message>
+        <source>SPECTRUM, STALE: nothing new arrives</source>
+        <translation>SPECTRUM, STALE: nothing new arrives</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -4814,12 +8172,12 @@
 <context>
     <name>stillcut::ui::ToolModel</name>
     <message>
-        <source>D %1 mm, %2 teeth</source>
-        <translation>D %1 mm, %2 teeth</translation>
-    </message>
-    <message>
         <source>chattered here before: %1</source>
         <translation>chattered here before: %1</translation>
+    </message>
+    <message>
+        <source>D %1, %2 teeth</source>
+        <translation>D %1, %2 teeth</translation>
     </message>
 </context>
 <context>
@@ -4832,6 +8190,10 @@
         <source>No samples kept of this stretch</source>
         <translation>No samples kept of this stretch</translation>
     </message>
+    <message>
+        <source>peak %1</source>
+        <translation>peak %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::TrackPlot</name>
@@ -4842,6 +8204,10 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</translation>
+    </message>
+    <message>
+        <source>low: stable, half: onset, full: chatter; line: first indicator</source>
+        <translation>low: stable, half: onset, full: chatter; line: first indicator</translation>
     </message>
 </context>
 <context>
@@ -4904,6 +8270,10 @@
     <message>
         <source>as the run began</source>
         <translation>as the run began</translation>
+    </message>
+    <message>
+        <source>both sides alike</source>
+        <translation>both sides alike</translation>
     </message>
 </context>
 <context>
@@ -4987,6 +8357,10 @@
     <message>
         <source>Not kept: %1</source>
         <translation>Not kept: %1</translation>
+    </message>
+    <message>
+        <source>The picture is stale: nothing new for %1</source>
+        <translation>The picture is stale: nothing new for %1</translation>
     </message>
 </context>
 <context>

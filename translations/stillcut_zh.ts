@@ -1411,6 +1411,3174 @@
         <source>Modbus server, for &apos;modbus&apos; with a map</source>
         <translation>Modbus 服务器，用于“modbus”，需寄存器表</translation>
     </message>
+    <message>
+        <source>marker</source>
+        <translation>标记</translation>
+    </message>
+    <message>
+        <source>needs a label</source>
+        <translation>需要一个名称</translation>
+    </message>
+    <message>
+        <source>type one beside SPAN</source>
+        <translation>请在“区段”旁输入</translation>
+    </message>
+    <message>
+        <source>export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>the recording is still being read</source>
+        <translation>记录仍在读取中</translation>
+    </message>
+    <message>
+        <source>a moment later</source>
+        <translation>请稍后再试</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>无法写入</translation>
+    </message>
+    <message>
+        <source>active work-holder</source>
+        <translation>主动工作台</translation>
+    </message>
+    <message>
+        <source>the last record is still being worked on</source>
+        <translation>上一次记录仍在处理中</translation>
+    </message>
+    <message>
+        <source>score</source>
+        <translation>评分</translation>
+    </message>
+    <message>
+        <source>nothing is marked here</source>
+        <translation>这里没有任何标记</translation>
+    </message>
+    <message>
+        <source>mark true and false alarms first</source>
+        <translation>请先标记真报警与误报警</translation>
+    </message>
+    <message>
+        <source>profile</source>
+        <translation>配置</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep it in</source>
+        <translation>没有可存放的文件夹</translation>
+    </message>
+    <message>
+        <source>letters and digits</source>
+        <translation>请用字母和数字</translation>
+    </message>
+    <message>
+        <source>cannot be put in force here</source>
+        <translation>不能在这里启用</translation>
+    </message>
+    <message>
+        <source>demonstration</source>
+        <translation>演示</translation>
+    </message>
+    <message>
+        <source>cannot run here</source>
+        <translation>不能在这里运行</translation>
+    </message>
+    <message>
+        <source>tools</source>
+        <translation>刀具</translation>
+    </message>
+    <message>
+        <source>there is no folder to keep them in</source>
+        <translation>没有可存放的文件夹</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>采样</translation>
+    </message>
+    <message>
+        <source>the device has stopped</source>
+        <translation>设备已停止</translation>
+    </message>
+    <message>
+        <source>this channel never moves</source>
+        <translation>该通道始终不动</translation>
+    </message>
+    <message>
+        <source>is the sensor connected?</source>
+        <translation>传感器是否已连接？</translation>
+    </message>
+    <message>
+        <source>nothing is open</source>
+        <translation>没有打开任何文件</translation>
+    </message>
+    <message>
+        <source>replay</source>
+        <translation>回放</translation>
+    </message>
+    <message>
+        <source>is no longer there</source>
+        <translation>已不存在</translation>
+    </message>
+    <message>
+        <source>tune</source>
+        <translation>调整</translation>
+    </message>
+    <message>
+        <source>there is no profile to keep them in</source>
+        <translation>没有可存放的配置</translation>
+    </message>
+    <message>
+        <source>start with --profile</source>
+        <translation>请用 --profile 启动</translation>
+    </message>
+    <message>
+        <source>cannot be made</source>
+        <translation>无法创建</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>启动</translation>
+    </message>
+    <message>
+        <source>the machine is under our authority</source>
+        <translation>机床正由 Stillcut 控制</translation>
+    </message>
+    <message>
+        <source>set it to Off first</source>
+        <translation>请先设为关闭</translation>
+    </message>
+    <message>
+        <source>Vibration limit</source>
+        <translation>振动限值</translation>
+    </message>
+    <message>
+        <source>Vibration (rms, SI unit of the first channel) from which the bar of the operator&apos;s page says that it is too much; auto: no limit</source>
+        <translation>振动（有效值，第一通道的 SI 单位）达到此值时，操作页的条形图显示超限；自动：无限值</translation>
+    </message>
+    <message>
+        <source>%1 answers</source>
+        <translation>%1 有应答</translation>
+    </message>
+    <message>
+        <source>it answers, but its state is incomplete</source>
+        <translation>有应答，但状态不完整</translation>
+    </message>
+    <message>
+        <source>the machine is off</source>
+        <translation>机床已关闭</translation>
+    </message>
+    <message>
+        <source>the machine is in alarm</source>
+        <translation>机床处于报警状态</translation>
+    </message>
+    <message>
+        <source>feed held</source>
+        <translation>进给保持</translation>
+    </message>
+    <message>
+        <source>program running</source>
+        <translation>程序正在运行</translation>
+    </message>
+    <message>
+        <source>no program running</source>
+        <translation>没有程序在运行</translation>
+    </message>
+    <message>
+        <source>spindle %1 rev/min, programmed %2</source>
+        <translation>主轴 %1 rpm，编程值 %2</translation>
+    </message>
+    <message>
+        <source>overrides %1 % speed, %2 % feed</source>
+        <translation>倍率：转速 %1 %，进给 %2 %</translation>
+    </message>
+    <message>
+        <source>locked by the program</source>
+        <translation>已被程序锁定</translation>
+    </message>
+    <message>
+        <source>a look takes %1 ms, and what it shows is %2 ms old</source>
+        <translation>一次查询用时 %1 ms，所示数据为 %2 ms 前</translation>
+    </message>
+    <message>
+        <source>%1 of %2 looks were lost</source>
+        <translation>%2 次查询中丢失 %1 次</translation>
+    </message>
+    <message>
+        <source>speed %1 to %2 %, feed %3 to %4 %</source>
+        <translation>转速 %1 至 %2 %，进给 %3 至 %4 %</translation>
+    </message>
+    <message>
+        <source>the machine goes back by itself when nothing comes from here</source>
+        <translation>收不到本程序信号时机床会自行恢复</translation>
+    </message>
+    <message>
+        <source>the machine has no watchdog: if this program dies, the overrides stay</source>
+        <translation>机床没有看门狗：若本程序中止，倍率将保持不变</translation>
+    </message>
+    <message>
+        <source>one knock along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <translation>沿 %1 敲击一次：&apos;%2&apos; 最响，比其次高 %3 dB</translation>
+    </message>
+    <message>
+        <source>%4 knocks along %1: &apos;%2&apos; heard most, %3 dB above the next</source>
+        <translation>沿 %1 敲击 %4 次：&apos;%2&apos; 最响，比其次高 %3 dB</translation>
+    </message>
+    <message>
+        <source>it is right</source>
+        <translation>正确</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; are exchanged</source>
+        <translation>&apos;%1&apos; 与 &apos;%2&apos; 接反了</translation>
+    </message>
+    <message>
+        <source>A recording, in real time or at another pace: file, pace, rate_hz where the file does not say</source>
+        <translation>一段记录，按实时或其他速度播放：file、pace，文件未给出时还有 rate_hz</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Pace</source>
+        <translation>播放速度</translation>
+    </message>
+    <message>
+        <source>the device counts nothing: a loss of less than 30 ms or three blocks does not show, a longer one after a second or two</source>
+        <translation>该设备不计数：少于 30 毫秒或三个数据块的丢失无法发现，更长的丢失在一两秒后发现</translation>
+    </message>
+    <message>
+        <source>the card is not calibrated, its volts are nominal; comedi_soft_calibrate calibrates it</source>
+        <translation>采集卡未校准，其电压为标称值；可用 comedi_soft_calibrate 校准</translation>
+    </message>
+    <message>
+        <source>cannot be opened</source>
+        <translation>无法打开</translation>
+    </message>
+    <message>
+        <source>is it there, and free?</source>
+        <translation>设备是否存在且未被占用？</translation>
+    </message>
+    <message>
+        <source>nothing is sent</source>
+        <translation>没有收到任何数据</translation>
+    </message>
+    <message>
+        <source>does the device stream?</source>
+        <translation>设备是否在发送数据？</translation>
+    </message>
+    <message>
+        <source>bytes come, and no sample of the [[channels]] is in them</source>
+        <translation>收到字节，但其中没有 [[channels]] 的采样</translation>
+    </message>
+    <message>
+        <source>are format, sync, sample, checksum, baud and the number of channels those of the sender?</source>
+        <translation>format、sync、sample、checksum、baud 和通道数是否与发送方一致？</translation>
+    </message>
+    <message>
+        <source>does not answer</source>
+        <translation>没有应答</translation>
+    </message>
+    <message>
+        <source>does not stream</source>
+        <translation>不输出数据流</translation>
+    </message>
+    <message>
+        <source>does not start</source>
+        <translation>无法启动</translation>
+    </message>
+    <message>
+        <source>has no inputs that stream</source>
+        <translation>没有可连续采集的输入</translation>
+    </message>
+    <message>
+        <source>it may read single values only</source>
+        <translation>可能只能读取单个数值</translation>
+    </message>
+    <message>
+        <source>it only shares its memory</source>
+        <translation>它只共享其内存</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+    <message>
+        <source>does not take these settings together</source>
+        <translation>不接受这些设置的组合</translation>
+    </message>
+    <message>
+        <source>has not delivered enough in one piece</source>
+        <translation>没有连续提供足够的数据</translation>
+    </message>
+    <message>
+        <source>the device</source>
+        <translation>设备</translation>
+    </message>
+    <message>
+        <source>%1 (configuration)</source>
+        <translation>%1（配置）</translation>
+    </message>
+    <message>
+        <source>%1 Hz cannot be heard at %2 samples a second</source>
+        <translation>采样率为每秒 %2 点时听不到 %1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz，通道：%2</translation>
+    </message>
+    <message>
+        <source>%1 MB are left</source>
+        <translation>剩余 %1 MB</translation>
+    </message>
+    <message>
+        <source>%1 [[channels]] in the profile</source>
+        <translation>配置文件中有 %1 个 [[channels]]</translation>
+    </message>
+    <message>
+        <source>%1 and %2 frames</source>
+        <translation>%1 和 %2 帧</translation>
+    </message>
+    <message>
+        <source>%1 at %2: nothing comes any more, the wire is taken up again</source>
+        <translation>%1（%2）：不再有数据，正在重新连接</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read</source>
+        <translation>%1 无法读取</translation>
+    </message>
+    <message>
+        <source>%1 channels, %2 Hz, %3 bits</source>
+        <translation>%1 通道，%2 Hz，%3 位</translation>
+    </message>
+    <message>
+        <source>%1 datasets 58 hold other functions</source>
+        <translation>%1 个 58 数据集含其他函数</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 天</translation>
+    </message>
+    <message>
+        <source>%1 has no higher voltage</source>
+        <translation>%1 的电压没有升高</translation>
+    </message>
+    <message>
+        <source>%1 hours</source>
+        <translation>%1 小时</translation>
+    </message>
+    <message>
+        <source>%1 is longer than the file</source>
+        <translation>%1 比文件还长</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 不是有限数</translation>
+    </message>
+    <message>
+        <source>%1 is not a whole number</source>
+        <translation>%1 不是整数</translation>
+    </message>
+    <message>
+        <source>%1 is out of range</source>
+        <translation>%1 超出范围</translation>
+    </message>
+    <message>
+        <source>%1 is too large for a sample</source>
+        <translation>%1 作为采样值过大</translation>
+    </message>
+    <message>
+        <source>%1 mm is no depth</source>
+        <translation>%1 mm 不是有效切深</translation>
+    </message>
+    <message>
+        <source>%1 of %2 bytes are there; copy it again</source>
+        <translation>只有 %2 字节中的 %1 字节；请重新复制</translation>
+    </message>
+    <message>
+        <source>%1 rpm is no speed</source>
+        <translation>%1 rpm 不是有效转速</translation>
+    </message>
+    <message>
+        <source>%1 rpm is too low for these modes</source>
+        <translation>%1 rpm 对这些模态过低</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 次</translation>
+    </message>
+    <message>
+        <source>%1 turns the table round</source>
+        <translation>%1 使表格反向</translation>
+    </message>
+    <message>
+        <source>%1 unit %2</source>
+        <translation>%1 单元 %2</translation>
+    </message>
+    <message>
+        <source>%1 would have alarmed %2; before %3</source>
+        <translation>%1 会报警 %2；之前 %3</translation>
+    </message>
+    <message>
+        <source>%1, device %2: %3</source>
+        <translation>%1，设备 %2：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2 failed (%3)</source>
+        <translation>%1：%2 失败（%3）</translation>
+    </message>
+    <message>
+        <source>%1: a length inside it is wrong</source>
+        <translation>%1：其中有错误的长度</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1：%2 Hz 的音，占所听到的 %3 %；系数 %4 ± %5 %6</translation>
+    </message>
+    <message>
+        <source>%1: feed per tooth</source>
+        <translation>%1：每齿进给</translation>
+    </message>
+    <message>
+        <source>%1: is not the device that it was</source>
+        <translation>%1：已不是原来的设备</translation>
+    </message>
+    <message>
+        <source>%1: path along %2</source>
+        <translation>%1：沿 %2 的路径</translation>
+    </message>
+    <message>
+        <source>%1: path to the accelerometer along %2</source>
+        <translation>%1：沿 %2 到加速度计的路径</translation>
+    </message>
+    <message>
+        <source>%1; some devices need a &apos;trigger&apos;</source>
+        <translation>%1；有些设备需要 &apos;trigger&apos;</translation>
+    </message>
+    <message>
+        <source>%1; stillcut-cli devices lists what there is</source>
+        <translation>%1；stillcut-cli devices 可列出现有设备</translation>
+    </message>
+    <message>
+        <source>%1; the cut before has been stopped</source>
+        <translation>%1；之前的切削已停止</translation>
+    </message>
+    <message>
+        <source>&apos; converts, or stands before what does</source>
+        <translation>&apos; 会转换，或位于转换器之前</translation>
+    </message>
+    <message>
+        <source>&apos; is a sound server&apos;s</source>
+        <translation>&apos; 属于声音服务器</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
+        <translation>&apos;%1&apos; 与 &apos;%2&apos; 听到的相差不到 %3 dB</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be opened</source>
+        <translation>&apos;%1&apos; 无法打开</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cannot be read</source>
+        <translation>&apos;%1&apos; 无法读取</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no other axis beside it</source>
+        <translation>&apos;%1&apos; 旁边没有另一轴</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>缺少 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is neither true nor false</source>
+        <translation>&apos;%1&apos; 既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no delay</source>
+        <translation>&apos;%1&apos; 不是有效延迟</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no name for a file</source>
+        <translation>&apos;%1&apos; 不能作文件名</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no quantity</source>
+        <translation>&apos;%1&apos; 不是测量量</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is none</source>
+        <translation>&apos;%1&apos; 不是</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not KEY=VALUE</source>
+        <translation>&apos;%1&apos; 不是 KEY=VALUE 形式</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a choice</source>
+        <translation>&apos;%1&apos; 不在可选项中</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a number</source>
+        <translation>&apos;%1&apos; 不是数字</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a time and a speed</source>
+        <translation>&apos;%1&apos; 不是时间与转速</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not known</source>
+        <translation>&apos;%1&apos; 未知</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; promises more numbers than the file holds</source>
+        <translation>&apos;%1&apos; 声明的数多于文件所含</translation>
+    </message>
+    <message>
+        <source>&apos;%1, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>&apos;%1，可能改变采样率并混合通道；hw: 指设备本身</translation>
+    </message>
+    <message>
+        <source>&apos;%1channels&apos; is %2</source>
+        <translation>&apos;%1channels&apos; 为 %2</translation>
+    </message>
+    <message>
+        <source>&apos;adaptive_feed&apos; needs &apos;hal_component_port&apos;</source>
+        <translation>&apos;adaptive_feed&apos; 需要 &apos;hal_component_port&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;device&apos; = &apos;%1&apos;</source>
+        <translation>&apos;device&apos; = &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;full_stroke_um&apos; is less</source>
+        <translation>&apos;full_stroke_um&apos; 更小</translation>
+    </message>
+    <message>
+        <source>&apos;input_x&apos; and &apos;input_y&apos;</source>
+        <translation>&apos;input_x&apos; 和 &apos;input_y&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;map&apos; is missing</source>
+        <translation>缺少 &apos;map&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;output_x&apos; and &apos;output_y&apos;</source>
+        <translation>&apos;output_x&apos; 和 &apos;output_y&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;rate_hz&apos; = %1 is not among its rates</source>
+        <translation>&apos;rate_hz&apos; = %1 不在其采样率之中</translation>
+    </message>
+    <message>
+        <source>&apos;rms&apos; must be above 0 and at most 0.3 of the stroke</source>
+        <translation>&apos;rms&apos; 必须大于 0 且不超过行程的 0.3</translation>
+    </message>
+    <message>
+        <source>&apos;source.id&apos; is missing</source>
+        <translation>缺少 &apos;source.id&apos;</translation>
+    </message>
+    <message>
+        <source>&apos;stroke_um&apos; is more than the output can drive</source>
+        <translation>&apos;stroke_um&apos; 超过输出能力</translation>
+    </message>
+    <message>
+        <source>, %1 bits; &apos;range&apos;</source>
+        <translation>，%1 位；&apos;range&apos;</translation>
+    </message>
+    <message>
+        <source>, %1 of them marked false</source>
+        <translation>，其中 %1 个标为误报</translation>
+    </message>
+    <message>
+        <source>, and could at %1</source>
+        <translation>，可用 %1</translation>
+    </message>
+    <message>
+        <source>, or as &quot;1 g&quot;</source>
+        <translation>，或写作“1 g”</translation>
+    </message>
+    <message>
+        <source>, or as &quot;94 dB&quot;</source>
+        <translation>，或写作“94 dB”</translation>
+    </message>
+    <message>
+        <source>, or auto</source>
+        <translation>，或 auto</translation>
+    </message>
+    <message>
+        <source>, up to %1 Hz for one</source>
+        <translation>，单通道最高 %1 Hz</translation>
+    </message>
+    <message>
+        <source>/24 or a larger number</source>
+        <translation>/24 或更大的数</translation>
+    </message>
+    <message>
+        <source>0 to %1 (&apos;inputs&apos;)</source>
+        <translation>0 至 %1（&apos;inputs&apos;）</translation>
+    </message>
+    <message>
+        <source>0 to 1000000 rev/min</source>
+        <translation>0 至 1000000 转/分</translation>
+    </message>
+    <message>
+        <source>1 to 32 sensors are needed</source>
+        <translation>需要 1 至 32 个传感器</translation>
+    </message>
+    <message>
+        <source>1 to 64 channels and a rate above zero were expected</source>
+        <translation>应为 1 至 64 个通道且采样率大于零</translation>
+    </message>
+    <message>
+        <source>1_id, 1_channels, 1_delay_ms and 1_ with the device&apos;s own settings, then 2_</source>
+        <translation>1_id、1_channels、1_delay_ms 及带设备自身设置的 1_，然后是 2_</translation>
+    </message>
+    <message>
+        <source>: samples are lost again and again</source>
+        <translation>：不断丢失采样</translation>
+    </message>
+    <message>
+        <source>Analog override</source>
+        <translation>模拟量倍率</translation>
+    </message>
+    <message>
+        <source>Broken pipe</source>
+        <translation>连接中断</translation>
+    </message>
+    <message>
+        <source>Connection refused</source>
+        <translation>连接被拒绝；对端是否在运行？</translation>
+    </message>
+    <message>
+        <source>Connection timed out</source>
+        <translation>连接超时；请检查地址与线缆</translation>
+    </message>
+    <message>
+        <source>DEC and IBM formats are not read</source>
+        <translation>不支持 DEC 和 IBM 格式</translation>
+    </message>
+    <message>
+        <source>Delta_X holds &apos;%1&apos;</source>
+        <translation>Delta_X 的值为 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>Device or resource busy</source>
+        <translation>被占用：另一程序正在使用</translation>
+    </message>
+    <message>
+        <source>DynoWare text</source>
+        <translation>DynoWare 文本</translation>
+    </message>
+    <message>
+        <source>FLAC holds at most 8 channels</source>
+        <translation>FLAC 最多 8 个通道</translation>
+    </message>
+    <message>
+        <source>Format not recognised.</source>
+        <translation>无法识别格式。</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>输入/输出错误；请检查线缆与设备</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>是文件夹</translation>
+    </message>
+    <message>
+        <source>Kept by the Tune page; stillcut-cli reads it with --config.</source>
+        <translation>由调节页保存；stillcut-cli 用 --config 读取。</translation>
+    </message>
+    <message>
+        <source>LabVIEW Measurement</source>
+        <translation>LabVIEW 测量</translation>
+    </message>
+    <message>
+        <source>LabVIEW measurement text</source>
+        <translation>LabVIEW 测量文本</translation>
+    </message>
+    <message>
+        <source>Modbus is not part of this build</source>
+        <translation>此版本不含 Modbus</translation>
+    </message>
+    <message>
+        <source>Modbus machine</source>
+        <translation>Modbus 机床</translation>
+    </message>
+    <message>
+        <source>No route to host</source>
+        <translation>无法到达主机；请检查网络与地址</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>磁盘已满；请腾出空间</translation>
+    </message>
+    <message>
+        <source>No such</source>
+        <translation>没有这样的</translation>
+    </message>
+    <message>
+        <source>No such device</source>
+        <translation>没有此设备；是否已连接？</translation>
+    </message>
+    <message>
+        <source>No such device or address</source>
+        <translation>没有此设备或地址；是否已连接？</translation>
+    </message>
+    <message>
+        <source>No such file or directory</source>
+        <translation>没有此文件或文件夹</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>不是文件夹</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>没有权限；请检查所有者与权限</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>文件系统只读</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>回放：%1</translation>
+    </message>
+    <message>
+        <source>SI units per device unit</source>
+        <translation>每设备单位的 SI 值</translation>
+    </message>
+    <message>
+        <source>Simulated mill</source>
+        <translation>模拟铣床</translation>
+    </message>
+    <message>
+        <source>Stillcut session</source>
+        <translation>Stillcut 会话</translation>
+    </message>
+    <message>
+        <source>Supported file format but file is malformed.</source>
+        <translation>格式受支持，但文件有误。</translation>
+    </message>
+    <message>
+        <source>Supported file format but unsupported encoding.</source>
+        <translation>格式受支持，但编码不受支持。</translation>
+    </message>
+    <message>
+        <source>System error.</source>
+        <translation>系统错误。</translation>
+    </message>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>设备已断开；恢复后请重新辨识</translation>
+    </message>
+    <message>
+        <source>The tools of this shop; the Set up page writes this file.</source>
+        <translation>本车间的刀具；由设置页写入此文件。</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>打开的文件过多</translation>
+    </message>
+    <message>
+        <source>[cut] speed_rpm or feed_mm_min is missing</source>
+        <translation>缺少 [cut] speed_rpm 或 feed_mm_min</translation>
+    </message>
+    <message>
+        <source>a block has %1 channels</source>
+        <translation>一个数据块有 %1 个通道</translation>
+    </message>
+    <message>
+        <source>a block needs at least one frame</source>
+        <translation>一个数据块至少需要一帧</translation>
+    </message>
+    <message>
+        <source>a chain needs 1 to 6 detectors</source>
+        <translation>链路需要 1 至 6 个检测器</translation>
+    </message>
+    <message>
+        <source>a chain needs a strategy</source>
+        <translation>链路需要一个策略</translation>
+    </message>
+    <message>
+        <source>a coil or discrete input is one bit</source>
+        <translation>线圈或离散输入只有一位</translation>
+    </message>
+    <message>
+        <source>a cutting speed cannot be limited without the tool&apos;s diameter</source>
+        <translation>没有刀具直径就无法限制切削速度</translation>
+    </message>
+    <message>
+        <source>a damaged file</source>
+        <translation>文件已损坏</translation>
+    </message>
+    <message>
+        <source>a damaged or truncated file</source>
+        <translation>文件损坏或被截断</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>一个设备</translation>
+    </message>
+    <message>
+        <source>a finite number was expected</source>
+        <translation>应为有限数</translation>
+    </message>
+    <message>
+        <source>a gap of %1 s</source>
+        <translation>%1 s 的间隙</translation>
+    </message>
+    <message>
+        <source>a history of features; detectors need the samples themselves</source>
+        <translation>只是特征历史；检测器需要采样本身</translation>
+    </message>
+    <message>
+        <source>a line longer than any of this format</source>
+        <translation>有一行超出此格式的最大长度</translation>
+    </message>
+    <message>
+        <source>a path cannot be taken over while the table moves</source>
+        <translation>工作台运动时不能采用路径</translation>
+    </message>
+    <message>
+        <source>a quarter of a turn must fit into 512 samples</source>
+        <translation>四分之一转必须在 512 个采样之内</translation>
+    </message>
+    <message>
+        <source>a range is two numbers, lowest and highest</source>
+        <translation>范围是两个数：最小与最大</translation>
+    </message>
+    <message>
+        <source>a recording of this name is still being written, or was cut off; take another name</source>
+        <translation>同名记录仍在写入，或曾被中断；请换一个名称</translation>
+    </message>
+    <message>
+        <source>a run needs a device</source>
+        <translation>运行需要设备</translation>
+    </message>
+    <message>
+        <source>a scenario is needed</source>
+        <translation>需要一个场景</translation>
+    </message>
+    <message>
+        <source>a second segment of the measurement begins</source>
+        <translation>测量的第二段开始</translation>
+    </message>
+    <message>
+        <source>a sensor needs a name</source>
+        <translation>传感器需要名称</translation>
+    </message>
+    <message>
+        <source>a session, or a recording of any kind that is imported</source>
+        <translation>会话，或任何可导入的记录</translation>
+    </message>
+    <message>
+        <source>a simulated or recorded cut may not drive a real machine</source>
+        <translation>模拟或记录的切削不得驱动真实机床</translation>
+    </message>
+    <message>
+        <source>a table is missing or has another layout</source>
+        <translation>缺少表格或结构不同</translation>
+    </message>
+    <message>
+        <source>a time step above zero was expected</source>
+        <translation>时间步长应大于零</translation>
+    </message>
+    <message>
+        <source>a truncated file</source>
+        <translation>文件被截断</translation>
+    </message>
+    <message>
+        <source>a truncated file, or its header is wrong</source>
+        <translation>文件被截断，或文件头错误</translation>
+    </message>
+    <message>
+        <source>a truncated or damaged file</source>
+        <translation>文件被截断或损坏</translation>
+    </message>
+    <message>
+        <source>a value is out of range</source>
+        <translation>有值超出范围</translation>
+    </message>
+    <message>
+        <source>a value must belong to one voltage</source>
+        <translation>一个值只能对应一个电压</translation>
+    </message>
+    <message>
+        <source>a value was not finite</source>
+        <translation>有值不是有限数</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1000 mm</source>
+        <translation>大于 0 且不超过 1000 mm</translation>
+    </message>
+    <message>
+        <source>above 0 and up to 1e6 rpm</source>
+        <translation>大于 0 且不超过 1e6 rpm</translation>
+    </message>
+    <message>
+        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
+        <translation>acceleration、velocity、displacement、sound、force、current 或 speed</translation>
+    </message>
+    <message>
+        <source>active &apos;%1&apos;</source>
+        <translation>主动 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>active &apos;alsa&apos;</source>
+        <translation>主动 &apos;alsa&apos;</translation>
+    </message>
+    <message>
+        <source>actuator</source>
+        <translation>执行器</translation>
+    </message>
+    <message>
+        <source>all are time, indicators or empty</source>
+        <translation>全是时间、指标或空白</translation>
+    </message>
+    <message>
+        <source>allowed: %1 and above</source>
+        <translation>允许：%1 及以上</translation>
+    </message>
+    <message>
+        <source>allowed: %1 to %2</source>
+        <translation>允许：%1 至 %2</translation>
+    </message>
+    <message>
+        <source>allowed: up to %1</source>
+        <translation>允许：不超过 %1</translation>
+    </message>
+    <message>
+        <source>an echo is two numbers, delay in ms and gain</source>
+        <translation>回声是两个数：延迟（ms）和增益</translation>
+    </message>
+    <message>
+        <source>an echo&apos;s delay must lie between 0 and 1 s</source>
+        <translation>回声延迟必须在 0 到 1 s 之间</translation>
+    </message>
+    <message>
+        <source>analog outputs are not part of this build</source>
+        <translation>此版本不含模拟输出</translation>
+    </message>
+    <message>
+        <source>angles above zero, 360 degrees together</source>
+        <translation>角度大于零，总和 360 度</translation>
+    </message>
+    <message>
+        <source>announces %1 bytes, but its points take %2</source>
+        <translation>声明 %1 字节，但其点占 %2 字节</translation>
+    </message>
+    <message>
+        <source>announces %1 points, more than the file holds</source>
+        <translation>声明 %1 个点，多于文件所含</translation>
+    </message>
+    <message>
+        <source>are the unit and the register map right?</source>
+        <translation>unit 与寄存器表是否正确？</translation>
+    </message>
+    <message>
+        <source>as 192.168.1.0/24</source>
+        <translation>如 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>as many as the device sends, 1 to %1</source>
+        <translation>与设备发送的一样多，1 至 %1</translation>
+    </message>
+    <message>
+        <source>at least %1 samples</source>
+        <translation>至少 %1 个采样</translation>
+    </message>
+    <message>
+        <source>at least one mode is needed</source>
+        <translation>至少需要一个模态</translation>
+    </message>
+    <message>
+        <source>at most %1 frequencies above 0, for example 339, 1024</source>
+        <translation>最多 %1 个大于 0 的频率，例如 339, 1024</translation>
+    </message>
+    <message>
+        <source>at most %1 modes can be simulated</source>
+        <translation>最多可模拟 %1 个模态</translation>
+    </message>
+    <message>
+        <source>at most 31, 63 and 511 bytes</source>
+        <translation>最多 31、63 和 511 字节</translation>
+    </message>
+    <message>
+        <source>at most 8</source>
+        <translation>最多 8</translation>
+    </message>
+    <message>
+        <source>at point %1</source>
+        <translation>在第 %1 点</translation>
+    </message>
+    <message>
+        <source>axis must be x or y</source>
+        <translation>axis 必须为 x 或 y</translation>
+    </message>
+    <message>
+        <source>binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55</source>
+        <translation>二进制帧以 1 至 8 个十六进制字节开头，例如 AA55</translation>
+    </message>
+    <message>
+        <source>block frames must lie between 1 and 65536</source>
+        <translation>块帧数必须在 1 到 65536 之间</translation>
+    </message>
+    <message>
+        <source>blocks of %1 frames are too long</source>
+        <translation>%1 帧的数据块过长</translation>
+    </message>
+    <message>
+        <source>blocks were lost since the record was made</source>
+        <translation>自记录以来有数据块丢失</translation>
+    </message>
+    <message>
+        <source>blocks were lost, and input and output of this device do not start together</source>
+        <translation>数据块丢失，且此设备的输入与输出不同时启动</translation>
+    </message>
+    <message>
+        <source>byte order, format, lines, bytes</source>
+        <translation>字节序、格式、行数、字节数</translation>
+    </message>
+    <message>
+        <source>cannot be decided again</source>
+        <translation>无法重新判定</translation>
+    </message>
+    <message>
+        <source>cannot be drawn so</source>
+        <translation>无法这样绘制</translation>
+    </message>
+    <message>
+        <source>cannot be marked: the journal beside it belongs to another recording, or is in use</source>
+        <translation>无法标记：旁边的日志属于另一记录，或正在使用</translation>
+    </message>
+    <message>
+        <source>cannot be opened for %1</source>
+        <translation>无法为 %1 打开</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>无法打开：%1</translation>
+    </message>
+    <message>
+        <source>cannot be recorded</source>
+        <translation>无法记录</translation>
+    </message>
+    <message>
+        <source>cannot identify while the table moves</source>
+        <translation>工作台运动时不能辨识</translation>
+    </message>
+    <message>
+        <source>cannot stream at a rate</source>
+        <translation>不能以固定采样率传输</translation>
+    </message>
+    <message>
+        <source>channel %1</source>
+        <translation>通道 %1</translation>
+    </message>
+    <message>
+        <source>channels of one recording are of one length</source>
+        <translation>同一记录的通道长度相同</translation>
+    </message>
+    <message>
+        <source>channels, block length or rate</source>
+        <translation>通道、块长或采样率</translation>
+    </message>
+    <message>
+        <source>channels, rate and block length must be known before</source>
+        <translation>必须先知道通道、采样率和块长</translation>
+    </message>
+    <message>
+        <source>check the machine&apos;s profile</source>
+        <translation>请检查机床配置</translation>
+    </message>
+    <message>
+        <source>choices: %1</source>
+        <translation>可选：%1</translation>
+    </message>
+    <message>
+        <source>choices: acceleration, velocity, displacement, sound, force, current, speed</source>
+        <translation>可选：acceleration、velocity、displacement、sound、force、current、speed</translation>
+    </message>
+    <message>
+        <source>choices: iepe, ac, dc</source>
+        <translation>可选：iepe、ac、dc</translation>
+    </message>
+    <message>
+        <source>choose some with --channel N[,N]</source>
+        <translation>用 --channel N[,N] 选择</translation>
+    </message>
+    <message>
+        <source>ci value</source>
+        <translation>CI 值</translation>
+    </message>
+    <message>
+        <source>coil or holding</source>
+        <translation>coil 或 holding</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>column %1 holds %2</source>
+        <translation>第 %1 列的值为 %2</translation>
+    </message>
+    <message>
+        <source>conditioner: %1 channels (allowed: 1 to %2)</source>
+        <translation>信号调理：%1 个通道（允许：1 至 %2）</translation>
+    </message>
+    <message>
+        <source>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</source>
+        <translation>信号调理：采样率 %1 Hz（允许：100 至 1000000）</translation>
+    </message>
+    <message>
+        <source>conditioner: the longest block has no frames</source>
+        <translation>信号调理：最长的数据块没有帧</translation>
+    </message>
+    <message>
+        <source>configure with STILLCUT_DESKTOP=ON</source>
+        <translation>请用 STILLCUT_DESKTOP=ON 构建</translation>
+    </message>
+    <message>
+        <source>control made the vibration worse</source>
+        <translation>控制使振动加剧</translation>
+    </message>
+    <message>
+        <source>convert to CSV instead, or a span without it</source>
+        <translation>请改为转换成 CSV，或选不含它的时段</translation>
+    </message>
+    <message>
+        <source>could not be repaired</source>
+        <translation>无法修复</translation>
+    </message>
+    <message>
+        <source>cutting coefficients must be finite</source>
+        <translation>切削力系数必须为有限数</translation>
+    </message>
+    <message>
+        <source>damping ratio must lie between 0 and 1</source>
+        <translation>阻尼比必须在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>dataset %1</source>
+        <translation>数据集 %1</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>切深</translation>
+    </message>
+    <message>
+        <source>detector</source>
+        <translation>检测器</translation>
+    </message>
+    <message>
+        <source>device &apos;%1&apos;</source>
+        <translation>设备 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>diameter must be above zero</source>
+        <translation>直径必须大于零</translation>
+    </message>
+    <message>
+        <source>did you mean &apos;%1&apos;?</source>
+        <translation>是否指 &apos;%1&apos;？</translation>
+    </message>
+    <message>
+        <source>direction must not be zero</source>
+        <translation>方向不得为零</translation>
+    </message>
+    <message>
+        <source>does not end after its %1 points</source>
+        <translation>在 %1 个点之后没有结束</translation>
+    </message>
+    <message>
+        <source>does not go once around</source>
+        <translation>未构成一整圈</translation>
+    </message>
+    <message>
+        <source>does not hold 100 %</source>
+        <translation>不含 100 %</translation>
+    </message>
+    <message>
+        <source>does not take the trigger &apos;%1&apos;</source>
+        <translation>不接受触发器 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>does not tell its range</source>
+        <translation>未给出量程</translation>
+    </message>
+    <message>
+        <source>does the calibrator run, on this channel, and is the machine quiet?</source>
+        <translation>校准器是否在此通道上运行，机床是否安静？</translation>
+    </message>
+    <message>
+        <source>dominant multiplier</source>
+        <translation>主乘子</translation>
+    </message>
+    <message>
+        <source>duration must lie between 0 and 3600 s</source>
+        <translation>时长必须在 0 到 3600 s 之间</translation>
+    </message>
+    <message>
+        <source>each override has an output of its own</source>
+        <translation>每个倍率都有各自的输出</translation>
+    </message>
+    <message>
+        <source>ended before the record was whole</source>
+        <translation>记录完整之前就结束了</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 frames</source>
+        <translation>在 %2 帧中的第 %1 帧后结束</translation>
+    </message>
+    <message>
+        <source>ends after %1 of %2 points</source>
+        <translation>在 %2 点中的第 %1 点后结束</translation>
+    </message>
+    <message>
+        <source>ends before it begins</source>
+        <translation>结束早于开始</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>提前结束</translation>
+    </message>
+    <message>
+        <source>every channel has a time column of its own</source>
+        <translation>每个通道都有各自的时间列</translation>
+    </message>
+    <message>
+        <source>every value must be above zero</source>
+        <translation>每个值都必须大于零</translation>
+    </message>
+    <message>
+        <source>every value would be the offset</source>
+        <translation>每个值都会是偏移量</translation>
+    </message>
+    <message>
+        <source>exponent must lie in (0, 1]</source>
+        <translation>指数必须在 (0, 1] 之内</translation>
+    </message>
+    <message>
+        <source>export with one X column</source>
+        <translation>请用单个 X 列导出</translation>
+    </message>
+    <message>
+        <source>feed lag must lie between 0 and 10 s</source>
+        <translation>进给滞后必须在 0 到 10 s 之间</translation>
+    </message>
+    <message>
+        <source>feed per tooth must lie between 0 and 10 mm</source>
+        <translation>每齿进给必须在 0 到 10 mm 之间</translation>
+    </message>
+    <message>
+        <source>feed per tooth must not be negative</source>
+        <translation>每齿进给不得为负</translation>
+    </message>
+    <message>
+        <source>fits no path</source>
+        <translation>与任何路径不符</translation>
+    </message>
+    <message>
+        <source>for example energy-ratio.chatter=0.2</source>
+        <translation>例如 energy-ratio.chatter=0.2</translation>
+    </message>
+    <message>
+        <source>force feedback needs one per axis</source>
+        <translation>力反馈每轴需要一个</translation>
+    </message>
+    <message>
+        <source>frame %1 of channel %2 is not a finite number</source>
+        <translation>通道 %2 的第 %1 帧不是有限数</translation>
+    </message>
+    <message>
+        <source>frequency must be above zero</source>
+        <translation>频率必须大于零</translation>
+    </message>
+    <message>
+        <source>from must lie before to, with 1 to 65536 columns</source>
+        <translation>from 必须在 to 之前，列数为 1 至 65536</translation>
+    </message>
+    <message>
+        <source>full scale</source>
+        <translation>满量程</translation>
+    </message>
+    <message>
+        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
+        <translation>fuzzy.energy-limit：必须大于 fuzzy.energy-reference</translation>
+    </message>
+    <message>
+        <source>gain must not be zero</source>
+        <translation>增益不得为零</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the rows as evenly spaced</source>
+        <translation>用 --rate HZ 按等间隔读取各行</translation>
+    </message>
+    <message>
+        <source>give --rate HZ to read the samples as evenly spaced</source>
+        <translation>用 --rate HZ 按等间隔读取采样</translation>
+    </message>
+    <message>
+        <source>give it with --rate HZ</source>
+        <translation>请用 --rate HZ 给出</translation>
+    </message>
+    <message>
+        <source>give the diameter or set it to auto</source>
+        <translation>请给出直径或设为 auto</translation>
+    </message>
+    <message>
+        <source>half a second at most</source>
+        <translation>最多半秒</translation>
+    </message>
+    <message>
+        <source>has %1 channels at %2 Hz</source>
+        <translation>有 %1 个通道，%2 Hz</translation>
+    </message>
+    <message>
+        <source>has %1 columns where %2 were expected</source>
+        <translation>有 %1 列，应为 %2 列</translation>
+    </message>
+    <message>
+        <source>has %1 samples, those before %2</source>
+        <translation>有 %1 个采样，之前的有 %2 个</translation>
+    </message>
+    <message>
+        <source>has a row of %1 numbers</source>
+        <translation>有一行含 %1 个数</translation>
+    </message>
+    <message>
+        <source>has another sampling rate than those before</source>
+        <translation>采样率与之前的不同</translation>
+    </message>
+    <message>
+        <source>has different periods for input and output</source>
+        <translation>输入与输出的周期不同</translation>
+    </message>
+    <message>
+        <source>has fewer than two points</source>
+        <translation>少于两个点</translation>
+    </message>
+    <message>
+        <source>has more numbers than its %1 points</source>
+        <translation>数多于其 %1 个点</translation>
+    </message>
+    <message>
+        <source>has more than 256 columns</source>
+        <translation>超过 256 列</translation>
+    </message>
+    <message>
+        <source>has more than 64 channels</source>
+        <translation>超过 64 个通道</translation>
+    </message>
+    <message>
+        <source>has no %1 Hz (%2)</source>
+        <translation>没有 %1 Hz（%2）</translation>
+    </message>
+    <message>
+        <source>has no %1 channels (%2)</source>
+        <translation>没有 %1 个通道（%2）</translation>
+    </message>
+    <message>
+        <source>has no %1 channels (&apos;inputs&apos;)</source>
+        <translation>没有 %1 个通道（&apos;inputs&apos;）</translation>
+    </message>
+    <message>
+        <source>has no active work-holder</source>
+        <translation>没有主动工件夹具</translation>
+    </message>
+    <message>
+        <source>has no channel %1</source>
+        <translation>没有通道 %1</translation>
+    </message>
+    <message>
+        <source>has no column &apos;%1&apos;</source>
+        <translation>没有列 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>has no end</source>
+        <translation>没有结尾</translation>
+    </message>
+    <message>
+        <source>has no input %1 (&apos;inputs&apos;)</source>
+        <translation>没有输入 %1（&apos;inputs&apos;）</translation>
+    </message>
+    <message>
+        <source>has no marker %1</source>
+        <translation>没有标记 %1</translation>
+    </message>
+    <message>
+        <source>has no marker &apos;%1&apos;</source>
+        <translation>没有标记 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>has no range %1 (&apos;range&apos;)</source>
+        <translation>没有量程 %1（&apos;range&apos;）</translation>
+    </message>
+    <message>
+        <source>has no samples of %1 bits (&apos;bits&apos;)</source>
+        <translation>没有 %1 位采样（&apos;bits&apos;）</translation>
+    </message>
+    <message>
+        <source>has no samples of 32 bits (%1)</source>
+        <translation>没有 32 位采样（%1）</translation>
+    </message>
+    <message>
+        <source>has the channel of &apos;speed&apos;</source>
+        <translation>与 &apos;speed&apos; 使用同一通道</translation>
+    </message>
+    <message>
+        <source>header inconsistent</source>
+        <translation>文件头不一致</translation>
+    </message>
+    <message>
+        <source>helix angle (straight teeth assumed)</source>
+        <translation>螺旋角（按直齿计算）</translation>
+    </message>
+    <message>
+        <source>helix must lie within 80 degrees</source>
+        <translation>螺旋角必须在 80 度以内</translation>
+    </message>
+    <message>
+        <source>helix slices must lie between 1 and 200</source>
+        <translation>螺旋切片数必须在 1 到 200 之间</translation>
+    </message>
+    <message>
+        <source>hold sensor and calibrator still</source>
+        <translation>请保持传感器与校准器不动</translation>
+    </message>
+    <message>
+        <source>holds %1 data sets in several places</source>
+        <translation>多处共有 %1 个数据集</translation>
+    </message>
+    <message>
+        <source>holds a row that is not all finite numbers</source>
+        <translation>有一行不全是有限数</translation>
+    </message>
+    <message>
+        <source>holds a value that is not finite</source>
+        <translation>含有非有限值</translation>
+    </message>
+    <message>
+        <source>holds bytes that are no text</source>
+        <translation>含有非文本字节</translation>
+    </message>
+    <message>
+        <source>holds fewer bytes than it announces</source>
+        <translation>字节少于声明</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 channels</source>
+        <translation>超过 4096 个通道</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 objects</source>
+        <translation>超过 4096 个对象</translation>
+    </message>
+    <message>
+        <source>holds more than 4096 variables</source>
+        <translation>超过 4096 个变量</translation>
+    </message>
+    <message>
+        <source>holds no array of samples</source>
+        <translation>没有采样数组</translation>
+    </message>
+    <message>
+        <source>holds no data set of numbers</source>
+        <translation>没有数值数据集</translation>
+    </message>
+    <message>
+        <source>holds no dataset 58</source>
+        <translation>没有 58 数据集</translation>
+    </message>
+    <message>
+        <source>holds no samples</source>
+        <translation>没有采样</translation>
+    </message>
+    <message>
+        <source>holds no speeds</source>
+        <translation>没有转速</translation>
+    </message>
+    <message>
+        <source>holds no time recording</source>
+        <translation>没有时域记录</translation>
+    </message>
+    <message>
+        <source>holds no truth</source>
+        <translation>没有真值</translation>
+    </message>
+    <message>
+        <source>holds no variable that can be read</source>
+        <translation>没有可读变量</translation>
+    </message>
+    <message>
+        <source>holds something that is not a finite number</source>
+        <translation>含有非有限数的内容</translation>
+    </message>
+    <message>
+        <source>holds something that is not a text</source>
+        <translation>含有非文本的内容</translation>
+    </message>
+    <message>
+        <source>holds times that are not finite</source>
+        <translation>含有非有限的时间</translation>
+    </message>
+    <message>
+        <source>identification</source>
+        <translation>辨识</translation>
+    </message>
+    <message>
+        <source>identify first</source>
+        <translation>请先辨识</translation>
+    </message>
+    <message>
+        <source>identify it again</source>
+        <translation>请重新辨识</translation>
+    </message>
+    <message>
+        <source>identify it first</source>
+        <translation>请先辨识</translation>
+    </message>
+    <message>
+        <source>input %1 has %2 bits in %3</source>
+        <translation>输入 %1 在 %3 中有 %2 位</translation>
+    </message>
+    <message>
+        <source>input/output error</source>
+        <translation>输入/输出错误</translation>
+    </message>
+    <message>
+        <source>install %1 and build again</source>
+        <translation>请安装 %1 并重新构建</translation>
+    </message>
+    <message>
+        <source>install libcomedi-dev and build again</source>
+        <translation>请安装 libcomedi-dev 并重新构建</translation>
+    </message>
+    <message>
+        <source>is 0</source>
+        <translation>为 0</translation>
+    </message>
+    <message>
+        <source>is 2</source>
+        <translation>为 2</translation>
+    </message>
+    <message>
+        <source>is a folder, not a recording</source>
+        <translation>是文件夹，不是记录</translation>
+    </message>
+    <message>
+        <source>is a session of version %1</source>
+        <translation>是版本 %1 的会话</translation>
+    </message>
+    <message>
+        <source>is an HDF5 file, but not a Stillcut session</source>
+        <translation>是 HDF5 文件，但不是 Stillcut 会话</translation>
+    </message>
+    <message>
+        <source>is being written already</source>
+        <translation>正在被写入</translation>
+    </message>
+    <message>
+        <source>is cut short: its end is missing</source>
+        <translation>被截断：缺少结尾</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>为空</translation>
+    </message>
+    <message>
+        <source>is given beside &apos;device&apos;</source>
+        <translation>与 &apos;device&apos; 同时给出</translation>
+    </message>
+    <message>
+        <source>is given beside sensitivity_mv</source>
+        <translation>与 sensitivity_mv 同时给出</translation>
+    </message>
+    <message>
+        <source>is halrmt running there?</source>
+        <translation>那里是否运行着 halrmt？</translation>
+    </message>
+    <message>
+        <source>is it connected?</source>
+        <translation>是否已连接？</translation>
+    </message>
+    <message>
+        <source>is larger than 16 MB: no file of settings</source>
+        <translation>大于 16 MB：不是设置文件</translation>
+    </message>
+    <message>
+        <source>is later than on-line identification looks, %1 samples</source>
+        <translation>晚于在线辨识的范围，%1 个采样</translation>
+    </message>
+    <message>
+        <source>is linuxcncrsh running there?</source>
+        <translation>那里是否运行着 linuxcncrsh？</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>缺失</translation>
+    </message>
+    <message>
+        <source>is missing or no object in JSON</source>
+        <translation>缺失或不是 JSON 对象</translation>
+    </message>
+    <message>
+        <source>is missing, and so is &apos;feed&apos;</source>
+        <translation>缺失，&apos;feed&apos; 也缺失</translation>
+    </message>
+    <message>
+        <source>is more than 256 addresses</source>
+        <translation>超过 256 个地址</translation>
+    </message>
+    <message>
+        <source>is neither true nor false</source>
+        <translation>既不是 true 也不是 false</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 or 7</source>
+        <translation>不是 5 或 7 版的 MATLAB 文件</translation>
+    </message>
+    <message>
+        <source>is no MATLAB file of version 5 to 7.3</source>
+        <translation>不是 5 至 7.3 版的 MATLAB 文件</translation>
+    </message>
+    <message>
+        <source>is no gap of the recording beside it</source>
+        <translation>不是旁边记录中的间隙</translation>
+    </message>
+    <message>
+        <source>is no lobe case</source>
+        <translation>不是稳定性叶瓣图案例</translation>
+    </message>
+    <message>
+        <source>is no session</source>
+        <translation>不是会话</translation>
+    </message>
+    <message>
+        <source>is no session file</source>
+        <translation>不是会话文件</translation>
+    </message>
+    <message>
+        <source>is no sound file that can be read</source>
+        <translation>不是可读的声音文件</translation>
+    </message>
+    <message>
+        <source>is no subnet</source>
+        <translation>不是子网</translation>
+    </message>
+    <message>
+        <source>is not a choice: &apos;%1&apos;</source>
+        <translation>不在可选项中：&apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>is not a finite number</source>
+        <translation>不是有限数</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>不是普通文件</translation>
+    </message>
+    <message>
+        <source>is not a single value</source>
+        <translation>不是单个值</translation>
+    </message>
+    <message>
+        <source>is not a table</source>
+        <translation>不是表</translation>
+    </message>
+    <message>
+        <source>is not a text</source>
+        <translation>不是文本</translation>
+    </message>
+    <message>
+        <source>is not a whole number</source>
+        <translation>不是整数</translation>
+    </message>
+    <message>
+        <source>is not an array of numbers</source>
+        <translation>不是数字数组</translation>
+    </message>
+    <message>
+        <source>is not an array of rows</source>
+        <translation>不是行数组</translation>
+    </message>
+    <message>
+        <source>is not an array of tables</source>
+        <translation>不是表数组</translation>
+    </message>
+    <message>
+        <source>is not an array of texts</source>
+        <translation>不是文本数组</translation>
+    </message>
+    <message>
+        <source>is not at %1</source>
+        <translation>不在 %1</translation>
+    </message>
+    <message>
+        <source>is not repaired: the journal beside it does not fit it</source>
+        <translation>未修复：旁边的日志与其不符</translation>
+    </message>
+    <message>
+        <source>is not replaced</source>
+        <translation>不会被替换</translation>
+    </message>
+    <message>
+        <source>is out of range: %1</source>
+        <translation>超出范围：%1</translation>
+    </message>
+    <message>
+        <source>is spindle 0 configured?</source>
+        <translation>是否配置了主轴 0？</translation>
+    </message>
+    <message>
+        <source>is still being recorded</source>
+        <translation>仍在记录中</translation>
+    </message>
+    <message>
+        <source>is stillcut-hal loaded by the machine&apos;s HAL file?</source>
+        <translation>机床的 HAL 文件是否加载了 stillcut-hal？</translation>
+    </message>
+    <message>
+        <source>is stillcut.hal wired as it came?</source>
+        <translation>stillcut.hal 是否按原样连接？</translation>
+    </message>
+    <message>
+        <source>is stored in pieces of more than 64 MB</source>
+        <translation>以超过 64 MB 的块存储</translation>
+    </message>
+    <message>
+        <source>is text in UTF-16</source>
+        <translation>是 UTF-16 文本</translation>
+    </message>
+    <message>
+        <source>is the machine on, and the address right?</source>
+        <translation>机床是否开机，地址是否正确？</translation>
+    </message>
+    <message>
+        <source>is this a recording?</source>
+        <translation>这是记录吗？</translation>
+    </message>
+    <message>
+        <source>is this the controller&apos;s port, and the baud rate right?</source>
+        <translation>这是控制器的端口吗，波特率是否正确？</translation>
+    </message>
+    <message>
+        <source>is true without [write.heartbeat]</source>
+        <translation>为 true 但没有 [write.heartbeat]</translation>
+    </message>
+    <message>
+        <source>is unknown: &apos;%1&apos;</source>
+        <translation>未知：&apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>is zero</source>
+        <translation>为零</translation>
+    </message>
+    <message>
+        <source>it begins before the previous one ends</source>
+        <translation>它在前一段结束之前开始</translation>
+    </message>
+    <message>
+        <source>it ends before it begins</source>
+        <translation>它在开始之前结束</translation>
+    </message>
+    <message>
+        <source>it goes through stillcut-hal</source>
+        <translation>它通过 stillcut-hal</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>它有 %1</translation>
+    </message>
+    <message>
+        <source>it has %1, counted from 0</source>
+        <translation>它有 %1，从 0 数起</translation>
+    </message>
+    <message>
+        <source>it has 0 to %1</source>
+        <translation>它有 0 至 %1</translation>
+    </message>
+    <message>
+        <source>it has changed since it was opened</source>
+        <translation>打开后已被更改</translation>
+    </message>
+    <message>
+        <source>it has no markers</source>
+        <translation>它没有标记</translation>
+    </message>
+    <message>
+        <source>it has, from 0: %1</source>
+        <translation>它有，从 0 起：%1</translation>
+    </message>
+    <message>
+        <source>it is a recorded session; take another name</source>
+        <translation>这是已记录的会话；请换一个名称</translation>
+    </message>
+    <message>
+        <source>it may be a recording that is damaged; take another name</source>
+        <translation>可能是已损坏的记录；请换一个名称</translation>
+    </message>
+    <message>
+        <source>it must be below %1</source>
+        <translation>必须小于 %1</translation>
+    </message>
+    <message>
+        <source>it names the file with outputs and calibration tables</source>
+        <translation>它指定输出与校准表的文件</translation>
+    </message>
+    <message>
+        <source>it names the file with the machine&apos;s registers</source>
+        <translation>它指定机床寄存器的文件</translation>
+    </message>
+    <message>
+        <source>it reads up to version %1</source>
+        <translation>它最多读取到版本 %1</translation>
+    </message>
+    <message>
+        <source>it samples at %1</source>
+        <translation>它以 %1 采样</translation>
+    </message>
+    <message>
+        <source>it says teeth and speed</source>
+        <translation>它给出齿数与转速</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>已被停止</translation>
+    </message>
+    <message>
+        <source>it would run out between two commands</source>
+        <translation>它会在两次指令之间到期</translation>
+    </message>
+    <message>
+        <source>its 58b line is incomplete</source>
+        <translation>其 58b 行不完整</translation>
+    </message>
+    <message>
+        <source>its abscissa start and step are missing</source>
+        <translation>缺少横坐标起点与步长</translation>
+    </message>
+    <message>
+        <source>its abscissa step is not positive</source>
+        <translation>横坐标步长不是正数</translation>
+    </message>
+    <message>
+        <source>its byte count is not a size</source>
+        <translation>其字节数不是有效大小</translation>
+    </message>
+    <message>
+        <source>its byte order is neither 1 (little) nor 2 (big endian)</source>
+        <translation>其字节序既不是 1（小端）也不是 2（大端）</translation>
+    </message>
+    <message>
+        <source>its ends must be finite</source>
+        <translation>其两端必须为有限数</translation>
+    </message>
+    <message>
+        <source>its header ends early</source>
+        <translation>其文件头提前结束</translation>
+    </message>
+    <message>
+        <source>its header is damaged</source>
+        <translation>其文件头已损坏</translation>
+    </message>
+    <message>
+        <source>its header is missing</source>
+        <translation>缺少文件头</translation>
+    </message>
+    <message>
+        <source>its header is not 11 lines long</source>
+        <translation>其文件头不是 11 行</translation>
+    </message>
+    <message>
+        <source>its header is wrong</source>
+        <translation>其文件头错误</translation>
+    </message>
+    <message>
+        <source>its layout is damaged</source>
+        <translation>其结构已损坏</translation>
+    </message>
+    <message>
+        <source>its level must be above zero</source>
+        <translation>其电平必须大于零</translation>
+    </message>
+    <message>
+        <source>its name, as stillcut-cli devices lists it</source>
+        <translation>其名称，如 stillcut-cli devices 所列</translation>
+    </message>
+    <message>
+        <source>its number of points is not a size</source>
+        <translation>其点数不是有效大小</translation>
+    </message>
+    <message>
+        <source>its numbers are not IEEE 754</source>
+        <translation>其数值不是 IEEE 754</translation>
+    </message>
+    <message>
+        <source>its numbers make no sense in the byte order its header gives</source>
+        <translation>按文件头的字节序，其数值没有意义</translation>
+    </message>
+    <message>
+        <source>its ordinate type is none of 2, 4, 5, 6</source>
+        <translation>其纵坐标类型不是 2、4、5、6</translation>
+    </message>
+    <message>
+        <source>its phase is off by 90 degrees or more, or the sensor does not hear the actuator there</source>
+        <translation>其相位偏差达 90 度或更多，或传感器在该处听不到执行器</translation>
+    </message>
+    <message>
+        <source>its samples are not evenly spaced in time</source>
+        <translation>其采样时间间隔不均匀</translation>
+    </message>
+    <message>
+        <source>its samples lie in another file</source>
+        <translation>其采样在另一文件中</translation>
+    </message>
+    <message>
+        <source>its samples lie in other data sets</source>
+        <translation>其采样在其他数据集中</translation>
+    </message>
+    <message>
+        <source>its size line (record 7) is unreadable</source>
+        <translation>其大小行（记录 7）无法读取</translation>
+    </message>
+    <message>
+        <source>its times cannot be read</source>
+        <translation>其时间无法读取</translation>
+    </message>
+    <message>
+        <source>journals are written as memory has them</source>
+        <translation>日志按内存中的形式写入</translation>
+    </message>
+    <message>
+        <source>knock along %1, hard, with the machine quiet</source>
+        <translation>请在机床安静时沿 %1 用力敲击</translation>
+    </message>
+    <message>
+        <source>knock straight along %1, close to the sensor</source>
+        <translation>请在传感器附近沿 %1 正向敲击</translation>
+    </message>
+    <message>
+        <source>known: %1</source>
+        <translation>已知：%1</translation>
+    </message>
+    <message>
+        <source>label, author or note is too long</source>
+        <translation>名称、作者或备注过长</translation>
+    </message>
+    <message>
+        <source>largest depth</source>
+        <translation>最大切深</translation>
+    </message>
+    <message>
+        <source>leave it out for the usual value</source>
+        <translation>省略则用通常值</translation>
+    </message>
+    <message>
+        <source>leaves no room for two words</source>
+        <translation>放不下两个字</translation>
+    </message>
+    <message>
+        <source>leaves what a machine can do</source>
+        <translation>超出机床能力</translation>
+    </message>
+    <message>
+        <source>left out: %1</source>
+        <translation>已略去：%1</translation>
+    </message>
+    <message>
+        <source>linearise the force at the mean chip thickness first</source>
+        <translation>请先在平均切屑厚度处将力线性化</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>link &apos;%1&apos;</source>
+        <translation>连接 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;analog&apos;</source>
+        <translation>连接 &apos;analog&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;grbl&apos;</source>
+        <translation>连接 &apos;grbl&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;linuxcnc&apos;</source>
+        <translation>连接 &apos;linuxcnc&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;modbus&apos;</source>
+        <translation>连接 &apos;modbus&apos;</translation>
+    </message>
+    <message>
+        <source>link &apos;simulated&apos;</source>
+        <translation>连接 &apos;simulated&apos;</translation>
+    </message>
+    <message>
+        <source>little and big endian mixed up</source>
+        <translation>大小端混淆</translation>
+    </message>
+    <message>
+        <source>mV per g, Pa, N ... of the data sheet</source>
+        <translation>数据表中的 mV/g、Pa、N……</translation>
+    </message>
+    <message>
+        <source>marker &apos;%1&apos;</source>
+        <translation>标记 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>more than %1 MB</source>
+        <translation>超过 %1 MB</translation>
+    </message>
+    <message>
+        <source>more than a million speeds</source>
+        <translation>超过一百万个转速</translation>
+    </message>
+    <message>
+        <source>move %1 away</source>
+        <translation>请移走 %1</translation>
+    </message>
+    <message>
+        <source>move %1 away to clear the mark of the dead writer alone</source>
+        <translation>移走 %1，即可只清除已终止写入者的标记</translation>
+    </message>
+    <message>
+        <source>must be a number from %1 to %2</source>
+        <translation>必须为 %1 至 %2 的数</translation>
+    </message>
+    <message>
+        <source>must be a number other than zero</source>
+        <translation>必须为非零数</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>必须为整数</translation>
+    </message>
+    <message>
+        <source>must be above zero</source>
+        <translation>必须大于零</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>必须为 true 或 false</translation>
+    </message>
+    <message>
+        <source>must lie between 0 and 1 m</source>
+        <translation>必须在 0 到 1 m 之间</translation>
+    </message>
+    <message>
+        <source>must take half a second to a minute</source>
+        <translation>须为半秒至一分钟</translation>
+    </message>
+    <message>
+        <source>name one of them or their folder: %1</source>
+        <translation>请指定其一或其文件夹：%1</translation>
+    </message>
+    <message>
+        <source>name the one to read: FILE:/path</source>
+        <translation>请指定要读的：FILE:/path</translation>
+    </message>
+    <message>
+        <source>names %1 columns where the rows have %2</source>
+        <translation>列名有 %1 个，而各行有 %2 列</translation>
+    </message>
+    <message>
+        <source>names parted by commas were expected</source>
+        <translation>应为以逗号分隔的名称</translation>
+    </message>
+    <message>
+        <source>needs one angle per tooth</source>
+        <translation>每齿需要一个角度</translation>
+    </message>
+    <message>
+        <source>needs the numbers t_s and ratio_chatter_to_forced</source>
+        <translation>需要数值 t_s 和 ratio_chatter_to_forced</translation>
+    </message>
+    <message>
+        <source>neither &apos;host&apos; nor &apos;device&apos; is given</source>
+        <translation>既没有 &apos;host&apos; 也没有 &apos;device&apos;</translation>
+    </message>
+    <message>
+        <source>no GRBL status report</source>
+        <translation>没有 GRBL 状态报告</translation>
+    </message>
+    <message>
+        <source>no accelerometer along %1</source>
+        <translation>沿 %1 没有加速度计</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>没有应答</translation>
+    </message>
+    <message>
+        <source>no column is a channel</source>
+        <translation>没有一列是通道</translation>
+    </message>
+    <message>
+        <source>no connection</source>
+        <translation>没有连接</translation>
+    </message>
+    <message>
+        <source>no dataset 58 in it</source>
+        <translation>其中没有 58 数据集</translation>
+    </message>
+    <message>
+        <source>no force sensor along %1</source>
+        <translation>沿 %1 没有力传感器</translation>
+    </message>
+    <message>
+        <source>no model of the path from actuator to sensor</source>
+        <translation>没有从执行器到传感器的路径模型</translation>
+    </message>
+    <message>
+        <source>no rows of numbers found in its first %1 lines</source>
+        <translation>前 %1 行中没有数字行</translation>
+    </message>
+    <message>
+        <source>no spindle speed is given</source>
+        <translation>未给出主轴转速</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>nobody renewed the lease</source>
+        <translation>授权未被续期</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step and bandwidth must not be negative</source>
+        <translation>噪声、满量程、步长与带宽不得为负</translation>
+    </message>
+    <message>
+        <source>noise, or a sensor that is not on the table</source>
+        <translation>噪声，或传感器不在工作台上</translation>
+    </message>
+    <message>
+        <source>none of its samples is a number</source>
+        <translation>没有一个采样是数</translation>
+    </message>
+    <message>
+        <source>none was heard</source>
+        <translation>没有听到</translation>
+    </message>
+    <message>
+        <source>not a Stillcut session either</source>
+        <translation>也不是 Stillcut 会话</translation>
+    </message>
+    <message>
+        <source>not a readable file</source>
+        <translation>不是可读文件</translation>
+    </message>
+    <message>
+        <source>not a universal file of measured functions</source>
+        <translation>不是测量函数的通用文件</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>完全没有</translation>
+    </message>
+    <message>
+        <source>nothing is heard</source>
+        <translation>什么也听不到</translation>
+    </message>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>没有记录任何内容</translation>
+    </message>
+    <message>
+        <source>nothing was written to the actuator</source>
+        <translation>没有写入执行器</translation>
+    </message>
+    <message>
+        <source>older than %1</source>
+        <translation>早于 %1</translation>
+    </message>
+    <message>
+        <source>on-line model</source>
+        <translation>在线模型</translation>
+    </message>
+    <message>
+        <source>one input from 0 for each of the %1 [[channels]], for example 0,1</source>
+        <translation>%1 个 [[channels]] 各一个从 0 起的输入，例如 0,1</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>%1 之一</translation>
+    </message>
+    <message>
+        <source>one of them is needed</source>
+        <translation>需要其中之一</translation>
+    </message>
+    <message>
+        <source>one of them says it all</source>
+        <translation>其中一个就够了</translation>
+    </message>
+    <message>
+        <source>one of them says where the machine is</source>
+        <translation>其中之一说明机床在哪里</translation>
+    </message>
+    <message>
+        <source>one row of numbers is no recording</source>
+        <translation>一行数字不成记录</translation>
+    </message>
+    <message>
+        <source>only %1 % of what is heard is a tone near %2 Hz</source>
+        <translation>听到的只有 %1 % 是 %2 Hz 附近的音</translation>
+    </message>
+    <message>
+        <source>only HDF5 and MATLAB files have places inside</source>
+        <translation>只有 HDF5 和 MATLAB 文件有内部位置</translation>
+    </message>
+    <message>
+        <source>only Stillcut sessions say how they were made</source>
+        <translation>只有 Stillcut 会话记载其来历</translation>
+    </message>
+    <message>
+        <source>only sessions have markers</source>
+        <translation>只有会话有标记</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>请先打开</translation>
+    </message>
+    <message>
+        <source>output and reading differ in length</source>
+        <translation>输出与读数长度不同</translation>
+    </message>
+    <message>
+        <source>path along %1</source>
+        <translation>沿 %1 的路径</translation>
+    </message>
+    <message>
+        <source>path to the force along %1</source>
+        <translation>沿 %1 到力的路径</translation>
+    </message>
+    <message>
+        <source>peaks reach three times it</source>
+        <translation>峰值达其三倍</translation>
+    </message>
+    <message>
+        <source>pitch angles must be above zero</source>
+        <translation>齿距角必须大于零</translation>
+    </message>
+    <message>
+        <source>pitch angles must sum to 360 degrees</source>
+        <translation>齿距角之和必须为 360 度</translation>
+    </message>
+    <message>
+        <source>pitch needs one angle per tooth</source>
+        <translation>齿距需要每齿一个角度</translation>
+    </message>
+    <message>
+        <source>place needs one weight per mode</source>
+        <translation>place 需要每个模态一个权重</translation>
+    </message>
+    <message>
+        <source>plughw: in front of it converts them</source>
+        <translation>前面加 plughw: 可转换</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>第 %1 点</translation>
+    </message>
+    <message>
+        <source>point %1 is not a finite number</source>
+        <translation>第 %1 点不是有限数</translation>
+    </message>
+    <message>
+        <source>point %1 is not finite</source>
+        <translation>第 %1 点不是有限数</translation>
+    </message>
+    <message>
+        <source>process damping (limits at low speed are too low)</source>
+        <translation>过程阻尼（低速时极限偏低）</translation>
+    </message>
+    <message>
+        <source>profile version %1 is newer than this program</source>
+        <translation>配置版本 %1 比本程序新</translation>
+    </message>
+    <message>
+        <source>promises more samples than the file holds</source>
+        <translation>声明的采样多于文件所含</translation>
+    </message>
+    <message>
+        <source>put names that hold the delimiter in quotes</source>
+        <translation>含分隔符的名称请加引号</translation>
+    </message>
+    <message>
+        <source>quantity or scale is missing or senseless</source>
+        <translation>测量量或系数缺失或无意义</translation>
+    </message>
+    <message>
+        <source>radial immersion must lie in (0, 1]</source>
+        <translation>径向切入比必须在 (0, 1] 之内</translation>
+    </message>
+    <message>
+        <source>ramps must be above zero and at most ten seconds</source>
+        <translation>斜坡必须大于零且不超过十秒</translation>
+    </message>
+    <message>
+        <source>random force must lie between 0 and 1000 N/sqrt(Hz)</source>
+        <translation>随机力必须在 0 到 1000 N/sqrt(Hz) 之间</translation>
+    </message>
+    <message>
+        <source>rate must lie between 10 Hz and 1 MHz</source>
+        <translation>采样率必须在 10 Hz 到 1 MHz 之间</translation>
+    </message>
+    <message>
+        <source>recording failed while %1</source>
+        <translation>记录失败，步骤：%1</translation>
+    </message>
+    <message>
+        <source>recording stopped: the disk is nearly full</source>
+        <translation>记录已停止：磁盘将满；请腾出空间后重新开始</translation>
+    </message>
+    <message>
+        <source>recording stopped: the file was deleted or moved away</source>
+        <translation>记录已停止：文件被删除或移走</translation>
+    </message>
+    <message>
+        <source>remove the list where it belongs to another file</source>
+        <translation>若此表属于另一文件，请删除</translation>
+    </message>
+    <message>
+        <source>rms in %1</source>
+        <translation>有效值，单位 %1</translation>
+    </message>
+    <message>
+        <source>runout must be finite</source>
+        <translation>跳动必须为有限数</translation>
+    </message>
+    <message>
+        <source>runout needs one value per tooth</source>
+        <translation>跳动需要每齿一个值</translation>
+    </message>
+    <message>
+        <source>sample %1 of &apos;%2&apos;</source>
+        <translation>&apos;%2&apos; 的第 %1 个采样</translation>
+    </message>
+    <message>
+        <source>samples a second, from 100 to 1000000</source>
+        <translation>每秒采样数，100 至 1000000</translation>
+    </message>
+    <message>
+        <source>samples a second, one of the device&apos;s</source>
+        <translation>每秒采样数，取设备的采样率之一</translation>
+    </message>
+    <message>
+        <source>save each segment as a file of its own</source>
+        <translation>请将每段另存为单独文件</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>请存为 UTF-8</translation>
+    </message>
+    <message>
+        <source>say which one it should lie along</source>
+        <translation>请说明应沿哪一轴</translation>
+    </message>
+    <message>
+        <source>see gate.highest-feed</source>
+        <translation>见 gate.highest-feed</translation>
+    </message>
+    <message>
+        <source>see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and gate.highest-cutting-speed</source>
+        <translation>见 gate.highest-speed、gate.tool-highest-speed、gate.holder-highest-speed 和 gate.highest-cutting-speed</translation>
+    </message>
+    <message>
+        <source>semi-discretization needs 1 to 2000 cells a tooth period</source>
+        <translation>半离散法每齿周期需要 1 至 2000 个单元</translation>
+    </message>
+    <message>
+        <source>serial ports are not part of this build</source>
+        <translation>此版本不含串口</translation>
+    </message>
+    <message>
+        <source>set [device] subdevice</source>
+        <translation>请设置 [device] subdevice</translation>
+    </message>
+    <message>
+        <source>set its gain lower</source>
+        <translation>请降低其增益</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>设置</translation>
+    </message>
+    <message>
+        <source>setting the length</source>
+        <translation>设置长度</translation>
+    </message>
+    <message>
+        <source>simulate a variable pitch instead</source>
+        <translation>变齿距请改用仿真</translation>
+    </message>
+    <message>
+        <source>simulated cut</source>
+        <translation>模拟切削</translation>
+    </message>
+    <message>
+        <source>simulated machine</source>
+        <translation>模拟机床</translation>
+    </message>
+    <message>
+        <source>simulated source</source>
+        <translation>模拟信号源</translation>
+    </message>
+    <message>
+        <source>simulated: %1</source>
+        <translation>模拟：%1</translation>
+    </message>
+    <message>
+        <source>sound file</source>
+        <translation>声音文件</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>信号源</translation>
+    </message>
+    <message>
+        <source>source &apos;alsa&apos;</source>
+        <translation>信号源 &apos;alsa&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;comedi&apos;</source>
+        <translation>信号源 &apos;comedi&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;iio&apos;</source>
+        <translation>信号源 &apos;iio&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;joined&apos;</source>
+        <translation>信号源 &apos;joined&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;replay&apos;</source>
+        <translation>信号源 &apos;replay&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;serial&apos;</source>
+        <translation>信号源 &apos;serial&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;simulated&apos;</source>
+        <translation>信号源 &apos;simulated&apos;</translation>
+    </message>
+    <message>
+        <source>source &apos;tcp&apos;</source>
+        <translation>信号源 &apos;tcp&apos;</translation>
+    </message>
+    <message>
+        <source>speed must lie between 1 and 200000 rev/min</source>
+        <translation>转速必须在 1 到 200000 转/分之间</translation>
+    </message>
+    <message>
+        <source>speeds must be FROM:TO:STEP with 0 &lt; FROM &lt;= TO</source>
+        <translation>转速须为 FROM:TO:STEP，且 0 &lt; FROM &lt;= TO</translation>
+    </message>
+    <message>
+        <source>spindle speed</source>
+        <translation>主轴转速</translation>
+    </message>
+    <message>
+        <source>stability lobes need a force exponent of 1</source>
+        <translation>稳定性叶瓣图要求力指数为 1</translation>
+    </message>
+    <message>
+        <source>stability lobes need a regular pitch</source>
+        <translation>稳定性叶瓣图要求等齿距</translation>
+    </message>
+    <message>
+        <source>steps must be 8 to 5000</source>
+        <translation>steps 必须为 8 至 5000</translation>
+    </message>
+    <message>
+        <source>steps per revolution must lie between 0 (automatic) and 1000000</source>
+        <translation>每转步数必须在 0（自动）到 1000000 之间</translation>
+    </message>
+    <message>
+        <source>stiffness must be above zero</source>
+        <translation>刚度必须大于零</translation>
+    </message>
+    <message>
+        <source>stop it first</source>
+        <translation>请先停止</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>strategy &apos;active&apos; needs a table [work_holder]</source>
+        <translation>策略 &apos;active&apos; 需要 [work_holder] 表</translation>
+    </message>
+    <message>
+        <source>subdevice %1 is no analog output</source>
+        <translation>子设备 %1 不是模拟输出</translation>
+    </message>
+    <message>
+        <source>such a machine tells nothing of its program</source>
+        <translation>这类机床不报告其程序</translation>
+    </message>
+    <message>
+        <source>such devices are not part of this build</source>
+        <translation>此版本不含这类设备</translation>
+    </message>
+    <message>
+        <source>switch &apos;active.auxiliary&apos; off, or take shorter blocks</source>
+        <translation>请关闭 &apos;active.auxiliary&apos;，或用更短的块</translation>
+    </message>
+    <message>
+        <source>t0_s and t1_s must be times, one after the other</source>
+        <translation>t0_s 与 t1_s 必须是先后两个时间</translation>
+    </message>
+    <message>
+        <source>take a larger step</source>
+        <translation>请用更大的步长</translation>
+    </message>
+    <message>
+        <source>take a smaller depth</source>
+        <translation>请用更小的切深</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>任务</translation>
+    </message>
+    <message>
+        <source>teeth must be 1 to 12, not %1</source>
+        <translation>齿数必须为 1 至 12，而不是 %1</translation>
+    </message>
+    <message>
+        <source>the HDF5 file cannot be opened</source>
+        <translation>HDF5 文件无法打开</translation>
+    </message>
+    <message>
+        <source>the [[channels]] are %1 in all, and %2 of them are taken</source>
+        <translation>[[channels]] 共 %1 个，其中 %2 个已占用</translation>
+    </message>
+    <message>
+        <source>the active table needs one per axis</source>
+        <translation>主动工作台每轴需要一个</translation>
+    </message>
+    <message>
+        <source>the actuator was at its end and the vibration grew</source>
+        <translation>执行器已到行程末端且振动增大</translation>
+    </message>
+    <message>
+        <source>the amplitude limit must be above zero</source>
+        <translation>幅值限制必须大于零</translation>
+    </message>
+    <message>
+        <source>the block does not fit where it is read to</source>
+        <translation>数据块放不下</translation>
+    </message>
+    <message>
+        <source>the calibrator&apos;s level</source>
+        <translation>校准器的电平</translation>
+    </message>
+    <message>
+        <source>the chosen channel has no axis</source>
+        <translation>所选通道没有轴</translation>
+    </message>
+    <message>
+        <source>the cut is too unstable for double precision</source>
+        <translation>该切削过于不稳定，超出双精度</translation>
+    </message>
+    <message>
+        <source>the data chunk is missing: a truncated file</source>
+        <translation>缺少数据块：文件被截断</translation>
+    </message>
+    <message>
+        <source>the delays must rise from 0 or more to at most 10 s</source>
+        <translation>延迟必须从 0 或以上递增，不超过 10 s</translation>
+    </message>
+    <message>
+        <source>the detector in charge or its fallback is not among the enabled ones</source>
+        <translation>主检测器或其后备不在已启用之列</translation>
+    </message>
+    <message>
+        <source>the device does not run</source>
+        <translation>设备未运行</translation>
+    </message>
+    <message>
+        <source>the device lost a block</source>
+        <translation>设备丢失了一个数据块</translation>
+    </message>
+    <message>
+        <source>the devices have %1: N_channels says how many are theirs</source>
+        <translation>各设备有 %1：N_channels 说明各占多少</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>结束</translation>
+    </message>
+    <message>
+        <source>the error sensor stands still</source>
+        <translation>误差传感器无变化</translation>
+    </message>
+    <message>
+        <source>the fastest mode swings %1 times between two teeth</source>
+        <translation>最快的模态在两齿之间振动 %1 次</translation>
+    </message>
+    <message>
+        <source>the feed range must rise from 0 or more to at most 300 %</source>
+        <translation>进给范围必须从 0 或以上递增，不超过 300 %</translation>
+    </message>
+    <message>
+        <source>the file is cut off</source>
+        <translation>文件被截断</translation>
+    </message>
+    <message>
+        <source>the file is cut off or its header is wrong</source>
+        <translation>文件被截断或文件头错误</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>文件已损坏</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>无法创建文件夹</translation>
+    </message>
+    <message>
+        <source>the folder cannot be written to</source>
+        <translation>无法写入文件夹</translation>
+    </message>
+    <message>
+        <source>the gear&apos;s table must hold [cut] speed_rpm, or there is nothing to go back to</source>
+        <translation>该挡位的表必须含 [cut] speed_rpm，否则无处可回</translation>
+    </message>
+    <message>
+        <source>the header is not &apos;t,rpm&apos;</source>
+        <translation>表头不是 &apos;t,rpm&apos;</translation>
+    </message>
+    <message>
+        <source>the header promises %1 bytes of samples, the file holds %2</source>
+        <translation>文件头声明 %1 字节采样，文件含 %2 字节</translation>
+    </message>
+    <message>
+        <source>the host cannot be found</source>
+        <translation>找不到主机</translation>
+    </message>
+    <message>
+        <source>the leak must lie between 0.9 and 1</source>
+        <translation>泄漏因子必须在 0.9 到 1 之间</translation>
+    </message>
+    <message>
+        <source>the lease is shorter than two blocks</source>
+        <translation>授权短于两个数据块</translation>
+    </message>
+    <message>
+        <source>the lease must be above zero and at most one second</source>
+        <translation>授权必须大于零且不超过一秒</translation>
+    </message>
+    <message>
+        <source>the level moves by %1 %</source>
+        <translation>电平波动 %1 %</translation>
+    </message>
+    <message>
+        <source>the line is too long</source>
+        <translation>该行过长</translation>
+    </message>
+    <message>
+        <source>the longest was %1 of %2</source>
+        <translation>最长为 %2 中的 %1</translation>
+    </message>
+    <message>
+        <source>the loop diverged</source>
+        <translation>回路发散</translation>
+    </message>
+    <message>
+        <source>the lowest feed is not below the highest</source>
+        <translation>最低进给不低于最高进给</translation>
+    </message>
+    <message>
+        <source>the lowest speed is not below the highest</source>
+        <translation>最低转速不低于最高转速</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s override cannot reach the allowed range</source>
+        <translation>机床倍率无法达到允许范围</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s state is incomplete</source>
+        <translation>机床状态不完整</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s watchdog was not seen to act</source>
+        <translation>未见机床看门狗动作</translation>
+    </message>
+    <message>
+        <source>the marker cannot be written</source>
+        <translation>无法写入标记</translation>
+    </message>
+    <message>
+        <source>the markers cannot be read</source>
+        <translation>无法读取标记</translation>
+    </message>
+    <message>
+        <source>the model along %1 is %2 minutes old</source>
+        <translation>沿 %1 的模型已有 %2 分钟</translation>
+    </message>
+    <message>
+        <source>the model along %1 promises no stability on the lines to quieten, worst at %2 Hz</source>
+        <translation>沿 %1 的模型在需抑制的谱线上不保证稳定，最差在 %2 Hz</translation>
+    </message>
+    <message>
+        <source>the nearest is %1</source>
+        <translation>最接近的是 %1</translation>
+    </message>
+    <message>
+        <source>the number of channels changed</source>
+        <translation>通道数已改变</translation>
+    </message>
+    <message>
+        <source>the order of semi-discretization must be 0 or 1</source>
+        <translation>半离散法的阶数必须为 0 或 1</translation>
+    </message>
+    <message>
+        <source>the output does not take the programmed values</source>
+        <translation>输出不接受编程值</translation>
+    </message>
+    <message>
+        <source>the pace must be above zero</source>
+        <translation>速度必须大于零</translation>
+    </message>
+    <message>
+        <source>the pace must be zero (as fast as possible) or above, with a clock</source>
+        <translation>速度必须为零（尽可能快）或更大，并有时钟</translation>
+    </message>
+    <message>
+        <source>the path may be later than its model says; identify it again</source>
+        <translation>路径可能比模型更滞后；请重新辨识</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model has more than %1 taps</source>
+        <translation>路径模型超过 %1 个系数</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model holds a number that is not finite</source>
+        <translation>路径模型含有非有限数</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model is delayed by more than %1 samples</source>
+        <translation>路径模型延迟超过 %1 个采样</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model is unstable</source>
+        <translation>路径模型不稳定</translation>
+    </message>
+    <message>
+        <source>the path&apos;s model says that the actuator does nothing</source>
+        <translation>路径模型表明执行器不起作用</translation>
+    </message>
+    <message>
+        <source>the paths are being identified</source>
+        <translation>正在辨识路径</translation>
+    </message>
+    <message>
+        <source>the profile&apos;s has %1</source>
+        <translation>配置中的有 %1</translation>
+    </message>
+    <message>
+        <source>the programmed speed is outside the speed table</source>
+        <translation>编程转速在转速表之外</translation>
+    </message>
+    <message>
+        <source>the programmed value must be reachable</source>
+        <translation>编程值必须可达</translation>
+    </message>
+    <message>
+        <source>the range of the feed override is empty</source>
+        <translation>进给倍率范围为空</translation>
+    </message>
+    <message>
+        <source>the range of the speed override is empty</source>
+        <translation>转速倍率范围为空</translation>
+    </message>
+    <message>
+        <source>the reading does not follow the actuator</source>
+        <translation>读数不跟随执行器</translation>
+    </message>
+    <message>
+        <source>the registers do not answer</source>
+        <translation>寄存器没有应答</translation>
+    </message>
+    <message>
+        <source>the repaired file could not be written</source>
+        <translation>修复后的文件无法写入</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>运行已结束</translation>
+    </message>
+    <message>
+        <source>the sample rate must be above zero</source>
+        <translation>采样率必须大于零</translation>
+    </message>
+    <message>
+        <source>the samples are missing</source>
+        <translation>缺少采样</translation>
+    </message>
+    <message>
+        <source>the samples cannot be read</source>
+        <translation>采样无法读取</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: it holds neither a rate nor times</source>
+        <translation>采样率未知：既无采样率也无时间</translation>
+    </message>
+    <message>
+        <source>the sampling rate is not known: there is no time column</source>
+        <translation>采样率未知：没有时间列</translation>
+    </message>
+    <message>
+        <source>the sampling rate is senseless</source>
+        <translation>采样率无意义</translation>
+    </message>
+    <message>
+        <source>the sensor read nothing</source>
+        <translation>传感器没有读数</translation>
+    </message>
+    <message>
+        <source>the session file cannot be created</source>
+        <translation>无法创建会话文件</translation>
+    </message>
+    <message>
+        <source>the session file cannot be opened</source>
+        <translation>无法打开会话文件</translation>
+    </message>
+    <message>
+        <source>the session file cannot be repaired</source>
+        <translation>无法修复会话文件</translation>
+    </message>
+    <message>
+        <source>the session file is damaged</source>
+        <translation>会话文件已损坏</translation>
+    </message>
+    <message>
+        <source>the session file was not closed cleanly</source>
+        <translation>会话文件未正常关闭</translation>
+    </message>
+    <message>
+        <source>the session has others</source>
+        <translation>会话中有其他的</translation>
+    </message>
+    <message>
+        <source>the session is closed</source>
+        <translation>会话已关闭</translation>
+    </message>
+    <message>
+        <source>the setup is missing</source>
+        <translation>缺少设置</translation>
+    </message>
+    <message>
+        <source>the setup is senseless</source>
+        <translation>设置无意义</translation>
+    </message>
+    <message>
+        <source>the size in its header is wrong, or the file is cut off</source>
+        <translation>文件头中的大小有误，或文件被截断</translation>
+    </message>
+    <message>
+        <source>the slew limit must be above zero</source>
+        <translation>变化率限制必须大于零</translation>
+    </message>
+    <message>
+        <source>the span from %1 is empty</source>
+        <translation>自 %1 起的时段为空</translation>
+    </message>
+    <message>
+        <source>the span holds no samples</source>
+        <translation>该时段没有采样</translation>
+    </message>
+    <message>
+        <source>the speed must be above zero</source>
+        <translation>转速必须大于零</translation>
+    </message>
+    <message>
+        <source>the speed range is empty</source>
+        <translation>转速范围为空</translation>
+    </message>
+    <message>
+        <source>the speed range must rise from above 0 to at most 300 %</source>
+        <translation>转速范围必须从大于 0 递增，不超过 300 %</translation>
+    </message>
+    <message>
+        <source>the step between speeds must be above zero</source>
+        <translation>转速步长必须大于零</translation>
+    </message>
+    <message>
+        <source>the step must lie between 0 and 1</source>
+        <translation>步长必须在 0 到 1 之间</translation>
+    </message>
+    <message>
+        <source>the table of blocks cannot be read</source>
+        <translation>数据块表无法读取</translation>
+    </message>
+    <message>
+        <source>the tangential coefficient must be above zero</source>
+        <translation>切向系数必须大于零</translation>
+    </message>
+    <message>
+        <source>the time column does not grow</source>
+        <translation>时间列不递增</translation>
+    </message>
+    <message>
+        <source>the time does not rise</source>
+        <translation>时间不递增</translation>
+    </message>
+    <message>
+        <source>the time repeats</source>
+        <translation>时间重复</translation>
+    </message>
+    <message>
+        <source>the time runs backwards</source>
+        <translation>时间倒退</translation>
+    </message>
+    <message>
+        <source>the time steps are uneven</source>
+        <translation>时间步长不均匀</translation>
+    </message>
+    <message>
+        <source>the tone is cut off at the input&apos;s limit</source>
+        <translation>音在输入极限处被削波</translation>
+    </message>
+    <message>
+        <source>the tool has %1 teeth</source>
+        <translation>刀具有 %1 齿</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s cutting speed lies below the speed range</source>
+        <translation>刀具切削速度低于转速范围</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s cutting speed must be above zero</source>
+        <translation>刀具切削速度必须大于零</translation>
+    </message>
+    <message>
+        <source>the value is not a finite number</source>
+        <translation>该值不是有限数</translation>
+    </message>
+    <message>
+        <source>the work-holder needs a flexure with frequency, damping and stiffness</source>
+        <translation>工件夹具需要具有频率、阻尼和刚度的柔性铰</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s filter and amplifier need a bandwidth and a slew limit</source>
+        <translation>工件夹具的滤波器和放大器需要带宽与变化率限制</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s lines to quieten must be positive frequencies</source>
+        <translation>工件夹具需抑制的谱线必须为正频率</translation>
+    </message>
+    <message>
+        <source>the work-holder&apos;s stroke must be above zero and at most 1 mm</source>
+        <translation>工件夹具的行程必须大于零且不超过 1 mm</translation>
+    </message>
+    <message>
+        <source>there are: </source>
+        <translation>现有：</translation>
+    </message>
+    <message>
+        <source>there are: %1</source>
+        <translation>现有：%1</translation>
+    </message>
+    <message>
+        <source>there is no channel %1</source>
+        <translation>没有通道 %1</translation>
+    </message>
+    <message>
+        <source>there is no clock here</source>
+        <translation>此处没有时钟</translation>
+    </message>
+    <message>
+        <source>there is no plant to drive</source>
+        <translation>没有可驱动的对象</translation>
+    </message>
+    <message>
+        <source>there is no such array in the file</source>
+        <translation>文件中没有此数组</translation>
+    </message>
+    <message>
+        <source>there is no such data set or folder in the file</source>
+        <translation>文件中没有此数据集或文件夹</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有此文件</translation>
+    </message>
+    <message>
+        <source>there is no trigger &apos;%1&apos; at %2</source>
+        <translation>%2 处没有触发器 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real device here</source>
+        <translation>此处没有通往真实设备的连线</translation>
+    </message>
+    <message>
+        <source>there is no wire to a real machine here</source>
+        <translation>此处没有通往真实机床的连线</translation>
+    </message>
+    <message>
+        <source>there is nothing to exchange it with</source>
+        <translation>没有可与之交换的</translation>
+    </message>
+    <message>
+        <source>they must rise</source>
+        <translation>必须递增</translation>
+    </message>
+    <message>
+        <source>this HDF5 library cannot repair files</source>
+        <translation>此 HDF5 库不能修复文件</translation>
+    </message>
+    <message>
+        <source>this is no text recording</source>
+        <translation>这不是文本记录</translation>
+    </message>
+    <message>
+        <source>this program reads versions %1 to %2</source>
+        <translation>本程序可读版本 %1 至 %2</translation>
+    </message>
+    <message>
+        <source>this program was built without alsa-lib</source>
+        <translation>本程序构建时没有 alsa-lib</translation>
+    </message>
+    <message>
+        <source>this recording cannot be gone back in</source>
+        <translation>此记录不能后退</translation>
+    </message>
+    <message>
+        <source>too large for a sample</source>
+        <translation>作为采样值过大</translation>
+    </message>
+    <message>
+        <source>too short</source>
+        <translation>太短</translation>
+    </message>
+    <message>
+        <source>too short to identify a path from</source>
+        <translation>太短，无法辨识路径</translation>
+    </message>
+    <message>
+        <source>turns too slowly for its rate</source>
+        <translation>相对采样率转得太慢</translation>
+    </message>
+    <message>
+        <source>two devices or more are joined: 1_id, 2_id ...</source>
+        <translation>两个或更多设备相连：1_id、2_id ……</translation>
+    </message>
+    <message>
+        <source>two seconds are needed</source>
+        <translation>需要两秒</translation>
+    </message>
+    <message>
+        <source>two seconds of the tone are needed</source>
+        <translation>需要两秒的音</translation>
+    </message>
+    <message>
+        <source>unevenness must lie between 0 and 0.01 / sqrt(Hz)</source>
+        <translation>不均匀度必须在 0 到 0.01 / sqrt(Hz) 之间</translation>
+    </message>
+    <message>
+        <source>universal file, dataset 58</source>
+        <translation>通用文件，数据集 58</translation>
+    </message>
+    <message>
+        <source>unknown id &apos;%1&apos;</source>
+        <translation>未知标识 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>未知键 &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>up to 64 can be read</source>
+        <translation>最多可读 64 个</translation>
+    </message>
+    <message>
+        <source>use the link &apos;simulated&apos;</source>
+        <translation>请用连接 &apos;simulated&apos;</translation>
+    </message>
+    <message>
+        <source>variable %1</source>
+        <translation>变量 %1</translation>
+    </message>
+    <message>
+        <source>virtual data sets are not read</source>
+        <translation>不读取虚拟数据集</translation>
+    </message>
+    <message>
+        <source>volts of one device unit, for example of full scale</source>
+        <translation>一个设备单位的电压，例如满量程</translation>
+    </message>
+    <message>
+        <source>wait for the end</source>
+        <translation>请等待结束</translation>
+    </message>
+    <message>
+        <source>was stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>what full scale means must be a number other than 0</source>
+        <translation>满量程的含义必须为非零数</translation>
+    </message>
+    <message>
+        <source>what is there is left as it is</source>
+        <translation>现有内容保持不变</translation>
+    </message>
+    <message>
+        <source>what would the machine watch?</source>
+        <translation>机床该监视什么？</translation>
+    </message>
+    <message>
+        <source>without it nothing can be told or done</source>
+        <translation>没有它就无从判断或动作</translation>
+    </message>
+    <message>
+        <source>writing the journal</source>
+        <translation>写入日志</translation>
+    </message>
+    <message>
+        <source>writing to disk</source>
+        <translation>写入磁盘</translation>
+    </message>
+    <message>
+        <source>x and y are on the same channel</source>
+        <translation>x 和 y 在同一通道上</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force (a tooth cuts %1 % of the time): expect errors of tens of percent between the lobes; the exact method has none</source>
+        <translation>零阶法对力取平均（一齿 %1 % 的时间在切削）：叶瓣之间会有百分之几十的误差；精确法没有</translation>
+    </message>
+    <message>
+        <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
+        <translation>零阶法对力取平均，而一齿只有 %1 % 的时间在切削：极限可能高得多，缺少倍周期叶瓣与岛；请用精确法</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -1480,10 +4648,6 @@
         <translation>关闭</translation>
     </message>
     <message>
-        <source>still learning the noise, {0.1} s to go</source>
-        <translation>仍在学习噪声，还需 {0.1} s</translation>
-    </message>
-    <message>
         <source>the spindle speed is not known</source>
         <translation>主轴转速未知</translation>
     </message>
@@ -1492,8 +4656,8 @@
         <translation>齿数未知</translation>
     </message>
     <message>
-        <source>{0.0} samples are missing</source>
-        <translation>缺少 {0.0} 个采样</translation>
+        <source>samples are missing ({0.0} counted)</source>
+        <translation>缺少采样（计得 {0.0} 个）</translation>
     </message>
     <message>
         <source>the sensor is at its limit</source>
@@ -1792,8 +4956,8 @@
         <translation>颤振 {0.2} s、进给 {1.1} mm 后刀具离开切削</translation>
     </message>
     <message>
-        <source>channel {0.0} fell silent in the cut while another goes on, look for a broken cable</source>
-        <translation>通道 {0.0} 在切削中失去信号而另一通道仍正常，请检查电缆是否断裂</translation>
+        <source>channel {0.0} fell silent in the middle of the cut, look for a broken cable</source>
+        <translation>通道 {0.0} 在切削过程中失去信号，请检查电缆是否断裂</translation>
     </message>
     <message>
         <source>channel {0.0} knocks at any spindle angle, its sensor is loose</source>
@@ -1816,16 +4980,20 @@
         <translation>通道 {0.0} 和 {1.0} 标为两个轴却给出相同信号，其中一个接线或命名有误</translation>
     </message>
     <message>
-        <source>channel {0.0} repeats each value, its samples were taken at a lower rate than told</source>
-        <translation>通道 {0.0} 重复每个采样值，其实际采样率低于所给值</translation>
-    </message>
-    <message>
         <source>the device delivers {0.1} samples a second instead of {1.1}</source>
         <translation>设备每秒给出 {0.1} 个采样，而不是 {1.1} 个</translation>
     </message>
     <message>
         <source>channel {0.0} has a line at {1.1} Hz that moves as order {2.0} folded back, its anti-alias filter is missing</source>
         <translation>通道 {0.0} 在 {1.1} Hz 处有一条谱线，其移动方式与折叠回来的第 {2.0} 阶相同，缺少抗混叠滤波器</translation>
+    </message>
+    <message>
+        <source>still learning, {0.1} s to go</source>
+        <translation>仍在学习，还需 {0.1} 秒</translation>
+    </message>
+    <message>
+        <source>channel {0.0} repeats its values, or comes at another rate than told</source>
+        <translation>通道 {0.0} 重复数值，或采样率与所给的不同</translation>
     </message>
 </context>
 <context>
@@ -1872,10 +5040,36 @@
     </message>
 </context>
 <context>
+    <name>Session</name>
+    <message>
+        <source>The device is gone; identify again when it is back</source>
+        <translation>设备已断开；恢复后请重新辨识</translation>
+    </message>
+    <message>
+        <source>Replay: %1</source>
+        <translation>回放：%1</translation>
+    </message>
+    <message>
+        <source>the run has ended</source>
+        <translation>运行已结束</translation>
+    </message>
+</context>
+<context>
+    <name>Trial</name>
+    <message>
+        <source>%1 Hz, channels: %2</source>
+        <translation>%1 Hz，通道数：%2</translation>
+    </message>
+    <message>
+        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
+        <translation>%1：%2 Hz 纯音，占所测信号的 %3 %；比例 %4 ± %5 %6</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui</name>
     <message>
         <source>%1 rpm, %2</source>
-        <translation>%1 rpm,%2</translation>
+        <translation>%1 rpm，%2</translation>
     </message>
     <message>
         <source>Costs no time</source>
@@ -2110,10 +5304,6 @@
         <translation>由您控制</translation>
     </message>
     <message>
-        <source>speed %1, feed %2</source>
-        <translation>转速 %1，进给 %2</translation>
-    </message>
-    <message>
         <source>Stillcut is in command</source>
         <translation>由 Stillcut 控制</translation>
     </message>
@@ -2152,10 +5342,6 @@
     <message>
         <source>CHATTER</source>
         <translation>颤振</translation>
-    </message>
-    <message>
-        <source>Hopf</source>
-        <translation>Hopf</translation>
     </message>
     <message>
         <source>period doubling</source>
@@ -2954,8 +6140,8 @@
         <translation>独立回路</translation>
     </message>
     <message>
-        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, aligned within %3 µs</source>
-        <translation>并接设备，%1 个通道：按本机时钟 %2，对齐误差 %3 µs</translation>
+        <source>Joined device, %1 channels: %2 by this computer&apos;s clock, times steady within %3 µs, beside any constant delay of its wire</source>
+        <translation>并接设备，%1 个通道：按本机时钟 %2，时间波动在 %3 µs 以内，不含其线路的固定延迟</translation>
     </message>
     <message>
         <source>No program runs, or the machine is off</source>
@@ -3058,18 +6244,6 @@
         <translation>机床看门狗或操作员开关已将 Stillcut 断开</translation>
     </message>
     <message>
-        <source>FIND THE MACHINE</source>
-        <translation>查找机床</translation>
-    </message>
-    <message>
-        <source>more hosts, or 192.168.1.0/24</source>
-        <translation>更多主机，或 192.168.1.0/24</translation>
-    </message>
-    <message>
-        <source>What was found</source>
-        <translation>查找结果</translation>
-    </message>
-    <message>
         <source>identifying, %1</source>
         <translation>正在辨识，%1</translation>
     </message>
@@ -3084,6 +6258,74 @@
     <message>
         <source>Table</source>
         <translation>工作台</translation>
+    </message>
+    <message>
+        <source>The marker is in the file</source>
+        <translation>标记已写入文件</translation>
+    </message>
+    <message>
+        <source>Vibration %1</source>
+        <translation>振动 %1</translation>
+    </message>
+    <message>
+        <source>Vibration %1: the chatter is gone</source>
+        <translation>振动 %1：颤振已消除</translation>
+    </message>
+    <message>
+        <source>Vibration %1: no chatter, %2 is the teeth</source>
+        <translation>振动 %1：无颤振，%2 来自刀齿</translation>
+    </message>
+    <message>
+        <source>Onset %1, quiet after %2, nothing marked</source>
+        <translation>初起 %1，%2 后平稳，无振纹</translation>
+    </message>
+    <message>
+        <source>Onsets in this run: %1, no chatter</source>
+        <translation>本次初起：%1 次，无颤振</translation>
+    </message>
+    <message>
+        <source>ADVICE IN THE REPLAY</source>
+        <translation>回放中的建议</translation>
+    </message>
+    <message>
+        <source>live, %1</source>
+        <translation>实时，%1</translation>
+    </message>
+    <message>
+        <source>being checked</source>
+        <translation>核对中</translation>
+    </message>
+    <message>
+        <source>regenerative</source>
+        <translation>再生颤振</translation>
+    </message>
+    <message>
+        <source>Not computed so deep</source>
+        <translation>未计算到这么深</translation>
+    </message>
+    <message>
+        <source>no limit found down to %1</source>
+        <translation>直到 %1 未发现极限</translation>
+    </message>
+    <message>
+        <source>STABLE, no limit found down to %1</source>
+        <translation>稳定，直到 %1 未发现极限</translation>
+    </message>
+    <message>
+        <source>limit deeper than %1</source>
+        <translation>极限深于 %1</translation>
+    </message>
+    <message>
+        <source>, B: %1</source>
+        <translation>，B：%1</translation>
+    </message>
+    <message>
+        <source>dB re 1 %1</source>
+        <translation>dB re 1 %1</translation>
+    </message>
+    <message>
+        <source>%1 rms</source>
+        <translation>%1（有效值）</translation>
     </message>
 </context>
 <context>
@@ -3264,6 +6506,10 @@
         <source>F4, no watchdog</source>
         <translation>F4，无看门狗</translation>
     </message>
+    <message>
+        <source>ACCEPT</source>
+        <translation>接受</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::DisplayPanel</name>
@@ -3390,6 +6636,30 @@
         <source>depth of cut [mm]</source>
         <translation>切深 [mm]</translation>
     </message>
+    <message>
+        <source>now</source>
+        <translation>当前</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>假设</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>曾稳定</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>颤振</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::LobesPage</name>
@@ -3434,10 +6704,6 @@
         <translation>此切深下的稳定区</translation>
     </message>
     <message>
-        <source>Choose a pocket to try its best speed. In brackets: beyond the override&apos;s reach.</source>
-        <translation>选择稳定区以试其最佳转速。括号内：超出倍率范围。</translation>
-    </message>
-    <message>
         <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
         <translation>此刀具的模态未知。请用锤击测量（设置）或在配置中指定模型文件；叶瓣图不需要其他数据。</translation>
     </message>
@@ -3450,16 +6716,24 @@
         <translation>计算中；完成前保留之前的图</translation>
     </message>
     <message>
-        <source>%1. Left out: %2</source>
-        <translation>%1。未考虑：%2</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>已取消</translation>
     </message>
     <message>
         <source>Cannot be computed: %1</source>
         <translation>无法计算：%1</translation>
+    </message>
+    <message>
+        <source>In brackets: beyond the override&apos;s reach</source>
+        <translation>括号内：超出倍率范围</translation>
+    </message>
+    <message>
+        <source>Choose a pocket to try its best speed</source>
+        <translation>选择一个区间以试用其最佳转速</translation>
+    </message>
+    <message>
+        <source>Nothing new arrives: the working point is not shown</source>
+        <translation>没有新数据：不显示工作点</translation>
     </message>
 </context>
 <context>
@@ -3570,6 +6844,14 @@
     <message>
         <source>Marker removed</source>
         <translation>标记已删除</translation>
+    </message>
+    <message>
+        <source>Marker put back</source>
+        <translation>标记已恢复</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>撤销</translation>
     </message>
 </context>
 <context>
@@ -3754,6 +7036,14 @@
         <source>down to</source>
         <translation>可至</translation>
     </message>
+    <message>
+        <source>&gt; %1</source>
+        <translation>&gt; %1</translation>
+    </message>
+    <message>
+        <source>No limit found: the search ended there</source>
+        <translation>未发现极限：搜索到此为止</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::PresetBar</name>
@@ -3792,6 +7082,10 @@
     <message>
         <source>Not a moment: write 14:03:20, or -12 for seconds ago</source>
         <translation>时刻无效：请写 14:03:20，或 -12 表示多少秒前</translation>
+    </message>
+    <message>
+        <source>UNDO</source>
+        <translation>撤销</translation>
     </message>
 </context>
 <context>
@@ -3959,6 +7253,14 @@
         <source>as recorded</source>
         <translation>记录时</translation>
     </message>
+    <message>
+        <source>before</source>
+        <translation>之前</translation>
+    </message>
+    <message>
+        <source>after</source>
+        <translation>之后</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SessionsPage</name>
@@ -4090,6 +7392,18 @@
         <source>Not scored: %1</source>
         <translation>未评分：%1</translation>
     </message>
+    <message>
+        <source>BESIDE</source>
+        <translation>并排</translation>
+    </message>
+    <message>
+        <source>Keep this recording beside the next one that is opened</source>
+        <translation>将此记录与下一个打开的记录并排</translation>
+    </message>
+    <message>
+        <source>Open another recording: this one stays beside it, as the dashed line</source>
+        <translation>打开另一记录：此记录以虚线并排显示</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SettingsForm</name>
@@ -4187,6 +7501,18 @@
         <source>Nothing is looked for before you ask.</source>
         <translation>您要求之前不会查找。</translation>
     </message>
+    <message>
+        <source>FIND THE MACHINE</source>
+        <translation>查找机床</translation>
+    </message>
+    <message>
+        <source>more hosts, or 192.168.1.0/24</source>
+        <translation>更多主机，或 192.168.1.0/24</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>查找结果</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupGuide</name>
@@ -4246,10 +7572,6 @@
         <translation>编程转速（rpm）</translation>
     </message>
     <message>
-        <source>Programmed feed in mm per minute</source>
-        <translation>编程进给（mm/min）</translation>
-    </message>
-    <message>
         <source>AUTO MAY BE CHOSEN</source>
         <translation>允许选择自动</translation>
     </message>
@@ -4266,12 +7588,20 @@
         <translation>转速 rpm</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
-        <translation>进给 mm/min</translation>
-    </message>
-    <message>
         <source>LINK TO THE CONTROL</source>
         <translation>与控制系统的连接</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>编程进给</translation>
+    </message>
+    <message>
+        <source>Feed, %1</source>
+        <translation>进给 %1</translation>
+    </message>
+    <message>
+        <source>Programmed feed in %1</source>
+        <translation>编程进给（%1）</translation>
     </message>
 </context>
 <context>
@@ -4592,10 +7922,6 @@
         <translation>齿数</translation>
     </message>
     <message>
-        <source>Diameter, mm</source>
-        <translation>直径 mm</translation>
-    </message>
-    <message>
         <source>Pitch angles, degrees</source>
         <translation>齿距角（度）</translation>
     </message>
@@ -4690,6 +8016,34 @@
     <message>
         <source>Noted</source>
         <translation>已记下</translation>
+    </message>
+    <message>
+        <source>Not kept: the pitch needs one angle per tooth, 360 degrees together</source>
+        <translation>未保存：齿距须每齿一个角度，合计 360 度</translation>
+    </message>
+    <message>
+        <source>PUT IT BACK</source>
+        <translation>恢复</translation>
+    </message>
+    <message>
+        <source>Put the removed tool back</source>
+        <translation>恢复删除的刀具</translation>
+    </message>
+    <message>
+        <source>It is back</source>
+        <translation>已恢复</translation>
+    </message>
+    <message>
+        <source>Not kept yet</source>
+        <translation>尚未保存</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>直径</translation>
+    </message>
+    <message>
+        <source>Diameter, %1</source>
+        <translation>直径 %1</translation>
     </message>
 </context>
 <context>
@@ -4797,6 +8151,10 @@
         <source>chatter %1</source>
         <translation>颤振 %1</translation>
     </message>
+    <message>
+        <source>SPECTRUM, STALE: nothing new arrives</source>
+        <translation>频谱已过时：没有新数据</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -4815,12 +8173,12 @@
 <context>
     <name>stillcut::ui::ToolModel</name>
     <message>
-        <source>D %1 mm, %2 teeth</source>
-        <translation>D %1 mm，%2 齿</translation>
-    </message>
-    <message>
         <source>chattered here before: %1</source>
         <translation>曾在此颤振：%1</translation>
+    </message>
+    <message>
+        <source>D %1, %2 teeth</source>
+        <translation>D %1，%2 齿</translation>
     </message>
 </context>
 <context>
@@ -4833,6 +8191,10 @@
         <source>No samples kept of this stretch</source>
         <translation>此段未保留采样</translation>
     </message>
+    <message>
+        <source>peak %1</source>
+        <translation>峰值 %1</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::TrackPlot</name>
@@ -4843,6 +8205,10 @@
     <message>
         <source>Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator.</source>
         <translation>低：稳定。半高：开始。满高：颤振。阴影：无结论。曲线为第一指标。</translation>
+    </message>
+    <message>
+        <source>low: stable, half: onset, full: chatter; line: first indicator</source>
+        <translation>低：稳定，半：初起，满：颤振；曲线：第一指标</translation>
     </message>
 </context>
 <context>
@@ -4905,6 +8271,10 @@
     <message>
         <source>as the run began</source>
         <translation>恢复到开始时</translation>
+    </message>
+    <message>
+        <source>both sides alike</source>
+        <translation>两侧相同</translation>
     </message>
 </context>
 <context>
@@ -4988,6 +8358,10 @@
     <message>
         <source>Not kept: %1</source>
         <translation>未保存：%1</translation>
+    </message>
+    <message>
+        <source>The picture is stale: nothing new for %1</source>
+        <translation>画面已过时：%1 无新数据</translation>
     </message>
 </context>
 <context>

@@ -8,9 +8,6 @@
 #include "app/cli/hearing_options.h"
 #include "app/cli/reading_options.h"
 #include "app/compose/catalog.h"
-#include "app/compose/heard_samples.h"
-#include "app/compose/profile_rig.h"
-#include "app/io/wires.h"
 #include "core/daq/calibrator.h"
 
 namespace stillcut::app {
@@ -34,13 +31,9 @@ void print(const daq::Calibration& found, const ChannelInfo& before, const Chann
 int save(config::Profile profile, const config::ParamCatalog& catalog, const CalibrateOptions& o, int which,
          const ChannelInfo& now) {
   const auto channel = static_cast<std::size_t>(which);
-  if (channel >= profile.cut.channels.size()) {
-    return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
-  }
+  if (channel >= profile.cut.channels.size()) return failWithoutChannels(o);
   profile.cut.channels[channel] = now;
-  if (const Status saved = config::saveProfile(profile, catalog, o.profile); !saved) return fail(saved.error());
-  std::printf("saved in %s\n", o.profile.c_str());
-  return kExitDone;
+  return saveProfileOf(o, profile, catalog);
 }
 
 int run(const CalibrateOptions& o) {
@@ -51,16 +44,10 @@ int run(const CalibrateOptions& o) {
   if (reading->channels.size() > 1) return fail({"--channel", "one at a time", "the calibrator is on one sensor"});
   const int channel = reading->channels.empty() ? 0 : reading->channels.front();
   const config::ParamCatalog catalog = fullCatalog();
-  config::Profile profile;
-  if (!o.profile.empty()) {
-    auto loaded = config::loadProfile(o.profile, catalog, knownIds());
-    if (!loaded) return fail(loaded.error());
-    profile = std::move(loaded).value();
-  }
-  const auto events = wireEvents();  // outlives the source and its wires
+  auto profile = profileOf(o, catalog);
+  if (!profile) return fail(profile.error());
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = o.profile.empty() ? hearRecording(o.recording, *reading)
-                                       : hearDevice(profile, o.profile, channel, Seconds(o.seconds), fault);
+  const auto heard = hear(o, *profile, *reading, channel, fault);
   if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   const auto at =
       static_cast<std::size_t>(o.profile.empty() ? 0 : channel);  // a recording: the chosen one alone is read
@@ -72,7 +59,7 @@ int run(const CalibrateOptions& o) {
   ChannelInfo now = before;
   daq::applyCalibration(*found, now);
   print(*found, before, now);
-  return o.save ? save(std::move(profile), catalog, o, channel, now) : kExitDone;
+  return o.save ? save(std::move(profile).value(), catalog, o, channel, now) : kExitDone;
 }
 
 }  // namespace

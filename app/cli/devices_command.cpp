@@ -12,11 +12,13 @@
 #include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/alsa_driver.h"
+#include "app/io/comedi_driver.h"
 #include "app/io/find_machines.h"
 #include "app/io/iio_driver.h"
 #include "app/io/wires.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
+#include "core/daq/device_words.h"
 #include "core/daq/registry.h"
 
 namespace stillcut::app {
@@ -26,7 +28,7 @@ constexpr Seconds kFindTime{0.5};
 
 struct DeviceOptions {
   bool find = false, save = false, effect = false;
-  std::vector<std::string> hosts, with;
+  std::vector<std::string> hosts, with, iio;
   std::string link, profile;
 };
 
@@ -54,6 +56,24 @@ void printPorts() {
     std::printf("  %-14s %s: 1200 to 12000000 baud\n", p.device.c_str(), p.label.c_str());
   }
   if (ports.empty()) std::printf("  none\n");
+}
+
+// Here, where libiio finds some on USB and the network, and where one was named.
+int printIio(const std::vector<std::string>& named) {
+  const auto here = iioDevices("local:");
+  printFound("industrial I/O devices here", here ? *here : std::vector<daq::PcmDevice>());
+  int code = kExitDone;
+  std::vector<std::string> contexts = iioContexts();
+  contexts.insert(contexts.end(), named.begin(), named.end());
+  for (const std::string& uri : contexts) {
+    const auto devices = iioDevices(uri);
+    if (devices) {
+      printFound(("industrial I/O devices, uri = \"" + uri + "\"").c_str(), *devices);
+    } else {
+      code = fail(devices.error(), kExitDevice);
+    }
+  }
+  return code;
 }
 
 int find(const DeviceOptions& o) {
@@ -101,7 +121,7 @@ int tryLink(const DeviceOptions& o) {
   cnc::LinkTrial trial(**link, clock);
   while (!interrupted() && trial.next()) {
     const cnc::TrialStep& step = trial.steps().back();
-    std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), step.said.c_str());
+    std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), text(step.said).c_str());
     std::fflush(stdout);
   }
   if (interrupted()) std::puts("no   interrupted");
@@ -138,10 +158,12 @@ int run(const DeviceOptions& o) {
   }
   print("sources", daq::sourceTable());
   printFound("audio-class devices here", alsaDevices());
-  printFound("industrial I/O devices here", iioDevices("local:"));
+  printFound("data acquisition cards here (Comedi)", comediDevices());
+  const int code = printIio(o.iio);
   printPorts();
+  std::printf("losses\n  %s: serial and tcp without a counter, iio without time stamps\n", daq::kUncounted);
   print("links", cnc::linkTable());
-  return kExitDone;
+  return code;
 }
 
 }  // namespace
@@ -151,6 +173,7 @@ void addDevices(CLI::App& app, int& exitCode) {
   CLI::App* command = app.add_subcommand("devices", "List what a profile can name, find machines, try a link");
   command->add_flag("--find", o->find, "Look for serial ports, and for machines on this computer");
   command->add_option("--host", o->hosts, "Look there as well: a host, or a subnet as 192.168.1.0/24");
+  command->add_option("--iio", o->iio, "List the industrial I/O devices there too: ip:HOST, usb:");
   command->add_option("--try", o->link, "Try this link step by step; nothing moves");
   command->add_option("--with", o->with, "A setting of the link, KEY=VALUE");
   command->add_option("--profile", o->profile, "Try the link of this profile (.toml)");

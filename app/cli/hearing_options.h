@@ -1,10 +1,15 @@
 // What commands share that hear a sensor: from a recording of it, or from the device of a profile that is then set
 // right.
+// Thread: main; hearing waits for the device.
 #pragma once
 
 #include <string>
 
+#include "app/compose/rig.h"
 #include "core/base/result.h"
+#include "core/config/profile.h"
+#include "core/daq/heard_samples.h"
+#include "core/record/recording_reader.h"
 
 namespace stillcut::app {
 
@@ -15,15 +20,17 @@ struct HearingOptions {
 };
 
 // `heard`: "tone"; `whose`: the machine of the profile.
-inline Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
-                           const std::string& whose) {
-  if (o.recording.empty() == o.profile.empty()) {
-    return Error{command, o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
-                 "name a RECORDING of the " + heard + ", or --profile of the machine " + whose};
-  }
-  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
-  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
-  return Done{};
-}
+Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
+                    const std::string& whose);
+// The profile that is named; an empty one where a recording is.
+Result<config::Profile> profileOf(const HearingOptions& o, const config::ParamCatalog& catalog);
+// From the recording, or all channels of the profile's device, which has to have `channel`. `fault`: as of
+// hearDevice().
+Result<daq::HeardSamples> hear(const HearingOptions& o, const config::Profile& profile,
+                               const record::ReadOptions& reading, int channel, SetUpFault& fault);
+// Writes the profile back and says so; the exit code.
+int saveProfileOf(const HearingOptions& o, const config::Profile& profile, const config::ParamCatalog& catalog);
+// The same for a profile that has no such [[channels]].
+int failWithoutChannels(const HearingOptions& o);
 
 }  // namespace stillcut::app

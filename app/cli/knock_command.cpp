@@ -8,8 +8,6 @@
 #include "app/cli/reading_options.h"
 #include "app/compose/catalog.h"
 #include "app/compose/heard_samples.h"
-#include "app/compose/profile_rig.h"
-#include "app/io/wires.h"
 #include "core/daq/axis_knock.h"
 
 namespace stillcut::app {
@@ -22,13 +20,9 @@ struct KnockOptions : HearingOptions {
 
 int save(config::Profile profile, const config::ParamCatalog& catalog, const KnockOptions& o,
          const std::vector<ChannelInfo>& now) {
-  if (profile.cut.channels.size() != now.size()) {
-    return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
-  }
+  if (profile.cut.channels.size() != now.size()) return failWithoutChannels(o);
   for (std::size_t c = 0; c < now.size(); ++c) profile.cut.channels[c].axis = now[c].axis;
-  if (const Status saved = config::saveProfile(profile, catalog, o.profile); !saved) return fail(saved.error());
-  std::printf("saved in %s\n", o.profile.c_str());
-  return kExitDone;
+  return saveProfileOf(o, profile, catalog);
 }
 
 int run(const KnockOptions& o) {
@@ -37,18 +31,14 @@ int run(const KnockOptions& o) {
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
   const config::ParamCatalog catalog = fullCatalog();
-  config::Profile profile;
+  auto profile = profileOf(o, catalog);
+  if (!profile) return fail(profile.error());
   if (!o.profile.empty()) {
-    auto loaded = config::loadProfile(o.profile, catalog, knownIds());
-    if (!loaded) return fail(loaded.error());
-    profile = std::move(loaded).value();
     std::printf("knock along the axis of channel %d now, some times within %.0f s\n", o.along, o.seconds);
     std::fflush(stdout);
   }
-  const auto events = wireEvents();  // outlives the source and its wires
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = o.profile.empty() ? hearRecording(o.recording, *reading)
-                                       : hearDevice(profile, o.profile, o.along, Seconds(o.seconds), fault);
+  const auto heard = hear(o, *profile, *reading, o.along, fault);
   if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (const Status there = checkChannel(heard->channels.size(), o.recording, o.along); !there)
     return fail(there.error());
@@ -59,9 +49,9 @@ int run(const KnockOptions& o) {
   }
   const auto knocks = daq::hearKnocks(heard->samples, heard->rate, now, static_cast<std::size_t>(o.along));
   if (!knocks) return fail(knocks.error());
-  std::printf("%s\n", daq::knockSentence(*knocks, now).c_str());
+  std::printf("%s\n", text(daq::knockSentence(*knocks, now)).c_str());
   daq::applyKnocks(*knocks, now);
-  return o.save ? save(std::move(profile), catalog, o, now) : kExitDone;
+  return o.save ? save(std::move(profile).value(), catalog, o, now) : kExitDone;
 }
 
 }  // namespace

@@ -12,7 +12,9 @@
 #include "app/compose/flight_log.h"
 #include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
+#include "app/compose/resource_folder.h"
 #include "app/io/wires.h"
+#include "core/record/session_folder.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
 
@@ -97,7 +99,7 @@ int watch(Rig& rig, const RunOptions& options) {
   const Status recorded = rig.stop();
   console.look();
   for (const daq::AlignedClock& clock : rig.device().clocks()) {
-    std::printf("device of %d more channels: %.3f Hz by this computer's clock, aligned with a residual of %.1f us\n",
+    std::printf("device of %d more channels: %.3f Hz by this computer's clock, times steady within %.1f us\n",
                 clock.channels, clock.rate.value, 1e6 * clock.residual.value);
   }
   if (const std::string& doubt = rig.deviceFormat().doubt; !doubt.empty()) std::printf("device: %s\n", doubt.c_str());
@@ -111,13 +113,20 @@ int watch(Rig& rig, const RunOptions& options) {
 // What is asked for here goes before what the profile says.
 Status record(Rig& rig, const config::Profile& profile, const RunOptions& options) {
   const auto told = [](const record::Deleted& file) {
-    std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
+    if (file.problem.empty()) {
+      std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
+    } else {
+      fail({file.file, "cannot be deleted, though it is " + file.why, file.problem});
+    }
   };
   if (options.record.empty()) return recordAsProfileSays(rig, profile, options.profile, told);
   const std::string origin = config::profileText(profile, fullCatalog());
   std::error_code unknown;
-  return std::filesystem::is_directory(options.record, unknown) ? rig.recordInto(options.record, origin, told)
-                                                                : rig.recordTo(options.record, origin);
+  if (std::filesystem::is_directory(options.record, unknown)) return rig.recordInto(options.record, origin, told);
+  const std::string path = record::freeSessionPath(options.record);
+  if (path != options.record)
+    std::printf("%s is there already: recording to %s\n", options.record.c_str(), path.c_str());
+  return rig.recordTo(path, origin);
 }
 
 int run(const RunOptions& options) {
@@ -151,7 +160,10 @@ void addRun(CLI::App& app, int& exitCode) {
   command->add_option("--operator", o->operatorName, "Who signs markers; left out: as the profile says");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
-  command->callback([o, &exitCode] { exitCode = run(*o); });
+  command->callback([o, &exitCode] {
+    o->profile = foundFile(o->profile);
+    exitCode = run(*o);
+  });
 }
 
 }  // namespace stillcut::app

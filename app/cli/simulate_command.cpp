@@ -11,10 +11,12 @@
 #include "app/cli/out_path.h"
 #include "app/cli/setting_options.h"
 #include "app/cli/simulate_active.h"
+#include "app/compose/resource_folder.h"
 #include "app/compose/scenario_rig.h"
 #include "app/compose/simulation_report.h"
 #include "core/control/registry.h"
 #include "core/milling/scenario.h"
+#include "core/record/session_folder.h"
 #include "core/record/wav_reader.h"
 
 namespace stillcut::app {
@@ -128,11 +130,12 @@ Status check(const SimulateOptions& options, const milling::Scenario& scenario) 
     return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
   }
   if (const Status usable = checkOutPath(options.pathRecord, options.out); !usable) return usable;
-  return checkOutPath(options.out);
+  if (const Status usable = checkOutPath(options.out); !usable) return usable;
+  return record::checkReplaceable(options.out, record::MayReplace::SimulatedSession);
 }
 
 int simulate(const SimulateOptions& options) {
-  auto scenario = milling::loadScenario(options.scenario);
+  auto scenario = milling::loadScenario(foundFile(options.scenario));
   if (!scenario) return fail(scenario.error());
   scenario->grantsAuto = true;
   const auto settings = options.settings.read();

@@ -1,6 +1,7 @@
 #include "app/compose/alarm_score.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -42,7 +43,9 @@ bool isFalse(const std::vector<TruthSpan>& truth, const Alarm& alarm) {
 
 }  // namespace
 
-SpanKind kindOf(const std::string& label) {
+SpanKind kindOf(const std::string& asWritten) {
+  std::string label = asWritten;
+  for (char& c : label) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (label.starts_with("chatter") || label == "true-alarm" || label == "heard") return SpanKind::Chatter;
   for (const char* quiet : {"stable", "idle", "spindle_runup", "air", "quiet", "false-alarm", "entry_", "exit_"}) {
     if (label.starts_with(quiet)) return SpanKind::Quiet;
@@ -77,7 +80,13 @@ void AlarmScore::add(const AlarmScore& other) {
   delays_s.insert(delays_s.end(), other.delays_s.begin(), other.delays_s.end());
 }
 
-AlarmScore scoreAlarms(const std::vector<TruthSpan>& truth, const std::vector<Alarm>& alarms, Seconds length) {
+AlarmScore scoreAlarms(const std::vector<TruthSpan>& told, const std::vector<Alarm>& alarms, Seconds length) {
+  // What is told of a time after the end was never listened to.
+  std::vector<TruthSpan> truth = told;
+  if (length.value > 0.0) {
+    for (TruthSpan& span : truth) span.end = std::min(span.end, length);
+    std::erase_if(truth, [](const TruthSpan& s) { return s.end < s.begin; });
+  }
   AlarmScore score;
   score.alarms = static_cast<int>(alarms.size());
   const bool listened = std::any_of(truth.begin(), truth.end(), [](const TruthSpan& s) { return s.touched; });

@@ -10,54 +10,45 @@ namespace {
 
 constexpr double kMost = 60.0;  // s
 
-void take(SampleBlock& block, std::vector<std::vector<float>>& samples) {
-  for (std::size_t c = 0; c < samples.size(); ++c) {
-    if (block.has(kBlockGap)) samples[c].clear();
-    const std::span<const float> more = block.channel(static_cast<int>(c));
-    samples[c].insert(samples[c].end(), more.begin(), more.end());
-  }
-}
-
 }  // namespace
 
-Result<HeardSamples> hearDevice(const config::Profile& profile, const std::string& path, int channel, Seconds length,
-                                SetUpFault& fault) {
+Result<daq::HeardSamples> hearDevice(const config::Profile& profile, const std::string& path, int channel,
+                                     Seconds length, SetUpFault& fault, const std::atomic<bool>* ended) {
   fault = SetUpFault::Input;
   auto parts = makeProfileParts(profile, path);
   if (!parts) return parts.error();
-  daq::DaqSource& device = *parts->device;
-  const auto format = device.open();
+  const auto format = parts->device->open();
   if (!format) {
     fault = SetUpFault::Hardware;
     return format.error();
   }
   if (const Status there = checkChannel(format->channels.size(), path, channel); !there) return there.error();
-  HeardSamples heard{std::vector<std::vector<float>>(format->channels.size()), format->rate, format->channels};
-  const auto wanted = static_cast<std::size_t>(length.value * format->rate.value);
-  SampleBlock block;
-  block.allocate(static_cast<int>(format->channels.size()), format->blockFrames);
-  while (heard.samples.front().size() < wanted && device.read(block)) take(block, heard.samples);
-  device.stop();
-  if (device.fault().empty()) return heard;
   fault = SetUpFault::Hardware;
-  return Error{"", device.fault(), ""};
+  daq::HearRequest request;
+  request.length = length;
+  request.told = profile.cut.channels;
+  request.ended = ended;
+  return daq::hear(*parts->device, *format, request);
 }
 
-Result<HeardSamples> hearRecording(const std::string& recording, const record::ReadOptions& options) {
+Result<daq::HeardSamples> hearRecording(const std::string& recording, const record::ReadOptions& options) {
   auto reader = record::openRecording(recording, options);
   if (!reader) return reader.error();
   const record::RecordingFormat& format = (*reader)->format();
-  HeardSamples heard{std::vector<std::vector<float>>(format.channels.size()), format.rate, {}};
+  daq::LongestStretch stretch(format.channels.size());
+  daq::HeardSamples heard;
+  heard.rate = format.rate;
   for (const auto& channel : format.channels) heard.channels.push_back(channel.info);
   SampleBlock block;
   constexpr int kAtOnce = 4096;
   block.allocate(static_cast<int>(format.channels.size()), std::max(kAtOnce, format.blockFrames));
-  while (static_cast<double>(heard.samples.front().size()) < kMost * format.rate.value) {
+  while (static_cast<double>(stretch.length()) < kMost * format.rate.value) {
     const Result<bool> more = (*reader)->read(block);
     if (!more) return more.error();
     if (!*more) break;
-    take(block, heard.samples);
+    stretch.take(block);
   }
+  heard.samples = std::move(stretch).samples();
   return heard;
 }
 

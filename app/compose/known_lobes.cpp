@@ -47,6 +47,8 @@ Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile,
     return Error{modelPath, "the tool has " + std::to_string(cut->model.tool.teeth) + " teeth",
                  "the profile's has " + std::to_string(profile.cut.teeth)};
   }
+  // Which speeds are stable depends on the depth, and no method here knows those of an uneven pitch.
+  if (!(profile.depth.value > 0.0) || !profile.pitch.empty()) return std::optional<StableSpeeds>();
   const auto limits = config::checkOverrideLimits(profile.params, profile.cut, modelPath);
   if (!limits) return limits.error();
   MachineState programmed;

@@ -6,6 +6,7 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/known_lobes.h"
+#include "app/compose/resource_folder.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/comedi_driver.h"
 #include "app/io/comedi_output.h"
@@ -21,11 +22,9 @@
 namespace stillcut::app {
 namespace {
 
-// Files a profile names are looked for beside the profile.
+// Files a profile names are looked for beside the profile, then among those that come with Stillcut.
 std::string besideProfile(const std::string& file, const std::string& profilePath) {
-  const std::filesystem::path given(file);
-  if (given.is_absolute()) return file;
-  return (std::filesystem::path(profilePath).parent_path() / given).string();
+  return foundFile(file, std::filesystem::path(profilePath).parent_path());
 }
 
 Result<std::optional<milling::Scenario>> scenarioOf(const config::Profile& profile, const std::string& path) {
@@ -58,6 +57,10 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
   cnc::LinkRequest request;
   request.settings = profile.link.settings;
   request.folder = std::filesystem::path(path).parent_path().string();
+  if (const auto map = request.settings.find("map"); map != request.settings.end()) {
+    const std::string file = besideProfile(map->second, path);
+    if (std::filesystem::path(file).is_absolute()) map->second = file;  // ours, or as given
+  }
   request.wires = makeWire;
   request.buses = busMaker();
   request.analog = outputs == AnalogOutputs::Written ? makeComediOutput : makeSilentOutput;
@@ -83,6 +86,9 @@ Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std:
   source.port = port;
   source.pace.realTime = true;
   source.settings = profile.source.settings;
+  if (const auto file = source.settings.find("file"); file != source.settings.end()) {
+    file->second = besideProfile(file->second, path);
+  }
   source.channels = profile.cut.channels;
   source.wires = makeWire;
   source.pcm = makeAlsaDriver;

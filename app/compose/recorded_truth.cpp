@@ -50,12 +50,16 @@ std::optional<double> numberFrom(const std::string& text) {
 using Row = std::map<std::string, std::string>;
 using Take = std::function<Status(const Row&, const std::string& where)>;
 
-Status readTable(const std::string& path, const Take& take) {
+Status readTable(const std::string& path, const std::string& needed, const Take& take) {
   std::ifstream in(path);
   if (!in) return Error{path, "cannot be opened", ""};
   std::string line;
   std::getline(in, line);
+  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   const std::vector<std::string> header = cellsOf(line);
+  if (std::find(header.begin(), header.end(), needed) == header.end()) {
+    return Error{path + ":1", "has no column '" + needed + "'", "names parted by commas were expected"};
+  }
   for (int number = 2; std::getline(in, line); ++number) {
     if (line.empty() || line == "\r") continue;
     const std::vector<std::string> cells = cellsOf(line);
@@ -78,7 +82,7 @@ Result<std::optional<RecordedTruth>> fromTable(const fs::path& recording, const 
   RecordedTruth truth;
   truth.from = table;
   std::set<std::string> programmed, measured;
-  const Status read = readTable(table, [&](const Row& row, const std::string& where) -> Status {
+  const Status read = readTable(table, "file", [&](const Row& row, const std::string& where) -> Status {
     const auto cell = [&row](const char* name) {
       const auto found = row.find(name);
       return found == row.end() ? std::string() : found->second;
@@ -113,7 +117,7 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
   truth.from = name + "_truth.csv";
   std::vector<Seconds> times;
   std::vector<double> ratios;
-  const Status read = readTable(truth.from, [&](const Row& row, const std::string& where) -> Status {
+  const Status read = readTable(truth.from, "t_s", [&](const Row& row, const std::string& where) -> Status {
     const auto time = row.find("t_s");
     const auto ratio = row.find("ratio_chatter_to_forced");
     if (time == row.end() || ratio == row.end() || !numberFrom(time->second) || !numberFrom(ratio->second)) {
@@ -260,7 +264,10 @@ Result<std::optional<RecordedTruth>> truthOf(const std::string& recording) {
   if (record::isHdf5File(recording)) {
     const auto reader = record::openRecording(recording);
     if (!reader) return reader.error();
-    if ((*reader)->format().setup) return fromSession(recording);
+    if ((*reader)->format().setup) {
+      auto found = fromSession(recording);
+      if (!found || *found) return found;
+    }
   }
   const fs::path path(recording);
   std::error_code ignored;

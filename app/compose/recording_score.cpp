@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <string_view>
 
@@ -87,13 +88,14 @@ std::string whatIfSentence(const std::string& detector, const AlarmScore& before
 std::vector<std::string> recordingsIn(const std::string& folder, const std::function<bool()>& goOn) {
   namespace fs = std::filesystem;
   constexpr auto kSuffixes = std::to_array<std::string_view>(
-      {".h5", ".hdf5", ".wav", ".WAV", ".flac", ".csv", ".txt", ".lvm", ".mat", ".uff", ".unv"});
+      {".h5", ".hdf5", ".wav", ".rf64", ".flac", ".csv", ".txt", ".lvm", ".mat", ".uff", ".unv"});
   std::vector<std::string> found;
   std::error_code problem;
   for (auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, problem);
        !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
     if (goOn && !goOn()) break;
-    const std::string suffix = entry->path().extension().string();
+    std::string suffix = entry->path().extension().string();
+    for (char& c : suffix) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const std::string name = entry->path().filename().string();
     const bool known = std::find(kSuffixes.begin(), kSuffixes.end(), suffix) != kSuffixes.end();
     const bool byFile = name == "TRUTH.csv" || name.ends_with("_truth.csv");

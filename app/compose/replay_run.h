@@ -33,6 +33,7 @@ class ReplayRun {
   const Rig& rig() const { return *rig_; }
   const Snapshot* read() { return rig_->read(); }
   pipeline::SignalTap& signal() { return rig_->signal(); }
+  void showChannel(int channel) { rig_->showChannel(channel); }
   // To the run, at its next block: new parameters. Screen's thread. False: too many at once.
   bool send(const OperatorInput& input) { return rig_->send(input); }
   // After stop(): what made it end early; empty for a plain end.

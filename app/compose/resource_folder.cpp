@@ -9,9 +9,16 @@ namespace fs = std::filesystem;
 fs::path resourceFolder() {
   std::error_code none;
   const fs::path program = fs::read_symlink("/proc/self/exe", none);
-  const fs::path installed = program.parent_path().parent_path() / "share" / "stillcut";
+  fs::path installed = program.parent_path().parent_path() / "share" / "stillcut";
   if (!program.empty() && fs::is_directory(installed, none)) return installed;
   return STILLCUT_SOURCE_RESOURCES;
+}
+
+std::string foundFile(const std::string& path, const fs::path& folder) {
+  std::error_code none;
+  const fs::path given = folder / path;  // an absolute path stays itself, here and below
+  const fs::path ours = resourceFolder() / path;
+  return !fs::exists(given, none) && fs::is_regular_file(ours, none) ? ours.string() : given.string();
 }
 
 }  // namespace stillcut::app

@@ -2,11 +2,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace stillcut::app {
 
 // PREFIX/share/stillcut of the running program where that is a folder, so that an installed copy may be moved; else the
 // source tree this program was built from. Not real-time.
 std::filesystem::path resourceFolder();
+
+// A file as somebody names it: `path` from `folder` where that exists, else below resourceFolder() where that is a
+// file, so that "scenarios/demo.toml" means the same in every folder and in every copy. Else as the first. Not
+// real-time.
+std::string foundFile(const std::string& path, const std::filesystem::path& folder = {});
 
 }  // namespace stillcut::app

@@ -182,9 +182,7 @@ Status Rig::recordInto(const std::string& folder, const std::string& origin,
   const record::RecordPlan plan = record::recordPlan(spec_.params);
   const record::NextPath nextPath = [folder, plan, job = header.job, tool = header.setup.tool,
                                      told = std::move(told)]() -> Result<std::string> {
-    const auto deleted = record::applyRetention(folder, plan, record::nowUtc());
-    if (!deleted) return deleted.error();
-    for (const record::Deleted& file : deleted.value()) told(file);
+    for (const record::Deleted& file : record::applyRetention(folder, plan, record::nowUtc())) told(file);
     return record::newSessionPath(folder, job, tool, record::nowUtc());
   };
   const auto first = nextPath();  // in every mode: what cannot be kept is known before the cut

@@ -10,6 +10,7 @@
 #include "app/compose/catalog.h"
 #include "app/compose/scenario_reader.h"
 #include "app/compose/sensor_tally.h"
+#include "core/detect/feed_now.h"
 #include "core/pipeline/intervention_log.h"
 #include "core/pipeline/spectrum_tap.h"
 #include "core/record/session_glance.h"
@@ -213,7 +214,8 @@ class Builder {
   void followAlarms(const StepRecord& step, double vibration, Seconds took) {
     output_ = step.output;
     output_.eventCount = 0;
-    log_.follow(step.input, output_, vibration, took);
+    const MetresPerSecond feed = detect::feedNow(step.input.machine, summary_.setup.nominalFeed);
+    log_.follow(step.input, output_, {vibration, feed}, took);
     const std::uint64_t oldest = log_.count() > kInterventionsShown ? log_.count() - kInterventionsShown : 0;
     constexpr std::size_t kMostCards = 200;
     for (std::uint64_t n = oldest; n < log_.count() && n < kMostCards; ++n) cards_[n] = log_.card(n);

@@ -3,6 +3,7 @@
 //            [--language en|de|zh] [--page ID]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
+//   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
 // Without a scenario or a profile it opens the demonstration; the first time the guide asks before anything runs.
 
 #include <QApplication>
@@ -26,6 +27,7 @@
 #include "app/session/session.h"
 #include "generated/version.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/sheet_pdf.h"
 
 namespace stillcut::app {
 namespace {
@@ -36,7 +38,7 @@ constexpr double kPictureAfter = 12.0;  // [s]: the demo has met chatter and ans
 
 struct Options {
   QString scenario, profile, record;
-  QString screenshot;
+  QString screenshot, sheet;
   bool report = false;
   bool version = false;
   bool nothingNamed = false;  // neither a scenario nor a profile: the demonstration
@@ -58,6 +60,10 @@ std::optional<QSize> sizeFrom(const QString& text) {
   const QStringList parts = text.split(u'x');
   const QSize size = parts.size() == 2 ? QSize(parts[0].toInt(), parts[1].toInt()) : QSize();
   return size.width() >= 640 && size.height() >= 480 ? std::optional(size) : std::nullopt;
+}
+
+QString found(const QString& path) {
+  return path.isEmpty() ? path : QString::fromStdString(foundFile(path.toStdString()));
 }
 
 Result<Options> parse(const QStringList& arguments) {
@@ -84,7 +90,10 @@ Result<Options> parse(const QStringList& arguments) {
                                  QStringLiteral("NAME"));
   const QCommandLineOption report(QStringLiteral("report"),
                                   QStringLiteral("Write a report (.pdf) or the plots (.png, .svg) of a recording."));
-  parser.addOptions({scenario, profile, record, screenshot, report, after, size, theme, page, language});
+  const QCommandLineOption sheet(QStringLiteral("sheet"),
+                                 QStringLiteral("Write the machinist's sheet, one page to print, and end."),
+                                 QStringLiteral("FILE.pdf"));
+  parser.addOptions({scenario, profile, record, screenshot, report, sheet, after, size, theme, page, language});
   parser.addPositionalArgument(QStringLiteral("files"),
                                QStringLiteral("With --report: the recording and the file to write."),
                                QStringLiteral("[RECORDING OUT]"));
@@ -95,11 +104,12 @@ Result<Options> parse(const QStringList& arguments) {
   parser.process(arguments);
 
   Options options;
-  options.scenario = parser.value(scenario);
-  options.profile = parser.value(profile);
+  options.scenario = found(parser.value(scenario));
+  options.profile = found(parser.value(profile));
   options.record = parser.value(record);
   options.screenshot = parser.value(screenshot);
   options.report = parser.isSet(report);
+  options.sheet = parser.value(sheet);
   options.version = parser.isSet(version);
   options.files = parser.positionalArguments();
   if (!options.report && !options.files.isEmpty()) {
@@ -178,7 +188,8 @@ QString recordingsOf(const Options& options) {
 }
 
 bool needsNoDisplay(int argc, char** argv) {
-  static constexpr std::array<std::string_view, 6> kQuiet{"--report", "--version", "-v", "--help", "-h", "--help-all"};
+  static constexpr std::array<std::string_view, 7> kQuiet{"--report", "--sheet", "--version", "-v",
+                                                          "--help",   "-h",      "--help-all"};
   return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::ranges::count(kQuiet, word) > 0; });
 }
 
@@ -196,6 +207,11 @@ int run(int argc, char** argv) {
   }
   if (options->report) {
     const Status made = makeReport(options->files, options->sizeGiven ? options->size : QSize(1400, 900));
+    return made ? 0 : fail(made.error().line());
+  }
+  if (!options->sheet.isEmpty()) {
+    const Status made =
+        ui::writeSheet(QStringLiteral("machinist"), options->language.value_or(ui::desktopLanguage()), options->sheet);
     return made ? 0 : fail(made.error().line());
   }
   const bool live = options->screenshot.isEmpty();

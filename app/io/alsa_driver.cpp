@@ -9,6 +9,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <vector>
+
+#include "core/daq/device_words.h"
 
 namespace stillcut::app {
 
@@ -16,8 +19,9 @@ namespace stillcut::app {
 namespace {
 
 constexpr int kWaitMs = 100;
-constexpr std::array<unsigned, 12> kRates{8000,  11025, 16000, 22050, 32000,  44100,
-                                          48000, 64000, 88200, 96000, 176400, 192000};
+constexpr unsigned kMostCounts = 64;  // channels; a plugin takes thousands
+constexpr std::array<unsigned, 17> kRates{8000,  11025, 12800, 16000, 22050, 24000,  25600,  32000, 44100,
+                                          48000, 51200, 64000, 88200, 96000, 102400, 176400, 192000};
 struct Kind {
   snd_pcm_format_t format;
   int bits, bytes;
@@ -28,14 +32,20 @@ constexpr std::array<Kind, 4> kKinds{{{SND_PCM_FORMAT_S32_LE, 32, 4},
                                       {SND_PCM_FORMAT_S24_LE, 24, 4},
                                       {SND_PCM_FORMAT_S16_LE, 16, 2}}};
 
-// "8000, 16000, 48000"
+// "8000, 16000, 48000"; "24414 to 97656", where none of them is usual
 std::string ratesOf(snd_pcm_t* pcm, snd_pcm_hw_params_t* hw) {
   std::string rates;
   for (const unsigned rate : kRates) {
     if (::snd_pcm_hw_params_test_rate(pcm, hw, rate, 0) == 0)
       rates += (rates.empty() ? "" : ", ") + std::to_string(rate);
   }
-  return rates.empty() ? "none of the usual ones" : rates;
+  if (!rates.empty()) return rates;
+  unsigned least = 0;
+  unsigned most = 0;
+  int beside = 0;
+  ::snd_pcm_hw_params_get_rate_min(hw, &least, &beside);
+  ::snd_pcm_hw_params_get_rate_max(hw, &most, &beside);
+  return std::to_string(least) + " to " + std::to_string(most);
 }
 
 std::string bitsOf(snd_pcm_t* pcm, snd_pcm_hw_params_t* hw) {
@@ -57,6 +67,29 @@ std::pair<unsigned, unsigned> channelsOf(snd_pcm_hw_params_t* hw) {
   return {least, most};
 }
 
+// "2, 8": a card may have some numbers of channels and none between them.
+std::string countsOf(snd_pcm_t* pcm, snd_pcm_hw_params_t* hw) {
+  const auto [least, most] = channelsOf(hw);
+  std::string counts;
+  unsigned some = 0;
+  for (unsigned count = least; count <= std::min(most, kMostCounts); ++count) {
+    if (::snd_pcm_hw_params_test_channels(pcm, hw, count) != 0) continue;
+    counts += (some++ == 0 ? "" : ", ") + std::to_string(count);
+  }
+  const bool all = some > 2 && some == most - least + 1;
+  return all || most > kMostCounts ? std::to_string(least) + " to " + std::to_string(most) : counts;
+}
+
+// What the type of an opened PCM says of its samples; empty: they are the device's.
+std::string doubtOf(snd_pcm_type_t type, const std::string& device) {
+  if (type == SND_PCM_TYPE_HW || type == SND_PCM_TYPE_NULL || type == SND_PCM_TYPE_DSNOOP) return {};
+  // A plugin that reads elsewhere is PulseAudio, PipeWire, JACK; others may stand before one. What those convert, they
+  // convert unseen.
+  return "'" + device +
+         (type == SND_PCM_TYPE_IOPLUG ? "' is a sound server's" : "' converts, or stands before what does") +
+         ", which may change the rate and mix channels; hw: names the device itself";
+}
+
 // alsa-lib would print its own lines beside ours.
 void sayNothing(const char* /*file*/, int /*line*/, const char* /*function*/, int /*error*/, const char* /*format*/,
                 ...) {}  // NOLINT(cert-dcl50-cpp): the library's signature
@@ -74,7 +107,7 @@ class AlsaDriver final : public daq::PcmDriver {
     const int opened = ::snd_pcm_open(&pcm_, request.device.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
     if (opened < 0) {
       pcm_ = nullptr;
-      return Error{"'device' = '" + request.device + "'", "cannot be opened",
+      return Error{"'device' = '" + request.device + "'", daq::kNotOpened,
                    std::string(::snd_strerror(opened)) + "; stillcut-cli devices lists what there is"};
     }
     auto set = configure(request);
@@ -87,7 +120,7 @@ class AlsaDriver final : public daq::PcmDriver {
     const int ready = ::snd_pcm_wait(pcm_, kWaitMs);
     if (ready == 0) return 0;
     if (ready < 0) return faultOf(ready);
-    const snd_pcm_sframes_t got = ::snd_pcm_readi(pcm_, into, static_cast<snd_pcm_uframes_t>(frames));
+    const snd_pcm_sframes_t got = take(into, static_cast<snd_pcm_uframes_t>(frames));
     if (got == -EAGAIN) return 0;
     if (got < 0) return faultOf(static_cast<int>(got));
     stamp(taken);
@@ -112,19 +145,24 @@ class AlsaDriver final : public daq::PcmDriver {
     snd_pcm_hw_params_alloca(&hw);
     ::snd_pcm_hw_params_any(pcm_, hw);
     ::snd_pcm_hw_params_set_rate_resample(pcm_, hw, 0);
-    ::snd_pcm_hw_params_set_access(pcm_, hw, SND_PCM_ACCESS_RW_INTERLEAVED);
+    const bool interleaved = ::snd_pcm_hw_params_set_access(pcm_, hw, SND_PCM_ACCESS_RW_INTERLEAVED) == 0;
+    if (!interleaved && ::snd_pcm_hw_params_set_access(pcm_, hw, SND_PCM_ACCESS_RW_NONINTERLEAVED) < 0) {
+      return Error{where, daq::kNotRead, daq::kOnlyShared};
+    }
     const auto rate = static_cast<unsigned>(std::lround(request.rate.value));
     if (::snd_pcm_hw_params_set_rate(pcm_, hw, rate, 0) < 0) {
       return Error{where, "'rate_hz' = " + std::to_string(rate) + " is not among its rates",
                    "it has " + ratesOf(pcm_, hw)};
     }
     daq::PcmFormat format;
-    const auto [least, most] = channelsOf(hw);
-    format.channels = static_cast<int>(std::max(static_cast<unsigned>(request.channels), least));
-    if (::snd_pcm_hw_params_set_channels(pcm_, hw, static_cast<unsigned>(format.channels)) < 0) {
+    auto channels = static_cast<unsigned>(request.channels);  // at the least
+    const unsigned most = channelsOf(hw).second;
+    while (channels < most && ::snd_pcm_hw_params_test_channels(pcm_, hw, channels) != 0) ++channels;
+    if (::snd_pcm_hw_params_set_channels(pcm_, hw, channels) < 0) {
       return Error{where, "has no " + std::to_string(request.channels) + " channels ('inputs')",
-                   "it has " + std::to_string(least) + " to " + std::to_string(most)};
+                   "it has " + countsOf(pcm_, hw)};
     }
+    format.channels = static_cast<int>(channels);
     const Kind* kind = nullptr;
     for (const Kind& k : kKinds) {
       if (request.bits != 0 && k.bits != request.bits) continue;
@@ -145,15 +183,15 @@ class AlsaDriver final : public daq::PcmDriver {
     snd_pcm_uframes_t buffer = std::max<snd_pcm_uframes_t>(2 * rate, 4 * period);
     ::snd_pcm_hw_params_set_buffer_size_near(pcm_, hw, &buffer);
     const int set = ::snd_pcm_hw_params(pcm_, hw);
-    if (set < 0) return Error{where, "does not take these settings together", ::snd_strerror(set)};
+    if (set < 0) return Error{where, daq::kNotTogether, ::snd_strerror(set)};
     format.periodFrames = static_cast<int>(period);
-    // A plugin that reads elsewhere: PulseAudio, PipeWire, JACK. What those convert, they convert unseen.
-    if (::snd_pcm_type(pcm_) == SND_PCM_TYPE_IOPLUG) {
-      format.doubt = "'" + request.device +
-                     "' is a sound server's, which may change the rate and mix channels; hw: names the " +
-                     "device itself";
-    }
+    sampleBytes_ = static_cast<std::size_t>(kind->bytes);
+    apart_.assign(interleaved ? 0 : channels, std::vector<char>(period * sampleBytes_));
+    parts_.clear();
+    for (std::vector<char>& part : apart_) parts_.push_back(part.data());
+    format.doubt = doubtOf(::snd_pcm_type(pcm_), request.device);
     rate_ = request.rate.value;
+    oldest_ = toDuration(Seconds(static_cast<double>(buffer) / rate_)) + std::chrono::seconds(1);
     const Status begun = begin(period);
     if (!begun) return Error{where, begun.error().what, begun.error().why};
     return format;
@@ -168,8 +206,21 @@ class AlsaDriver final : public daq::PcmDriver {
     ::snd_pcm_sw_params_set_tstamp_type(pcm_, sw, SND_PCM_TSTAMP_TYPE_MONOTONIC);
     int done = ::snd_pcm_sw_params(pcm_, sw);
     if (done == 0) done = ::snd_pcm_start(pcm_);
-    if (done < 0) return Error{"", "does not start", ::snd_strerror(done)};
+    if (done < 0) return Error{"", daq::kNoStart, ::snd_strerror(done)};
     return Done{};
+  }
+
+  // Interleaved; a card that delivers its channels apart has them put together.
+  snd_pcm_sframes_t take(void* into, snd_pcm_uframes_t frames) noexcept {
+    if (parts_.empty()) return ::snd_pcm_readi(pcm_, into, frames);
+    const snd_pcm_sframes_t got = ::snd_pcm_readn(pcm_, parts_.data(), frames);
+    auto* to = static_cast<char*>(into);
+    for (std::size_t f = 0; f < static_cast<std::size_t>(std::max<snd_pcm_sframes_t>(0, got)); ++f) {
+      for (const std::vector<char>& part : apart_) {
+        to = std::copy_n(part.data() + f * sampleBytes_, sampleBytes_, to);
+      }
+    }
+    return got;
   }
 
   static int faultOf(int error) noexcept {
@@ -186,11 +237,15 @@ class AlsaDriver final : public daq::PcmDriver {
     if (::snd_pcm_htimestamp(pcm_, &waiting, &at) != 0 || (at.tv_sec == 0 && at.tv_nsec == 0)) return;
     const Instant driver = instantFromNs(at.tv_sec * 1'000'000'000LL + at.tv_nsec);
     const Instant told = driver - toDuration(Seconds(static_cast<double>(waiting) / rate_));
-    if (told <= now && now - told < std::chrono::seconds(1)) taken = told;  // else it runs on another clock
+    if (told <= now && now - told < oldest_) taken = told;  // else it runs on another clock
   }
 
   snd_pcm_t* pcm_ = nullptr;
   double rate_ = 1.0;
+  Duration oldest_{};  // so old a frame in its buffer can be
+  std::size_t sampleBytes_ = 4;
+  std::vector<std::vector<char>> apart_;  // by channel, where the card does not interleave
+  std::vector<void*> parts_;              // their beginnings
 };
 
 std::string rangeOf(const std::string& device) {
@@ -201,9 +256,7 @@ std::string rangeOf(const std::string& device) {
   snd_pcm_hw_params_alloca(&hw);
   ::snd_pcm_hw_params_any(pcm, hw);
   ::snd_pcm_hw_params_set_rate_resample(pcm, hw, 0);
-  const auto [least, most] = channelsOf(hw);
-  std::string text = std::to_string(least) + " to " + std::to_string(most) + " channels, " + ratesOf(pcm, hw) +
-                     " Hz, " + bitsOf(pcm, hw) + " bits";
+  std::string text = countsOf(pcm, hw) + " channels, " + ratesOf(pcm, hw) + " Hz, " + bitsOf(pcm, hw) + " bits";
   ::snd_pcm_close(pcm);
   return text;
 }
@@ -224,7 +277,10 @@ std::vector<daq::PcmDevice> alsaDevices() {
     if (::snd_ctl_open(&control, name.c_str(), 0) < 0) continue;
     const bool known = ::snd_ctl_card_info(control, card) == 0;
     for (int device = -1; ::snd_ctl_pcm_next_device(control, &device) == 0 && device >= 0;) {
-      const std::string full = name + "," + std::to_string(device);
+      // By the card's own word: its number goes to whichever was plugged in first.
+      const std::string whose =
+          known ? std::string("CARD=") + ::snd_ctl_card_info_get_id(card) : std::to_string(number);
+      const std::string full = "hw:" + whose + (known ? ",DEV=" : ",") + std::to_string(device);
       const std::string range = rangeOf(full);
       if (range.find("No such") != std::string::npos) continue;  // plays only
       all.push_back({full, known ? ::snd_ctl_card_info_get_name(card) : "", range});

@@ -7,12 +7,16 @@
 #endif
 
 #include <algorithm>
-#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <filesystem>
+#include <limits>
 #include <vector>
+
+#include "app/io/comedi_inputs.h"
+#include "core/daq/device_words.h"
 
 namespace stillcut::app {
 
@@ -21,6 +25,9 @@ namespace {
 
 constexpr int kWaitMs = 100;
 constexpr double kRateTolerance = 1e-3;  // a card divides its clock by whole numbers
+constexpr double kFull = 2147483648.0;
+constexpr double kHeld = 2.0;   // s that its buffer should hold
+constexpr int kMostCards = 16;  // as the kernel numbers them
 
 class ComediDriver final : public daq::PcmDriver {
  public:
@@ -32,7 +39,7 @@ class ComediDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> open(const daq::PcmRequest& request) override {
     close();
     device_ = ::comedi_open(request.device.c_str());
-    if (device_ == nullptr) return Error{"'device' = '" + request.device + "'", "cannot be opened", fault()};
+    if (device_ == nullptr) return Error{"'device' = '" + request.device + "'", daq::kNotOpened, fault()};
     auto format = configure(request);
     if (!format) close();
     return format;
@@ -55,7 +62,9 @@ class ComediDriver final : public daq::PcmDriver {
     const std::size_t used = count * frameBytes_;
     std::memmove(raw_.data(), raw_.data() + used, held_ - used);
     held_ -= used;
-    taken = SteadyClock().now();
+    const int waiting = std::max(0, ::comedi_get_buffer_contents(device_, subdevice_));
+    const double older = static_cast<double>(static_cast<std::size_t>(waiting) / frameBytes_) / rate_;
+    taken = SteadyClock().now() - toDuration(Seconds(older));
     return static_cast<int>(count);
   }
 
@@ -85,7 +94,7 @@ class ComediDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> configure(const daq::PcmRequest& request) {
     const std::string where = "device '" + request.device + "'";
     const int readable = ::comedi_get_read_subdevice(device_);
-    if (readable < 0) return Error{where, "has no inputs that stream", "it may read single values only"};
+    if (readable < 0) return Error{where, daq::kNoInputs, daq::kSingleValues};
     subdevice_ = static_cast<unsigned>(readable);
     const int inputs = ::comedi_get_n_channels(device_, subdevice_);
     if (inputs < request.channels) {
@@ -105,15 +114,29 @@ class ComediDriver final : public daq::PcmDriver {
     frameBytes_ = channels_ * sampleBytes_;
     raw_.assign(frameBytes_ * static_cast<std::size_t>(request.periodFrames), 0);
     list_.clear();
+    most_ = ::comedi_get_maxdata(device_, subdevice_, 0);
+    converters_ =
+        converters(device_, subdevice_, static_cast<unsigned>(channels_), static_cast<unsigned>(range_), format.doubt);
+    if (converters_.empty()) return Error{where, "does not tell its range", fault()};
+    full_.clear();
     for (unsigned c = 0; c < channels_; ++c) {
       list_.push_back(CR_PACK(c, static_cast<unsigned>(range_), static_cast<unsigned>(reference_)));
-      const comedi_range* span = ::comedi_get_range(device_, subdevice_, c, static_cast<unsigned>(range_));
-      if (span == nullptr) return Error{where, "does not tell its range", fault()};
-      format.siOfFullScale.push_back(0.5 * (span->max - span->min));
+      full_.push_back(std::max(std::abs(volts(converters_[c], 0)), std::abs(volts(converters_[c], most_ + 1))));
     }
-    bits_ = std::bit_width(::comedi_get_maxdata(device_, subdevice_, 0));
+    format.siOfFullScale = full_;
+    rate_ = request.rate.value;
+    makeRoom();
     if (const Status begun = begin(request.rate); !begun) return Error{where, begun.error().what, begun.error().why};
     return format;
+  }
+
+  // As much as the card's driver allows; it then loses nothing while the program is late.
+  void makeRoom() {
+    const int most = ::comedi_get_max_buffer_size(device_, subdevice_);
+    const auto wanted = static_cast<std::size_t>(kHeld * rate_) * frameBytes_;
+    if (most <= 0 || ::comedi_get_buffer_size(device_, subdevice_) >= static_cast<int>(wanted)) return;
+    static_cast<void>(::comedi_set_buffer_size(
+        device_, subdevice_, static_cast<unsigned>(std::min(wanted, static_cast<std::size_t>(most)))));
   }
 
   Status begin(Hertz rate) {
@@ -135,11 +158,11 @@ class ComediDriver final : public daq::PcmDriver {
       return Error{"", "'rate_hz' = " + std::to_string(std::lround(rate.value)) + " is not among its rates",
                    "the nearest is " + std::to_string(is > 0.0 ? 1e9 / is : 0.0)};
     }
-    if (::comedi_command(device_, &command_) < 0) return Error{"", "does not stream", fault()};
+    if (::comedi_command(device_, &command_) < 0) return Error{"", daq::kNoStream, fault()};
     return Done{};
   }
 
-  // Offset binary to the top of 32 bits.
+  // Where it lies in the card's range, which need not begin at minus full scale, at the top of 32 bits.
   std::int32_t sample(std::size_t i) const noexcept {
     std::uint32_t value = 0;
     if (sampleBytes_ == 4) {
@@ -149,7 +172,9 @@ class ComediDriver final : public daq::PcmDriver {
       std::memcpy(&narrow, raw_.data() + 2 * i, 2);
       value = narrow;
     }
-    return static_cast<std::int32_t>((value - (1U << (bits_ - 1))) << (32 - bits_));
+    if (value >= most_) return std::numeric_limits<std::int32_t>::max();  // at its limit
+    const std::size_t c = i % channels_;
+    return static_cast<std::int32_t>(std::clamp(kFull * volts(converters_[c], value) / full_[c], -kFull, kFull - 1.0));
   }
 
   int range_, reference_;
@@ -157,8 +182,11 @@ class ComediDriver final : public daq::PcmDriver {
   unsigned subdevice_ = 0;
   comedi_cmd command_{};
   std::vector<unsigned> list_;
+  std::vector<comedi_polynomial_t> converters_;  // by channel
+  std::vector<double> full_;                     // V, by channel
+  lsampl_t most_ = 65535;
+  double rate_ = 1.0;
   std::size_t channels_ = 1, sampleBytes_ = 2, frameBytes_ = 2;
-  int bits_ = 16;
   std::vector<char> raw_;
   std::size_t held_ = 0;  // bytes
 };
@@ -168,9 +196,30 @@ class ComediDriver final : public daq::PcmDriver {
 std::unique_ptr<daq::PcmDriver> makeComediDriver(int range, int reference) {
   return std::make_unique<ComediDriver>(range, reference);
 }
+
+std::vector<daq::PcmDevice> comediDevices(const std::string& devices) {
+  std::vector<daq::PcmDevice> all;
+  for (int number = 0; number < kMostCards; ++number) {
+    const std::string name = devices + "/comedi" + std::to_string(number);
+    std::error_code none;
+    comedi_t* card = std::filesystem::exists(name, none) ? ::comedi_open(name.c_str()) : nullptr;
+    if (card == nullptr) continue;
+    const int inputs = ::comedi_get_read_subdevice(card);
+    if (inputs >= 0) {
+      const char* board = ::comedi_get_board_name(card);
+      all.push_back({name, board != nullptr ? board : "", rangeOf(card, static_cast<unsigned>(inputs))});
+    }
+    ::comedi_close(card);
+  }
+  return all;
+}
 #else
 std::unique_ptr<daq::PcmDriver> makeComediDriver(int, int) {
   return nullptr;
+}
+
+std::vector<daq::PcmDevice> comediDevices(const std::string&) {
+  return {};
 }
 #endif
 

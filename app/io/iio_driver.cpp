@@ -10,8 +10,13 @@
 #include <cmath>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
-#include <string_view>
+#include <cstdlib>
+#include <filesystem>
+#include <utility>
+
+#include "app/io/iio_inputs.h"
+#include "core/daq/device_words.h"
+#include "core/daq/scan_stamps.h"
 
 namespace stillcut::app {
 
@@ -25,49 +30,6 @@ std::string reasonOf(int error) {
   std::array<char, 128> text{};
   ::iio_strerror(error, text.data(), text.size());
   return text.data();
-}
-
-std::string attributeOf(const iio_device* device, const char* name) {
-  std::array<char, 512> text{};
-  if (::iio_device_attr_read(device, name, text.data(), text.size()) > 0) return text.data();
-  for (unsigned i = 0; i < ::iio_device_get_channels_count(device); ++i) {
-    const iio_channel* channel = ::iio_device_get_channel(device, i);
-    if (::iio_channel_attr_read(channel, name, text.data(), text.size()) > 0) return text.data();
-  }
-  return {};
-}
-
-std::vector<iio_channel*> inputsOf(const iio_device* device) {
-  std::vector<iio_channel*> inputs;
-  for (unsigned i = 0; i < ::iio_device_get_channels_count(device); ++i) {
-    iio_channel* channel = ::iio_device_get_channel(device, i);
-    const bool timestamp = std::string_view(::iio_channel_get_id(channel)) == "timestamp";
-    if (!::iio_channel_is_output(channel) && ::iio_channel_is_scan_element(channel) && !timestamp) {
-      inputs.push_back(channel);
-    }
-  }
-  std::sort(inputs.begin(), inputs.end(), [](const iio_channel* a, const iio_channel* b) {
-    return ::iio_channel_get_index(a) < ::iio_channel_get_index(b);
-  });
-  return inputs;
-}
-
-std::string namesOf(const std::vector<iio_channel*>& inputs) {
-  std::string names;
-  for (const iio_channel* c : inputs) names += (names.empty() ? "" : ", ") + std::string(::iio_channel_get_id(c));
-  return names.empty() ? "none" : names;
-}
-
-// SI units of one step: IIO scales are in m/s2, but for voltages in mV.
-double unitOf(const iio_channel* channel) {
-  const iio_data_format* format = ::iio_channel_get_data_format(channel);
-  double scale = 1.0;
-  if (format->with_scale) {
-    scale = format->scale;
-  } else if (::iio_channel_attr_read_double(channel, "scale", &scale) < 0) {
-    scale = 1.0;
-  }
-  return ::iio_channel_get_type(channel) == IIO_VOLTAGE ? scale * 1e-3 : scale;
 }
 
 // libiio writes to a socket whose peer has hung up, and that would end the program.
@@ -102,7 +64,7 @@ class IioDriver final : public daq::PcmDriver {
     const QuietPipe quiet;
     close();
     context_ = ::iio_create_context_from_uri(uri_.c_str());
-    if (context_ == nullptr) return Error{"'uri' = '" + uri_ + "'", "does not answer", reasonOf(errno)};
+    if (context_ == nullptr) return Error{"'uri' = '" + uri_ + "'", daq::kNoAnswer, reasonOf(errno)};
     static_cast<void>(::iio_context_set_timeout(context_, kPatienceMs));
     auto format = configure(request);
     if (!format) close();
@@ -119,16 +81,25 @@ class IioDriver final : public daq::PcmDriver {
       seen_ = SteadyClock().now();
       left_ = static_cast<int>(bytes / ::iio_buffer_step(buffer_));
       at_ = 0;
+      takeStamps();
     }
-    const int taking = std::min(frames, left_);
+    int taking = std::min(frames, left_);
+    if (stamp_ != nullptr && taking > 0) {
+      taking = stamps_.run({stampsHeld_.data() + at_, static_cast<std::size_t>(taking)});
+      missed_ = taking == 0;
+      if (missed_) return daq::kPcmOverrun;
+    }
     for (std::size_t c = 0; c < inputs_.size(); ++c) copy(c, static_cast<std::int32_t*>(into), taking);
     at_ += taking;
     left_ -= taking;
-    taken = seen_ - toDuration(Seconds(left_ / rate_));
+    const bool stamped = stamp_ != nullptr && stamps_.believed();
+    taken = stamped ? stamps_.taken(stampsHeld_[static_cast<std::size_t>(at_ - 1)])
+                    : seen_ - toDuration(Seconds(left_ / rate_));
     return taking;
   }
 
-  bool recover() noexcept override { return false; }  // the context is made anew
+  // Scans that are missing in the buffer end nothing; else the context is made anew.
+  bool recover() noexcept override { return std::exchange(missed_, false); }
 
   bool countsLosses() const noexcept override { return false; }
 
@@ -139,6 +110,7 @@ class IioDriver final : public daq::PcmDriver {
     buffer_ = nullptr;
     context_ = nullptr;
     inputs_.clear();
+    stamp_ = nullptr;
     left_ = 0;
   }
 
@@ -147,7 +119,7 @@ class IioDriver final : public daq::PcmDriver {
     const std::string where = "device '" + request.device + "'";
     iio_device* device = ::iio_context_find_device(context_, request.device.c_str());
     if (device == nullptr) return Error{where, "is not at " + uri_, "there are: " + namesOfAll(false)};
-    const std::vector<iio_channel*> all = inputsOf(device);
+    const std::vector<IioInput> all = inputsOf(device);
     if (static_cast<int>(all.size()) < request.channels) {
       return Error{where, "has no input " + std::to_string(request.channels - 1) + " ('inputs')",
                    "it has, from 0: " + namesOf(all)};
@@ -157,21 +129,33 @@ class IioDriver final : public daq::PcmDriver {
     daq::PcmFormat format;
     format.channels = request.channels;
     format.periodFrames = request.periodFrames;
-    for (iio_channel* channel : all) {
-      const bool wanted = static_cast<int>(inputs_.size()) < request.channels;
-      wanted ? ::iio_channel_enable(channel) : ::iio_channel_disable(channel);
-      if (!wanted) continue;
-      const iio_data_format* data = ::iio_channel_get_data_format(channel);
-      if (data->length > 32 || data->repeat > 1) {
-        return Error{where, std::string("input ") + ::iio_channel_get_id(channel) + " has more than 32 bits", ""};
+    for (const IioInput& input : all) ::iio_channel_disable(input.channel);
+    stamp_ = stampOf(device);
+    if (stamp_ != nullptr) {
+      ::iio_channel_enable(stamp_);
+      static_cast<void>(::iio_device_attr_write(device, "current_timestamp_clock", "monotonic"));  // the one not set
+      stamps_.prepare(request.rate);
+    } else {
+      format.doubt = daq::kUncounted;
+    }
+    for (int c = 0; c < request.channels; ++c) {
+      IioInput input = all[static_cast<std::size_t>(c)];
+      const iio_data_format* data = ::iio_channel_get_data_format(input.channel);
+      if (data->length > 64 || data->length % 8 != 0 || data->bits == 0 || data->bits + data->shift > data->length) {
+        return Error{where,
+                     "input " + nameOf(input) + " has " + std::to_string(data->bits) + " bits in " +
+                         std::to_string(data->length),
+                     "up to 64 can be read"};
       }
-      inputs_.push_back(channel);
-      format.siOfFullScale.push_back(unitOf(channel) * std::ldexp(1.0, static_cast<int>(data->bits) - 1));
+      ::iio_channel_enable(input.channel);
+      format.siOfFullScale.push_back(unitOf(input.channel) * fullScaleOf(input));
+      inputs_.push_back(input);
     }
     rate_ = request.rate.value;
+    stampsHeld_.assign(static_cast<std::size_t>(request.periodFrames), 0);
     buffer_ = ::iio_device_create_buffer(device, static_cast<std::size_t>(request.periodFrames), false);
     if (buffer_ == nullptr) {
-      return Error{where, "does not stream", reasonOf(errno) + "; some devices need a 'trigger'"};
+      return Error{where, daq::kNoStream, reasonOf(errno) + "; some devices need a 'trigger'"};
     }
     return format;
   }
@@ -180,7 +164,9 @@ class IioDriver final : public daq::PcmDriver {
     static constexpr const char* kName = "sampling_frequency";
     if (attributeOf(device, kName).empty()) return Done{};  // its trigger sets the pace
     if (::iio_device_attr_write_double(device, kName, rate.value) < 0) {
-      for (iio_channel* c : inputsOf(device)) static_cast<void>(::iio_channel_attr_write_double(c, kName, rate.value));
+      for (const IioInput& input : inputsOf(device)) {
+        static_cast<void>(::iio_channel_attr_write_double(input.channel, kName, rate.value));
+      }
     }
     const std::string text = attributeOf(device, kName);
     const double is = std::strtod(text.c_str(), nullptr);
@@ -212,26 +198,42 @@ class IioDriver final : public daq::PcmDriver {
     return names.empty() ? "none" : names;
   }
 
-  // One channel of the buffer to the top of 32 bits each.
+  void takeStamps() noexcept {
+    if (stamp_ == nullptr || left_ == 0) return;
+    const iio_data_format& format = *::iio_channel_get_data_format(stamp_);
+    const auto* from = static_cast<const char*>(::iio_buffer_first(buffer_, stamp_));
+    const std::ptrdiff_t step = ::iio_buffer_step(buffer_);
+    left_ = std::min(left_, static_cast<int>(stampsHeld_.size()));
+    for (int f = 0; f < left_; ++f) {
+      stampsHeld_[static_cast<std::size_t>(f)] = static_cast<std::int64_t>(bitsAt(format, from + f * step));
+    }
+    stamps_.arrived(stampsHeld_[static_cast<std::size_t>(left_ - 1)], seen_);
+  }
+
+  // One input of the buffer, full scale at the top of 32 bits.
   void copy(std::size_t c, std::int32_t* into, int frames) const noexcept {
-    const iio_channel* channel = inputs_[c];
-    const iio_data_format* format = ::iio_channel_get_data_format(channel);
-    const auto* from = static_cast<const char*>(::iio_buffer_first(buffer_, channel));
+    constexpr double kTop = 2147483647.0;
+    const IioInput& input = inputs_[c];
+    const iio_data_format& format = *::iio_channel_get_data_format(input.channel);
+    const auto* from =
+        static_cast<const char*>(::iio_buffer_first(buffer_, input.channel)) + input.place * (format.length / 8);
     const std::ptrdiff_t step = ::iio_buffer_step(buffer_);
     for (int f = 0; f < frames; ++f) {
-      std::uint32_t value = 0;
-      ::iio_channel_convert(channel, &value, from + (at_ + f) * step);
-      if (!format->is_signed) value -= 1U << (format->bits - 1);
-      into[static_cast<std::size_t>(f) * inputs_.size() + c] = static_cast<std::int32_t>(value << (32 - format->bits));
+      const double value = (countAt(format, from + (at_ + f) * step) + input.offset) * input.parts;
+      into[static_cast<std::size_t>(f) * inputs_.size() + c] = static_cast<std::int32_t>(std::min(value, kTop));
     }
   }
 
   std::string uri_, trigger_;
   iio_context* context_ = nullptr;
   iio_buffer* buffer_ = nullptr;
-  std::vector<iio_channel*> inputs_;
+  std::vector<IioInput> inputs_;
   double rate_ = 1.0;
-  int left_ = 0, at_ = 0;  // frames of the buffer
+  iio_channel* stamp_ = nullptr;  // null: its scans bear no time
+  daq::ScanStamps stamps_;
+  std::vector<std::int64_t> stampsHeld_;  // ns, of the buffer
+  bool missed_ = false;                   // what recover() is asked about is a loss that the stamps show
+  int left_ = 0, at_ = 0;                 // frames of the buffer
   Instant seen_{};
 };
 
@@ -241,13 +243,14 @@ std::unique_ptr<daq::PcmDriver> makeIioDriver(const std::string& uri, const std:
   return std::make_unique<IioDriver>(uri, trigger);
 }
 
-std::vector<daq::PcmDevice> iioDevices(const std::string& uri) {
-  std::vector<daq::PcmDevice> all;
+Result<std::vector<daq::PcmDevice>> iioDevices(const std::string& uri) {
+  const QuietPipe quiet;
   iio_context* context = ::iio_create_context_from_uri(uri.c_str());
-  if (context == nullptr) return all;
+  if (context == nullptr) return Error{"'uri' = '" + uri + "'", daq::kNoAnswer, reasonOf(errno)};
+  std::vector<daq::PcmDevice> all;
   for (unsigned i = 0; i < ::iio_context_get_devices_count(context); ++i) {
     const iio_device* device = ::iio_context_get_device(context, i);
-    const std::vector<iio_channel*> inputs = inputsOf(device);
+    const std::vector<IioInput> inputs = inputsOf(device);
     if (inputs.empty()) continue;
     const char* name = ::iio_device_get_name(device);
     const std::string rate = attributeOf(device, "sampling_frequency");
@@ -259,12 +262,32 @@ std::vector<daq::PcmDevice> iioDevices(const std::string& uri) {
   ::iio_context_destroy(context);
   return all;
 }
+
+std::vector<std::string> iioContexts() {
+  std::vector<std::string> uris;
+  // Who announces itself on the network is known to Avahi, without which the library complains.
+  const bool announced = std::filesystem::exists("/run/avahi-daemon/socket");
+  iio_scan_context* scan = ::iio_create_scan_context(announced ? "usb,ip" : "usb", 0);
+  if (scan == nullptr) return uris;
+  iio_context_info** found = nullptr;
+  const ssize_t count = ::iio_scan_context_get_info_list(scan, &found);
+  for (ssize_t i = 0; i < count; ++i) {
+    uris.emplace_back(::iio_context_info_get_uri(found[i]));
+  }
+  if (count >= 0) ::iio_context_info_list_free(found);
+  ::iio_scan_context_destroy(scan);
+  return uris;
+}
 #else
 std::unique_ptr<daq::PcmDriver> makeIioDriver(const std::string&, const std::string&) {
   return nullptr;
 }
 
-std::vector<daq::PcmDevice> iioDevices(const std::string&) {
+Result<std::vector<daq::PcmDevice>> iioDevices(const std::string&) {
+  return std::vector<daq::PcmDevice>();
+}
+
+std::vector<std::string> iioContexts() {
   return {};
 }
 #endif

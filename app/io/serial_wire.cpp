@@ -2,6 +2,7 @@
 
 #include <QEventLoop>
 #include <QSerialPort>
+#include <QThread>
 #include <algorithm>
 #include <thread>
 #include <utility>
@@ -28,7 +29,19 @@ bool SerialWire::broken() const noexcept {
          error == QSerialPort::DeviceNotFoundError;
 }
 
+void SerialWire::handOver() noexcept {
+  if (port_) port_->moveToThread(nullptr);
+}
+
+// After handOver(): the port belongs to no thread, and this one takes it.
+void SerialWire::adopt() noexcept {
+  if (!port_ || port_->thread() != nullptr) return;
+  QEventLoop dispatcher;
+  port_->moveToThread(QThread::currentThread());
+}
+
 WireState SerialWire::state() noexcept {
+  adopt();
   if (port_ && broken()) close();
   return port_ ? WireState::Open : WireState::Closed;
 }
@@ -51,6 +64,7 @@ bool SerialWire::write(std::string_view bytes) noexcept {
 }
 
 void SerialWire::wait(Duration atMost) noexcept {
+  adopt();
   if (port_) {
     port_->waitForReadyRead(std::max(1, static_cast<int>(atMost.count() / 1'000'000)));
   } else {
@@ -59,6 +73,7 @@ void SerialWire::wait(Duration atMost) noexcept {
 }
 
 void SerialWire::close() noexcept {
+  adopt();
   port_.reset();
 }
 

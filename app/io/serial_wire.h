@@ -1,6 +1,7 @@
 // SerialWire: a ByteChannel over QSerialPort, polled. The port object is made by connect() and destroyed by close(), so
-// that it lives on the thread that uses it. Any path is taken, listed or not (a pty, a bridge).
-// A port whose peer has gone reports errors without end until it is closed, so the first one closes it.
+// that it lives on the thread that uses it; handed over it stays open, since many boards start anew when a port opens.
+// Any path is taken, listed or not (a pty, a bridge). A port whose peer has gone reports errors without end until it is
+// closed, so the first one closes it.
 #pragma once
 
 #include <memory>
@@ -24,8 +25,10 @@ class SerialWire final : public cnc::ByteChannel {
   bool write(std::string_view bytes) noexcept override;
   void wait(Duration atMost) noexcept override;
   void close() noexcept override;
+  void handOver() noexcept override;
 
  private:
+  void adopt() noexcept;
   bool broken() const noexcept;
 
   std::string device_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/compose/active_setup.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 
@@ -14,7 +15,9 @@ ActiveDesk::ActiveDesk(std::unique_ptr<active::DuplexDevice> device, const activ
       device_(QString::fromStdString(engine_.device().name())) {}
 
 Status ActiveDesk::identify() {
-  if (fitting_.state().running) return Error{"active work-holder", "the last record is still being worked on", ""};
+  if (fitting_.state().running)
+    return Error{QT_TRANSLATE_NOOP("Core", "active work-holder"),
+                 QT_TRANSLATE_NOOP("Core", "the last record is still being worked on"), ""};
   if (!engine_.isOpen()) {
     fits_.reset();
     if (Status opened = engine_.open(); !opened) return opened;
@@ -46,7 +49,7 @@ bool ActiveDesk::poll() {
   }
   if (fits_ && !engine_.isOpen()) {  // unplugged
     fits_.reset();
-    problem_ = QStringLiteral("the device is gone; identify again when it is back");
+    problem_ = QCoreApplication::translate("Session", "The device is gone; identify again when it is back");
     changed = true;
   }
   return changed;
@@ -60,7 +63,7 @@ void ActiveDesk::take(const Result<active::PathPairFound>& found) {
     taken = engine_.install(*found);
   }
   if (!taken) {
-    problem_ = QString::fromStdString(taken.error().line());
+    problem_ = ui::sayError(taken.error());
     return;
   }
   fits_.emplace();

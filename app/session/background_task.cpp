@@ -3,26 +3,35 @@
 #include <exception>
 #include <utility>
 
+#include "ui/models/say.h"
+
 namespace stillcut::app {
 
 void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work work,
-                           std::function<void(const Error&)> failed) {
+                           std::function<void(const Error&)> failed, BackgroundTask* other) {
   leave();
+  std::jthread also;
+  if (other != nullptr) {
+    other->leave();
+    also = std::move(other->thread_);
+  }
   failed_ = std::move(failed);
   what_ = what;
   file_ = file;
   problem_.clear();
   job_ = std::make_shared<Job>();
-  thread_ = std::jthread([before = std::move(thread_), job = job_, work = std::move(work)]() mutable {
-    if (before.joinable()) before.join();
-    try {
-      const bool left = job->left.load(std::memory_order_relaxed);
-      job->result.emplace(left ? Result<Apply>(Error{"task", "stopped", ""}) : work(job->progress));
-    } catch (const std::exception& e) {
-      job->result.emplace(Error{"task", e.what(), ""});
-    }
-    job->finished.store(true, std::memory_order_release);
-  });
+  thread_ =
+      std::jthread([before = std::move(thread_), also = std::move(also), job = job_, work = std::move(work)]() mutable {
+        if (before.joinable()) before.join();
+        if (also.joinable()) also.join();
+        try {
+          const bool left = job->left.load(std::memory_order_relaxed);
+          job->result.emplace(left ? Result<Apply>(Error{"task", "stopped", ""}) : work(job->progress));
+        } catch (const std::exception& e) {
+          job->result.emplace(Error{"task", e.what(), ""});
+        }
+        job->finished.store(true, std::memory_order_release);
+      });
 }
 
 void BackgroundTask::askToEnd() {
@@ -46,7 +55,7 @@ bool BackgroundTask::collect() {
   thread_.join();
   const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
   if (!*job->result) {
-    problem_ = QString::fromStdString(job->result->error().line());
+    problem_ = ui::sayError(job->result->error());
     if (failed_) failed_(job->result->error());
   } else if (const Apply& apply = job->result->value()) {
     apply();

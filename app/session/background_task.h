@@ -28,9 +28,10 @@ class BackgroundTask {
   ~BackgroundTask() { cancel(); }
 
   // What still runs is left; the new work begins when that has ended. `failed`: in the place of a result, on the GUI
-  // thread, where the work gives an error or throws. Returns at once.
+  // thread, where the work gives an error or throws. `other`: left as well, and ended before the work begins. Returns
+  // at once.
   void start(ui::TaskState::What what, const QString& file, Work work,
-             std::function<void(const Error&)> failed = nullptr);
+             std::function<void(const Error&)> failed = nullptr, BackgroundTask* other = nullptr);
   // It need not go on; what it has by then is taken over as usual. Returns at once.
   void askToEnd();
   // Tells it to stop and throws its result away. Returns at once: the work may be deep in a slow disk.

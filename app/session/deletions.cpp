@@ -4,6 +4,7 @@ namespace stillcut::app {
 
 std::function<void(const record::Deleted&)> Deletions::teller() {
   return [seen = seen_](const record::Deleted& file) {
+    if (!file.problem.empty()) return;
     const std::scoped_lock lock(seen->lock);
     ++seen->count;
     seen->last = file.file;

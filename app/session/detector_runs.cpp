@@ -6,6 +6,7 @@
 #include "app/compose/recording_score.h"
 #include "app/session/session_view.h"
 #include "core/detect/registry.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -88,14 +89,16 @@ Result<Scores> scoreFiles(const std::vector<std::string>& files, BackgroundTask:
     request.goOn = told(progress, done, share);
     const auto scored = scoreOne(file, request);
     if (!scored && (files.size() == 1 || progress.stopped())) return scored.error();
-    if (!scored) scores.notScored.push_back(QString::fromStdString(scored.error().line()));
+    if (!scored) scores.notScored.push_back(ui::sayError(scored.error()));
     if (scored && scored.value()) {
       for (const auto& [id, one] : scored.value()->byDetector) sums[id].add(one);
     }
     done += 1.0;
   }
   if (sums.empty() && !scores.notScored.isEmpty()) return Error{"", scores.notScored.front().toStdString(), ""};
-  if (sums.empty()) return Error{"score", "nothing is marked here", "mark true and false alarms first"};
+  if (sums.empty())
+    return Error{QT_TRANSLATE_NOOP("Core", "score"), QT_TRANSLATE_NOOP("Core", "nothing is marked here"),
+                 QT_TRANSLATE_NOOP("Core", "mark true and false alarms first")};
   for (const std::string& id : request.detectors) scores.lines.push_back(lineOf(id, sums[id]));
   return scores;
 }

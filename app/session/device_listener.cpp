@@ -5,6 +5,7 @@
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/session/session_view.h"
+#include "ui/models/core_sentence.h"
 
 namespace stillcut::app {
 
@@ -32,9 +33,14 @@ void DeviceListener::listen(const config::Profile& profile, const std::string& p
 }
 
 void DeviceListener::stop() {
-  task_.cancel();
+  task_.leave();
   rig_.reset();
   state_ = ui::Heard::State::Off;
+}
+
+void DeviceListener::free() {
+  stop();
+  task_.cancel();
 }
 
 bool DeviceListener::poll() {
@@ -51,7 +57,8 @@ ui::Heard DeviceListener::heard() {
   heard.info = &info_;
   heard.snapshot = rig_->read();
   heard.clocks = joinedClocks(rig_->device());
-  if (rig_->finished()) heard.problem = QString::fromStdString(rig_->device().fault());
+  heard.problem = ui::coreSentence(rig_->device().trouble());
+  if (rig_->finished()) heard.problem = ui::coreSentence(rig_->device().fault());
   return heard;
 }
 

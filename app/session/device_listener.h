@@ -13,12 +13,16 @@ namespace stillcut::app {
 
 class DeviceListener {
  public:
-  ~DeviceListener() { stop(); }
+  ~DeviceListener() { free(); }
 
   // Files that the profile names are looked for beside `path`. What was listened to before ends.
   void listen(const config::Profile& profile, const std::string& path);
-  // The device is free again.
+  // Returns at once: a device that is being opened is let go when it has answered, or has not. opening() has ended
+  // then.
   void stop();
+  BackgroundTask& opening() { return task_; }
+  // The same, and waits: the device is free.
+  void free();
   // True: it has been opened, or could not be.
   bool poll();
   ui::Heard heard();

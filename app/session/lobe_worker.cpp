@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <utility>
 
 #include "core/config/override_limits.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_sweep.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -44,6 +46,13 @@ ui::LobeLimit limitOf(const milling::SpeedLimits& limits) {
     out.islands.push_back({limits.crossings[k].depth, last ? limits.searchedTo : limits.crossings[k + 1].depth});
   }
   return out;
+}
+
+// They close exactly, which a catalogue's figures need not.
+std::vector<double> radians(std::vector<double> degrees) {
+  const double sum = std::accumulate(degrees.begin(), degrees.end(), 0.0);
+  for (double& angle : degrees) angle *= kTwoPi / sum;
+  return degrees;
 }
 
 LobeWorker::Cut cutOf(const milling::Scenario& scenario) {
@@ -97,6 +106,8 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   const config::SpeedRange reach = config::reachableSpeeds(*limits, programmed);
   Cut cut;
   cut.model = std::move(loaded->model);
+  // The tool in the spindle, not the one the modes were measured with.
+  if (!profile.pitch.empty()) cut.model.tool.pitch = radians(profile.pitch);
   cut.frame = usualFrame(cut.model);
   cut.frame.name = QString::fromStdString(loaded->name);
   cut.frame.programmed = profile.cut.nominalSpeed;
@@ -137,7 +148,7 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
   setpriority(PRIO_PROCESS, 0, kNice);  // on Linux: of this thread
   const Rpm step = (question.to - question.from) * (1.0 / std::max(question.steps - 1, 1));
   const auto speeds = milling::speedSteps(question.from, question.to, step, "speeds");
-  if (!speeds) return finish(ui::LobeProgress::State::Failed, QString::fromStdString(speeds.error().line()));
+  if (!speeds) return finish(ui::LobeProgress::State::Failed, ui::sayError(speeds.error()));
   milling::SweepOptions options;
   options.method = methodOf(question.method);
   options.limits.maxDepth = question.maxDepth;
@@ -148,7 +159,7 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
     progress_.share = share;
   };
   const auto sweep = milling::sweepLobes(cut_.model, *speeds, options, "model", stop);
-  if (!sweep) return finish(ui::LobeProgress::State::Failed, QString::fromStdString(sweep.error().line()));
+  if (!sweep) return finish(ui::LobeProgress::State::Failed, ui::sayError(sweep.error()));
   if (!sweep->finished) return finish(ui::LobeProgress::State::Cancelled);
   auto diagram = std::make_shared<ui::LobeDiagram>();
   diagram->question = question;

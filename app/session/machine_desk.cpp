@@ -17,6 +17,7 @@
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
 #include "core/record/record_params.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -122,9 +123,13 @@ Result<config::Profile> MachineDesk::load(const QString& name) const {
 }
 
 Result<QString> MachineDesk::save(const config::Profile& profile, const QString& name) {
-  if (folder_.isEmpty()) return Error{"profile", "there is no folder to keep it in", ""};
+  if (folder_.isEmpty())
+    return Error{QT_TRANSLATE_NOOP("Core", "profile"), QT_TRANSLATE_NOOP("Core", "there is no folder to keep it in"),
+                 ""};
   const bool sayable = !name.isEmpty() && !name.contains(u'/') && !name.startsWith(u'.');
-  if (!sayable) return Error{"profile", "'" + name.toStdString() + "' is no name for a file", "letters and digits"};
+  if (!sayable)
+    return Error{QT_TRANSLATE_NOOP("Core", "profile"), "'" + name.toStdString() + "' is no name for a file",
+                 QT_TRANSLATE_NOOP("Core", "letters and digits")};
   const std::string file = profileFile(name);
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
@@ -163,28 +168,30 @@ ui::Heard MachineDesk::heard() {
   return heard;
 }
 
-void MachineDesk::ask(std::function<ui::SensorTrial()> sensors) {
+void MachineDesk::ask(std::function<ui::SensorTrial(const std::atomic<bool>& ended)> sensors) {
   listener_.stop();  // most devices can be opened once
   sensorTrial_ = {ui::SensorTrial::State::Runs, {}, {}};
   asking_.start(
       ui::TaskState::What::None, {},
-      [this, sensors = std::move(sensors)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-        return BackgroundTask::Apply([this, said = sensors()] { sensorTrial_ = said; });
+      [this, sensors = std::move(sensors)](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
+        return BackgroundTask::Apply([this, said = sensors(progress.stop)] { sensorTrial_ = said; });
       },
       [this](const Error& error) {
-        sensorTrial_ = {ui::SensorTrial::State::Bad, viewText(error.line()), {}};
-      });
+        sensorTrial_ = {ui::SensorTrial::State::Bad, ui::sayError(error), {}};
+      },
+      &listener_.opening());
 }
 
 void MachineDesk::calibrate(const config::Profile& profile, const QString& name, int channel, const QString& level,
                             Hertz frequency) {
-  ask([profile, path = profileFileOrNew(name), channel, text = level.toStdString(), frequency] {
-    return calibrateChannel(profile, path, channel, text, frequency);
-  });
+  ask([profile, path = profileFileOrNew(name), channel, text = level.toStdString(), frequency](
+          const std::atomic<bool>& ended) { return calibrateChannel(profile, path, channel, text, frequency, ended); });
 }
 
 void MachineDesk::knock(const config::Profile& profile, const QString& name, int channel) {
-  ask([profile, path = profileFileOrNew(name), channel] { return knockAlong(profile, path, channel); });
+  ask([profile, path = profileFileOrNew(name), channel](const std::atomic<bool>& ended) {
+    return knockAlong(profile, path, channel, ended);
+  });
 }
 
 void MachineDesk::findMachines(const QString& typed) {
@@ -195,7 +202,7 @@ void MachineDesk::findMachines(const QString& typed) {
         ui::MachineSearch found{false, true, {}, {}};
         const auto toEnd = [&progress] { return progress.stopped(); };
         auto hosts = hostsIn("localhost " + typed);
-        if (!hosts) found.problem = viewText(hosts.error().line());
+        if (!hosts) found.problem = ui::sayError(hosts.error());
         if (hosts) {
           for (FoundMachine& machine : app::findMachines(*hosts, kFindTime, toEnd)) {
             found.places.push_back({viewText(machine.where), viewText(machine.what), std::move(machine.link)});
@@ -205,7 +212,7 @@ void MachineDesk::findMachines(const QString& typed) {
         return BackgroundTask::Apply([this, found] { search_ = found; });
       },
       [this](const Error& error) {
-        search_ = {false, true, {}, viewText(error.line())};
+        search_ = {false, true, {}, ui::sayError(error)};
       });
 }
 
@@ -227,7 +234,7 @@ void MachineDesk::testLink(const config::Profile& profile, const QString& name) 
         });
       },
       [this](const Error& error) {
-        linkTest_.steps.push_back({QStringLiteral("Settings"), viewText(error.line()), false});
+        linkTest_.steps.push_back({QStringLiteral("Settings"), ui::sayError(error), false});
         linkTest_.state = ui::LinkTest::State::Bad;
       });
 }
@@ -244,18 +251,41 @@ void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
         });
       },
       [this](const Error& error) {
-        trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Bad, viewText(error.line())}};
-      });
+        trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Bad, ui::sayError(error)}};
+      },
+      &listener_.opening());
 }
 
 Status MachineDesk::start(const QString& name) {
-  listener_.stop();
-  if (!begin) return Error{"profile", "cannot be put in force here", ""};
-  return begin(profileFile(name));
+  listener_.free();
+  if (!begin)
+    return Error{QT_TRANSLATE_NOOP("Core", "profile"), QT_TRANSLATE_NOOP("Core", "cannot be put in force here"), ""};
+  const Status begun = begin(profileFile(name));
+  std::error_code gone;
+  if (begun && !folder_.isEmpty()) std::filesystem::remove(draftFile(), gone);
+  return begun;
+}
+
+std::string MachineDesk::draftFile() const {
+  return QDir(folder_).filePath(QStringLiteral("draft.toml")).toStdString();
+}
+
+void MachineDesk::keepDraft(const config::Profile& profile) {
+  if (folder_.isEmpty()) return;
+  std::error_code problem;
+  std::filesystem::create_directories(folder_.toStdString(), problem);
+  (void)config::saveProfile(profile, fullCatalog(), draftFile()).ok();  // SAVE tells why a disk does not take it
+}
+
+std::optional<config::Profile> MachineDesk::keptDraft() const {
+  if (folder_.isEmpty()) return std::nullopt;
+  auto profile = config::loadProfile(draftFile(), fullCatalog(), knownIds());
+  return profile ? std::optional(std::move(*profile)) : std::nullopt;
 }
 
 Status MachineDesk::startDemonstration() {
-  if (!beginDemonstration) return Error{"demonstration", "cannot run here", ""};
+  if (!beginDemonstration)
+    return Error{QT_TRANSLATE_NOOP("Core", "demonstration"), QT_TRANSLATE_NOOP("Core", "cannot run here"), ""};
   return beginDemonstration();
 }
 
@@ -265,7 +295,9 @@ Result<std::vector<ui::ToolEntry>> MachineDesk::tools() const {
 }
 
 Status MachineDesk::saveTools(const std::vector<ui::ToolEntry>& tools) {
-  if (folder_.isEmpty()) return Error{"tools", "there is no folder to keep them in", ""};
+  if (folder_.isEmpty())
+    return Error{QT_TRANSLATE_NOOP("Core", "tools"), QT_TRANSLATE_NOOP("Core", "there is no folder to keep them in"),
+                 ""};
   return app::saveTools(tools, QDir(folder_).filePath(QStringLiteral("tools.toml")).toStdString());
 }
 

@@ -49,6 +49,8 @@ class MachineDesk final : public ui::SetupDesk {
   Result<config::Profile> load(const QString& name) const override;
   Result<QString> save(const config::Profile& profile, const QString& name) override;
   config::Profile draft() const override { return running ? running() : config::Profile(); }
+  void keepDraft(const config::Profile& profile) override;
+  std::optional<config::Profile> keptDraft() const override;
   void listen(const config::Profile& profile, const QString& name) override;
   void stopListening() override { listener_.stop(); }
   ui::Heard heard() override;
@@ -70,10 +72,11 @@ class MachineDesk final : public ui::SetupDesk {
   Status saveTools(const std::vector<ui::ToolEntry>& tools) override;
 
  private:
-  void ask(std::function<ui::SensorTrial()> sensors);
+  void ask(std::function<ui::SensorTrial(const std::atomic<bool>& ended)> sensors);
   std::string profileFile(const QString& name) const;
   std::string profileFileOrNew(const QString& name) const;
   config::Profile withDelays(config::Profile profile) const;
+  std::string draftFile() const;
 
   QString folder_, recordings_;
   std::vector<ui::TrialStep> trial_;

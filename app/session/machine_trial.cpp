@@ -8,6 +8,7 @@
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/model/sample_block.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -28,7 +29,9 @@ Result<QString> listen(daq::DaqSource& device, const daq::SourceFormat& format) 
   std::vector<double> sums(format.channels.size(), 0.0);
   double frames = 0.0;
   for (int k = 0; k < kBlocks; ++k) {
-    if (!device.read(block)) return Error{"samples", "the device has stopped", device.fault()};
+    if (!device.read(block))
+      return Error{QT_TRANSLATE_NOOP("Core", "samples"), QT_TRANSLATE_NOOP("Core", "the device has stopped"),
+                   device.fault()};
     for (std::size_t c = 0; c < sums.size(); ++c) {
       for (const double x : block.channel(static_cast<int>(c))) sums[c] += x * x;
     }
@@ -38,7 +41,10 @@ Result<QString> listen(daq::DaqSource& device, const daq::SourceFormat& format) 
   for (std::size_t c = 0; c < sums.size(); ++c) {
     const ChannelInfo& info = format.channels[c];
     const double rms = std::sqrt(sums[c] / std::max(frames, 1.0)) * std::abs(info.scale);
-    if (!(rms > 0.0)) return Error{"channel '" + info.name + "'", "never moves", "is the sensor connected?"};
+    if (!(rms > 0.0)) {
+      return Error{info.name, QT_TRANSLATE_NOOP("Core", "this channel never moves"),
+                   QT_TRANSLATE_NOOP("Core", "is the sensor connected?")};
+    }
     levels.push_back(QStringLiteral("%1 %2 %3")
                          .arg(text(info.name))
                          .arg(rms, 0, 'g', 3)
@@ -55,7 +61,7 @@ class Steps {
     }
   }
   void good(What what, const QString& detail) { set(what, State::Good, detail); }
-  void bad(What what, const Error& error) { bad(what, text(error.line())); }
+  void bad(What what, const Error& error) { bad(what, ui::sayError(error)); }
   void bad(What what, const QString& detail) { set(what, State::Bad, detail); }
   void leaveOut(What what) {
     std::erase_if(steps_, [what](const ui::TrialStep& step) { return step.what == what; });
@@ -81,13 +87,13 @@ Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
     const cnc::TrialStep& step = trial.steps().back();
     const What what = trial.steps().size() == 1 ? What::Link : What::Machine;
     if (!step.good) {
-      steps.bad(what, text(step.said));
+      steps.bad(what, ui::sayCore(step.said));
       return {};
     }
     if (what == What::Link) {
-      steps.good(what, text(step.said));
+      steps.good(what, ui::sayCore(step.said));
     } else {
-      steps.good(what, (said << text(step.said)).join(QStringLiteral("\n")));
+      steps.good(what, (said << ui::sayCore(step.said)).join(QStringLiteral("\n")));
     }
   }
   return trial.look();
@@ -100,13 +106,13 @@ Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkS
   const SteadyClock clock;
   auto link = cnc::makeLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
   if (!link) {
-    steps.put({QStringLiteral("Settings"), text(link.error().line()), false});
+    steps.put({QStringLiteral("Settings"), ui::sayError(link.error()), false});
     return {};
   }
   cnc::LinkTrial trial(**link, clock);
   while (!toEnd && trial.next()) {
     const cnc::TrialStep& step = trial.steps().back();
-    steps.put({text(step.what), text(step.said), step.good});
+    steps.put({text(step.what), ui::sayCore(step.said), step.good});
   }
   return trial.passed() ? trial.look() : Seconds();
 }
@@ -131,10 +137,11 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
     steps.bad(What::Device, format.error());
     return {steps.take(), {}};
   }
-  const QString delivers =
-      QStringLiteral("%1 Hz, %2 channel(s)").arg(format->rate.value, 0, 'f', 0).arg(format->channels.size());
+  const QString delivers = QCoreApplication::translate("Trial", "%1 Hz, channels: %2")
+                               .arg(format->rate.value, 0, 'f', 0)
+                               .arg(format->channels.size());
   steps.good(What::Device,
-             format->doubt.empty() ? delivers : QStringLiteral("%1; %2").arg(delivers, text(format->doubt)));
+             format->doubt.empty() ? delivers : QStringLiteral("%1; %2").arg(delivers, ui::sayCore(format->doubt)));
   if (const auto heard = listen(*parts->device, *format); heard) {
     steps.good(What::Samples, *heard);
   } else {

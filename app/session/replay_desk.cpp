@@ -2,62 +2,31 @@
 
 #include <QFileInfo>
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
-#include "app/compose/recording_rig.h"
 #include "app/compose/session_summary_builder.h"
 #include "app/session/detector_runs.h"
 #include "app/session/scenario_list.h"
 #include "app/session/session_view.h"
 #include "app/session/stoppable_reader.h"
-#include "core/detect/registry.h"
 #include "core/record/convert_recording.h"
 #include "core/record/session_markers.h"
-#include "core/record/session_overview.h"
+#include "ui/models/say.h"
 
 namespace stillcut::app {
 
-// Made on the task's thread, taken over on the GUI's.
-struct ReplayDesk::Opened {
-  std::string path;
-  std::shared_ptr<const SessionSummary> summary;
-  Instant begin{};
-  std::vector<Marker> markers;
-  std::shared_ptr<daq::ReplayControl> control = std::make_shared<daq::ReplayControl>();
-  std::unique_ptr<Rig> rig;
-};
-
-namespace {
-
-Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayHand& hand, bool session) {
-  auto built = session ? buildReplayRig(path, hand) : [&] {
-    RecordingOptions options;
-    options.methods.detectors = {std::string(detect::kDefaultDetector)};
-    options.hand = hand;
-    return buildRecordingRig(path, options);
-  }();
-  if (!built) return built.error();
-  return std::move(built->rig);
-}
-
-// Of the first sample, on the recording's own clock; imported files begin at 0.
-Result<Instant> beginOf(const std::string& path, bool session) {
-  if (!session) return Instant{};
-  const auto overview = record::SessionOverview::open(path);
-  if (!overview) return overview.error();
-  return (*overview)->begin();
-}
-
-}  // namespace
-
+// What was marked is written, whatever else is left.
 ReplayDesk::~ReplayDesk() {
   closeRun();
+  for (BackgroundTask* task : {&task_, &whole_}) task->cancel();
+  (void)changes_->make().ok();
 }
 
 void ReplayDesk::closeRun() {
-  if (run_) run_->stop();
+  if (!run_) return;
+  run_->stop();
   run_.reset();
+  if (everywhere_) ++generation_;
 }
 
 bool ReplayDesk::poll() {
@@ -65,10 +34,8 @@ bool ReplayDesk::poll() {
   const bool listed = lister_.collect() || simulated;
   const bool done = task_.collect();
   const bool read = whole_.collect();
-  if (done && !run_ && summary_) {  // what was open stays where another could not be opened
-    reopen();
-    if (!summaryWhole_) readWhole();
-  }
+  // What was open stays where another could not be opened.
+  if (done && !run_ && !wish_ && summary_) reopen(ui::TaskState::What::None, {});
   return std::exchange(changed_, false) || listed || done || read;
 }
 
@@ -85,27 +52,14 @@ void ReplayDesk::setFolder(const QString& folder) {
 void ReplayDesk::open(const QString& path) {
   closeRun();  // two may not read files of this library while one looks whether it survives the other
   whole_.leave();
+  wish_.reset();
+  notChanged_.clear();
   task_.start(ui::TaskState::What::Reading, path,
               [this, file = path.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-                const auto opened = std::make_shared<Opened>();
-                opened->path = file;
-                auto summary = glimpseOf(file);
-                if (!summary) return summary.error();
-                opened->summary = std::make_shared<const SessionSummary>(std::move(summary).value());
-                if (opened->summary->session) {
-                  auto markers = record::readMarkers(file);
-                  if (!markers) return markers.error();
-                  opened->markers = std::move(markers).value();
-                }
-                auto begin = beginOf(file, opened->summary->session);
-                if (!begin) return begin.error();
-                if (progress.stopped()) return Error{file, "stopped", ""};
-                opened->begin = *begin;
-                opened->control->pause();
-                auto rig = replayRig(file, {opened->control, &clock_}, opened->summary->session);
-                if (!rig) return rig.error();
-                opened->rig = std::move(rig).value();
-                return BackgroundTask::Apply([this, opened] { takeOpened(opened); });
+                if (Status changed = changes_->make(); !changed) return changed.error();
+                auto opened = openRecording(file, clock_, progress);
+                if (!opened) return opened.error();
+                return BackgroundTask::Apply([this, made = *opened] { takeOpened(made); });
               });
 }
 
@@ -126,7 +80,7 @@ void ReplayDesk::readWhole() {
       });
 }
 
-void ReplayDesk::takeOpened(const std::shared_ptr<Opened>& opened) {
+void ReplayDesk::takeOpened(const std::shared_ptr<OpenedRecording>& opened) {
   closeRun();
   path_ = QString::fromStdString(opened->path);
   summary_ = opened->summary;
@@ -137,14 +91,32 @@ void ReplayDesk::takeOpened(const std::shared_ptr<Opened>& opened) {
   scores_.clear();
   notScored_.clear();
   hand_ = {};
-  opened->control->setPace(hand_.pace);
-  opened->control->step();  // the first block: there is something to see
   info_ = sessionInfo(*opened->rig);
-  info_.setup.machine = "Replay: " + info_.setup.machine;
-  info_.sourceLabel = QStringLiteral("replay of %1").arg(QFileInfo(path_).fileName());
+  info_.setup.machine =
+      QCoreApplication::translate("Session", "Replay: %1").arg(viewText(info_.setup.machine)).toStdString();
+  lead(opened);
+  if (began) began(true);
+  readWhole();
+}
+
+// From a place, paused or not: its first block is seen in any case.
+void ReplayDesk::lead(const std::shared_ptr<OpenedRecording>& opened) {
+  const Wish wish = wish_.value_or(Wish());
+  wish_.reset();
+  daq::ReplayControl& control = *opened->control;
+  control.setPace(hand_.pace);
+  if (hand_.looping) control.loopBetween(hand_.loopFrom, hand_.loopTo);
+  if (wish.position.value > 0.0) {
+    control.goTo(wish.position);
+    control.tellPosition(wish.position);
+  }
+  if (wish.playing) {
+    control.resume();
+  } else {
+    control.step();
+  }
   run_ = std::make_unique<ReplayRun>(std::move(opened->rig), opened->control);
   run_->start();
-  readWhole();
   if (everywhere_) ++generation_;
 }
 
@@ -154,34 +126,50 @@ void ReplayDesk::send(const OperatorInput& input) {
 
 ui::ReplayState ReplayDesk::replay() const {
   ui::ReplayState state = hand_;
-  if (!run_ || !summary_) return state;
-  daq::ReplayControl& control = run_->control();
+  if (!summary_ || (!run_ && !wish_)) return state;
   state.open = true;
+  state.length = summary_->length;
+  if (wish_) {
+    state.playing = wish_->playing;
+    state.position = wish_->position;
+    return state;
+  }
+  daq::ReplayControl& control = run_->control();
   state.finished = run_->finished();
   state.playing = !control.paused() && !state.finished;
   state.position = control.position();
-  state.length = summary_->length;
   return state;
 }
 
 // At its end the source is closed; whoever plays or jumps then begins anew.
 void ReplayDesk::reopenIfFinished() {
-  if (run_ && run_->finished()) reopen();
+  if (run_ && run_->finished()) reopen(ui::TaskState::What::None, {});
 }
 
-// Paused at the beginning.
-bool ReplayDesk::reopen() {
+void ReplayDesk::reopen(ui::TaskState::What what, const Wish& wish) {
   closeRun();
-  const auto control = std::make_shared<daq::ReplayControl>();
-  control->setPace(hand_.pace);
-  control->pause();
-  auto rig = replayRig(path_.toStdString(), {control, &clock_}, summary_->session);
-  if (!rig) return false;
-  if (hand_.looping) control->loopBetween(hand_.loopFrom, hand_.loopTo);
-  run_ = std::make_unique<ReplayRun>(std::move(rig).value(), control);
-  run_->start();
-  if (everywhere_) ++generation_;
-  return true;
+  wish_ = wish;
+  whole_.start(
+      what, path_,
+      [this, file = path_.toStdString(),
+       session = summary_->session](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+        const Status changed = changes_->make();
+        auto opened = openAgain(file, session, clock_);
+        if (!opened) return opened.error();
+        return BackgroundTask::Apply([this, made = *opened, changed] { takeReopened(made, changed); });
+      },
+      [this](const Error&) { wish_.reset(); });
+}
+
+void ReplayDesk::takeReopened(const std::shared_ptr<OpenedRecording>& opened, const Status& changed) {
+  notChanged_ = changed ? QString() : ui::sayError(changed.error());
+  if (summary_->session) {
+    takeMarkers(opened->markers);
+    lister_.setMarkers(path_, static_cast<int>(markers_.size()));
+  }
+  lead(opened);
+  if (began) began(false);
+  if (!summaryWhole_) readWhole();
 }
 
 // Whoever holds a summary keeps it as it is; the next report is of another.
@@ -196,42 +184,37 @@ void ReplayDesk::takeMarkers(std::vector<Marker> markers) {
   summary_ = std::move(marked);
 }
 
-Status ReplayDesk::changeFile(const std::function<Status(const std::string&)>& change) {
-  const ui::ReplayState before = replay();
-  closeRun();
-  const bool reading = whole_.state().running;
-  whole_.cancel();
-  Status done = change(path_.toStdString());
-  auto markers = record::readMarkers(path_.toStdString());
-  if (markers) takeMarkers(std::move(markers).value());
-  lister_.setMarkers(path_, static_cast<int>(markers_.size()));
-  changed_ = true;
-  if (reopen() && before.open) {
-    goTo(before.position);
-    if (before.playing) play();
+Status ReplayDesk::changeFile(FileChanges::Change change) {
+  if (!run_ && !wish_) {
+    return Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "nothing is open"), ""};
   }
-  if (reading) readWhole();
-  return done;
+  changes_->add(std::move(change));
+  const ui::ReplayState now = replay();
+  reopen(ui::TaskState::What::Marking, {now.position, now.playing});
+  return Done{};
 }
 
 void ReplayDesk::play() {
   reopenIfFinished();
+  if (wish_) wish_->playing = true;
   if (run_) run_->control().resume();
 }
 
 void ReplayDesk::pause() {
+  if (wish_) wish_->playing = false;
   if (run_) run_->control().pause();
 }
 
 void ReplayDesk::step(int blocks) {
-  if (!run_) return;
   reopenIfFinished();
+  pause();
+  const CutSetup& setup = info_.setup;
+  const Seconds block(setup.rate.value > 0.0 ? setup.blockFrames / setup.rate.value : 0.0);
+  if (wish_) wish_->position = std::max(wish_->position + block * static_cast<double>(blocks), Seconds());
+  if (!run_) return;
   daq::ReplayControl& control = run_->control();
-  control.pause();
   if (blocks < 0) {
-    const CutSetup& setup = run_->rig().setup();
-    const double block = setup.blockFrames / setup.rate.value;
-    control.goTo(Seconds(std::max(control.position().value + (blocks - 1.0) * block, 0.0)));
+    control.goTo(std::max(control.position() + block * (blocks - 1.0), Seconds()));
     blocks = 1;
   }
   control.step(blocks);
@@ -243,19 +226,19 @@ void ReplayDesk::setPace(double times) {
 }
 
 void ReplayDesk::goTo(Seconds time) {
-  if (!run_) return;
   reopenIfFinished();
+  if (wish_) wish_->position = time;
+  if (!run_) return;
   run_->control().goTo(time);
   if (run_->control().paused()) run_->control().step();
 }
 
 void ReplayDesk::loop(Seconds from, Seconds to) {
-  if (!run_) return;
-  reopenIfFinished();
+  if (!run_ && !wish_) return;
   hand_.looping = true;
   hand_.loopFrom = from;
   hand_.loopTo = to;
-  run_->control().loopBetween(from, to);
+  if (run_) run_->control().loopBetween(from, to);
   goTo(from);
 }
 
@@ -265,12 +248,15 @@ void ReplayDesk::endLoop() {
 }
 
 Status ReplayDesk::showEverywhere(bool on) {
-  if (on && !run_) return Error{"replay", "nothing is open", ""};
+  if (on && !run_ && !wish_)
+    return Error{QT_TRANSLATE_NOOP("Core", "replay"), QT_TRANSLATE_NOOP("Core", "nothing is open"), ""};
   if (on && mayShow) {
     if (Status may = mayShow(); !may) return may;
   }
-  if (everywhere_ != on) ++generation_;
+  if (everywhere_ == on) return Done{};
+  ++generation_;
   everywhere_ = on;
+  changed_ = true;
   return Done{};
 }
 
@@ -281,7 +267,7 @@ Status ReplayDesk::mark(Seconds from, Seconds to, const QString& label, const QS
   marker.label = label.toStdString();
   marker.author = qEnvironmentVariable("USER").toStdString();
   marker.note = note.toStdString();
-  return changeFile([&marker](const std::string& file) -> Status {
+  return changeFile([file = path_.toStdString(), marker]() -> Status {
     const auto added = record::addMarker(file, marker);
     return added ? Status(Done{}) : Status(added.error());
   });
@@ -290,26 +276,34 @@ Status ReplayDesk::mark(Seconds from, Seconds to, const QString& label, const QS
 Status ReplayDesk::changeMark(std::uint64_t number, const QString& label, const QString& note) {
   const auto found =
       std::find_if(markers_.begin(), markers_.end(), [number](const Marker& m) { return m.number == number; });
-  if (found == markers_.end()) return Error{"marker", "is no longer there", ""};
+  if (found == markers_.end())
+    return Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "is no longer there"), ""};
   Marker marker = *found;
   marker.label = label.toStdString();
   marker.note = note.toStdString();
-  return changeFile([&marker](const std::string& file) { return record::changeMarker(file, marker); });
+  return changeFile([file = path_.toStdString(), marker] { return record::changeMarker(file, marker); });
 }
 
 Status ReplayDesk::removeMark(std::uint64_t number) {
-  return changeFile([number](const std::string& file) { return record::removeMarker(file, number); });
+  return changeFile([file = path_.toStdString(), number] { return record::removeMarker(file, number); });
 }
 
 // What somebody asked for goes before what is read beside it.
 ui::TaskState ReplayDesk::task() const {
   const ui::TaskState asked = task_.state(), read = whole_.state();
-  const bool tellsRead = read.running || !read.problem.isEmpty();
-  return asked.running || !asked.problem.isEmpty() || !tellsRead ? asked : read;
+  ui::TaskState beside = read;
+  if (!read.running && read.problem.isEmpty()) beside.problem = notChanged_;
+  const bool tells = beside.running || !beside.problem.isEmpty();
+  return asked.running || !asked.problem.isEmpty() || !tells ? asked : beside;
 }
 
+// What changes or opens the file is over in a moment, and is not left.
 void ReplayDesk::cancel() {
-  (task_.state().running ? task_ : whole_).leave();
+  if (task_.state().running) {
+    task_.leave();
+  } else if (!wish_) {
+    whole_.leave();
+  }
 }
 
 void ReplayDesk::runDetectors(const QStringList& settings) {

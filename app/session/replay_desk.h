@@ -4,11 +4,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/compose/replay_run.h"
 #include "app/session/background_task.h"
+#include "app/session/file_changes.h"
+#include "app/session/opened_recording.h"
 #include "app/session/session_lister.h"
 #include "ui/models/session_desk.h"
 #include "ui/models/session_info.h"
@@ -25,9 +28,14 @@ class ReplayDesk final : public ui::SessionDesk {
   const Rig* rig() const { return run_ ? &run_->rig() : nullptr; }
   pipeline::SignalTap* signal() { return run_ ? &run_->signal() : nullptr; }
   void send(const OperatorInput& input);
+  void showChannel(int channel) {
+    if (run_) run_->showChannel(channel);
+  }
   // The session says whether its cut may leave the screen, and what was tuned.
   std::function<Status()> mayShow;
   std::function<QStringList()> tuned;
+  // The rig of another recording, or of the same one begun anew.
+  std::function<void(bool another)> began;
   // Counts what was opened and shown.
   std::uint32_t generation() const { return generation_; }
 
@@ -70,14 +78,21 @@ class ReplayDesk final : public ui::SessionDesk {
   void cancel() override;
 
  private:
-  struct Opened;
+  // What becomes of the replay while it is being opened anew.
+  struct Wish {
+    Seconds position{};
+    bool playing = false;
+  };
   void readWhole();
-  void takeOpened(const std::shared_ptr<Opened>& opened);
+  void takeOpened(const std::shared_ptr<OpenedRecording>& opened);
+  void lead(const std::shared_ptr<OpenedRecording>& opened);
   void closeRun();
   void reopenIfFinished();
-  // The file is the replay's while it is open: `change` gets it alone, then the replay goes on where it was.
-  Status changeFile(const std::function<Status(const std::string&)>& change);
-  bool reopen();
+  // The file is the replay's while it is open: what waits to be changed gets it alone, then the replay goes on as
+  // `wish_` has it. On a thread of its own: the disk may be slow.
+  void reopen(ui::TaskState::What what, const Wish& wish);
+  void takeReopened(const std::shared_ptr<OpenedRecording>& opened, const Status& changed);
+  Status changeFile(FileChanges::Change change);
   void takeMarkers(std::vector<Marker> markers);
 
   QString path_;
@@ -89,6 +104,9 @@ class ReplayDesk final : public ui::SessionDesk {
   std::vector<ui::ScoreLine> scores_;
   QStringList notScored_;
   SteadyClock clock_;  // of the replay's pace
+  std::shared_ptr<FileChanges> changes_ = std::make_shared<FileChanges>();
+  QString notChanged_;        // why the last change of the file came to nothing
+  std::optional<Wish> wish_;  // while it is being opened anew
   std::unique_ptr<ReplayRun> run_;
   ui::SessionInfo info_;
   ui::ReplayState hand_;  // pace, loop
@@ -99,7 +117,7 @@ class ReplayDesk final : public ui::SessionDesk {
   std::vector<ui::SessionEntry> scenarios_;
   BackgroundTask scenarioTask_;
   BackgroundTask task_;
-  BackgroundTask whole_;  // reads the whole of what is open
+  BackgroundTask whole_;  // reads the whole of what is open, changes it, opens it anew
 };
 
 }  // namespace stillcut::app

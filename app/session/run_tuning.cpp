@@ -114,8 +114,10 @@ Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile,
     if (const Status saved = config::saveProfile(*loaded, catalog, profile); !saved) return saved.error();
     return QString::fromStdString(profile);
   }
-  if (folder.isEmpty()) return Error{"tune", "there is no profile to keep them in", "start with --profile"};
-  if (!QDir().mkpath(folder)) return Error{folder.toStdString(), "cannot be made", ""};
+  if (folder.isEmpty())
+    return Error{QT_TRANSLATE_NOOP("Core", "tune"), QT_TRANSLATE_NOOP("Core", "there is no profile to keep them in"),
+                 QT_TRANSLATE_NOOP("Core", "start with --profile")};
+  if (!QDir().mkpath(folder)) return Error{folder.toStdString(), QT_TRANSLATE_NOOP("Core", "cannot be made"), ""};
   const std::string path = (std::filesystem::path(folder.toStdString()) / "parameters.toml").string();
   config::ParamSet params;
   if (std::filesystem::exists(path)) {

@@ -1,7 +1,7 @@
 #include "app/session/session.h"
 
+#include <QCoreApplication>
 #include <QDateTime>
-#include <QDir>
 #include <QFileInfo>
 #include <cstdio>
 #include <utility>
@@ -14,11 +14,27 @@
 #include "app/session/session_view.h"
 #include "core/control/fuzzy.h"
 #include "core/milling/scenario.h"
+#include "core/record/session_folder.h"
 #include "core/rt/realtime_thread.h"
+#include "ui/models/core_sentence.h"
 #include "ui/shell/main_window.h"
 
 namespace stillcut::app {
 namespace {
+
+// Of what was on the screen.
+bool isAnswer(OperatorAction action) {
+  switch (action) {
+    case OperatorAction::Accept:
+    case OperatorAction::Refuse:
+    case OperatorAction::TrueAlarm:
+    case OperatorAction::FalseAlarm:
+    case OperatorAction::HearChatter:
+      return true;
+    default:
+      return false;
+  }
+}
 
 // Live stream time is the steady clock's.
 qint64 wallAtLiveZero() {
@@ -31,6 +47,14 @@ Session::Session(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string con
     : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {
   replays_.mayShow = [this] { return mayShowReplay(); };
   replays_.tuned = [this] { return tunedSettings(); };
+  replays_.began = [this](bool another) {
+    if (another) {
+      replayTuned_.open(replays_.rig()->params());
+    } else {
+      replayTuned_.resend();
+    }
+  };
+  cutTuned_.open(rig_->params());
   machine_.running = [this] { return runningProfile(); };
   machine_.measured = [this] { return LinkDelays{runningProfile().link, {}, effect_}; };
   machine_.recorded = [this] { return deletions_.told(rig_->recorder()); };
@@ -53,19 +77,18 @@ Status Session::recordInto(const std::string& folder) {
 
 Status Session::recordAsAsked(const std::string& fileOrFolder) {
   asked_ = fileOrFolder;
-  return QFileInfo(QString::fromStdString(asked_)).isDir() ? recordInto(asked_) : recordTo(asked_);
+  return recordAsked();
+}
+
+Status Session::recordAsked() {
+  const bool folder = QFileInfo(QString::fromStdString(asked_)).isDir();
+  return folder ? recordInto(asked_) : recordTo(record::freeSessionPath(asked_));
 }
 
 Result<std::unique_ptr<Session>> Session::asAsked(Result<std::unique_ptr<Session>> next) const {
   if (asked_.empty() || !next) return next;
-  const QFileInfo asked(QString::fromStdString(asked_));
-  std::string where = asked_;
-  for (int k = 2; !asked.isDir() && QFileInfo::exists(QString::fromStdString(where)); ++k) {
-    where = asked.dir()
-                .filePath(QStringLiteral("%1-%2.%3").arg(asked.completeBaseName()).arg(k).arg(asked.suffix()))
-                .toStdString();
-  }
-  const Status recording = asked.isDir() ? (*next)->recordInto(where) : (*next)->recordTo(where);
+  (*next)->asked_ = asked_;
+  const Status recording = (*next)->recordAsked();
   if (!recording) return recording.error();
   return next;
 }
@@ -114,13 +137,15 @@ void Session::demonstrateWith(const std::string& scenario) {
 
 Status Session::switchTo(const Opening& open) {
   if (rig_->hasLink() && !rig_->linkInfo().simulated && authority_ != Authority::Off) {
-    return Error{"start", "the machine is under our authority", "set it to Off first"};
+    return Error{QT_TRANSLATE_NOOP("Core", "start"), QT_TRANSLATE_NOOP("Core", "the machine is under our authority"),
+                 QT_TRANSLATE_NOOP("Core", "set it to Off first")};
   }
   if (Status kept = stop(); !kept) return kept;
   auto next = open();
   if (!next)
     return Error{next.error().where, next.error().what, next.error().why + "; the cut before has been stopped"};
   flightLog_.reset();
+  live_ = nullptr;
   rig_ = std::move((*next)->rig_);
   info_ = std::move((*next)->info_);
   configuration_ = std::move((*next)->configuration_);
@@ -132,6 +157,7 @@ Status Session::switchTo(const Opening& open) {
   if (!recordings_.isEmpty()) replays_.setFolder(recordings_);
   machine_.inForce = profile_;
   tuned_.clear();
+  cutTuned_.open(rig_->params());
   authority_ = Authority::Off;
   effect_ = {};
   ++runs_;
@@ -152,39 +178,68 @@ config::Profile Session::runningProfile() const {
 }
 
 const Snapshot* Session::pull() {
-  const Snapshot* live = rig_->read();
-  if (live != nullptr) authority_ = live->authority;
-  if (live != nullptr && live->machine.link.effect.value > 0.0) effect_ = live->machine.link.effect;
-  if (lobes_ && live != nullptr && !lobes_->started()) {
-    const PathHealth& health = live->health;
-    lobes_->setStart(live->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+  live_ = rig_->read();
+  if (live_ != nullptr) authority_ = live_->authority;
+  if (live_ != nullptr && live_->machine.link.effect.value > 0.0) effect_ = live_->machine.link.effect;
+  if (lobes_ && live_ != nullptr && !lobes_->started()) {
+    const PathHealth& health = live_->health;
+    lobes_->setStart(live_->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
   }
-  return shown() ? replays_.replayed() : live;
+  tune();
+  return shown() ? replays_.replayed() : live_;
 }
 
-void Session::send(const OperatorInput& input) {
-  if (input.action != OperatorAction::SetParameter) {
-    rig_->send(input);
-    return;
+void Session::showChannel(int channel) {
+  if (shown()) {
+    replays_.showChannel(channel);
+  } else {
+    rig_->showChannel(channel);
   }
+}
+
+void Session::send(const OperatorInput& input, std::uint32_t seen) {
+  if (isAnswer(input.action) && (shown() || seen != generation())) return;
+  if (input.action == OperatorAction::SetAuthority && input.authority != Authority::Off) {
+    authority_ = input.authority;
+    (void)replays_.showEverywhere(false).ok();  // whoever puts us in command sees the machine
+  }
+  rig_->send(input);
+  // Back to what was programmed is: nothing of Stillcut acts, also not through the table.
+  if (input.action == OperatorAction::BackToProgrammed && active_) active_->stop();
+}
+
+void Session::tune() {
+  constexpr int kInputsPerTick = 4;  // as many as one block takes
+  if (live_ != nullptr) {
+    for (const OperatorInput& input : cutTuned_.take(kInputsPerTick)) {
+      const config::ParamDecl* decl = noteTuned(input);
+      if (active_ && decl != nullptr) active_->tune(decl->key, input.value);
+      rig_->send(input);
+    }
+  }
+  if (replays_.rig() == nullptr) return;
+  for (const OperatorInput& input : replayTuned_.take(kInputsPerTick)) {
+    noteTuned(input);
+    replays_.send(input);
+  }
+}
+
+const config::ParamDecl* Session::noteTuned(const OperatorInput& input) {
   const config::ParamCatalog catalog = fullCatalog();
   for (const config::ParamDecl* decl : catalog.all()) {
     if (config::parameterId(decl->key) != input.parameter) continue;
     config::ParamSet value;
     if (value.set(*decl, input.value, "tune")) tuned_[std::string(decl->key)] = value.text(*decl);
-    if (active_) active_->tune(decl->key, input.value);
+    return decl;
   }
-  if (shown()) {
-    replays_.send(input);
-  } else {
-    rig_->send(input);
-  }
+  return nullptr;
 }
 
 // A machine that we command may not go out of sight.
 Status Session::mayShowReplay() const {
   if (!rig_->hasLink() || rig_->linkInfo().simulated || authority_ == Authority::Off) return Done{};
-  return Error{"replay", "the machine is under our authority", "set it to Off first"};
+  return Error{QT_TRANSLATE_NOOP("Core", "replay"), QT_TRANSLATE_NOOP("Core", "the machine is under our authority"),
+               QT_TRANSLATE_NOOP("Core", "set it to Off first")};
 }
 
 QStringList Session::tunedSettings() const {
@@ -215,9 +270,9 @@ Result<QString> Session::saveValues(const config::ParamSet& values) {
 }
 
 ui::LinkStatus Session::link() const {
-  if (!rig_->finished()) return {};
+  if (!rig_->finished()) return {{}, ui::coreSentence(rig_->device().trouble())};
   const std::string fault = rig_->device().fault();
-  return {{}, fault.empty() ? QStringLiteral("the run has ended") : QString::fromStdString(fault)};
+  return {{}, fault.empty() ? QCoreApplication::translate("Session", "the run has ended") : ui::coreSentence(fault)};
 }
 
 ui::RecorderStatus Session::recorder() const {
@@ -225,13 +280,13 @@ ui::RecorderStatus Session::recorder() const {
   const std::string flightProblem = flightLog_ ? flightLog_->problem() : "";
   if (recorder == nullptr && flightProblem.empty()) return {};
   if (recorder == nullptr) {
-    return {ui::RecorderStatus::State::Failed, {}, QString::fromStdString(flightProblem)};
+    return {ui::RecorderStatus::State::Failed, {}, ui::coreSentence(flightProblem)};
   }
   const record::RecorderStatus status = recorder->status();
   ui::RecorderStatus shown;
   shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;
   shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
-  shown.problem = QString::fromStdString(status.fault);
+  shown.problem = ui::coreSentence(status.fault);
   shown.waiting = status.recording && status.written > 0 && !status.writing;
   return shown;
 }
@@ -249,12 +304,11 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
 
   const config::ParamSet params = built->rig->params();
   ui::SessionInfo info = sessionInfo(*built->rig);
-  info.sourceLabel = QStringLiteral("%1 (%2)").arg(viewText("simulated cut"), viewText(scenario->name));
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   session->setLobes(std::make_unique<LobeWorker>(*scenario));
   if (active::SimulatedDuplex::check(*scenario)) session->setActive(simulatedActiveDesk(*scenario, params));
-  if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto});
+  if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto}, session->generation());
   return session;
 }
 
@@ -265,7 +319,6 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Rec
   auto rig = buildProfileRig(*profile, path);
   if (!rig) return rig.error();
   ui::SessionInfo info = sessionInfo(**rig);
-  info.sourceLabel = QString::fromStdString(profile->source.id);
   info.wallMsAtStreamZero = wallAtLiveZero();
   auto session =
       std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));

@@ -67,10 +67,13 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   const ui::SessionInfo& info() const override { return shown() ? replays_.info() : info_; }
   std::uint32_t generation() const override { return runs_ + replays_.generation(); }
   const Snapshot* pull() override;
+  bool replayShown() const override { return shown(); }
+  const ui::SessionInfo& liveInfo() const override { return info_; }
+  const Snapshot* live() override { return live_; }
   void readSignal(const std::function<void(const SampleBlock&)>& sink) override { shownSignal().read(sink); }
-  void showChannel(int channel) override { rig_->showChannel(channel); }
-  // What asks the machine for something always goes to the cut; parameters go to what is shown.
-  void send(const OperatorInput& input) override;
+  void showChannel(int channel) override;
+  // Always to the cut. Whoever gives us authority over the machine has it back on every page.
+  void send(const OperatorInput& input, std::uint32_t seen) override;
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return lobes_.get(); }
@@ -85,7 +88,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::uint32_t tuningRun() const override { return generation(); }
   const std::vector<ui::TunablePart>& tunableParts() const override;
   const RuleTables* rulesNow() override;
-  const config::ParamSet& startValues() const override { return shownRig().params(); }
+  ui::TuneDesk& desk() override { return shown() ? replayTuned_ : cutTuned_; }
   Result<QString> saveValues(const config::ParamSet& values) override;
 
  private:
@@ -93,11 +96,15 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   const Rig& shownRig() const { return shown() ? *replays_.rig() : *rig_; }
   pipeline::SignalTap& shownSignal() { return shown() ? *replays_.signal() : rig_->signal(); }
   Status mayShowReplay() const;
+  // What was set on the Tune page reaches its run.
+  void tune();
+  const config::ParamDecl* noteTuned(const OperatorInput& input);
   QStringList tunedSettings() const;
   config::Profile runningProfile() const;
   // Another run takes the place of this one, whose machine gets its programmed values back first.
   using Opening = std::function<Result<std::unique_ptr<Session>>()>;
   Status switchTo(const Opening& open);
+  Status recordAsked();
   // `next`, recorded as was asked for; as it is where nobody asked.
   Result<std::unique_ptr<Session>> asAsked(Result<std::unique_ptr<Session>> next) const;
 
@@ -117,8 +124,10 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::string profile_;                         // the run was made from; empty: none
   mutable std::vector<ui::TunablePart> parts_;  // of run partsOf_
   mutable std::optional<std::uint32_t> partsOf_;
+  const Snapshot* live_ = nullptr;        // as last read
   Authority authority_ = Authority::Off;  // as last seen
   Seconds effect_{};                      // of an order on the machine, as last seen
+  ui::TuneDesk cutTuned_, replayTuned_;
   std::map<std::string, std::string> tuned_;
   RuleTables rules_;                    // as last told
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/detect/coherence.h"
+#include "core/detect/conditioner.h"
 #include "core/detect/energy_ratio.h"
 
 namespace stillcut::app {
@@ -25,7 +27,10 @@ ui::SessionInfo sessionInfo(const Rig& rig) {
     info.simulatedMachine = link.simulated;
     info.machineWatchdog = link.machineWatchdog;
   }
-  info.limits.energyRatio = rig.params().real(detect::kErChatter);
+  const config::ParamSet& params = rig.params();
+  info.limits.energyRatio = params.real(detect::kErChatter);
+  info.limits.coherence = params.real(detect::kCohGammaRef);
+  if (!params.isAutomatic(detect::kVibrationLimit)) info.limits.vibration = params.real(detect::kVibrationLimit);
   const CutSetup& cut = info.setup;
   if (cut.teeth > 0 && cut.nominalSpeed.value > 0.0) {
     info.feedPerTooth = Metres(cut.nominalFeed.value / toothPassing(cut.nominalSpeed, cut.teeth).value);

@@ -40,7 +40,7 @@ class DuplexDevice {
   virtual DuplexEvent write(std::span<const safety::ActuatorCommand> out) STILLCUT_RT = 0;
   // Ends a read() that waits, and all after it.
   virtual void stop() noexcept = 0;
-  virtual void close() noexcept = 0;
+  virtual void close() noexcept = 0;  // safe when not open; open() may follow
 };
 
 }  // namespace stillcut::active

@@ -41,10 +41,10 @@ class PcmDuplexDriver {
   virtual Result<PcmDuplexFormat> open(const PcmDuplexRequest& request) = 0;
   // One whole period. kDuplexGone when none came within half a second.
   virtual int read(std::int32_t* into) noexcept = 0;
-  virtual int write(const std::int32_t* from) noexcept = 0;
+  virtual int write(const std::int32_t* from) noexcept = 0;  // a whole period; kDuplexLost: came too late
   // After a loss: streams again, with silence queued. False: it does not.
   virtual bool restart() noexcept = 0;
-  virtual void close() noexcept = 0;
+  virtual void close() noexcept = 0;  // drops what is queued; open() may follow
 };
 
 struct PcmDuplexSettings {

@@ -1,7 +1,7 @@
 // ByteChannel: the wire below a protocol, of a machine link or of a device: a socket, a serial port, or a test's
 // scripted server. Bytes only; it knows no protocol. Adapters for real wires are in app/io.
-// Thread: the link or driver thread alone, but for the constructor. Nothing throws; a wire that breaks becomes Closed
-// and stays so until connect() is called again.
+// Thread: the link or driver thread alone, but for the constructor; another only after handOver(). Nothing throws; a
+// wire that breaks becomes Closed and stays so until connect() is called again.
 #pragma once
 
 #include <cstddef>
@@ -26,14 +26,16 @@ class ByteChannel {
   virtual std::string_view address() const noexcept = 0;
   // Begins to connect and returns at once; what was open is closed first.
   virtual void connect() noexcept = 0;
-  virtual WireState state() noexcept = 0;
+  virtual WireState state() noexcept = 0;  // of this moment; never blocks
   // Bytes that are there, at most into.size(); 0: none. Never blocks.
   virtual std::size_t read(std::span<char> into) noexcept = 0;
   // All or nothing; false closes the wire (a peer that does not take a few dozen bytes is gone). Never blocks.
   virtual bool write(std::string_view bytes) noexcept = 0;
   // Returns when there is something to read, the state has changed, or `atMost` has passed.
   virtual void wait(Duration atMost) noexcept = 0;
-  virtual void close() noexcept = 0;
+  virtual void close() noexcept = 0;  // safe when not open
+  // Said on the thread that has used it so far: another one does from now on.
+  virtual void handOver() noexcept {}
 };
 
 // Where a wire leads. Exactly one of host and device is given.

@@ -1,5 +1,5 @@
 // Result: a value, or one clear line about what went wrong, where, and why. Used on the set-up path (files, settings,
-// devices); never on the sample path, where a fault is a value inside Verdict, OverrideRequest or MachineState.
+// devices); never on the sample path, where a fault is a value in Verdict, OverrideRequest, MachineState. Any thread.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The wire below a link's protocol.
+// The wire below a link's protocol. Thread: as core/base/byte_channel.h says.
 #pragma once
 
 #include "core/base/byte_channel.h"

@@ -25,8 +25,8 @@ struct LinkInfo {
 class CncLink {
  public:
   virtual ~CncLink() = default;
-  virtual LinkInfo describe() const = 0;
-  virtual Status open() = 0;
+  virtual LinkInfo describe() const = 0;  // known before open()
+  virtual Status open() = 0;              // one line when it cannot begin; the machine may still be away
   // Reads the machine. `now` is the link thread's stream time; the state carries the time it was read.
   virtual MachineState read(Instant now) noexcept = 0;
   // Sends a command. The caller (LinkRunner) has checked its lease.

@@ -30,7 +30,7 @@ class EmcHand {
   virtual bool done(const EmcKnobs& knobs) const noexcept = 0;
   // Why the knobs are not ours to turn; None: they are.
   virtual OrderBlock block(Instant now) const noexcept = 0;
-  virtual bool up() const noexcept = 0;
+  virtual bool up() const noexcept = 0;  // connected to whoever turns the knobs
   // Something has answered.
   virtual bool heard() const noexcept = 0;
   // The machine was seen to go home by itself when nothing comes from here.
@@ -39,9 +39,11 @@ class EmcHand {
   virtual Seconds roundTrip() const noexcept = 0;
   // When an order was acknowledged last; 0: never.
   virtual Instant acknowledged() const noexcept = 0;
+  // Until something came on its wire, or `atMost` has passed.
   virtual void wait(Duration atMost) noexcept = 0;
+  // Lets go of its wire; up() is false from then on.
   virtual void close() noexcept = 0;
-  virtual std::string_view address() const noexcept = 0;
+  virtual std::string_view address() const noexcept = 0;  // of that wire, for error lines
 };
 
 }  // namespace stillcut::cnc

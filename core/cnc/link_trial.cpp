@@ -14,12 +14,32 @@ namespace {
 constexpr Duration kReadTime = std::chrono::seconds(3);
 constexpr Seconds kBetweenReads{0.002};
 
-template <class... Values>
-std::string words(const char* form, Values... values) {
-  std::string text(256, '\0');
-  const int size = std::snprintf(text.data(), text.size(), form, values...);
-  text.resize(static_cast<std::size_t>(std::clamp(size, 0, 255)));
-  return text;
+constexpr const char* kAnswers = "%1 answers";
+constexpr const char* kIncomplete = "it answers, but its state is incomplete";
+constexpr const char* kOff = "the machine is off";
+constexpr const char* kAlarm = "the machine is in alarm";
+constexpr const char* kHeld = "feed held";
+constexpr const char* kRunning = "program running";
+constexpr const char* kIdle = "no program running";
+constexpr const char* kSpindle = "spindle %1 rev/min, programmed %2";
+constexpr const char* kOverrides = "overrides %1 % speed, %2 % feed";
+constexpr const char* kLocked = "locked by the program";
+constexpr const char* kDelay = "a look takes %1 ms, and what it shows is %2 ms old";
+constexpr const char* kLost = "%1 of %2 looks were lost";
+constexpr const char* kRange = "speed %1 to %2 %, feed %3 to %4 %";
+constexpr const char* kWatchdog = "the machine goes back by itself when nothing comes from here";
+constexpr const char* kNoWatchdog = "the machine has no watchdog: if this program dies, the overrides stay";
+constexpr std::array kWords{kAnswers,   kIncomplete, kOff,   kAlarm, kHeld,  kRunning,  kIdle,      kSpindle,
+                            kOverrides, kLocked,     kDelay, kLost,  kRange, kWatchdog, kNoWatchdog};
+
+std::string number(double value, int decimals = 0) {
+  std::array<char, 32> digits{};
+  const int size = std::snprintf(digits.data(), digits.size(), "%.*f", decimals, value);
+  return {digits.data(), static_cast<std::size_t>(std::clamp(size, 0, 31))};
+}
+
+std::string percent(Ratio value) {
+  return number(100.0 * value.value);
 }
 
 Seconds median(std::vector<double> values) {
@@ -29,6 +49,10 @@ Seconds median(std::vector<double> values) {
 }
 
 }  // namespace
+
+std::span<const char* const> LinkTrial::words() {
+  return kWords;
+}
 
 bool LinkTrial::next() {
   if (steps_.size() == kSteps || (!steps_.empty() && !steps_.back().good)) return false;
@@ -56,8 +80,8 @@ bool LinkTrial::passed() const {
 
 TrialStep LinkTrial::connect() {
   const Status opened = link_.open();
-  if (!opened) return {kNames[0], opened.error().line(), false};
-  return {kNames[0], std::string(link_.describe().label) + " answers", true};
+  if (!opened) return {kNames[0], {phraseOf(opened.error())}, false};
+  return {kNames[0], {{kAnswers, {std::string(link_.describe().label)}}}, true};
 }
 
 TrialStep LinkTrial::read() {
@@ -68,17 +92,19 @@ TrialStep LinkTrial::read() {
     m = link_.read(clock_.now());
     if (!m.valid) never.waitFor(kBetweenReads);
   }
-  if (!m.valid) return {kNames[1], "it answers, but its state is incomplete", false};
-  const char* const doing = m.block == OrderBlock::MachineOff     ? "the machine is off"
-                            : m.block == OrderBlock::MachineAlarm ? "the machine is in alarm"
-                            : m.feedHold                          ? "feed held"
-                            : m.programRunning                    ? "program running"
-                                                                  : "no program running";
-  return {kNames[1],
-          words("%s; spindle %.0f rev/min, programmed %.0f; overrides %.0f %% speed, %.0f %% feed%s", doing,
-                m.actualSpeed.value, m.programmedSpeed.value, 100.0 * m.speedOverride.value,
-                100.0 * m.feedOverride.value, m.overridesEnabled ? "" : "; locked by the program"),
-          true};
+  if (!m.valid) return {kNames[1], {{kIncomplete, {}}}, false};
+  const char* const doing = m.block == OrderBlock::MachineOff     ? kOff
+                            : m.block == OrderBlock::MachineAlarm ? kAlarm
+                            : m.feedHold                          ? kHeld
+                            : m.programRunning                    ? kRunning
+                                                                  : kIdle;
+  TrialStep step{kNames[1],
+                 {{doing, {}},
+                  {kSpindle, {number(m.actualSpeed.value), number(m.programmedSpeed.value)}},
+                  {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}},
+                 true};
+  if (!m.overridesEnabled) step.said.push_back({kLocked, {}});
+  return step;
 }
 
 TrialStep LinkTrial::measure() {
@@ -93,21 +119,19 @@ TrialStep LinkTrial::measure() {
   look_ = median(looks);
   age_ = median(ages);
   const int lost = kLooks - static_cast<int>(ages.size());
-  std::string said =
-      words("a look takes %.1f ms, and what it shows is %.1f ms old", 1e3 * look_.value, 1e3 * age_.value);
-  if (lost > 0) said += words("; %d of %d looks were lost", lost, kLooks);
-  return {kNames[2], said, 2 * lost < kLooks};
+  TrialStep step{kNames[2], {{kDelay, {number(1e3 * look_.value, 1), number(1e3 * age_.value, 1)}}}, 2 * lost < kLooks};
+  if (lost > 0) step.said.push_back({kLost, {number(lost), number(kLooks)}});
+  return step;
 }
 
 TrialStep LinkTrial::safety() const {
   const LinkInfo info = link_.describe();
-  const std::string range =
-      words("speed %.0f to %.0f %%, feed %.0f to %.0f %%; ", 100.0 * info.lowestSpeed.value,
-            100.0 * info.highestSpeed.value, 100.0 * info.lowestFeed.value, 100.0 * info.highestFeed.value);
-  return {kNames[3],
-          range + (info.machineWatchdog ? "the machine goes back by itself when nothing comes from here"
-                                        : "the machine has no watchdog: if this program dies, the overrides stay"),
-          true};
+  return {
+      kNames[3],
+      {{kRange,
+        {percent(info.lowestSpeed), percent(info.highestSpeed), percent(info.lowestFeed), percent(info.highestFeed)}},
+       {info.machineWatchdog ? kWatchdog : kNoWatchdog, {}}},
+      true};
 }
 
 }  // namespace stillcut::cnc

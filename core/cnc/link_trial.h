@@ -1,20 +1,22 @@
 // LinkTrial: tries a machine link step by step and says in plain words what came of each step. It only reads: a command
-// can come from the gate alone. The command line and a set-up page show the same sentences.
+// can come from the gate alone. The command line and a set-up page show the same sentences, the page translated.
 // Thread: one that may wait: open() takes seconds at most, every other step bounded time.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/cnc/cnc_link.h"
+#include "core/model/phrase.h"
 
 namespace stillcut::cnc {
 
 struct TrialStep {
   std::string what;  // "Connect"
-  std::string said;  // one sentence
+  std::vector<Phrase> said;
   bool good = false;
 };
 
@@ -35,6 +37,8 @@ class LinkTrial {
   static constexpr std::size_t kSteps = 4;
   static constexpr std::array<const char*, kSteps> kNames{"Connect", "Read the machine", "Measure the delay",
                                                           "What it can do"};
+  // Every form and every word of what the steps say, but for errors; for whoever translates them.
+  static std::span<const char* const> words();
 
  private:
   TrialStep connect();

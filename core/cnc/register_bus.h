@@ -30,17 +30,20 @@ struct BusReply {
 class RegisterBus {
  public:
   virtual ~RegisterBus() = default;
-  virtual std::string_view address() const noexcept = 0;
-  virtual void connect() noexcept = 0;
-  virtual WireState state() noexcept = 0;
+  // These as of a ByteChannel; wait() ends with a reply too.
+  virtual std::string_view address() const noexcept = 0;  // for error lines
+  virtual void connect() noexcept = 0;                    // begins, and returns at once
+  virtual WireState state() noexcept = 0;                 // Closed stays so until connect()
+  virtual void wait(Duration atMost) noexcept = 0;        // until there is something new, or `atMost` has passed
+  virtual void close() noexcept = 0;                      // a request under way is forgotten
   // Begin a request; only while none is under way. False: the bus broke.
   virtual bool read(RegisterTable table, int first, int count) noexcept = 0;
+  // The first `count` of the words, to Coil or Holding; begins as read() does.
   virtual bool write(RegisterTable table, int first, int count, const RegisterWords& words) noexcept = 0;
+  // A request is under way: no reply yet, nor its time over.
   virtual bool busy() const noexcept = 0;
   // The reply of the last request, once.
   virtual std::optional<BusReply> take() noexcept = 0;
-  virtual void wait(Duration atMost) noexcept = 0;
-  virtual void close() noexcept = 0;
 };
 
 struct BusAddress {

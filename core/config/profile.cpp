@@ -1,5 +1,8 @@
 #include "core/config/profile.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "core/base/atomic_file.h"
@@ -92,8 +95,20 @@ CutSetup cutFrom(const TomlTable& root) {
 void readModel(const TomlTable& cut, Profile& profile) {
   profile.model = cut.textOr("model", "");
   profile.depth = Metres(cut.numberOr("depth_mm", 0.0, 0.001, kDeepestMm) * 1e-3);
-  if (!profile.model.empty() && !(profile.depth.value > 0.0)) {
-    cut.refuse("model", "cannot be used without depth_mm", "which speeds are stable depends on the depth");
+}
+
+void readPitch(const TomlTable& tool, Profile& profile) {
+  constexpr double kClosed = 0.05;  // degrees; as a catalogue rounds them
+  profile.pitch = tool.numbersOr("pitch_deg", {});
+  if (profile.pitch.empty()) return;
+  const auto [least, most] = std::minmax_element(profile.pitch.begin(), profile.pitch.end());
+  const double sum = std::accumulate(profile.pitch.begin(), profile.pitch.end(), 0.0);
+  if (static_cast<int>(profile.pitch.size()) != profile.cut.teeth) {
+    tool.refuse("pitch_deg", "needs one angle per tooth");
+  } else if (!(*least > 0.0) || !(std::abs(sum - 360.0) < kClosed)) {
+    tool.refuse("pitch_deg", "does not go once around", "angles above zero, 360 degrees together");
+  } else if (*most - *least < kClosed) {
+    profile.pitch.clear();
   }
 }
 
@@ -134,6 +149,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   Profile profile;
   profile.cut = cutFrom(root);
   profile.operatorName = root.textOr("operator", "");
+  readPitch(root.tableOr("tool"), profile);
   readModel(root.tableOr("cut"), profile);
   profile.source = partFrom(root.tableOr("source"), known.sources);
   profile.link = partFrom(root.tableOr("link"), known.links);
@@ -168,6 +184,7 @@ void writeCut(TomlWriter& out, const Profile& profile) {
   out.text("label", cut.tool);
   if (cut.teeth > 0) out.integer("teeth", cut.teeth);
   if (cut.toolDiameter.value > 0.0) out.number("diameter_mm", cut.toolDiameter.value * 1e3);
+  if (!profile.pitch.empty()) out.numbers("pitch_deg", profile.pitch);
   out.table("cut");
   if (cut.nominalSpeed.value > 0.0) out.number("speed_rpm", cut.nominalSpeed.value);
   if (cut.nominalFeed.value > 0.0) out.number("feed_mm_min", toMmPerMin(cut.nominalFeed));

@@ -5,6 +5,7 @@
 //   machine = "Mill 3"
 //   operator = "Ada"                                     signs the markers that are touched during the cut
 //   [tool]       label, teeth, diameter_mm
+//                pitch_deg                               [85, 95, ...] angle to the next tooth; left out: even
 //   [cut]        speed_rpm, feed_mm_min                  as programmed; leave out what is not known
 //                model, depth_mm                         file of the cut's modes and material, and its depth: where
 //                both
@@ -52,7 +53,8 @@ struct RecordingChoice {
 };
 
 struct Profile {
-  CutSetup cut;       // rate and blockFrames are the source's affair and not part of a profile
+  CutSetup cut;               // rate and blockFrames are the source's affair and not part of a profile
+  std::vector<double> pitch;  // angle from each tooth to the next [deg], one a tooth, 360 together; empty: even
   std::string model;  // file with the modes, tool, material and engagement of the cut; empty: the modes are not known
   Metres depth{};     // of the cut; 0: unknown
   std::string operatorName;  // empty: not told

@@ -44,6 +44,12 @@ bool isPlainNumber(std::string_view text) {
   return number && text != "-0" && numberText(value) == text;
 }
 
+std::string inDigits(double value) {
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 12);
+  return {digits, end.ptr};
+}
+
 }  // namespace
 
 void TomlWriter::line(std::string_view key, std::string_view value) {
@@ -66,9 +72,13 @@ void TomlWriter::arrayElement(std::string_view path) {
 }
 
 void TomlWriter::number(std::string_view key, double value) {
-  char digits[40];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 12);
-  line(key, {digits, static_cast<std::size_t>(end.ptr - digits)});
+  line(key, inDigits(value));
+}
+
+void TomlWriter::numbers(std::string_view key, std::span<const double> values) {
+  std::string list;
+  for (const double value : values) list += (list.empty() ? "" : ", ") + inDigits(value);
+  line(key, '[' + list + ']');
 }
 
 void TomlWriter::integer(std::string_view key, int value) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,7 @@ class TomlWriter {
 
   // Twelve significant digits: what a unit conversion leaves in the last bits is not written. Finite values only.
   void number(std::string_view key, double value);
+  void numbers(std::string_view key, std::span<const double> values);
   void integer(std::string_view key, int value);
   void boolean(std::string_view key, bool value);
   void text(std::string_view key, std::string_view value);

@@ -23,6 +23,8 @@ constexpr double kGap = 0.05;  // [s]
 constexpr double kLoudTime = 0.1, kUsualTime = 1.0;
 constexpr double kAsBefore = 0.3, kTimesUsual = 4.0;
 constexpr double kStandingSeverity = 0.05;
+// Chatter that nobody tells: as many times as long as an alarm, and turns for what rings down.
+constexpr double kUntold = 4.0, kUntoldTurns = 20.0;
 
 // Detectors themselves do not see chatter nearer to a harmonic; a measured speed is good for 0.1 % of the order.
 constexpr double kHarmonic = 0.025;
@@ -31,15 +33,16 @@ double wrapped(double fraction) noexcept {
   return fraction - std::round(fraction);
 }
 
-bool onHarmonic(Hertz frequency, Hertz spindle) noexcept {
-  return std::abs(wrapped(frequency / spindle)) < kHarmonic;
+// Of every `step`-th order.
+bool onHarmonic(Hertz frequency, Hertz spindle, int step) noexcept {
+  return std::abs(wrapped(frequency / spindle / step)) * step < kHarmonic;
 }
 
 }  // namespace
 
 void ChatterJudge::forget() STILLCUT_RT {
   frequency_ = {};
-  fraction_ = standing_ = full_ = quiet_ = fast_ = slow_ = 0.0;
+  fraction_ = standing_ = full_ = quiet_ = untold_ = fast_ = slow_ = 0.0;
   confirmed_ = false;
 }
 
@@ -54,18 +57,19 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
   const double step = std::isfinite(dt.value) && dt.value > 0.0 ? dt.value : 0.0;
   listen(verdict, step, spindle.moved, vibration);
   const bool heard = verdict.alarming() && verdict.frequency.value > 0.0 && spindle.measured.value > 0.0;
-  if (!heard || (spindle.moved && onHarmonic(verdict.frequency, spindle.measured))) {
-    quiet_ += step;
-    confirmed_ = false;
-    if (quiet_ > kGap) forget();
+  if (!heard || (spindle.moved && onHarmonic(verdict.frequency, spindle.measured, spindle.teeth))) {
+    hearNone(verdict, step, spindle);
     return;
   }
-  quiet_ = 0.0;
+  quiet_ = untold_ = 0.0;
   full_ = verdict.state == CutState::Chatter ? full_ + step : 0.0;
   follow(verdict, step, spindle);
   if (!spindle.moved) {
     confirmed_ = standing_ >= options_.first.value;
-    if (confirmed_) struck_ = loud_;
+    if (confirmed_) {
+      struck_ = loud_;
+      believed_ = frequency_;
+    }
     return;
   }
   const double turn = 1.0 / spindle.measured.value;
@@ -75,7 +79,23 @@ void ChatterJudge::hear(const Verdict& verdict, Seconds dt, const Spindle& spind
   const bool loud = usual_ > 0.0 && loud_ > kTimesUsual * usual_ && loud_ > kAsBefore * struck_ &&
                     slow_ > kStandingSeverity && standing_ >= 2.0 * options_.after.value;
   const bool restless = loud_ > struck_ && full_ >= 2.0 * lasts;
-  confirmed_ = restless || (standing_ >= lasts && (full || growing || loud));
+  const bool locked = onHarmonic(verdict.frequency, spindle.measured, 1);
+  confirmed_ = restless || (!locked && standing_ >= lasts && (full || growing || loud));
+  if (confirmed_) believed_ = frequency_;
+}
+
+void ChatterJudge::hearNone(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT {
+  const double untold = untold_;
+  quiet_ += dt;
+  confirmed_ = false;
+  if (quiet_ > kGap) forget();
+  const bool known = spindle.moved && usual_ > 0.0 && believed_.value > 0.0 && spindle.measured.value > 0.0;
+  const bool said = verdict.valid && !verdict.alarming() && verdict.severity.value > 0.0;
+  const bool restless = known && said && loud_ * std::sqrt(verdict.severity.value) > kTimesUsual * usual_;
+  untold_ = restless ? untold + dt : 0.0;
+  if (!restless || untold_ < std::max(kUntold * options_.after.value, kUntoldTurns / spindle.measured.value)) return;
+  frequency_ = believed_;
+  confirmed_ = true;
 }
 
 void ChatterJudge::follow(const Verdict& verdict, double dt, const Spindle& spindle) STILLCUT_RT {

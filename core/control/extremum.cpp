@@ -41,9 +41,8 @@ config::ParamTable extremumParams() {
 
 StrategyInfo Extremum::describe() const {
   if (seek_)
-    return {"extremum-seek", "Least vibration", "van Dijk 2010, section 4.2, then a true search", true, true,
-            "parametric"};
-  return {"extremum-paper", "Toward less vibration", "van Dijk 2010, section 4.2", true, true, "parametric"};
+    return {"extremum-seek", "Least vibration", "van Dijk 2010, section 4.2, then a true search", "parametric"};
+  return {"extremum-paper", "Toward less vibration", "van Dijk 2010, section 4.2", "parametric"};
 }
 
 void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
@@ -70,10 +69,24 @@ void Extremum::forget() noexcept {
   searches_ = 0;
   started_ = false;
   settles_ = quietAt_ = {};
+  heard_.fill({});
+  alarms_ = 0;
+}
+
+// Up to the nearest speeds on either side that have chattered.
+config::SpeedRange Extremum::quietReach(const RuleView& view) const noexcept {
+  config::SpeedRange reach = view.reach;
+  for (const Rpm speed : heard_) {
+    if (speed.value <= 0.0) continue;
+    if (speed < view.present) reach.low = std::max(reach.low, speed);
+    if (speed > view.present) reach.high = std::min(reach.high, speed);
+  }
+  return reach;
 }
 
 Aim Extremum::aim(const RuleView& view) noexcept {
   const bool goesOn = searchGoesOn(view);
+  if (!alarmed_) heard_[alarms_++ % kHeard] = view.present;
   alarmed_ = true;
   return goesOn ? searching(view) : law(view);
 }
@@ -126,18 +139,19 @@ Aim Extremum::law(const RuleView& view) noexcept {
 }
 
 Aim Extremum::whenQuiet(const RuleView& view) noexcept {
+  if (view.air) return {{}, reason_};
   alarmed_ = false;
   started_ = false;
   if (!seek_) return FrequencyRule::whenQuiet(view);
   if (search_.state() == MinimumSearch::State::Idle) {
     if (searches_ >= kMostSearches) return FrequencyRule::whenQuiet(view);
     ++searches_;
-    const bool farther = view.reach.contains(settles_);
+    const bool farther = quietReach(view).contains(settles_);
     quietAt_ = farther ? view.present : Rpm();
     search_.start(farther ? settles_ : view.present, view.programmed);
   }
   const double level = view.vibration >= 0.0 ? view.vibration : view.level;
-  search_.advance({view.dt.value, level, view.present, view.reach, view.perturbation});
+  search_.advance({view.dt.value, level, view.present, quietReach(view), view.perturbation});
   if (search_.best().value > 0.0) quietAt_ = {};
   return searching(view);
 }

@@ -12,11 +12,15 @@
 // first to where the law would settle for the last frequency heard, because the edge of the pocket is no place to stay
 // (the speed that Delta f = 0 asks for changes with the frequency; near its end the law's own steps are slow). From
 // there it compares the vibration at neighbouring speeds, brackets the least, and ends at the vertex of the parabola
-// through the bracket; a speed at which chatter returns is left again and bounds the search. A fixed number of trials:
-// it does not hunt. The vibration itself, where it is known, as figure 12 compares it: H of a quiet cut is that of its
-// noise (11 to 90 within a second at one speed of the simulated ramp) and has its least where no chatter would come
-// first, not where the cut is quietest.
+// through the bracket; a speed at which chatter returns is left again and bounds the search, as does every other that
+// has chattered, and nothing is judged in air. A fixed number of trials: it does not hunt. The vibration itself, where
+// it is known, as figure 12 compares it: H of a quiet cut is that of its noise (11 to 90 within a second at one speed
+// of the simulated ramp) and has its least where no chatter would come first, not where the cut is quietest.
+// Thread: as Strategy.
 #pragma once
+
+#include <array>
+#include <cstddef>
 
 #include "core/control/frequency_rule.h"
 #include "core/control/minimum_search.h"
@@ -36,6 +40,7 @@ class Extremum : public FrequencyRule {
   Aim aim(const RuleView& view) noexcept override;
   Aim whenQuiet(const RuleView& view) noexcept override;
   void forget() noexcept override;
+  config::SpeedRange quietReach(const RuleView& view) const noexcept;
   bool searchGoesOn(const RuleView& view) noexcept;
   Aim law(const RuleView& view) noexcept;
   Aim searching(const RuleView& view) const noexcept;
@@ -48,6 +53,9 @@ class Extremum : public FrequencyRule {
   MinimumSearch search_;
 
   bool alarmed_ = false;
+  static constexpr std::size_t kHeard = 8;
+  std::array<Rpm, kHeard> heard_{};  // where alarms have begun, newest over oldest; 0: none
+  std::size_t alarms_ = 0;
   double alarmedFor_ = 0.0;  // [s] since the search was last told of chatter
   int searches_ = 0;
   bool started_ = false;  // the law has run in this episode

@@ -2,26 +2,14 @@
 
 #include <stdexcept>
 
+#include "core/control/machine_speed.h"
+
 namespace stillcut::control {
 namespace {
 
 // A frequency that jumps this share of the tooth-passing frequency is another member of the family, not noise:
 // averaging the two would aim between them.
 constexpr double kFamilyJump = 0.25;
-constexpr double kSpeedWordShare = 1e-3;
-
-Rpm presentSpeed(const MachineState& m) noexcept {
-  return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
-}
-
-bool positive(double v) noexcept {
-  return std::isfinite(v) && v > 0.0;
-}
-
-bool usable(const MachineState& m) noexcept {
-  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
-         positive(presentSpeed(m).value);
-}
 
 }  // namespace
 
@@ -53,8 +41,7 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
     hold.reason = {ReasonCode::VerdictNotUsable, {}};
     return hold;
   }
-  // Another S word is another cut: what was found for the old one says nothing.
-  if (std::abs((m.programmedSpeed - programmed_).value) > kSpeedWordShare * m.programmedSpeed.value) {
+  if (otherSpeedWord(m, programmed_)) {
     reset();
     programmed_ = m.programmedSpeed;
   }
@@ -100,6 +87,7 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   view.effect = m.link.effect;
   view.vibration = std::isfinite(input.vibration) ? input.vibration : -1.0;
   view.perturbation = std::isfinite(input.perturbation) ? input.perturbation : -1.0;
+  view.air = input.verdict.state == CutState::Air;
   view.reach = reachableSpeeds(limits_, m);
   return view;
 }

@@ -27,6 +27,7 @@ struct RuleView {
   Seconds effect{};            // from an order to the overrides in force; 0: unknown
   double vibration = -1.0;     // StrategyInput::vibration
   double perturbation = -1.0;  // StrategyInput::perturbation
+  bool air = false;            // no verdict on a cut
   config::SpeedRange reach;
 };
 

@@ -4,10 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/control/machine_speed.h"
+
 namespace stillcut::control {
 namespace {
 
-constexpr double kSpeedWordShare = 1e-3;
 constexpr double kLearnStable = 0.5;   // [s] of stable cut whose level is 1 V
 constexpr double kSteadyLevel = 0.25;  // two such stretches differ by less, or the cut is still coming in
 // Averaged spectra remember what was loud. While the level is below half of what they still hold, their coherence is
@@ -22,21 +23,16 @@ constexpr double kScalingExponent = 0.5, kScalingError = 0.5;  // alpha_E and ep
 constexpr double kLeastScaling = 0.5, kMostScaling = 2.0;
 constexpr int kLearnEvery = 6;
 
-bool positive(double v) noexcept {
-  return std::isfinite(v) && v > 0.0;
-}
-
-bool usable(const StrategyInput& in) noexcept {
+bool allUsable(const StrategyInput& in) noexcept {
   const MachineState& m = in.machine;
-  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
-         std::isfinite(m.programmedFeed.value) && std::isfinite(m.operatorFeed.value) && in.verdict.valid &&
-         isFinite(in.verdict.severity) && positive(in.dt.value);
+  return usable(m) && std::isfinite(m.programmedFeed.value) && std::isfinite(m.operatorFeed.value) &&
+         in.verdict.valid && isFinite(in.verdict.severity) && positive(in.dt.value);
 }
 
 }  // namespace
 
 StrategyInfo Fuzzy::describe() const {
-  return {"fuzzy", "Fuzzy speed and feed", "Xu 2003, section 3.3", true, true, "coherence"};
+  return {"fuzzy", "Fuzzy speed and feed", "Xu 2003, section 3.3", "coherence"};
 }
 
 void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
@@ -107,17 +103,16 @@ void Fuzzy::reset() noexcept {
 }
 
 OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
-  if (!usable(input)) {
+  if (!allUsable(input)) {
     OverrideRequest hold;
     hold.time = input.now;
     hold.kind = moved_ ? RequestKind::Hold : RequestKind::None;
     hold.reason = {ReasonCode::VerdictNotUsable, {}};
     return hold;
   }
-  const Rpm programmed = input.machine.programmedSpeed;
-  if (std::abs((programmed - programmed_).value) > kSpeedWordShare * programmed.value) {
+  if (otherSpeedWord(input.machine, programmed_)) {
     reset();
-    programmed_ = programmed;
+    programmed_ = input.machine.programmedSpeed;
   }
   gather(input);
   // A move whose effect has not come yet would be judged by the cut before it: a slow machine has a longer cycle.
@@ -271,7 +266,7 @@ OverrideRequest Fuzzy::answer(const StrategyInput& input) const noexcept {
 }
 
 StrategyInfo FuzzyLearning::describe() const {
-  return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", true, true, "coherence"};
+  return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", "coherence"};
 }
 
 void FuzzyLearning::reset() noexcept {
@@ -301,7 +296,7 @@ void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
 }
 
 StrategyInfo FuzzyDirect::describe() const {
-  return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", true, true, "coherence"};
+  return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", "coherence"};
 }
 
 double FuzzyDirect::tune(const FuzzyInputs& in) const noexcept {

@@ -24,7 +24,7 @@ config::ParamTable lobeCenterParams() {
 }
 
 StrategyInfo LobeCenter::describe() const {
-  return {"lobe-center", "Centre of the lobe", "van Dijk 2010, section 4.1", true, true};
+  return {"lobe-center", "Centre of the lobe", "van Dijk 2010, section 4.1"};
 }
 
 void LobeCenter::prepare(const CutSetup& setup, const config::ParamSet& params) {

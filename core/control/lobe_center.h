@@ -7,7 +7,7 @@
 // share the fraction of a wave, so all point the same way; but 60 (f_c + k f_tp) / ((p + k) Z) is a different speed for
 // each k, nearer to the present one the higher k is. The rule takes the dominant one as given, as the paper does. Where
 // the override does not reach the rule's target, the nearest neighbouring pocket that it reaches is taken; where there
-// is none, nothing is asked and the reason says so.
+// is none, nothing is asked and the reason says so. Thread: as Strategy.
 #pragma once
 
 #include "core/control/frequency_rule.h"

@@ -11,6 +11,7 @@ constexpr double kSettledShare = 0.3;  // of a step
 constexpr double kMostDrift = 0.25;    // between two trials: more is not believed
 // Times H at the best speed. H of a quiet cut scatters by eight within a second at one speed of the simulated ramp.
 constexpr double kNearChatter = 8.0;
+constexpr double kNextTo = 1.5;  // steps
 
 }  // namespace
 
@@ -55,7 +56,7 @@ Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
     earlyTime_ = dwelt_;
   }
   if (dwelt_ > 0.5 * dwell && nearChatter()) {
-    closeThisSide();
+    closeThisSide({});
   } else if (dwelt_ >= dwell) {
     judge({trying_, sum_ / dwelt_, perturbationSum_ / dwelt_, true});
   }
@@ -107,18 +108,26 @@ void MinimumSearch::next() STILLCUT_RT {
     }
   }
   state_ = State::Done;
-  trying_ = vertex();
+  trying_ = inside();
+}
+
+Rpm MinimumSearch::inside() const STILLCUT_RT {
+  const double apart = (best_.speed - chatter_).value;
+  const bool atLimit = chatter_.value > 0.0 && std::abs(apart) < kNextTo * options_.step * base_.value;
+  const Point& away = apart > 0.0 ? above_ : below_;
+  return atLimit && away.known ? away.speed : vertex();
 }
 
 bool MinimumSearch::chattered() STILLCUT_RT {
-  if (state_ != State::Idle && closeThisSide()) return true;
+  if (state_ != State::Idle && closeThisSide(trying_)) return true;
   forget();
   return false;
 }
 
 // A neighbour without a level: the bracket stays open on that side. False: it is the best speed itself.
-bool MinimumSearch::closeThisSide() STILLCUT_RT {
+bool MinimumSearch::closeThisSide(Rpm chatter) STILLCUT_RT {
   if (!best_.known || trying_ == best_.speed) return false;
+  if (chatter.value > 0.0) chatter_ = chatter;
   (trying_ > best_.speed ? closedAbove_ : closedBelow_) = true;
   next();
   return true;

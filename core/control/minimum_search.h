@@ -5,7 +5,8 @@
 // the level drifts while the speed stands is taken out of the comparison. Beginning chatter grows too, but at one speed
 // only: the smaller drift of two trials is the depth's. Least vibration may lie at the stability limit; where the
 // perturbation's gain H (van Dijk 2010 eq. 26) leaves its scatter of a quiet cut, the side is closed before it
-// chatters. Thread: worker, real-time.
+// chatters. Where a neighbour of the best speed has chattered, the search ends a step farther from it: the limit lies
+// between, and moves with the depth. Thread: worker, real-time.
 #pragma once
 
 #include "core/base/realtime.h"
@@ -59,10 +60,11 @@ class MinimumSearch {
   };
   double drift() STILLCUT_RT;
   bool nearChatter() const STILLCUT_RT;
-  bool closeThisSide() STILLCUT_RT;
+  bool closeThisSide(Rpm chatter) STILLCUT_RT;
   void judge(const Point& point) STILLCUT_RT;
   void next() STILLCUT_RT;
   Rpm vertex() const STILLCUT_RT;
+  Rpm inside() const STILLCUT_RT;
   void tryAt(Rpm speed) STILLCUT_RT;
 
   Options options_;
@@ -72,6 +74,7 @@ class MinimumSearch {
   Rpm trying_{};
   int way_ = -1;
   Point best_, below_, above_;
+  Rpm chatter_{};                                   // the last speed that closed its side by chatter; 0: none
   bool closedBelow_ = false, closedAbove_ = false;  // worse, chattering or out of reach on that side
   int trials_ = 0;
   double waited_ = 0.0;

@@ -3,7 +3,7 @@
 namespace stillcut::control {
 
 StrategyInfo Monitor::describe() const {
-  return {"monitor", "Monitoring only", "", false, false};
+  return {"monitor", "Monitoring only", ""};
 }
 
 void Monitor::prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) {}

@@ -1,5 +1,5 @@
 // monitor: watches and never asks for anything. What another strategy had put in force goes back to the programmed
-// values: this is also where a strategy that failed falls back to.
+// values: this is also where a strategy that failed falls back to. Thread: as Strategy.
 #pragma once
 
 #include "core/control/strategy.h"

@@ -44,7 +44,7 @@ QuarterTarget quarterPhaseSpeed(Hertz chatter, int teeth, Rpm present, double ph
 }
 
 StrategyInfo QuarterPhase::describe() const {
-  return {"quarter-phase", "Quarter wave between teeth", "Liao 1996, eq. 3", true, true};
+  return {"quarter-phase", "Quarter wave between teeth", "Liao 1996, eq. 3"};
 }
 
 void QuarterPhase::prepare(const CutSetup& setup, const config::ParamSet& params) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/control/machine_speed.h"
+
 namespace stillcut::control {
 namespace {
 
@@ -24,26 +26,12 @@ constexpr ParamDecl kPause = config::realParam("stable-pocket.pause", "Pause aft
                                                "So long nothing is tried again after no speed was quiet");
 constexpr const ParamDecl* kParams[] = {&kConfirm, &kConfirmAgain, &kSettle, &kMoves, &kForget, &kPause};
 
-constexpr double kSpeedWordShare = 1e-3;
 constexpr double kAtTarget = 0.01;  // the spindle is there
 // Chatter's torque moves the measured speed about by a few percent: more is a move. The mean of so long [s] counts.
 constexpr double kShaken = 0.05, kEvenTime = 0.2;
 constexpr double kSettleTurns = 15.0;  // on slow machines the ringing down takes turns, not milliseconds
 constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
 constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
-
-Rpm presentSpeed(const MachineState& m) noexcept {
-  return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
-}
-
-bool positive(double v) noexcept {
-  return std::isfinite(v) && v > 0.0;
-}
-
-bool usable(const MachineState& m) noexcept {
-  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
-         positive(presentSpeed(m).value);
-}
 
 bool near(Rpm a, Rpm b, double share) noexcept {
   return std::abs((a - b).value) <= share * b.value;
@@ -56,7 +44,7 @@ config::ParamTable stablePocketParams() {
 }
 
 StrategyInfo StablePocket::describe() const {
-  return {"stable-pocket", "Next stable pocket, checked", "van Dijk 2010, eq. 29 and 30; stability lobes", true, true};
+  return {"stable-pocket", "Next stable pocket, checked", "van Dijk 2010, eq. 29 and 30; stability lobes"};
 }
 
 void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params) {
@@ -110,8 +98,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
     if (v.valid || v.reason.code != ReasonCode::InputClipped) judge_.forget();
     return hold;
   }
-  // Another S word is another cut: what was found for the old one says nothing.
-  if (std::abs((m.programmedSpeed - programmed_).value) > kSpeedWordShare * m.programmedSpeed.value) {
+  if (otherSpeedWord(m, programmed_)) {
     reset();
     programmed_ = m.programmedSpeed;
   }

@@ -11,6 +11,7 @@
 //           of the lobes, never their scale); what was seen bounds it: less than where the chatter began
 // Ours are the waiting, the memory of speeds that chattered, the lobes and the resigning; the paper recomputes its
 // target while chatter is marked, which on a spindle that takes longer to move than the chatter to change hunts.
+// Thread: as Strategy.
 #pragma once
 
 #include "core/control/chatter_judge.h"

@@ -17,8 +17,6 @@ struct StrategyInfo {
   std::string_view id;      // "lobe-center"
   std::string_view label;   // "Centre of the lobe"
   std::string_view source;  // "van Dijk 2010, section 4.1"
-  bool drivesSpeed = false;
-  bool drivesFeed = false;
   // Id of the detector whose indicators it weighs besides the verdict in charge ("coherence"); it runs whenever the
   // strategy does. Empty: the verdict in charge is enough.
   std::string_view listensTo = {};
@@ -41,14 +39,18 @@ struct StrategyInput {
 class Strategy {
  public:
   virtual ~Strategy() = default;
+  // Who it is; the same before and after prepare(). Any thread.
   virtual StrategyInfo describe() const = 0;
+  // For one cut, before the first decide(), also again after a cut; not real-time. Throws std::runtime_error with one
+  // line for values that cannot be used with each other or with this cut.
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
-  // Real-time; an exception is taken as a fault and drops to monitoring. An unusable verdict or machine state gives
-  // Hold or None, never a Set.
   // New values of parameters that are not locked while running; its memory stays. A value that cannot be used with the
   // others leaves all as they were. Between blocks, real-time.
   virtual void retune(const config::ParamSet& /*params*/) noexcept {}
+  // One block's verdict gives one wish. Real-time; an exception is taken as a fault and drops to monitoring. An
+  // unusable verdict or machine state gives Hold or None, never a Set.
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
+  // As after prepare(): nothing known of the cut, nothing asked for. Real-time.
   virtual void reset() noexcept = 0;
   // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not
   // come back with the next grant. What was learned of the cut may stay. Real-time.

@@ -1,9 +1,9 @@
 #include "core/daq/axis_knock.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <span>
 #include <utility>
 
 namespace stillcut::daq {
@@ -15,6 +15,11 @@ constexpr double kQuiet = 0.1;     // s between two blows: the ringing of one be
 constexpr double kBlow = 100.0;    // of the usual power: 20 dB
 constexpr double kClear = 6.0;     // dB: twice the motion of any other axis
 constexpr const char* kWhere = "knock";
+constexpr const char* kOneKnock = "one knock along %1: '%2' heard most, %3 dB above the next";
+constexpr const char* kKnocks = "%4 knocks along %1: '%2' heard most, %3 dB above the next";
+constexpr const char* kRight = "it is right";
+constexpr const char* kExchanged = "'%1' and '%2' are exchanged";
+constexpr std::array kWords{kOneKnock, kKnocks, kRight, kExchanged};
 
 std::string number(double value) {
   char text[40];
@@ -102,14 +107,17 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
   return KnockHeard{told, energies[0].second, lead, static_cast<int>(blows.size())};
 }
 
-std::string knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
+std::vector<Phrase> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
   const ChannelInfo& told = channels[heard.told];
   const ChannelInfo& loudest = channels[heard.loudest];
-  const std::string most = std::to_string(heard.knocks) + (heard.knocks == 1 ? " knock" : " knocks") + " along " +
-                           told.axis + ": '" + loudest.name + "' heard most, " + number(heard.lead) +
-                           " dB above the next";
-  if (heard.loudest == heard.told) return most + ": it is right";
-  return most + ": '" + told.name + "' and '" + loudest.name + "' are exchanged";
+  Phrase most{heard.knocks == 1 ? kOneKnock : kKnocks, {told.axis, loudest.name, number(heard.lead)}};
+  if (heard.knocks != 1) most.values.push_back(std::to_string(heard.knocks));
+  if (heard.loudest == heard.told) return {most, {kRight, {}}};
+  return {most, {kExchanged, {told.name, loudest.name}}};
+}
+
+std::span<const char* const> knockWords() {
+  return kWords;
 }
 
 void applyKnocks(const KnockHeard& heard, std::vector<ChannelInfo>& channels) {

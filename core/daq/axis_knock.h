@@ -5,12 +5,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/model/channel.h"
+#include "core/model/phrase.h"
 
 namespace stillcut::daq {
 
@@ -27,8 +29,10 @@ struct KnockHeard {
 Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
                               const std::vector<ChannelInfo>& channels, std::size_t told);
 
-// "3 knocks along x: 'x' heard them most, 14.2 dB above the next: it is right".
-std::string knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels);
+// "4 knocks along x: 'x' heard most, 14.2 dB above the next; it is right".
+std::vector<Phrase> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels);
+// The forms of its phrases; for whoever translates them.
+std::span<const char* const> knockWords();
 
 // The axes of the two exchanged, where another channel than the told one was the loudest.
 void applyKnocks(const KnockHeard& heard, std::vector<ChannelInfo>& channels);

@@ -82,6 +82,10 @@ BinaryFrames::BinaryFrames(FrameFormat format)
       sampleBytes_(bytesOf(format_.sample)),
       buffer_(std::max<std::size_t>(kFramesHeld * size_, 4096)) {}
 
+std::uint64_t BinaryFrames::lossUnit() const noexcept {
+  return format_.counterBytes == 1 ? 256U * static_cast<unsigned>(format_.instants) : 1U;
+}
+
 void BinaryFrames::reset() noexcept {
   begin_ = end_ = 0;
   left_ = 0;
@@ -120,7 +124,7 @@ float BinaryFrames::sample(std::size_t at) const noexcept {
     case SampleKind::I16:
       return static_cast<float>(static_cast<std::int16_t>(raw));
     case SampleKind::I24:
-      return static_cast<float>(static_cast<std::int32_t>(raw << 8) / 256);
+      return static_cast<float>(static_cast<std::int32_t>(raw << 8) >> 8);
     case SampleKind::I32:
       return static_cast<float>(static_cast<std::int32_t>(raw));
     case SampleKind::F32:
@@ -130,16 +134,20 @@ float BinaryFrames::sample(std::size_t at) const noexcept {
   }
 }
 
-// A frame at begin_, whole and sound; what is before it is skipped.
+// A frame at begin_, whole and sound; what is before it is skipped. Without a checksum the next sync word has to tell
+// that no byte was lost inside.
 bool BinaryFrames::findFrame() noexcept {
   const std::string& sync = format_.sync;
-  while (end_ - begin_ >= size_) {
+  const std::size_t needed = size_ + (format_.checksum == Checksum::None ? sync.size() : 0);
+  while (end_ - begin_ >= needed) {
     const char* at = buffer_.data() + begin_;
-    if (std::memcmp(at, sync.data(), sync.size()) == 0) {
+    const bool followed = needed == size_ || std::memcmp(at + size_, sync.data(), sync.size()) == 0;
+    if (followed && std::memcmp(at, sync.data(), sync.size()) == 0) {
       const int sumBytes = checksumBytes(format_.checksum);
       const std::size_t sum = begin_ + size_ - static_cast<std::size_t>(sumBytes);
       const std::string_view covered(at + sync.size(), sum - begin_ - sync.size());
       if (whole(sum, sumBytes) == checksumOf(format_.checksum, covered)) {
+        if (searching_ && format_.counterBytes == 0) lost_ = kUnknown;
         searching_ = false;
         return true;
       }

@@ -2,9 +2,10 @@
 // every channel of the first instant, then of the second. Integers are handed on as they are; the channel's scale makes
 // SI of them.
 //
-// A frame whose checksum is wrong, or that is not followed by another, is no frame: the search for the sync word goes
-// on one byte after it, so that a sync word inside the samples costs nothing. Missing frames show in the counter.
-// Thread: driver; real-time after construction.
+// A frame whose checksum is wrong, or, where there is none, that is not followed by the next, is no frame: the search
+// for the sync word goes on one byte after it, so that a sync word inside the samples costs nothing. Missing frames
+// show in the counter; without one, what was searched through is a gap of unknown length. Thread: driver; real-time
+// after construction.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +42,8 @@ class BinaryFrames final : public StreamDecoder {
   std::size_t feed(std::string_view bytes) noexcept override;
   bool take(std::span<float> values, std::uint64_t& lost) noexcept override;
   void reset() noexcept override;
-  bool countsLosses() const noexcept override { return format_.counterBytes > 0; }
+  bool countsLosses() const noexcept override { return format_.counterBytes > 1; }
+  std::uint64_t lossUnit() const noexcept override;
   std::uint64_t damaged() const noexcept override { return damaged_; }
 
  private:

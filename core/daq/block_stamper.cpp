@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/device_doubt.h"
+
 namespace stillcut::daq {
 
-void BlockStamper::prepare(Hertz rate, int blockFrames, bool countsLosses) noexcept {
+void BlockStamper::prepare(Hertz rate, int blockFrames, bool countsLosses, std::uint64_t lossUnit) noexcept {
   rate_ = rate;
   blockFrames_ = blockFrames;
-  clock_.prepare(rate, blockFrames, countsLosses);
-  anew_ = started_ = false;
+  clock_.prepare(rate, blockFrames, countsLosses, lossUnit);
+  anew_ = doubtful_ = started_ = false;
   sequence_ = 0;
 }
 
@@ -22,24 +24,24 @@ void BlockStamper::begin(SampleBlock& block) const noexcept {
 
 void BlockStamper::finish(SampleBlock& block, Instant seen) noexcept {
   if (anew_) {
-    clock_.reset();
+    clock_.cut();
+  } else if (doubtful_) {
+    clock_.doubt();
   } else {
     clock_.skip(block.lostFrames);
   }
   block.firstSample = clock_.stamp(block.frames, seen);
-  if (!started_) {
-    block.lostFrames = 0;  // nothing was there before the first
-  } else if (anew_) {
+  block.lostFrames = clock_.lost();
+  if (anew_ && started_) {
     const double missing = secondsBetween(ended_, block.firstSample).value * rate_.value;
     block.lostFrames = static_cast<std::uint64_t>(std::llround(std::max(0.0, missing)));
-  } else {
-    block.lostFrames += clock_.lost();
   }
-  if (block.lostFrames > 0 || (anew_ && started_)) block.flags |= kBlockGap;
+  if (block.lostFrames > 0 || clock_.jumped()) block.flags |= kBlockGap;
+  if (!clock_.settled()) block.flags |= kBlockUnchecked;
   sequence_ += block.lostFrames / static_cast<std::uint64_t>(blockFrames_);
   block.sequence = sequence_++;
   started_ = true;
-  anew_ = false;
+  anew_ = doubtful_ = false;
   ended_ = block.end();
 }
 

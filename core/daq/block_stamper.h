@@ -9,10 +9,12 @@ namespace stillcut::daq {
 
 class BlockStamper {
  public:
-  // countsLosses: the device tells what it has lost; else time has to show it.
-  void prepare(Hertz rate, int blockFrames, bool countsLosses) noexcept;
+  // countsLosses: the device tells what it has lost; else time has to show it. lossUnit: as SampleClock says.
+  void prepare(Hertz rate, int blockFrames, bool countsLosses, std::uint64_t lossUnit = 1) noexcept;
   // The stream was cut before the next block: how much is missing, the clock says.
   void anew() noexcept { anew_ = true; }
+  // Samples may be missing before the next block, and nothing tells how many.
+  void doubt() noexcept { doubtful_ = true; }
   // An empty block, to be filled.
   void begin(SampleBlock& block) const noexcept;
   // A filled block whose last frame was taken, or seen, at `seen`. lostFrames: what the device itself has told.
@@ -22,7 +24,7 @@ class BlockStamper {
   Hertz rate_{};
   int blockFrames_ = 1;
   SampleClock clock_;
-  bool anew_ = false;
+  bool anew_ = false, doubtful_ = false;
   bool started_ = false;
   Instant ended_{};
   std::uint64_t sequence_ = 0;

@@ -113,14 +113,17 @@ float ClockAligner::value(int c, Instant time) const noexcept {
   const float* samples = samples_.data() + static_cast<std::int64_t>(c) * history_;
   const auto& table = kernel();
   double sum = 0.0;
+  double taps = 0.0;
   for (std::int64_t k = std::max(from, begin_); k <= std::min(to, end_ - 1); ++k) {
     const double u = std::abs(at - static_cast<double>(k)) / width_ * kSteps;
     const auto i = static_cast<std::size_t>(u);
     const double part = u - static_cast<double>(i);
     const double tap = (1.0 - part) * static_cast<double>(table[i]) + part * static_cast<double>(table[i + 1]);
     sum += tap * static_cast<double>(samples[k % history_]);
+    taps += tap;
   }
-  return static_cast<float>(cut_ * sum);
+  // Over their own sum: what stands still comes out as it is, bit by bit, and is seen to be dead.
+  return static_cast<float>(taps > 0.0 ? sum / taps : 0.0);
 }
 
 Seconds ClockAligner::residual() const noexcept {

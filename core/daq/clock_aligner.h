@@ -28,7 +28,8 @@ class ClockAligner {
   float value(int c, Instant time) const noexcept;
 
   // How well the straight line through the stamps holds: root mean square of what a stamp is off from where the one
-  // before had put it, over some seconds. It bounds how far the two devices may be apart.
+  // before had put it, over some seconds. So far the two devices may wander apart; by which constant their transports
+  // differ does not show in it.
   Seconds residual() const noexcept;
   // As the stamps have it.
   Hertz rate() const noexcept { return Hertz(period_ > 0.0 ? 1.0 / period_ : 0.0); }

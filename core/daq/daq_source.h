@@ -21,7 +21,7 @@ struct SourceFormat {
 // How a device that was joined to another runs against this computer's clock.
 struct AlignedClock {
   Hertz rate{};        // as its stamps have it
-  Seconds residual{};  // root mean square of what is left of them beside a straight line
+  Seconds residual{};  // root mean square of them beside a straight line; a constant lag is not in it
   int channels = 0;    // that are its
 };
 
@@ -40,6 +40,8 @@ class DaqSource {
   virtual void stop() noexcept = 0;
   // After read() returned false: empty for a plain end, else one line.
   virtual std::string fault() const = 0;
+  // Any thread, while it is read: one line that says why nothing comes, for as long as nothing does; else empty.
+  virtual std::string trouble() const { return {}; }
   // True: a device measuring the machine as it is now. A source that does not say so drives simulated machines only.
   virtual bool live() const { return false; }
   // Any thread, while it is read: the devices beside the first, where several are joined.

@@ -5,9 +5,15 @@
 #include <thread>
 #include <utility>
 
+#include "core/dsp/clip_watch.h"
+#include "core/dsp/rate_watch.h"
+#include "core/dsp/repeat_watch.h"
+#include "core/model/device_doubt.h"
+
 namespace stillcut::daq {
 namespace {
 
+constexpr double kStretch = 0.1;                            // s of a look for repeated values
 constexpr double kHeld = 2.0;                               // s of each device
 constexpr auto kPatience = std::chrono::milliseconds(250);  // so old a block may become before it is given up
 constexpr auto kNap = std::chrono::milliseconds(1);
@@ -21,6 +27,11 @@ struct JoinedSource::Follower {
     ring = std::make_unique<rt::SpscRing<SampleBlock>>(
         blocks, [&](SampleBlock& slot) { slot.allocate(channels, format.blockFrames); });
     spare.allocate(channels, format.blockFrames);
+    clips.resize(format.channels.size());
+    repeats.resize(format.channels.size());
+    for (const ChannelInfo& c : format.channels) holds.push_back(c.quantity == SensorQuantity::SpindleSpeed);
+    rates.prepare(format.rate);
+    stretch = static_cast<int>(kStretch * format.rate.value);
     aligner.prepare(format.rate, to, channels, static_cast<int>(kHeld * format.rate.value));
   }
   // Its own thread.
@@ -30,6 +41,7 @@ struct JoinedSource::Follower {
       SampleBlock* slot = ring->reserve();
       SampleBlock& into = slot != nullptr ? *slot : spare;
       if (!device.read(into)) break;
+      judge(into);
       if (slot == nullptr) {
         lost = true;
         continue;
@@ -40,19 +52,58 @@ struct JoinedSource::Follower {
     }
     ended.store(true, std::memory_order_release);
   }
+  // What cannot be seen any more once it is interpolated, or is brought to another's rate.
+  void judge(SampleBlock& block) noexcept {
+    rates.push(block);
+    looked += block.frames;
+    int other = rates.wrong() ? 0 : -1;
+    for (std::size_t c = 0; c < clips.size(); ++c) {
+      const std::span<const float> samples = block.channel(static_cast<int>(c));
+      if (clips[c].see(samples)) block.flags |= kBlockClipped;
+      for (const float v : samples) repeats[c].see(v);
+      if (looked >= stretch) repeats[c].judge();
+      if (other < 0 && repeats[c].repeats() && !holds[c]) other = static_cast<int>(c);
+    }
+    if (looked >= stretch) looked = 0;
+    if (rates.pending() > 0.0) block.flags |= kBlockUnchecked;
+    if (other >= 0) block.flags |= otherRateOf(other);
+  }
   // The reader's thread.
   void collect() noexcept {
     while (SampleBlock* block = ring->front()) {
       aligner.push(*block);
+      unchecked = block->has(kBlockUnchecked);
+      otherRate = block->has(kBlockOtherRate) ? otherRateChannel(*block) : -1;
+      if (block->has(kBlockClipped)) {
+        if (!clipped) clippedFrom = block->firstSample;
+        clipped = true;
+        clippedTo = block->end();
+      }
       ring->pop();
     }
     residual_s.store(aligner.residual().value, std::memory_order_relaxed);
     rate_Hz.store(aligner.rate().value, std::memory_order_relaxed);
   }
 
+  // Something between these two was at its limit. In what is asked for only once.
+  bool takeClipped(Instant from, Instant to) noexcept {
+    const bool within = clipped && clippedFrom < to && clippedTo > from;
+    if (clippedTo <= to) clipped = false;
+    return within;
+  }
+
   DaqSource& device;
   Duration delay;
   int channels;
+  std::vector<dsp::ClipWatch> clips;
+  std::vector<dsp::RepeatWatch> repeats;
+  std::vector<bool> holds;  // a speed is told now and then
+  dsp::RateWatch rates;
+  int stretch = 0, looked = 0;  // frames in which repeats are counted
+  bool clipped = false;
+  bool unchecked = false;  // its newest block
+  int otherRate = -1;      // ... and which of its channels
+  Instant clippedFrom{}, clippedTo{};
   std::unique_ptr<rt::SpscRing<SampleBlock>> ring;
   SampleBlock spare;
   ClockAligner aligner;
@@ -89,8 +140,9 @@ Result<SourceFormat> JoinedSource::open() {
 void JoinedSource::start() {
   started_ = true;
   for (auto& follower : followers_) {
-    follower->thread = std::make_unique<rt::RealtimeThread>(
-        rt::ThreadRequest{"device"}, [f = follower.get()](const std::stop_token& stop) { f->run(stop); });
+    follower->thread =
+        std::make_unique<rt::RealtimeThread>(rt::ThreadRequest{.name = "device", .scheduling = rt::Scheduling::Fifo},
+                                             [f = follower.get()](const std::stop_token& stop) { f->run(stop); });
   }
 }
 
@@ -136,6 +188,9 @@ bool JoinedSource::read(SampleBlock& block) noexcept {
     int channel = ownChannels_;
     const double step = 1.0 / own_.rate.value;
     for (auto& f : followers_) {
+      if (f->takeClipped(from, to)) block.flags |= kBlockClipped;
+      if (f->unchecked) block.flags |= kBlockUnchecked;
+      if (f->otherRate >= 0 && !block.has(kBlockOtherRate)) block.flags |= otherRateOf(channel + f->otherRate);
       for (int c = 0; c < f->channels; ++c, ++channel) {
         const std::span<float> out = block.channel(channel);
         for (std::size_t i = 0; i < out.size(); ++i) {
@@ -156,6 +211,13 @@ void JoinedSource::stop() noexcept {
 std::string JoinedSource::fault() const {
   for (const JoinedPart& part : parts_) {
     if (std::string fault = part.device->fault(); !fault.empty()) return fault;
+  }
+  return {};
+}
+
+std::string JoinedSource::trouble() const {
+  for (const JoinedPart& part : parts_) {
+    if (std::string trouble = part.device->trouble(); !trouble.empty()) return trouble;
   }
   return {};
 }

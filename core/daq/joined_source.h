@@ -34,6 +34,7 @@ class JoinedSource final : public DaqSource {
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override;
   std::string fault() const override;
+  std::string trouble() const override;
   bool live() const override;
   std::vector<AlignedClock> clocks() const override;
 

@@ -46,7 +46,7 @@ class PcmDriver {
   virtual bool recover() noexcept = 0;
   // It says kPcmOverrun when it has lost samples; else time has to show it.
   virtual bool countsLosses() const noexcept = 0;
-  virtual void close() noexcept = 0;
+  virtual void close() noexcept = 0;  // safe when not open; open() may follow
 };
 
 struct PcmDevice {

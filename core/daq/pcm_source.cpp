@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <limits>
 #include <thread>
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace stillcut::daq {
 namespace {
 
 constexpr auto kRetry = std::chrono::milliseconds(500);
+constexpr auto kSilence = std::chrono::seconds(2);  // a stream that says nothing for so long has ended
 constexpr auto kNap = std::chrono::milliseconds(20);
 
 // Little-endian, as every format that the driver asks for.
@@ -51,17 +53,29 @@ Result<SourceFormat> PcmSource::open() {
   return format;
 }
 
+std::string PcmSource::trouble() const {
+  const std::lock_guard lock(saying_);
+  return trouble_;
+}
+
+void PcmSource::say(const std::string& trouble) {
+  const std::lock_guard lock(saying_);
+  trouble_ = trouble;
+}
+
 // Unplugged: until it is back as it was, or stop().
 bool PcmSource::reopen() noexcept {
   driver_->close();
   streaming_ = false;
-  Instant next = clock_.now();
   while (!stopped_.load(std::memory_order_relaxed)) {
-    if (clock_.now() >= next) {
-      next = clock_.now() + kRetry;
+    if (clock_.now() >= nextOpen_) {
+      nextOpen_ = clock_.now() + kRetry;
       try {
         const auto opened = driver_->open(request_);
         streaming_ = opened && opened->channels == format_.channels && opened->sampleBytes == format_.sampleBytes;
+        say(streaming_ ? std::string()
+            : opened   ? name_ + ": is not the device that it was"
+                       : Error{name_ + " " + opened.error().where, opened.error().what, opened.error().why}.line());
       } catch (...) {
         streaming_ = false;
       }
@@ -76,15 +90,22 @@ bool PcmSource::reopen() noexcept {
   return false;
 }
 
+// The largest whole number of 24 bits, or of fewer that are in use, is the converter's limit. The least one is, but
+// where a device may rest there: one that knows its range may begin it at zero.
 void PcmSource::unpack(SampleBlock& block, int frames) const noexcept {
   const auto bytes = static_cast<std::size_t>(format_.sampleBytes);
   const std::size_t stride = bytes * static_cast<std::size_t>(format_.channels);
   const int unused = 32 - format_.bits;  // to the top, where the sign is
+  constexpr auto kLeast = std::numeric_limits<std::int32_t>::min();
+  const int below = std::max(8, unused);
+  const auto most = static_cast<std::int32_t>(0x7FFFFFFFU >> below << below);
+  const bool least = format_.siOfFullScale.empty();
   for (std::size_t c = 0; c < inputs_.size(); ++c) {
     float* out = &block.channel(static_cast<int>(c)).data()[block.frames];
     const unsigned char* at = raw_.data() + static_cast<std::size_t>(inputs_[c]) * bytes;
     for (int f = 0; f < frames; ++f, at += stride) {
       const auto top = static_cast<std::int32_t>(static_cast<std::uint32_t>(whole(at, format_.sampleBytes)) << unused);
+      if (top >= most || (least && top == kLeast)) block.flags |= kBlockClipped;
       out[f] = static_cast<float>(static_cast<double>(top) / 2147483648.0);
     }
   }
@@ -93,9 +114,12 @@ void PcmSource::unpack(SampleBlock& block, int frames) const noexcept {
 bool PcmSource::read(SampleBlock& block) noexcept {
   stamper_.begin(block);
   Instant taken{};
+  Instant heard = clock_.now();
   while (!stopped_.load(std::memory_order_relaxed)) {
-    const int got = driver_->read(raw_.data(), blockFrames_ - block.frames, taken);
+    int got = driver_->read(raw_.data(), blockFrames_ - block.frames, taken);
+    if (got == 0 && clock_.now() - heard > kSilence) got = kPcmGone;
     if (got > 0) {
+      heard = clock_.now();
       unpack(block, got);
       block.frames += got;
       if (block.frames < blockFrames_) continue;
@@ -108,6 +132,7 @@ bool PcmSource::read(SampleBlock& block) noexcept {
     if (part) stamper_.finish(block, taken);
     stamper_.anew();
     if ((got != kPcmOverrun || !driver_->recover()) && !reopen()) return part;
+    heard = clock_.now();
     if (part) return true;
   }
   return false;

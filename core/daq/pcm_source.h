@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,12 @@ class PcmSource final : public DaqSource {
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   std::string fault() const override { return fault_; }
+  std::string trouble() const override;
   bool live() const override { return true; }
 
  private:
   bool reopen() noexcept;
+  void say(const std::string& trouble);
   void unpack(SampleBlock& block, int frames) const noexcept;
 
   std::string name_;
@@ -43,7 +46,10 @@ class PcmSource final : public DaqSource {
   BlockStamper stamper_;
   std::vector<unsigned char> raw_;
   bool streaming_ = false;
+  Instant nextOpen_{};  // not before: a device that opens and delivers nothing is not asked in a tight loop
   std::string fault_;
+  mutable std::mutex saying_;  // while the device is away
+  std::string trouble_;
   std::atomic<bool> stopped_{false};
 };
 

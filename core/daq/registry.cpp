@@ -10,9 +10,11 @@
 #include "core/config/part_settings.h"
 #include "core/daq/joined_parts.h"
 #include "core/daq/pcm_source.h"
+#include "core/daq/replay_source.h"
 #include "core/daq/stream_decoder.h"
 #include "core/daq/stream_source.h"
 #include "core/model/sensor_status.h"
+#include "core/record/open_recording.h"
 
 namespace stillcut::daq {
 
@@ -21,6 +23,23 @@ namespace {
 Result<std::unique_ptr<DaqSource>> makeSimulated(const SourceRequest& r) {
   if (r.scenario == nullptr) return Error{"source 'simulated'", "a scenario is needed", ""};
   return std::unique_ptr<DaqSource>(std::make_unique<SimulatedSource>(*r.scenario, r.seed, r.port, r.pace));
+}
+
+// The recording's samples alone, with its own rate and channels: the machine of then is not this profile's.
+Result<std::unique_ptr<DaqSource>> makeReplay(const SourceRequest& r) {
+  const std::string where = "source 'replay'";
+  config::PartSettings settings(r.settings, where, r.asked);
+  const std::string file = settings.text("file", "");
+  if (file.empty()) settings.fault("file", "is missing", "a session, or a recording of any kind that is imported");
+  ReplayOptions options;
+  options.pace = settings.number("pace", 1.0, 0.1, 1000.0);  // times real time
+  options.clock = r.clock;
+  record::ReadOptions reading;
+  if (settings.has("rate_hz")) reading.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
+  if (Status known = settings.finish(); !known) return known.error();
+  auto reader = record::openRecording(file, reading);
+  if (!reader) return reader.error();
+  return std::unique_ptr<DaqSource>(std::make_unique<ReplaySource>(std::move(reader).value(), options));
 }
 
 Status realChannels(const SourceRequest& r, const std::string& where) {
@@ -145,8 +164,10 @@ Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
                  "libcomedi-dev");
 }
 
-constexpr std::array<SourceEntry, 7> kSources{{
+constexpr std::array<SourceEntry, 8> kSources{{
     {"simulated", "A simulated cut from a scenario file, in real time or as fast as possible", makeSimulated},
+    {"replay", "A recording, in real time or at another pace: file, pace, rate_hz where the file does not say",
+     makeReplay},
     {"alsa",
      "Audio-class: measurement microphones, USB accelerometers, IEPE conditioners: device, rate_hz, bits, inputs",
      makeAlsa},

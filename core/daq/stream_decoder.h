@@ -26,8 +26,10 @@ class StreamDecoder {
   virtual bool take(std::span<float> values, std::uint64_t& lost) noexcept = 0;
   // The line was cut: what is half there is dropped, and counters begin anew.
   virtual void reset() noexcept = 0;
-  // The stream has a counter: what is missing shows in it.
+  // The stream has a counter: what is missing shows in it, however much it is.
   virtual bool countsLosses() const noexcept = 0;
+  // A counter of few bits shows what is missing but for multiples of so many instants; 1: there is no such counter.
+  virtual std::uint64_t lossUnit() const noexcept { return 1; }
   // Frames or lines that were damaged, since the start.
   virtual std::uint64_t damaged() const noexcept = 0;
 };

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/daq/device_words.h"
+
 namespace stillcut::daq {
 namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
-constexpr Duration kSilence = std::chrono::seconds(2);  // a device that streams is never silent for so long
-constexpr Duration kOpenTime = std::chrono::seconds(3);
+constexpr Duration kSilence = std::chrono::seconds(2);   // a device that streams is never silent for so long
+constexpr Duration kBoot = std::chrono::seconds(6);      // ... but when it starts first
+constexpr Duration kOpenTime = std::chrono::seconds(3);  // of a wire, and from its first byte to the first sample
 constexpr Duration kWait = std::chrono::milliseconds(20);
 
 }  // namespace
@@ -21,35 +24,41 @@ StreamSource::StreamSource(std::string name, SourceFormat format, std::unique_pt
       decoder_(std::move(decoder)),
       clock_(clock),
       values_(format_.channels.size()) {
-  stamper_.prepare(format_.rate, format_.blockFrames, decoder_->countsLosses());
+  if (!decoder_->countsLosses() && decoder_->lossUnit() == 1) format_.doubt = kUncounted;
+  stamper_.prepare(format_.rate, format_.blockFrames, decoder_->countsLosses(), decoder_->lossUnit());
 }
 
 Result<SourceFormat> StreamSource::open() {
-  const Instant began = clock_.now();
+  Instant since = clock_.now();
   bool linked = false;
+  bool spoken = false;
   std::uint64_t lost = 0;
-  nextTry_ = began;
+  nextTry_ = since;
   while (true) {
     listen();
+    if (linked_ && (!linked || (spoken_ && !spoken))) since = clock_.now();
     linked = linked || linked_;
+    spoken = spoken || spoken_;
     if (decoder_->take(values_, lost)) break;
-    if (stopped_.load(std::memory_order_relaxed) || clock_.now() - began > kOpenTime) {
+    if (stopped_.load(std::memory_order_relaxed) || clock_.now() - since > (linked && !spoken ? kBoot : kOpenTime)) {
       const std::string wire = name_ + " at " + std::string(wire_->address());
       wire_->close();
-      if (!linked) return Error{wire, "cannot be opened", "is it there, and free?"};
-      if (bytes_ == 0) return Error{wire, "nothing is sent", "does the device stream?"};
-      return Error{wire,
-                   std::to_string(bytes_) + " bytes came and no sample of " + std::to_string(format_.channels.size()) +
-                       " channels is in them",
-                   "are format, sync, sample, checksum, baud and the number of channels those of the sender?"};
+      if (!linked) return Error{wire, kNotOpened, kIsItFree};
+      if (bytes_ == 0) return Error{wire, kNothingSent, kDoesItStream};
+      return Error{wire, kNoSampleInIt, kSameFrames};
     }
   }
-  wire_->close();  // taken up again by the thread that reads from now on
-  linked_ = false;
-  nextTry_ = clock_.now();
+  wire_->handOver();
+  return format_;
+}
+
+// What has come between open() and the first read() is old, and how old is not known.
+void StreamSource::drain() noexcept {
+  while (wire_->read(chunk_) == chunk_.size() && !stopped_.load(std::memory_order_relaxed)) {
+  }
   decoder_->reset();
   chunkBegin_ = chunkEnd_ = 0;
-  return format_;
+  heard_ = clock_.now();
 }
 
 // Bytes to the decoder, and the wire taken up where it is down. Waits a little when there are none.
@@ -64,17 +73,19 @@ void StreamSource::listen() noexcept {
       return;
     }
     heard_ = clock_.now();
+    spoken_ = true;
   }
   chunkBegin_ += decoder_->feed({chunk_.data() + chunkBegin_, chunkEnd_ - chunkBegin_});
 }
 
 void StreamSource::mind() noexcept {
   const Instant now = clock_.now();
-  if (linked_ && now - heard_ > kSilence) wire_->close();
+  if (linked_ && now - heard_ > (spoken_ ? kSilence : kBoot)) wire_->close();
   WireState state = wire_->state();
   if (state == WireState::Closed) {
     if (linked_) {
       linked_ = false;
+      away_.store(true, std::memory_order_relaxed);
       anew_ = true;
       decoder_->reset();
       chunkBegin_ = chunkEnd_ = 0;
@@ -87,8 +98,15 @@ void StreamSource::mind() noexcept {
   }
   if (state == WireState::Open && !linked_) {
     linked_ = true;
+    away_.store(false, std::memory_order_relaxed);
+    spoken_ = false;
     heard_ = now;
   }
+}
+
+std::string StreamSource::trouble() const {
+  if (!away_.load(std::memory_order_relaxed)) return {};
+  return name_ + " at " + std::string(wire_->address()) + ": nothing comes any more, the wire is taken up again";
 }
 
 // True: the block is complete, or has to end because samples are missing after it.
@@ -102,8 +120,10 @@ bool StreamSource::collect(SampleBlock& block) noexcept {
     }
     if (pendingLost_ > 0 || anew_) {
       if (block.frames > 0) return true;
-      if (anew_ || pendingLost_ == StreamDecoder::kUnknown) {
+      if (anew_) {
         stamper_.anew();
+      } else if (pendingLost_ == StreamDecoder::kUnknown) {
+        stamper_.doubt();
       } else {
         block.lostFrames = pendingLost_;
       }
@@ -120,6 +140,7 @@ bool StreamSource::collect(SampleBlock& block) noexcept {
 }
 
 bool StreamSource::read(SampleBlock& block) noexcept {
+  if (!std::exchange(drained_, true)) drain();
   stamper_.begin(block);
   while (!stopped_.load(std::memory_order_relaxed)) {
     if (collect(block)) {

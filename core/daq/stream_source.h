@@ -23,15 +23,18 @@ class StreamSource final : public DaqSource {
   StreamSource(std::string name, SourceFormat format, std::unique_ptr<ByteChannel> wire,
                std::unique_ptr<StreamDecoder> decoder, const Clock& clock);
 
-  // Waits up to three seconds for the first sample, so that a wrong address, rate or frame is told at once.
+  // Waits up to three seconds for the wire, six for its first byte (many boards start anew when a port is opened) and
+  // three from there for the first sample, so that a wrong address, rate or frame is told at once. The wire stays open.
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
   std::string fault() const override { return {}; }
+  std::string trouble() const override;
   bool live() const override { return true; }
 
  private:
   bool collect(SampleBlock& block) noexcept;
+  void drain() noexcept;
   void listen() noexcept;
   void mind() noexcept;
 
@@ -51,6 +54,9 @@ class StreamSource final : public DaqSource {
   Instant heard_{};    // the last byte
   Instant nextTry_{};
   bool linked_ = false;
+  std::atomic<bool> away_{false};  // the wire was cut and is not back
+  bool spoken_ = false;            // a byte has come since it was linked
+  bool drained_ = false;           // what had come before the first read() is gone
   std::uint64_t bytes_ = 0;
 };
 

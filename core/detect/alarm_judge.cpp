@@ -8,6 +8,7 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kHysteresis = 0.5;
+constexpr double kFalling = 0.8;      // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kSdMemory = 0.25;    // of the newest jump in the doubt
 constexpr double kFlipOffset = 0.02;  // tooth orders from the middle
 
@@ -24,10 +25,11 @@ void AlarmJudge::reset() noexcept {
   frequency_ = {};
 }
 
-void AlarmJudge::judge(const Evidence& evidence, CutPhase phase, Seconds step) noexcept {
+void AlarmJudge::judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step) noexcept {
   severity_ = evidence.severity;
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  const bool stands = alarming() ? evidence.lasts : evidence.begins && phase == CutPhase::Steady;
+  const bool judged = steady(block) && block.levelTrend > kFalling;
+  const bool stands = alarming() ? evidence.lasts : evidence.begins && judged;
   state_ = !stands ? CutState::Stable : high ? CutState::Chatter : CutState::Onset;
   if (alarming()) {
     sinceOnset_ += step.value;

@@ -2,7 +2,8 @@
 // learned floor: air, stable, onset, chatter with hysteresis, time and feed since onset, kind.
 //
 // An alarm begins in the steady cut alone (entry, exit and run-up are not judged; an alarm that stands is kept through
-// them while its evidence lasts) and ends when the method says that nothing of it is left.
+// them while its evidence lasts), not where the vibration falls or the speed changes, and ends when the method says
+// that nothing of it is left.
 // Thread: worker; real-time.
 #pragma once
 
@@ -25,7 +26,7 @@ class AlarmJudge {
   void setChatterRatio(double ratio) noexcept { chatterRatio_ = ratio; }
   void reset() noexcept;
 
-  void judge(const Evidence& evidence, CutPhase phase, Seconds step) noexcept;
+  void judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step) noexcept;
   // Once per block: leaves the cut in air, adds up the feed. True when the cut was left: forget what belongs to it.
   bool endBlock(const ConditionedBlock& block) noexcept;
   // A frequency of this step; the spread of successive ones is its doubt. resolution: of the method [Hz].
@@ -35,6 +36,14 @@ class AlarmJudge {
   bool alarming() const noexcept { return state_ == CutState::Onset || state_ == CutState::Chatter; }
   // May a floor be learned from this step?
   bool calm() const noexcept { return state_ == CutState::Stable; }
+  // The machine says that its speed changes, faster than turns compare. Where only the vibration looks like it, that
+  // may be chatter.
+  static bool speedChanges(const ConditionedBlock& block) noexcept { return block.speedMoving && !block.turnsCompare; }
+  static bool steady(const ConditionedBlock& block) noexcept {
+    return block.phase == CutPhase::Steady && !speedChanges(block);
+  }
+  // What was learned before is no floor any more: the speed changes, and nobody alarms.
+  bool outdated(const ConditionedBlock& block) const noexcept { return speedChanges(block) && !alarming(); }
   Hertz frequency() const noexcept { return frequency_; }
 
   // Everything but reason and indicators. An invalid block gives an invalid verdict with the block's reason.

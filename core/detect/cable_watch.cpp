@@ -1,5 +1,11 @@
 #include "core/detect/cable_watch.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/detect/abrupt_end.h"
+#include "core/detect/input_check.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -14,14 +20,23 @@ constexpr double kSeconds = 0.5;
 
 void CableWatch::prepare(const CutSetup& setup) {
   channels_.assign(setup.channels.size(), {});
-  for (std::size_t c = 0; c < channels_.size(); ++c) channels_[c].quantity = setup.channels[c].quantity;
+  hop_ = static_cast<int>(std::lround(1e-3 * setup.rate.value));
+  for (std::size_t c = 0; c < channels_.size(); ++c) {
+    const SensorQuantity quantity = setup.channels[c].quantity;
+    const auto same = [quantity](const ChannelInfo& other) { return other.quantity == quantity; };
+    channels_[c].quantity = quantity;
+    channels_[c].alone =
+        changesOnly(quantity) && std::count_if(setup.channels.begin(), setup.channels.end(), same) == 1;
+  }
 }
 
 void CableWatch::reset() noexcept {
   for (Channel& c : channels_) {
     const SensorQuantity quantity = c.quantity;
+    const bool alone = c.alone;
     c = {};
     c.quantity = quantity;
+    c.alone = alone;
   }
 }
 
@@ -37,7 +52,8 @@ bool CableWatch::anotherGoesOn(std::size_t channel, const CutGate& gate) const n
   return false;
 }
 
-void CableWatch::look(int channel, double meanSquare, double perSecond, const CutGate& gate) noexcept {
+void CableWatch::look(int channel, std::span<const double> window, std::span<const double> windowBefore,
+                      double meanSquare, double perSecond, const CutGate& gate) noexcept {
   const auto i = static_cast<std::size_t>(channel);
   Channel& c = channels_[i];
   c.latest = meanSquare;
@@ -48,7 +64,7 @@ void CableWatch::look(int channel, double meanSquare, double perSecond, const Cu
     } else if (meanSquare < kReturned * c.before && c.windows < kSeconds * perSecond) {
       return;  // not yet decided
     } else {
-      c.broken = meanSquare < kReturned * c.before && anotherGoesOn(i, gate);
+      c.broken = meanSquare < kReturned * c.before && (c.cutOff || anotherGoesOn(i, gate));
     }
     if (c.broken) return;
     c.left = 0.0;
@@ -59,6 +75,7 @@ void CableWatch::look(int channel, double meanSquare, double perSecond, const Cu
     c.left = meanSquare;
     c.before = c.level;
     c.windows = 0;
+    c.cutOff = c.alone && c.level > kAboveAir * gate.airFloor(channel) && endsAbruptly(windowBefore, window, hop_);
     for (std::size_t o = 0; o < channels_.size(); ++o) c.beside[o] = channels_[o].level;
     return;
   }

@@ -182,7 +182,8 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
   if (!(turns > 0.0) || !turns_.ready() || !ring_.full()) return;
   mask_.update(block.spindle, Hertz(), kMaskBins, Hertz(kUsableBand * rate_));
   transform();
-  settledSeconds_ = block.phase == CutPhase::Steady ? settledSeconds_ + seconds : 0.0;
+  settledSeconds_ = AlarmJudge::steady(block) ? settledSeconds_ + seconds : 0.0;
+  if (judge_.outdated(block)) onset_.reset();
   const bool settled = settledSeconds_ * rate_ > static_cast<double>(ring_.window());
   const double changed = energy_ > 0.0 ? changedEnergy_ / energy_ : 0.0;
   if (settled) onset_.update(changed * changed, turns, judge_.calm());
@@ -193,7 +194,7 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
   const bool entry = energyRef_ <= 0.0 && settled && fromEntry(part, turns);
   const bool lasts = (grown || part >= 0.5 * chatterRatio_) && peak_.purity >= kLostPurity;
   const bool before = judge_.alarming();
-  judge_.judge({(grown && coherent) || entry, lasts, part}, block.phase, Seconds(seconds));
+  judge_.judge({(grown && coherent) || entry, lasts, part}, block, Seconds(seconds));
   if (!before && judge_.alarming() && warned_) lead_ = warnedSeconds_;
   judge_.follow(peak_.frequency, Hertz(0.25 * spectrum_.binWidth()));
 }

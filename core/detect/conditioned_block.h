@@ -1,5 +1,5 @@
 // ConditionedBlock: what the conditioner hands to every detector. Views into the conditioner's own storage, good until
-// its next block.
+// its next block. Thread: worker.
 #pragma once
 
 #include <cstdint>

@@ -5,10 +5,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/detect/feed_now.h"
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
-constexpr std::array<const config::ParamDecl*, 3> kParams{&kHighPass, &kSpeedRange, &kCutLevel};
+constexpr std::array<const config::ParamDecl*, 4> kParams{&kHighPass, &kSpeedRange, &kCutLevel, &kVibrationLimit};
 constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the first order whole
 constexpr Hertz kHighPassUnknown{2.0};   // no speed known
 constexpr int kFilterOrder = 2;
@@ -47,6 +50,7 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   }
   const auto count = static_cast<std::size_t>(channels_);
   const auto frames = static_cast<std::size_t>(capacity_);
+  kernels_ = dsp::kernels::bestKernels();
   filters_.assign(count, {});
   offset_.assign(count, 0.0);
   samples_.assign(count * frames, 0.0);
@@ -112,9 +116,11 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
     const double scale = setup_.channels[i].scale;
     if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
     for (int f = 0; f < block.frames; ++f) {
-      out[f] = filters_[i].process(scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i]);
+      out[f] = scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i];
     }
   }
+  dsp::Butterworth::process(filters_, samples_.data(), capacity_, samples_.data(), capacity_,
+                            static_cast<std::size_t>(block.frames), kernels_);
   primed_ = true;
 }
 
@@ -165,12 +171,6 @@ void Conditioner::checkSensors(const SampleBlock& block) noexcept {
   out_.reason = doubt;
 }
 
-void Conditioner::findFeed(const MachineState& machine) noexcept {
-  out_.feed = setup_.nominalFeed;
-  if (!machine.valid) return;
-  out_.feed = machine.actualFeed.value > 0.0 ? machine.actualFeed : machine.programmedFeed * machine.feedOverride.value;
-}
-
 const ConditionedBlock& Conditioner::process(const SampleBlock& block, const MachineState& machine) noexcept {
   out_.sequence = block.sequence;
   out_.firstSample = block.firstSample;
@@ -182,7 +182,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.angle = angle_.data();
   out_.angleStep = angleStep_.data();
   out_.afterGap = false;
-  findFeed(machine);
+  out_.feed = feedNow(machine, setup_.nominalFeed);
   speed_.listen(machine, out_.frames);
   out_.valid = usable(block);
   if (!out_.valid) {

@@ -28,6 +28,11 @@ inline constexpr config::ParamDecl kSpeedRange = config::locked(
 inline constexpr config::ParamDecl kCutLevel =
     config::realParam("conditioner.cut-level", "Cut above air", "dB", 6.0, 1.0, 40.0,
                       "A cut is this much louder than the quietest the sensor has heard");
+// For whoever watches; nothing is decided by it.
+inline constexpr config::ParamDecl kVibrationLimit = config::locked(
+    config::autoParam("conditioner.vibration-limit", "Vibration limit", "", 1e-9, 1e9,
+                      "Vibration (rms, SI unit of the first channel) from which the bar of the operator's page says "
+                      "that it is too much; auto: no limit"));
 
 // Every parameter of the conditioner and its parts.
 config::ParamTable conditionerParams();
@@ -54,7 +59,6 @@ class Conditioner {
   void addSquares(int from, int frames) noexcept;
   void advanceGate() noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
-  void findFeed(const MachineState& machine) noexcept;
 
   CutSetup setup_;
   int capacity_ = 0;
@@ -67,6 +71,7 @@ class Conditioner {
   SensorCheck sensors_;
   SpeedTracker speed_;
   CutGate gate_;
+  dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;
   std::vector<double> offset_;
   std::vector<double> samples_;

@@ -34,7 +34,7 @@ void CutGate::reset() noexcept {
   floor_ = {};
   cutFloor_ = {};
   calm_ = {};
-  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = 0.0;
+  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = whole_ = louder_ = 0.0;
   airSeen_ = forced_ = speedKnown_ = false;
   phase_ = CutPhase::Air;
 }
@@ -61,7 +61,8 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
 }
 
 // What is loud within a cut that no air was heard before is chatter, and no proof that its floor was air. There air is
-// heard when the tool leaves: the floor falls as far as a cut is above it.
+// heard when the tool leaves: the floor falls as far as a cut is above it. It falls from where it was in the steady
+// cut; what a tool that is in the material at once shakes loose is far above that.
 void CutGate::hearAir() noexcept {
   if (phase_ == CutPhase::Air && level_ > openRatio_) airSeen_ = true;
   for (std::size_t c = 0; c < channels_ && phase_ == CutPhase::Exit; ++c) {
@@ -83,7 +84,7 @@ CutPhase CutGate::next(double revolution) const noexcept {
     return turns > kEntryTurns && (settled || turns > kLongestEntry) ? CutPhase::Steady : CutPhase::Entry;
   }
   if (fast < kFalling * slow_ || fast < kSinking * long_) return CutPhase::Exit;
-  if (phase_ == CutPhase::Exit && settled_ > kStayTurns * revolution) return CutPhase::Steady;
+  if (phase_ == CutPhase::Exit && std::max(settled_, louder_) > kStayTurns * revolution) return CutPhase::Steady;
   return phase_;
 }
 
@@ -106,11 +107,17 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
   hearAir();
   const bool settled = level_ < kSettled * slow_ && slow_ < kSettled * level_;
   settled_ = settled ? settled_ + dt : 0.0;
+  louder_ = phase_ == CutPhase::Exit && level_ > whole_ ? louder_ + dt : 0.0;
   const CutPhase before = phase_;
+  const double steady = sinceChange_;
   go(next(revolution.value));
   if (before == CutPhase::Air && phase_ == CutPhase::Entry) {
     slow_ = level_;
     cutFloor_ = floor_;
+  }
+  if (before == CutPhase::Steady && phase_ == CutPhase::Exit) {
+    whole_ = std::max(slow_, long_);
+    if (steady > kFloorSeconds) cutFloor_ = floor_;
   }
   // A cut that goes on with less has not left; what it was before is no measure any more.
   if (before == CutPhase::Exit && phase_ == CutPhase::Steady) long_ = level_;

@@ -1,6 +1,9 @@
 // Air, entry, steady cut, exit told apart from the level of the signal (a cut gate is part of Caliskan's method: its
 // ratio is high in air, and entry and exit are to be disregarded).
 //
+// A tool that leaves does not make the cut louder than it was: vibration in a narrow band falls now and then, and where
+// it then grows, it is growth in the cut.
+//
 // The air floor is the lowest level seen; a cut is 6 dB above it. A recording that starts inside a cut has no air to
 // compare with: then forced vibration found at the teeth (told by the speed tracker) opens the gate.
 // Thread: worker; everything but prepare() is real-time.
@@ -47,7 +50,7 @@ class CutGate {
   std::size_t channels_ = 0;
   std::array<double, kMaxChannels> fast_{};      // one turn
   std::array<double, kMaxChannels> floor_{};     // lowest 0.2 s level
-  std::array<double, kMaxChannels> cutFloor_{};  // when the cut began
+  std::array<double, kMaxChannels> cutFloor_{};  // when the cut began or, later, when it began to fall
   std::array<double, kMaxChannels> calm_{};      // 0.2 s level
   double slow_ = 0.0;                            // fast level followed over several turns
   double long_ = 0.0;                            // ... over many
@@ -56,6 +59,8 @@ class CutGate {
   double sinceChange_ = 0.0;
   double quiet_ = 0.0;    // how long the level has been below the limit
   double settled_ = 0.0;  // how long it has not moved
+  double whole_ = 0.0;    // level from which it fell, in an exit
+  double louder_ = 0.0;   // how long it has been above that since
   bool airSeen_ = false;
   bool forced_ = false;
   bool speedKnown_ = false;

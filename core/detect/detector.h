@@ -24,7 +24,7 @@ class Detector {
  public:
   virtual ~Detector() = default;
 
-  virtual DetectorInfo describe() const = 0;
+  virtual DetectorInfo describe() const = 0;  // the same before and after prepare(); any thread
 
   // Sizes every buffer for the setup (rate, channels, longest block). May allocate, plan and throw std::runtime_error
   // with one clear line. Leaves the detector as after reset().

@@ -14,9 +14,10 @@ void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels
   }
   rest_.assign(static_cast<std::size_t>(size.channels * kMost), 0.0);
   bands_.prepare(size.channels, size.bands, size.rate, size.lowestSpindle * size.bandOrders, kernels);
-  const std::size_t lanes = dsp::kernels::wholeLanes(static_cast<std::size_t>(size.harmonics));
-  for (auto& weights : weights_) weights.assign(lanes, 1.0);
-  for (std::size_t n = 0; n < lanes; ++n) {
+  row_ = dsp::kernels::wholeLanes(static_cast<std::size_t>(size.harmonics));
+  powers_.assign(static_cast<std::size_t>(size.channels) * row_, 0.0);
+  for (auto& weights : weights_) weights.assign(row_, 1.0);
+  for (std::size_t n = 0; n < row_; ++n) {
     const auto order = static_cast<double>(n + 1);
     weights_[0][n] = 1.0 / (order * order);
     weights_[2][n] = order * order;
@@ -31,6 +32,7 @@ void EnergyChain::reset() noexcept {
     harmonics_.reset();
   }
   bands_.reset();
+  std::fill(powers_.begin(), powers_.end(), 0.0);
 }
 
 void EnergyChain::tune(Hertz spindle, double gain) noexcept {
@@ -58,15 +60,33 @@ void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t fr
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, bands_.room());
     const double* from = x + done;
-    if (size_.fullCovariance) full_.process(from, stride, rest_.data(), kMost, now);
-    for (int c = 0; c < size_.channels; ++c) {
-      double* rest = rest_.data() + c * kMost;
-      if (!size_.fullCovariance) harmonics_.process(c, from + c * stride, rest, now, harmonics_.afterCorrection());
-      bands_.process(c, rest, now);
+    if (size_.fullCovariance) {
+      full_.process(from, stride, rest_.data(), kMost, now);
+    } else {
+      harmonics_.process(from, stride, rest_.data(), kMost, now, harmonics_.afterCorrection());
+      harmonics_.advance(now);
     }
-    if (!size_.fullCovariance) harmonics_.advance(now);
+    for (int c = 0; c < size_.channels; ++c) bands_.process(c, rest_.data() + c * kMost, now);
     bands_.advance(now);
     done += now;
+  }
+}
+
+void EnergyChain::endHop() noexcept {
+  bands_.estimate();
+  for (int c = 0; c < size_.channels; ++c) {
+    double* out = powers_.data() + static_cast<std::size_t>(c) * row_;
+    for (int n = 1; n <= active(); ++n) {
+      out[n - 1] = size_.fullCovariance ? full_.power(c, n) : harmonics_.power(c, n);
+    }
+  }
+}
+
+void EnergyChain::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+  if (size_.fullCovariance) {
+    full_.amplitudes(channel, out);
+  } else {
+    harmonics_.amplitudes(channel, out);
   }
 }
 

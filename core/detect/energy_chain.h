@@ -5,6 +5,7 @@
 
 #include <array>
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "core/detect/energy_separation.h"
@@ -38,7 +39,7 @@ class EnergyChain {
   // Any number of frames at that turn; x[channel * stride + frame].
   void process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Ends a hop: the estimates are the means since the last call.
-  void endHop() noexcept { bands_.estimate(); }
+  void endHop() noexcept;
 
   // Harmonics below the end of the usable band at this speed.
   int active() const noexcept { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
@@ -48,21 +49,21 @@ class EnergyChain {
   // a line passes the skirts of the lowest band is far above that band, and its estimated frequency is folded down
   // there, so that the weights of an acceleration make more of it than of the line itself.
   double bandPart(int channel, Hertz f) const noexcept;
-  // Amplitude squared of harmonic n (from 1) of a channel.
-  double harmonicPower(int channel, int n) const noexcept {
-    return size_.fullCovariance ? full_.power(channel, n) : harmonics_.power(channel, n);
+  // Amplitude squared of every active harmonic of a channel at the last hop's end, that of harmonic n at n - 1.
+  std::span<const double> harmonicPowers(int channel) const noexcept {
+    return std::span(powers_).subspan(static_cast<std::size_t>(channel) * row_, static_cast<std::size_t>(active()));
   }
-  // Its complex amplitude against the spindle's angle.
-  std::complex<double> amplitude(int channel, int n) const noexcept {
-    return size_.fullCovariance ? full_.amplitude(channel, n) : harmonics_.amplitude(channel, n);
-  }
+  // n^(2 eta) of every harmonic, and the sum of those times the powers.
+  std::span<const double> orderWeights(int eta) const noexcept { return weights_[static_cast<std::size_t>(eta + 1)]; }
+  double forced(int channel, int eta) const noexcept;
+  // Complex amplitudes against the spindle's angle of the first harmonics, as many as `out` takes.
+  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
   // What the harmonics left of one channel in the frames of the last process(), as far as they fit in one stretch.
   const double* rest(int channel) const noexcept { return rest_.data() + channel * kMost; }
   const EnergySeparation& bands() const noexcept { return bands_; }
 
  private:
   static constexpr std::ptrdiff_t kMost = EnergySeparation::kMostFrames;
-  double forced(int channel, int eta) const noexcept;
 
   Size size_;
   Hertz spindle_{};
@@ -71,6 +72,8 @@ class EnergyChain {
   EnergySeparation bands_;
   std::array<std::vector<double>, 3> weights_;  // (n f)^(2 eta) / f^(2 eta), by eta + 1
   std::vector<double> rest_;                    // [channel * kMost + frame]
+  std::size_t row_ = 0;                         // harmonics in whole lanes
+  std::vector<double> powers_;                  // [channel * row + n - 1]
 };
 
 }  // namespace stillcut::detect

@@ -10,13 +10,16 @@ constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is ask
 constexpr double kRisingPart = 0.02;     // ... and to be of some size already: growth so fast is soon there
 constexpr double kFastGrowth = 2.0;      // of energy from half turn to half turn
 constexpr double kSlowGrowth = 1.5;      // from turn to turn
+constexpr double kScatter = 2.0;         // of half turns of growth so slow, squared
 constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
 constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
 constexpr double kLeap = 6.0;            // energy of a hop above that and above all hops of a turn: scatter of noise
 constexpr int kNewLoadHops = 6 * kHopsPerTurn;  // what is left by then is not the leap but a new load
 constexpr double kBeyond = 2.0;                 // in energy, of what has grown over a leap
 constexpr double kBeating = 3.0;                // a line beats with the harmonics beside it
-constexpr double kFalling = 0.7;                // of the energy one and a half turns ago: it rings down
+constexpr int kHalfTurn = kHopsPerTurn / 2;
+constexpr int kBumpHops = 2 * kHopsPerTurn;  // of a forced vibration that begins to change
+constexpr double kFalling = 0.7;             // of the most energy in them: it rings down, or was such a bump
 
 }  // namespace
 
@@ -28,17 +31,32 @@ void EnergyGrowth::restart() noexcept {
   sinceLeap_ = kLevelHops;
 }
 
+void EnergyGrowth::add(std::span<const double> x, std::span<const double> unrepeated) noexcept {
+  Energies sums = sums_;
+  for (std::size_t f = 0; f < x.size(); ++f) {
+    sums.all += x[f] * x[f];
+    sums.changed += unrepeated[f] * unrepeated[f];
+  }
+  sums_ = sums;
+}
+
 void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
   newest_ = (newest_ + 1) % kLevelHops;
   hops_[static_cast<std::size_t>(newest_)] = sums_;
   sums_ = {};
   double changed = 0.0;
-  double all = 0.0;
-  for (int k = 0; k < kLevelHops; ++k) {
-    const Energies& e = ago(k);
-    if (k < windowHops) changed += e.changed;
-    all += e.all;
+  for (int k = 0; k < windowHops; ++k) changed += ago(k).changed;
+  double a = 0.0;  // four sums: none waits for another
+  double b = 0.0;
+  double c = 0.0;
+  double d = 0.0;
+  for (std::size_t k = 0; k < hops_.size(); k += 4) {
+    a += hops_[k].all;
+    b += hops_[k + 1].all;
+    c += hops_[k + 2].all;
+    d += hops_[k + 3].all;
   }
+  double all = (a + b) + (c + d);
   energy_ = changed / windowHops;
   level_ = all / kLevelHops;
   all *= static_cast<double>(windowHops) / kLevelHops;
@@ -71,13 +89,18 @@ double EnergyGrowth::changedIn(int from, int hops) const noexcept {
 bool EnergyGrowth::grows(int hops, double factor) const noexcept {
   const double now = changedIn(0, hops);
   const double before = changedIn(hops, hops);
-  return now > factor * before && before > factor * changedIn(2 * hops, hops);
+  return now > factor * before && before > factor * changedIn(2 * hops, hops) && steepens(hops, 1.0);
+}
+
+bool EnergyGrowth::steepens(int hops, double scatter) const noexcept {
+  const double before = changedIn(hops, hops);
+  return changedIn(0, hops) * changedIn(2 * hops, hops) * scatter > before * before;
 }
 
 bool EnergyGrowth::rising() const noexcept {
-  return onset_.alarm() && changed_ > kRisingPart * arrival_ && explainsEnergy() &&
+  return onset_.alarm() && changed_ > kRisingPart * arrival_ && explainsEnergy() && steepens(kHalfTurn, kScatter) &&
          onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() &&
-         (grows(kHopsPerTurn / 2, kFastGrowth) || grows(kHopsPerTurn, kSlowGrowth));
+         (grows(kHalfTurn, kFastGrowth) || grows(kHopsPerTurn, kSlowGrowth));
 }
 
 bool EnergyGrowth::explainsEnergy() const noexcept {
@@ -100,7 +123,10 @@ bool EnergyGrowth::leaps(Seconds length) const noexcept {
 
 bool EnergyGrowth::steadyGrowth() const noexcept {
   if (leapt() || energy_ < kBeyond * leap_) return false;
-  return changedIn(0, kHopsPerTurn) > kFalling * changedIn(kHopsPerTurn + kHopsPerTurn / 2, kHopsPerTurn);
+  const double now = changedIn(0, kHopsPerTurn);
+  double most = 0.0;
+  for (int ago = kHalfTurn; ago <= kBumpHops; ago += kHalfTurn) most = std::max(most, changedIn(ago, kHopsPerTurn));
+  return now > kFalling * most;
 }
 
 }  // namespace stillcut::detect

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "core/base/units.h"
 #include "core/detect/onset_test.h"
@@ -27,11 +28,8 @@ class EnergyGrowth {
   void relearn() noexcept { onset_.reset(); }
   void setSpindle(Hertz spindle) noexcept { onset_.setSpindle(spindle); }
 
-  // One frame: the vibration and what is new in it.
-  void add(double x, double unrepeated) noexcept {
-    sums_.all += x * x;
-    sums_.changed += unrepeated * unrepeated;
-  }
+  // Some frames: the vibration and what is new in it.
+  void add(std::span<const double> x, std::span<const double> unrepeated) noexcept;
   // windowHops: newest hops over which the energies are averaged; length: of the hop.
   void endHop(int windowHops, Seconds length) noexcept;
   // Before test(): what leaps in one statistic of a channel has leapt in the other, whose floor may hide it.
@@ -46,13 +44,16 @@ class EnergyGrowth {
   // E_x of the newest eight turns, per hop.
   double level() const noexcept { return level_; }
   // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
-  // rises once and decays. Forced vibration that changes by a share e in a turn leaves e^2 here, but changes the whole
-  // energy by 2 e: the energy must grow by no more than what is new explains.
+  // rises once and decays. Forced vibration that begins to change, as where a ramp of the width of cut begins, rises
+  // ever less steeply; growth out of a floor is a sum of exponentials, whose logarithm is convex: the ratios rise.
+  // Forced vibration that changes by a share e in a turn leaves e^2 here, but changes the whole energy by 2 e: the
+  // energy must grow by no more than what is new explains.
   bool rising() const noexcept;
   // Growth, and neither a blow nor what rings down after one: a vibration that grows passes through every level between
   // its noise and what it is now; a blow, or a tooth that leaves the material at once, leaps over them. What is there
   // after a leap has grown only where it exceeds the leap; where it neither does nor calms down the load has changed,
-  // and the floor of the new one is learned.
+  // and the floor of the new one is learned. Where a forced vibration begins to change by the same in each turn, the
+  // turn difference holds a bump of two turns: growth does not fall below what was there in them.
   bool steadyGrowth() const noexcept;
   // Turns since the last leap, no further than kLevelHops.
   double turnsSinceLeap() const noexcept { return static_cast<double>(sinceLeap_) / kHopsPerTurn; }
@@ -68,6 +69,7 @@ class EnergyGrowth {
   }
   double changedIn(int from, int hops) const noexcept;
   bool grows(int hops, double factor) const noexcept;
+  bool steepens(int hops, double scatter) const noexcept;
   bool leaps(Seconds length) const noexcept;
   bool leapt() const noexcept { return sinceLeap_ < kLeapHops; }
   bool explainsEnergy() const noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/dsp/kernels/choose.h"
 
@@ -45,8 +46,9 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   const int perBand = teeth_ > 0 ? teeth_ : kBandOrdersUnknown;
   const int bandCount = std::clamp((harmonics + perBand - 1) / perBand, 1, kMostBands);
   const Hertz slowest(0.5 * nominal);
+  kernels_ = dsp::kernels::bestKernels();
   chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest, params.choice(kErCovariance) == 1},
-                 dsp::kernels::bestKernels());
+                 kernels_);
   turns_.prepare(channels_, Hertz(rate_), slowest);
   const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
   lines_.prepare(channels_, window, Hertz(rate_));
@@ -172,7 +174,8 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     // A load that leaps takes its own pattern of runout along.
     const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns;
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();
-    if (test && !held) s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable);
+    if (test && !held)
+      s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
   if (judge_.judge(channelStates_, lines_,
@@ -221,21 +224,15 @@ void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first
 // At most kRow frames, one turn with the next.
 void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int frames) noexcept {
   const auto count = static_cast<std::size_t>(frames);
-  for (int c = 0; c < channels_; ++c) {
-    const double* x = block.samples + c * block.stride + first;
-    double* out = compared_.data() + c * kRow;
-    dsp::Butterworth& filter = lowPass_[static_cast<std::size_t>(c)];
-    for (std::size_t f = 0; f < count; ++f) out[f] = filter.process(x[f]);
-  }
+  dsp::Butterworth::process(lowPass_, block.samples + first, block.stride, compared_.data(), kRow, count, kernels_);
   turns_.process(compared_.data(), kRow, count, difference_.data(), news_.data(), kRow);
   lines_.push(difference_.data(), kRow, count);
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
-    const std::ptrdiff_t row = c * kRow;
-    for (std::ptrdiff_t f = row; f < row + frames; ++f) {
-      s.growth.add(compared_[static_cast<std::size_t>(f)], difference_[static_cast<std::size_t>(f)]);
-      s.news.add(compared_[static_cast<std::size_t>(f)], news_[static_cast<std::size_t>(f)]);
-    }
+    const auto row = static_cast<std::size_t>(c * kRow);
+    const std::span<const double> x = std::span<const double>(compared_).subspan(row, count);
+    s.growth.add(x, std::span<const double>(difference_).subspan(row, count));
+    s.news.add(x, std::span<const double>(news_).subspan(row, count));
   }
 }
 

@@ -84,6 +84,7 @@ class EnergyRatioDetector final : public Detector {
   int harmonics_ = 0;
   double smallest_ = 0.0;
   double fixedGain_ = 0.0;  // 0: from the memory in turns
+  dsp::kernels::Kernels kernels_;
   EnergyChain chain_;
   TurnDifference turns_;
   TurnMarks marks_;

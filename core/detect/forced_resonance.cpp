@@ -1,6 +1,6 @@
 #include "core/detect/forced_resonance.h"
 
-#include <cmath>
+#include <span>
 
 #include "core/detect/energy_growth.h"
 
@@ -24,12 +24,13 @@ void ForcedResonance::reset() noexcept {
 }
 
 bool ForcedResonance::standsOut(const EnergyChain& chain, int channel) const noexcept {
+  const std::span<const double> powers = chain.harmonicPowers(channel);
+  const std::span<const double> weights = chain.orderWeights(eta_);
   const auto power = [&](int n) {
-    const double weight = eta_ == 0 ? 1.0 : eta_ > 0 ? 1.0 * n * n : 1.0 / (1.0 * n * n);
-    return n <= chain.active() ? weight * chain.harmonicPower(channel, n) : 0.0;
+    const auto i = static_cast<std::size_t>(n - 1);
+    return n <= chain.active() ? weights[i] * powers[i] : 0.0;
   };
-  double all = 0.0;
-  for (int n = 1; n <= chain.active(); ++n) all += power(n);
+  const double all = chain.forced(channel, eta_);
   for (int n = 2 * teeth_; n <= chain.active(); n += teeth_) {
     const double here = power(n);
     if (here > kMost * all && here > kAbove * power(n - teeth_) && here > kAbove * power(n + teeth_)) return true;

@@ -112,9 +112,9 @@ double FullHarmonicKalman::power(int channel, int n) const noexcept {
   return state[0] * state[0] + state[lanes_] * state[lanes_];
 }
 
-std::complex<double> FullHarmonicKalman::amplitude(int channel, int n) const noexcept {
-  const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_ + n - 1;
-  return {state[0], -state[lanes_]};
+void FullHarmonicKalman::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+  const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = {state[i], -state[lanes_ + i]};
 }
 
 double FullHarmonicKalman::weightedPower(int channel, const double* weight) const noexcept {

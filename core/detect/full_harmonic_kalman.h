@@ -9,6 +9,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "core/dsp/kernels/kernels.h"
@@ -34,8 +35,8 @@ class FullHarmonicKalman {
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
   double power(int channel, int n) const noexcept;
-  // A_n of x = Re sum A_n e^{j n theta}.
-  std::complex<double> amplitude(int channel, int n) const noexcept;
+  // A_n of x = Re sum A_n e^{j n theta}, of the first harmonics.
+  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
   double weightedPower(int channel, const double* weight) const noexcept;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/window.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -19,6 +21,8 @@ void HumWatch::prepare(Hertz rate) {
   decimation_ = std::max(1, static_cast<int>(rate.value / kDecimated));
   const double slow = rate.value / decimation_;
   length_ = static_cast<int>(std::lround(slow));
+  window_.resize(static_cast<std::size_t>(std::max(length_, 1)));
+  dsp::fillWindow(dsp::WindowKind::Hann, window_);
   std::size_t i = 0;
   for (const double mains : kMains) {
     for (const double multiple : kMultiples) {
@@ -45,11 +49,20 @@ void HumWatch::reset() noexcept {
 
 void HumWatch::push(std::span<const double> x, Hertz spindle) noexcept {
   spindle_ = spindle;
-  for (const double v : x) {
-    squares_ += v * v;
-    sum_ += v;
-    ++frames_;
-    if (++count_ < decimation_) continue;
+  for (std::size_t f = 0; f < x.size();) {
+    const auto now = std::min(static_cast<std::size_t>(decimation_ - count_), x.size() - f);
+    double squares = squares_;
+    double sum = sum_;
+    for (const double v : x.subspan(f, now)) {
+      squares += v * v;
+      sum += v;
+    }
+    squares_ = squares;
+    sum_ = sum;
+    f += now;
+    frames_ += static_cast<long>(now);
+    count_ += static_cast<int>(now);
+    if (count_ < decimation_) continue;
     add(sum_ / decimation_);
     sum_ = 0.0;
     count_ = 0;
@@ -57,7 +70,7 @@ void HumWatch::push(std::span<const double> x, Hertz spindle) noexcept {
 }
 
 void HumWatch::add(double x) noexcept {
-  const double w = 0.5 - 0.5 * std::cos(kTwoPi * index_ / length_);
+  const double w = window_[static_cast<std::size_t>(index_)];
   const bool early = 2 * index_ < length_;
   for (Line& line : lines_) {
     const std::complex<double> turned = x * line.rotor;

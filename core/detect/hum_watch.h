@@ -8,6 +8,7 @@
 #include <complex>
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "core/base/units.h"
 
@@ -37,6 +38,7 @@ class HumWatch {
   bool onMains(const Line& line) const noexcept;
 
   std::array<Line, kLines> lines_{};
+  std::vector<double> window_;  // Hann
   int decimation_ = 1;
   int count_ = 0;  // samples in the running mean
   double sum_ = 0.0;

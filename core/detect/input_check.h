@@ -1,5 +1,9 @@
-// Whether a block can be believed: finite, not clipped, not dead. What cannot be believed makes the verdicts invalid
-// with a reason; it never reads as "stable".
+// Whether a block can be believed: finite, not clipped (clip_watch.h), not dead. What cannot be believed makes the
+// verdicts invalid with a reason; it never reads as "stable".
+//
+// A sensor of what only changes (acceleration, velocity, sound) that stands still is dead. A force, a current or a
+// displacement may rest: they are dead where every channel stands still, since then nothing is heard. A speed beside
+// them is told and no sensor of the cut.
 // Thread: worker; check() and reset() are real-time.
 #pragma once
 
@@ -7,10 +11,16 @@
 #include <cstdint>
 
 #include "core/detect/conditioned_block.h"
+#include "core/dsp/clip_watch.h"
 #include "core/model/cut_setup.h"
 #include "core/model/sample_block.h"
 
 namespace stillcut::detect {
+
+// Rests at zero: its mean and its stillness tell of the sensor, not of the cut.
+constexpr bool changesOnly(SensorQuantity q) {
+  return q == SensorQuantity::Acceleration || q == SensorQuantity::Velocity || q == SensorQuantity::Sound;
+}
 
 class InputCheck {
  public:
@@ -21,10 +31,11 @@ class InputCheck {
 
  private:
   struct Channel {
+    SensorQuantity quantity = SensorQuantity::Acceleration;
+    bool hears = true;  // the cut
     float last = 0.0F;
-    int run = 0;           // equal samples in a row, across blocks
-    float extreme = 0.0F;  // largest magnitude so far
-    int flatTops = 0;      // runs of equal samples at exactly that magnitude
+    int run = 0;  // equal samples in a row, across blocks
+    dsp::ClipWatch clip;
   };
   Reason checkChannel(std::span<const float> samples, int index) noexcept;
 

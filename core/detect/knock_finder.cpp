@@ -1,6 +1,7 @@
 #include "core/detect/knock_finder.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -78,6 +79,34 @@ bool KnockFinder::isNews(double size, int angle) noexcept {
   return turns_ >= kTurnsKnown && size > kNews * known;
 }
 
+// Of the sizes of what the predictor leaves: counted by exponent and two bits more, so that only those in the bin of
+// the middle one need sorting.
+double KnockFinder::middle(std::size_t count) noexcept {
+  constexpr int kShift = 50;
+  constexpr std::uint64_t kSize = (1ULL << 63) - 1;
+  const auto bits = [this](std::size_t n) { return std::bit_cast<std::uint64_t>(rest_[n]) & kSize; };
+  std::uint64_t largest = 0;
+  for (std::size_t n = 0; n < count; ++n) largest = std::max(largest, bits(n));
+  const std::uint64_t top = largest >> kShift;
+  const std::uint64_t base = top - std::min<std::uint64_t>(top, kBins - 1);  // what is smaller is in the first bin
+  const auto binOf = [base](std::uint64_t size) {
+    const std::uint64_t bin = size >> kShift;
+    return static_cast<std::size_t>(bin - std::min(bin, base));
+  };
+  counts_.fill(0);
+  for (std::size_t n = 0; n < count; ++n) ++counts_[binOf(bits(n))];
+  std::size_t below = 0;
+  std::size_t bin = 0;
+  while (below + counts_[bin] <= count / 2) below += counts_[bin++];
+  std::size_t found = 0;
+  for (std::size_t n = 0; n < count; ++n) {
+    if (binOf(bits(n)) == bin) sorted_[found++] = std::abs(rest_[n]);
+  }
+  const auto place = sorted_.begin() + static_cast<std::ptrdiff_t>(count / 2 - below);
+  std::nth_element(sorted_.begin(), place, sorted_.begin() + static_cast<std::ptrdiff_t>(found));
+  return *place;
+}
+
 KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uint8_t> angle, double least) noexcept {
   KnockFacts facts;
   if (x.size() < 4 * kOrder || x.size() > rest_.size() || !predict(x)) return facts;
@@ -91,7 +120,6 @@ KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uin
   }
   for (std::size_t n = 0; n < count; ++n) {
     const double e = rest_[n];
-    sorted_[n] = std::abs(e);
     energy += x[n + kOrder] * x[n + kOrder];
     squares += e * e;
     fourths += e * e * e * e;
@@ -99,9 +127,7 @@ KnockFacts KnockFinder::look(std::span<const double> x, std::span<const std::uin
   if (!(energy > 0.0) || !(squares > 0.0)) return facts;
   facts.left = std::min(1.0, squares / energy);
   facts.kurtosis = fourths * static_cast<double>(count) / (squares * squares);
-  const auto middle = sorted_.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(sorted_.begin(), middle, sorted_.begin() + static_cast<std::ptrdiff_t>(count));
-  const double limit = std::max(least, kOutlier / kMedianOfNormal * *middle);
+  const double limit = std::max(least, kOutlier / kMedianOfNormal * middle(count));
   for (std::size_t n = 0; n < count; ++n) {
     const std::uint8_t at = angle[n + kOrder];
     if (at == kNoAngle) continue;

@@ -41,9 +41,12 @@ class KnockFinder {
   bool predict(std::span<const double> x) noexcept;
   bool isNews(double size, int angle) noexcept;
   void turnTo(int angle) noexcept;
+  double middle(std::size_t count) noexcept;
 
   dsp::kernels::Kernels kernels_;
   std::vector<double> rest_, sorted_;
+  static constexpr std::size_t kBins = 512;
+  std::array<std::uint32_t, kBins> counts_{};
   std::array<double, kOrder + 1> model_{};
   std::array<double, kAngles> before_{};  // largest by angle in the turns before, fading
   std::array<double, kAngles> now_{};     // ... in this turn

@@ -147,7 +147,7 @@ FoundLine LineFinder::look(Hertz low, Hertz high) noexcept {
   const double whole = kernels_.sum(inReach.data(), inReach.size());
   if (!(whole > 0.0)) return found;
   // Between the bins a line may be higher than any bin says.
-  const double top = *std::max_element(inReach.begin(), inReach.end());
+  const double top = kernels_.largest(inReach.data(), inReach.size());
   std::size_t peak = first * kPlaces;
   double most = 0.0;
   for (std::size_t b = first; b <= last; ++b) {

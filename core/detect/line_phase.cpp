@@ -14,24 +14,11 @@ constexpr double kAgreement = 0.2;    // orders between the two looks
 constexpr double kLeastPart = 0.1;    // of the signal's power in the window
 
 // Sum of hann(n) x(n) exp(-j w n), n counted from the window's begin.
-std::complex<double> demodulated(std::span<const double> x, double w) noexcept {
-  const std::complex<double> turn = std::polar(1.0, -w);
-  const std::complex<double> windowTurn = std::polar(1.0, kTwoPi / static_cast<double>(x.size()));
-  std::complex<double> phasor = 1.0;
-  std::complex<double> window = 1.0;
-  double re = 0.0;
-  double im = 0.0;
-  const auto times = [](std::complex<double> a, std::complex<double> b) {
-    return std::complex<double>(a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real());
-  };
-  for (const double v : x) {
-    const double y = v * (0.5 - 0.5 * window.real());
-    re += y * phasor.real();
-    im += y * phasor.imag();
-    phasor = times(phasor, turn);
-    window = times(window, windowTurn);
-  }
-  return {re, im};
+std::complex<double> demodulated(std::span<const double> x, double w, const dsp::kernels::Kernels& kernels) noexcept {
+  const double slow = kTwoPi / static_cast<double>(x.size());
+  dsp::kernels::HannRun run{x.data(), x.size(), std::cos(w), -std::sin(w), std::cos(slow), std::sin(slow)};
+  kernels.demodulate(run);
+  return {run.re, run.im};
 }
 
 struct Look {
@@ -39,10 +26,11 @@ struct Look {
   double power = 0.0;  // of the line
 };
 
-Look look(std::span<const double> newest, std::size_t window, std::size_t apart, double w) noexcept {
+Look look(std::span<const double> newest, std::size_t window, std::size_t apart, double w,
+          const dsp::kernels::Kernels& kernels) noexcept {
   const std::size_t end = newest.size();
-  const std::complex<double> now = demodulated(newest.subspan(end - window), w);
-  const std::complex<double> before = demodulated(newest.subspan(end - window - apart, window), w);
+  const std::complex<double> now = demodulated(newest.subspan(end - window), w, kernels);
+  const std::complex<double> before = demodulated(newest.subspan(end - window - apart, window), w, kernels);
   // The begins of the windows are `apart` frames apart.
   const std::complex<double> turned = std::polar(1.0, -w * static_cast<double>(apart));
   const double amplitude = 4.0 * std::abs(now) / static_cast<double>(window);
@@ -51,7 +39,8 @@ Look look(std::span<const double> newest, std::size_t window, std::size_t apart,
 
 }  // namespace
 
-Hertz linePhaseFrequency(std::span<const double> newest, Hertz rough, Hertz spindle, Hertz rate) noexcept {
+Hertz linePhaseFrequency(std::span<const double> newest, Hertz rough, Hertz spindle, Hertz rate,
+                         const dsp::kernels::Kernels& kernels) noexcept {
   if (!(spindle.value > 0.0) || !(rough.value > 0.0)) return Hertz(0.0);
   const double turn = rate.value / spindle.value;
   const auto window = static_cast<std::size_t>(std::lround(kWindowTurns * turn));
@@ -60,9 +49,9 @@ Hertz linePhaseFrequency(std::span<const double> newest, Hertz rough, Hertz spin
   if (near < 1 || window + far > newest.size()) return Hertz(0.0);
   const double order = kTwoPi / turn;  // rad per frame
   const double w = kTwoPi * rough.value / rate.value;
-  const Look first = look(newest, window, near, w);
+  const Look first = look(newest, window, near, w, kernels);
   if (std::abs(first.error) > kFurthest * order) return Hertz(0.0);
-  const Look second = look(newest, window, far, w + first.error);
+  const Look second = look(newest, window, far, w + first.error, kernels);
   double all = 0.0;
   for (const double x : newest.last(window)) all += x * x;
   const bool stands = second.power * static_cast<double>(window) > kLeastPart * all;

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -14,6 +15,7 @@ inline constexpr double kLinePhaseTurns = 3.0;  // that must be known
 
 // newest: the signal, oldest first, at least kLinePhaseTurns of it. rough: within half a spindle order. 0 where no line
 // stands there: the two looks do not agree, or it holds too little of the signal.
-Hertz linePhaseFrequency(std::span<const double> newest, Hertz rough, Hertz spindle, Hertz rate) noexcept;
+Hertz linePhaseFrequency(std::span<const double> newest, Hertz rough, Hertz spindle, Hertz rate,
+                         const dsp::kernels::Kernels& kernels) noexcept;
 
 }  // namespace stillcut::detect

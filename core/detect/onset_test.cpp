@@ -27,7 +27,7 @@ void OnsetTest::reset() noexcept {
   mean_ = meanEnergy_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
   variance_ = 1.0;
   shortVariance_ = 0.0;
-  alarm_ = false;
+  alarm_ = standsOut_ = false;
 }
 
 void OnsetTest::setSpindle(Hertz spindle) noexcept {
@@ -63,7 +63,8 @@ void OnsetTest::update(double ratio, double turns, bool learn, double energy) no
   const double seen = held >= limits_.smallestRatio ? x : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
-  if (evidence_ > limits_.evidence && held > kGrowth * mean_) {
+  standsOut_ = held > kGrowth * mean_;
+  if (evidence_ > limits_.evidence && standsOut_) {
     alarm_ = true;
     calmTurns_ = 0.0;
   }

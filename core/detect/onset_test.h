@@ -38,6 +38,8 @@ class OnsetTest {
 
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }
+  // ... and what made it is there now: an alarm outlasts it by some turns.
+  bool grown() const noexcept { return alarm_ && standsOut_; }
   double evidence() const noexcept { return evidence_; }
   double evidenceLimit() const noexcept { return limits_.evidence; }
   // Learned floor of E_d / E_x (mean), the shape k of its distribution, and its correlation time in turns.
@@ -45,6 +47,8 @@ class OnsetTest {
   double shape() const noexcept;
   double correlation() const noexcept;
   double learnedTurns() const noexcept { return learnedTurns_; }
+  // Mean of the energies that the floor was learned with.
+  double floorEnergy() const noexcept { return meanEnergy_; }
   static constexpr double kLearnTurns = 8.0;
 
  private:
@@ -62,6 +66,7 @@ class OnsetTest {
   double evidence_ = 0.0;
   double calmTurns_ = 0.0;
   bool alarm_ = false;
+  bool standsOut_ = false;  // the newest turn, by kGrowth
 };
 
 }  // namespace stillcut::detect

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace stillcut::detect {
 namespace {
@@ -11,10 +12,13 @@ namespace {
 constexpr double kSmallest = 5e-3;
 constexpr double kSmallestBeside = 0.04;
 constexpr double kOtherSpeed = 5e-3;
-constexpr double kDriftTurns = 6.0;     // memory of the phase
-constexpr double kLeastDrift = 0.012;   // orders: what a spindle known to 0.1 % leaves at the twelfth order
-constexpr double kSteady = 0.8;         // of the power, that turns as one
-constexpr double kStill = 0.01;         // orders
+constexpr double kDriftTurns = 6.0;    // memory of the phase
+constexpr double kLeastDrift = 0.012;  // orders: what a spindle known to 0.1 % leaves at the twelfth order
+constexpr double kSteady = 0.8;        // of the power, that turns as one
+constexpr double kStill = 0.01;        // orders
+constexpr double kLouder = 4.0;        // in energy, of what it was
+constexpr double kWholeTurn = 1.0;
+constexpr double kSpeedDoubts = 2.0;
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
 
 }  // namespace
@@ -25,6 +29,7 @@ void OrderGrowth::prepare(int teeth, int eta, int harmonics) {
   learnedAt_ = {};
   classes_.assign(static_cast<std::size_t>(std::max(teeth, 0) / 2), {});
   orders_.assign(static_cast<std::size_t>(std::max(harmonics, 0)), {});
+  now_.assign(orders_.size(), {});
   relearn();
 }
 
@@ -36,7 +41,7 @@ void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) {
     c.onset.reset();
     c.counts = false;
-    c.alarmTurns = 0.0;
+    c.alarmTurns = c.turned = 0.0;
   }
   order_ = 0.0;
   doubling_ = false;
@@ -55,12 +60,13 @@ bool OrderGrowth::flips(const Class& c) const noexcept {
 
 void OrderGrowth::follow(const EnergyChain& chain, int channel) noexcept {
   constexpr double kRate = 1.0 / kDriftTurns;
-  const int count = std::min(chain.active(), static_cast<int>(orders_.size()));
-  for (int n = 1; n <= count; ++n) {
-    Order& o = orders_[static_cast<std::size_t>(n - 1)];
-    const std::complex<double> now = chain.amplitude(channel, n);
+  const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), orders_.size());
+  chain.amplitudes(channel, std::span(now_).first(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    Order& o = orders_[i];
+    const std::complex<double> now = now_[i];
     o.product += kRate * (now * std::conj(o.before) - o.product);
-    o.power += kRate * (std::abs(now) * std::abs(o.before) - o.power);
+    o.power += kRate * (std::sqrt(std::norm(now) * std::norm(o.before)) - o.power);
     o.before = now;
   }
 }
@@ -69,21 +75,27 @@ void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
   if (classes_.empty()) return;
   hop_ = (hop_ + 1) % kHopsPerTurn;
   if (hop_ == 0) follow(chain, channel);
-  all_ = weightedAll_ = 0.0;
-  for (Class& c : classes_) c.power = c.weighted = c.strongest = 0.0;
-  for (int n = 1; n <= chain.active(); ++n) {
-    const double power = chain.harmonicPower(channel, n);
-    const double weight = eta_ == 0 ? 1.0 : eta_ > 0 ? 1.0 * n * n : 1.0 / (1.0 * n * n);
-    all_ += power;
-    weightedAll_ += power * weight;
-    const int rest = n % teeth_;
-    if (rest == 0) continue;
-    Class& c = classes_[static_cast<std::size_t>(std::min(rest, teeth_ - rest) - 1)];
-    c.power += power;
-    c.weighted += power * weight;
-    if (power <= c.strongest) continue;
-    c.strongest = power;
-    c.order = n;
+  const std::span<const double> powers = chain.harmonicPowers(channel);
+  const std::span<const double> weights = chain.orderWeights(eta_);
+  weightedAll_ = chain.forced(channel, eta_);
+  all_ = chain.forced(channel, 0);
+  for (int rest = 1; 2 * rest <= teeth_; ++rest) {
+    double power = 0.0;
+    double weighted = 0.0;
+    Class& c = classes_[static_cast<std::size_t>(rest - 1)];
+    c.strongest = 0.0;
+    const int over = teeth_ - 2 * rest;  // from kZ + rest to (k + 1) Z - rest; 0: they are the same
+    for (int n = rest, step = over > 0 ? over : teeth_; n <= chain.active(); n += step) {
+      if (over > 0 && n > rest) step = teeth_ - step;
+      const auto i = static_cast<std::size_t>(n - 1);
+      power += powers[i];
+      weighted += powers[i] * weights[i];
+      if (powers[i] <= c.strongest) continue;
+      c.strongest = powers[i];
+      c.order = n;
+    }
+    c.power = power;
+    c.weighted = weighted;
   }
 }
 
@@ -98,21 +110,31 @@ bool OrderGrowth::turns(int order) const noexcept {
   return std::abs(o.product) > kSteady * o.power && std::abs(drift(order)) > kLeastDrift;
 }
 
-void OrderGrowth::test(double turns, bool learn) noexcept {
+void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
+  const double drifts = drift(c.order);
+  const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
+  const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
+  const bool on = louder && one && std::abs(drifts) > kSpeedDoubts * c.order * speedDoubt;
+  c.turned = on && drifts * c.turned >= 0.0 ? c.turned + drifts * turns : 0.0;
+}
+
+void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
   order_ = 0.0;
   doubling_ = false;
   double strongest = 0.0;
   for (Class& c : classes_) {
-    c.onset.update(share(c), turns, learn, c.power);
+    followTurning(c, turns, speedDoubt);
+    c.onset.update(share(c), turns, learn && c.turned == 0.0, c.power);
+    const bool turned = std::abs(c.turned) > kWholeTurn;
     const bool grown = c.onset.alarm();
-    c.counts = grown && (flips(c) || c.counts || this->turns(c.order));
+    c.counts = turned || (grown && (flips(c) || c.counts || this->turns(c.order)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;
     if (learn && c.alarmTurns > kNewLoadTurns) c.onset.reset();
     if (!c.counts || c.strongest < kLeastPurity * c.power || c.strongest <= strongest) continue;
     strongest = c.strongest;
-    const double turned = drift(c.order);
-    doubling_ = flips(c) && std::abs(turned) < kStill;
-    order_ = c.order + (doubling_ ? 0.0 : turned);
+    const double drifts = drift(c.order);
+    doubling_ = flips(c) && std::abs(drifts) < kStill;
+    order_ = c.order + (doubling_ ? 0.0 : drifts);
   }
 }
 
@@ -125,7 +147,9 @@ double OrderGrowth::severity() const noexcept {
   double sum = 0.0;
   for (const Class& c : classes_) {
     const double now = share(c);
-    if (c.counts && now > 0.0) sum += c.weighted / weightedAll_ * std::max(0.0, 1.0 - c.onset.floor() / now);
+    if (!c.counts || !(now > 0.0)) continue;
+    const double before = std::abs(c.turned) > kWholeTurn ? c.onset.floorEnergy() / c.power : c.onset.floor() / now;
+    sum += c.weighted / weightedAll_ * std::max(0.0, 1.0 - before);
   }
   return sum;
 }

@@ -6,8 +6,11 @@
 // learned floor (onset_test.h). Near the stability limit a mode amplifies runout as well, without any chatter; that
 // stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
 // strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case.
-// The tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
-// worker; everything but prepare() is real-time.
+// Where runout on a mode is nearly all there is (at full immersion tooth passings cancel), no share can grow. There an
+// order that has become louder and has turned by a whole turn against the spindle, faster than its speed is in doubt,
+// is chatter: a load that changes moves the phase of a forced vibration as well, by the half turn that a mode has at
+// most. The tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018.
+// Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -29,7 +32,8 @@ class OrderGrowth {
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
-  void test(double turns, bool learn) noexcept;
+  // speedDoubt: relative standard deviation of the spindle's speed.
+  void test(double turns, bool learn, double speedDoubt = 0.0) noexcept;
 
   bool grown() const noexcept;
   // One order stands out of a class that has grown, as a mode does: where it is, in orders; 0: none.
@@ -45,9 +49,11 @@ class OrderGrowth {
     double strongest = 0.0;
     int order = 0;
     double alarmTurns = 0.0;
+    double turned = 0.0;  // turns of the strongest order against the spindle, since it is louder
     bool counts = false;  // grown, and more than runout that a mode amplifies
     OnsetTest onset;
   };
+  void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   double share(const Class& c) const noexcept { return all_ > c.power ? c.power / (all_ - c.power) : 0.0; }
   bool flips(const Class& c) const noexcept;
   void follow(const EnergyChain& chain, int channel) noexcept;
@@ -69,6 +75,7 @@ class OrderGrowth {
     double power = 0.0;            // the same without phases
   };
   std::vector<Order> orders_;
+  std::vector<std::complex<double>> now_;
 };
 
 }  // namespace stillcut::detect

@@ -39,6 +39,11 @@ constexpr double kEntrySeconds = 0.2;
 constexpr double kSameLine = 0.25;  // orders
 constexpr Hertz kSpindleUnknown{20.0};
 
+// f^(2 eta), as the energy ratio weighs a power (Caliskan 2018 eq. 28).
+double weight(double f, int eta) noexcept {
+  return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f);
+}
+
 }  // namespace
 
 config::ParamTable parametricParams() {
@@ -65,18 +70,19 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   rest_.assign(setup.channels.size() * most_, 0.0);
   history_.prepare(static_cast<int>(setup.channels.size()),
                    static_cast<int>(std::ceil((kLinePhaseTurns + 0.5) * rate_ / (kSlowest * nominal))));
+  kernels_ = dsp::kernels::bestKernels();
   recursions_.prepare(static_cast<int>(setup.channels.size()), harmonics_,
-                      {params.real(kParRv), params.real(kParRw), kStartVariance}, dsp::kernels::bestKernels());
+                      {params.real(kParRv), params.real(kParRw), kStartVariance}, kernels_);
   judge_.prepare(setup.teeth);
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
     c.eta = integrationFactor(setup.channels[i].quantity);
-    if (factor_ > 1) {
-      c.lowPass.resize(1);
-      c.lowPass[0].lowPass(kFilterOrder, Hertz(kPassBand * rate_), setup.rate);
-    }
+    c.weights.resize(dsp::kernels::wholeLanes(static_cast<std::size_t>(harmonics_)));
+    for (std::size_t l = 0; l < c.weights.size(); ++l) c.weights[l] = weight(static_cast<double>(l + 1), c.eta);
   }
+  lowPass_.assign(factor_ > 1 ? channels_.size() : 0, {});
+  for (dsp::Butterworth& filter : lowPass_) filter.lowPass(kFilterOrder, Hertz(kPassBand * rate_), setup.rate);
   retune(params);
   reset();
 }
@@ -107,9 +113,9 @@ void ParametricDetector::restart() noexcept {
   history_.reset();
   looks_ = 0.0;
   sinceLook_ = kLookSteps;
+  for (dsp::Butterworth& filter : lowPass_) filter.reset();
   for (Channel& c : channels_) {
-    for (auto& filter : c.lowPass) filter.reset();
-    c.residualSum = c.inputSum = c.variance = c.power = c.taken = c.root = c.density = c.severity = 0.0;
+    c.residualSum = c.inputSum = c.variance = c.power = c.taken = c.root = c.severity = 0.0;
     c.frequency = {};
     c.theta = c.thetaSum = {};
     c.roots = {};
@@ -141,21 +147,20 @@ std::size_t ParametricDetector::thin(const ConditionedBlock& block) noexcept {
   phase_ = (phase_ + block.frames) % factor_;
   const std::size_t count =
       block.frames > first_ ? static_cast<std::size_t>((block.frames - first_ - 1) / factor_) + 1 : 0;
+  if (lowPass_.empty()) {
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const std::span<const double> in = block.channel(static_cast<int>(i));
+      std::copy(in.begin(), in.end(), thinned_.data() + i * most_);
+    }
+    return count;
+  }
+  const auto stride = static_cast<std::ptrdiff_t>(most_);
+  dsp::Butterworth::process(lowPass_, block.samples, block.stride, thinned_.data(), stride,
+                            static_cast<std::size_t>(block.frames), kernels_);
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const std::span<const double> in = block.channel(static_cast<int>(i));
-    double* out = thinned_.data() + i * most_;
-    auto& filters = channels_[i].lowPass;
-    if (filters.empty()) {
-      std::copy(in.begin(), in.end(), out);
-      continue;
-    }
-    int wait = first_;
-    for (const double x : in) {
-      const double y = filters[0].process(x);
-      if (wait-- > 0) continue;
-      *out++ = y;
-      wait = factor_ - 1;
-    }
+    double* row = thinned_.data() + i * most_;
+    for (std::size_t k = 0; k < count; ++k)
+      row[k] = row[static_cast<std::size_t>(first_) + k * static_cast<std::size_t>(factor_)];
   }
   return count;
 }
@@ -197,24 +202,28 @@ void ParametricDetector::readModel(std::size_t channel) noexcept {
     c.theta[n] += rate * (c.thetaSum[n] / static_cast<double>(inStep_) - c.theta[n]);
     c.thetaSum[n] = 0.0;
   }
-  ArRoots roots = c.roots = rootsOf(c.theta, c.roots);
+  c.roots = rootsOf(c.theta, c.roots);
+  ArRoots roots = c.roots;
   reflect(roots, delta_);
   const std::complex<double> dominant = dominantRoot(roots);
   c.root = std::abs(dominant);
   c.frequency = rootFrequency(dominant, Hertz(rate_));
-  c.density = modelDensity(thetaOf(roots), c.frequency, Hertz(rate_));
+}
+
+double ParametricDetector::density(const Channel& c) const noexcept {
+  if (!(c.root > 0.0)) return 0.0;  // no model yet
+  ArRoots roots = c.roots;
+  reflect(roots, delta_);
+  return modelDensity(thetaOf(roots), c.frequency, Hertz(rate_));
 }
 
 // Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
 double ParametricDetector::severity(std::size_t channel) const noexcept {
   const Channel& c = channels_[channel];
-  const auto weight = [&c](double f) { return c.eta == 0 ? 1.0 : c.eta > 0 ? f * f : 1.0 / (f * f); };
   if (!(c.frequency.value > 0.0)) return 0.0;
-  const double chatter = c.variance * weight(c.frequency.value);
-  double forced = 0.0;
-  for (int l = 1; l <= recursions_.active(); ++l) {
-    forced += recursions_.power(static_cast<int>(channel), l) * weight(l * spindle_.value);
-  }
+  const double chatter = c.variance * weight(c.frequency.value, c.eta);
+  const double forced =
+      weight(spindle_.value, c.eta) * recursions_.weightedPower(static_cast<int>(channel), c.weights.data());
   return chatter > 0.0 ? chatter / (chatter + forced) : 0.0;
 }
 
@@ -264,7 +273,8 @@ bool ParametricDetector::fromEntry(const Channel& c) noexcept {
 void ParametricDetector::follow(Hertz root) noexcept {
   if (++sinceLook_ < kLookSteps) return;
   sinceLook_ = 0;
-  const Hertz fine = linePhaseFrequency(history_.newest(static_cast<int>(leading_)), root, spindle_, Hertz(rate_));
+  const Hertz fine =
+      linePhaseFrequency(history_.newest(static_cast<int>(leading_)), root, spindle_, Hertz(rate_), kernels_);
   const Hertz now = fine.value > 0.0 ? fine : root;
   const bool same = looks_ > 0.0 && std::abs(now.value - line_.value) < 0.5 * spindle_.value;
   if (same && !(fine.value > 0.0)) return;  // a root alone says less
@@ -273,16 +283,17 @@ void ParametricDetector::follow(Hertz root) noexcept {
   judge_.follow(line_, spindle_ * (fine.value > 0.0 ? 0.02 : 0.1));
 }
 
-void ParametricDetector::endStep(CutPhase phase) noexcept {
+void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
   const double turns = 1.0 / kStepsPerTurn;
-  steadyTurns_ = phase == CutPhase::Steady ? steadyTurns_ + turns : 0.0;
+  steadyTurns_ = AlarmJudge::steady(block) ? steadyTurns_ + turns : 0.0;
+  if (judge_.outdated(block)) leaveCut();
   bool grown = false;
   bool begins = false;
   double worst = 0.0;
   leading_ = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
-    endChannelStep(i, phase);
+    endChannelStep(i, block.phase);
     const bool over = varianceLimit_ > 0.0 ? c.variance > varianceLimit_ : c.onset.alarm();
     grown = grown || over;
     begins = begins || (over && c.root >= rootLimit_);
@@ -294,7 +305,7 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
   const bool something = (grown || worst >= 0.5 * chatterRatio_) && lead.root >= 0.9 * rootLimit_;
   clearTurns_ = something ? 0.0 : clearTurns_ + turns;
   const Evidence evidence{begins || entry, clearTurns_ < kClearTurns, worst};
-  judge_.judge(evidence, phase, Seconds(static_cast<double>(inStep_) / rate_));
+  judge_.judge(evidence, block, Seconds(static_cast<double>(inStep_) / rate_));
   if (!judge_.alarming()) {
     looks_ = 0.0;
     sinceLook_ = kLookSteps;
@@ -307,7 +318,7 @@ void ParametricDetector::endStep(CutPhase phase) noexcept {
 Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v = judge_.verdict(block);
   const Channel& c = channels_[leading_];
-  v.indicators = {c.variance, c.density, c.root, c.frequency.value, shareOf(odds(c)), shareOf(c.onset.floor())};
+  v.indicators = {c.variance, density(c), c.root, c.frequency.value, shareOf(odds(c)), shareOf(c.onset.floor())};
   if (v.alarming()) {
     v.reason = {ReasonCode::ResidualGrowing, {shareOf(odds(c)), shareOf(c.onset.floor()), v.frequency.value}};
   } else if (v.valid && block.phase == CutPhase::Steady && !c.onset.learned()) {
@@ -327,7 +338,7 @@ Verdict ParametricDetector::process(const ConditionedBlock& block) noexcept {
     recursions_.align(block.angle[frame], block.angleStep[frame] * factor_);
     processFrames(k, frames);
     k += frames;
-    if (inStep_ >= stepFrames_) endStep(block.phase);
+    if (inStep_ >= stepFrames_) endStep(block);
   }
   if (judge_.endBlock(block)) leaveCut();
   return verdict(block);

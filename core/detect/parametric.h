@@ -86,7 +86,6 @@ class ParametricDetector final : public Detector {
   static constexpr int kStepsPerTurn = 4;
 
   struct Channel {
-    std::vector<dsp::Butterworth> lowPass;  // none or one
     OnsetTest onset;
     int eta = 0;
     double residualSum = 0.0;  // this step
@@ -99,9 +98,9 @@ class ParametricDetector final : public Detector {
     ArCoefficients theta{};     // about two turns
     ArRoots roots{};            // of that
     double root = 0.0;
-    double density = 0.0;
     Hertz frequency{};
     double severity = 0.0;
+    std::vector<double> weights;  // of its harmonics, l^(2 eta)
   };
 
   void tune(const ConditionedBlock& block) noexcept;
@@ -110,22 +109,25 @@ class ParametricDetector final : public Detector {
   std::size_t thin(const ConditionedBlock& block) noexcept;
   std::size_t stretch(const ConditionedBlock& block, std::size_t from, std::size_t count) const noexcept;
   void processFrames(std::size_t from, std::size_t count) noexcept;
-  void endStep(CutPhase phase) noexcept;
+  void endStep(const ConditionedBlock& block) noexcept;
   void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
   void follow(Hertz root) noexcept;
   void readModel(std::size_t channel) noexcept;
   static double odds(const Channel& c) noexcept;
   static double shareOf(double odds) noexcept;
+  double density(const Channel& c) const noexcept;
   double severity(std::size_t channel) const noexcept;
   bool fromEntry(const Channel& c) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
   AlarmJudge judge_;
+  dsp::kernels::Kernels kernels_;
   ParametricRecursions recursions_;
   std::vector<Channel> channels_;
-  std::size_t most_ = 0;                // frames of the longest block
-  std::vector<double> thinned_, rest_;  // [channel * most + frame]
-  FrameRing history_;                   // newest turns of the residual
+  std::vector<dsp::Butterworth> lowPass_;  // one a channel, or none: nothing is thinned
+  std::size_t most_ = 0;                   // frames of the longest block
+  std::vector<double> thinned_, rest_;     // [channel * most + frame]
+  FrameRing history_;                      // newest turns of the residual
   int harmonics_ = 1;
   int factor_ = 1;
   double rate_ = 0.0;  // after thinning

@@ -9,7 +9,7 @@ namespace {
 constexpr int kMostSteps = 100;
 constexpr int kFewSteps = 8;  // from near by; a pair that has become two real roots is never reached from there
 constexpr double kTogether = 1e-280;
-constexpr double kStands = 1e-13;
+constexpr double kStands = 1e-8;      // the step after such a one would be of its square
 constexpr double kOscillates = 1e-6;  // least imaginary part
 
 // Finite numbers only: spares the checks for infinite ones that a product otherwise makes.
@@ -81,7 +81,7 @@ ArCoefficients thetaOf(const ArRoots& roots) noexcept {
   std::array<std::complex<double>, kArOrder + 1> c{};
   c[0] = 1.0;
   for (const auto& root : roots) {
-    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] -= root * c[i - 1];
+    for (std::size_t i = c.size() - 1; i > 0; --i) c[i] -= times(root, c[i - 1]);
   }
   ArCoefficients theta{};
   for (std::size_t i = 0; i < theta.size(); ++i) theta[i] = -c[i + 1].real();
@@ -91,9 +91,9 @@ ArCoefficients thetaOf(const ArRoots& roots) noexcept {
 bool reflect(ArRoots& roots, double delta) noexcept {
   bool any = false;
   for (auto& root : roots) {
-    const double size = std::abs(root);
-    if (size <= 1.0) continue;
-    root *= (1.0 - delta) / size;
+    const double square = std::norm(root);
+    if (square <= 1.0) continue;
+    root *= (1.0 - delta) / std::sqrt(square);
     any = true;
   }
   return any;
@@ -103,8 +103,8 @@ std::complex<double> dominantRoot(const ArRoots& roots) noexcept {
   std::complex<double> oscillating = 0.0;
   std::complex<double> any = 0.0;
   for (const auto& root : roots) {
-    if (std::abs(root) > std::abs(any)) any = root;
-    if (std::abs(root.imag()) > kOscillates && std::abs(root) > std::abs(oscillating)) oscillating = root;
+    if (std::norm(root) > std::norm(any)) any = root;
+    if (std::abs(root.imag()) > kOscillates && std::norm(root) > std::norm(oscillating)) oscillating = root;
   }
   const std::complex<double> found = oscillating == 0.0 ? any : oscillating;
   return {found.real(), std::abs(found.imag())};
@@ -115,9 +115,12 @@ Hertz rootFrequency(std::complex<double> root, Hertz rate) noexcept {
 }
 
 double modelDensity(const ArCoefficients& theta, Hertz frequency, Hertz rate) noexcept {
+  const std::complex<double> turn = std::polar(1.0, -kTwoPi * (frequency / rate));
+  std::complex<double> turned = turn;
   std::complex<double> d = 1.0;
-  for (std::size_t n = 0; n < theta.size(); ++n) {
-    d -= theta[n] * std::polar(1.0, -kTwoPi * (frequency / rate) * static_cast<double>(n + 1));
+  for (const double t : theta) {
+    d -= t * turned;
+    turned = times(turned, turn);
   }
   return 1.0 / std::max(std::norm(d), 1e-300);
 }

@@ -38,8 +38,10 @@ class ParametricRecursions {
 
   ArCoefficients theta(int channel) const noexcept;
   void setTheta(int channel, const ArCoefficients& theta) noexcept;
-  // Mean square of harmonic l = 1.. as estimated.
-  double power(int channel, int l) const noexcept { return 0.5 * harmonics_.power(channel, l); }
+  // Sum of weight[l - 1] times the mean square of harmonic l as estimated; weight in whole lanes.
+  double weightedPower(int channel, const double* weight) const noexcept {
+    return 0.5 * harmonics_.weightedPower(channel, weight);
+  }
 
  private:
   void restart(dsp::kernels::ArState& ar) const noexcept;

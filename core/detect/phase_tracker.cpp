@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/dsp/kernels/choose.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -21,6 +23,9 @@ constexpr double kManoeuvreStep = 1.0;  // rad of the highest order in use
 constexpr double kRetainTurns = 3.0;
 constexpr double kLeastRetained = 0.3;
 constexpr double kDrowned = 4.0;  // in power
+// Part of a line's power that one order away is found on a harmonic, over a turn: sinc^2 of 0.9.
+constexpr double kLeak = 0.02;
+constexpr double kUsualTurns = 64.0;
 constexpr double kCleanScatter = 0.5;
 constexpr int kManoeuvreTurns = 6;        // the references are known by then
 constexpr double kManoeuvreSpread = 0.3;  // of a turn: what is seen of it has gathered over some turns
@@ -29,6 +34,7 @@ constexpr double kManoeuvreSpread = 0.3;  // of a turn: what is seen of it has g
 
 void PhaseTracker::prepare(int channels, Hertz rate, int teeth) {
   channels_ = std::clamp(channels, 1, kChannels);
+  kernels_ = dsp::kernels::bestKernels();
   rate_ = rate.value;
   stride_ = std::max(teeth, 1);
   start(Hertz(0.0), Hertz(0.0));
@@ -45,9 +51,34 @@ void PhaseTracker::start(Hertz spindle, Hertz sd) noexcept {
   retained_ = 1.0;
   clean_ = false;
   sums_ = {};
+  all_ = {};
+  usual_ = 0.0;
   if (spindle.value > 0.0) {
     orders_ = std::clamp(static_cast<int>(0.45 * rate_ / (spindle.value * stride_)), 1, kOrders);
   }
+  phasor_ = turn_ = {};
+  step_ = 0.0;
+}
+
+void PhaseTracker::fill(Row& row, double angle) const noexcept {
+  const double tooth = stride_ * angle;
+  kernels_.powers(std::cos(tooth), -std::sin(tooth), static_cast<std::size_t>(orders_), row.re.data(), row.im.data());
+}
+
+void PhaseTracker::accumulate(double angle, double step, const double* const* samples, int first, int frames) noexcept {
+  fill(phasor_, angle);
+  if (step != step_) fill(turn_, step);
+  step_ = step;
+  const double* x = samples[0] + first;
+  const double* y = samples[channels_ - 1] + first;
+  kernels_.lineSums({x, y, static_cast<std::size_t>(frames), kOrders, phasor_.re.data(), phasor_.im.data(),
+                     turn_.re.data(), turn_.im.data(), sums_[0].re.data(), sums_[0].im.data(), sums_[1].re.data(),
+                     sums_[1].im.data()});
+  for (int f = 0; f < frames; ++f) {
+    all_[0] += x[f] * x[f];
+    all_[1] += y[f] * y[f];
+  }
+  frames_ += frames;
 }
 
 void PhaseTracker::nudge(Hertz spindle) noexcept {
@@ -145,6 +176,22 @@ void PhaseTracker::learn(double delta) noexcept {
   }
 }
 
+// Has something come in beside the followed lines that leaks more into them than they hold?
+bool PhaseTracker::drowned() noexcept {
+  double beside = 0.0;
+  double on = 0.0;
+  for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
+    beside += 2.0 / static_cast<double>(frames_) * all_[c];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(orders_); ++k) {
+      beside -= std::norm(now_[c * kOrders + k]);
+      on += std::norm(reference_[c * kOrders + k]);
+    }
+  }
+  const bool louder = turns_ > kMemoryTurns && beside > kDrowned * usual_ && kLeak * beside > on;
+  if (!louder) usual_ += (beside - usual_) / std::min(static_cast<double>(turns_ + 1), kUsualTurns);
+  return louder;
+}
+
 bool PhaseTracker::lost() const noexcept {
   return clean_ && retained_ < kLeastRetained;
 }
@@ -152,8 +199,16 @@ bool PhaseTracker::lost() const noexcept {
 double PhaseTracker::completeTurn() noexcept {
   if (frames_ < 4) return 0.0;
   const double seconds = static_cast<double>(frames_) / rate_;
-  for (std::size_t i = 0; i < sums_.size(); ++i) now_[i] = sums_[i] * (2.0 / static_cast<double>(frames_));
+  const double scale = 2.0 / static_cast<double>(frames_);
+  for (int c = 0; c < channels_; ++c) {
+    const Row& row = sums_[static_cast<std::size_t>(c)];
+    for (std::size_t k = 0; k < kOrders; ++k) {
+      now_[static_cast<std::size_t>(c) * kOrders + k] = {scale * row.re[k], scale * row.im[k]};
+    }
+  }
+  const bool hidden = drowned();
   sums_ = {};
+  all_ = {};
   frames_ = 0;
   if (turns_ == 0) {
     reference_ = now_;
@@ -162,10 +217,17 @@ double PhaseTracker::completeTurn() noexcept {
     return 0.0;
   }
   // Predict over the turn.
+  const double known = p11_;
   const double q = 2.0 * kWander * kWander * omega_ * omega_ / kWanderSeconds;
   p00_ += 2.0 * seconds * p01_ + seconds * seconds * p11_ + q * seconds * seconds * seconds / 3.0;
   p01_ += seconds * p11_ + 0.5 * q * seconds * seconds;
   p11_ += q * seconds;
+  if (hidden) {
+    // A spindle that nobody looks at wanders no further than it does.
+    p11_ = std::min(p11_, std::max(known, kWander * kWander * omega_ * omega_));
+    ++turns_;
+    return 0.0;
+  }
   const double limit = kLargestStep / (orders_ * stride_);
   Angle angle = measure();
   angle.delta = std::clamp(angle.delta, -limit, limit);

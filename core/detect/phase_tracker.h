@@ -2,7 +2,9 @@
 // with their own slow mean, and one angle error common to all of them is fed to a two-state Kalman filter (angle,
 // speed). A harmonic counts by the inverse of its own recent scatter, so chatter, which scatters them, takes the
 // weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md section 4). When all
-// phases turn together, and further than a spindle wanders, the machine changes its speed, and the filter follows.
+// phases turn together, and further than a spindle wanders, the machine changes its speed, and the filter follows. A
+// line beside the harmonics leaks into all of them, turning each by the same, and where it is much louder than they are
+// would pull the angle along until it lies on an order itself: there nothing is measured and nothing is learned.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
@@ -10,6 +12,7 @@
 #include <complex>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
 
@@ -27,21 +30,9 @@ class PhaseTracker {
   // The machine changed its speed: the references stay, the doubt grows.
   void nudge(Hertz spindle) noexcept;
 
-  // One frame at spindle angle `angle` (its phasor e^{j angle}); samples of the first channels.
-  void accumulate(std::complex<double> phasor, const double* const* samples, std::ptrdiff_t frame) noexcept {
-    std::complex<double> tooth = phasor;
-    for (int t = 1; t < stride_; ++t) tooth = mul(tooth, phasor);
-    std::complex<double> p = tooth;
-    for (int k = 0; k < orders_; ++k) {
-      for (int c = 0; c < channels_; ++c) {
-        std::complex<double>& s = sums_[static_cast<std::size_t>(c * kOrders + k)];
-        const double x = samples[c][frame];
-        s = {s.real() + x * p.real(), s.imag() - x * p.imag()};
-      }
-      p = mul(p, tooth);
-    }
-    ++frames_;
-  }
+  // Frames from `first` on of the first channels, the spindle at `angle` and turning by `step` [rad] from one to the
+  // next.
+  void accumulate(double angle, double step, const double* const* samples, int first, int frames) noexcept;
   // A turn is complete: returns the angle [rad] by which the spindle runs ahead of us, to be caught up.
   double completeTurn() noexcept;
 
@@ -56,9 +47,6 @@ class PhaseTracker {
   bool lost() const noexcept;
 
  private:
-  static std::complex<double> mul(std::complex<double> a, std::complex<double> b) noexcept {
-    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
-  }
   struct Angle {
     double delta = 0.0;     // rad
     double variance = 0.0;  // 0: nothing to measure
@@ -67,24 +55,37 @@ class PhaseTracker {
     Angle angle;
     double left = 1.0;  // part of the tracked power that it does not explain
   };
+  static_assert(kOrders % dsp::kernels::kLanes == 0 && kChannels == 2);
+  struct Row {
+    std::array<double, kOrders> re{};
+    std::array<double, kOrders> im{};
+  };
+  // e^{-j order angle} of the tracked orders.
+  void fill(Row& row, double angle) const noexcept;
   Angle measure() const noexcept;
   CommonTurn commonTurn() const noexcept;
   Angle manoeuvred(Angle angle, double seconds) noexcept;
   void learn(double delta) noexcept;
+  bool drowned() noexcept;
 
   int channels_ = 1;
   int orders_ = kOrders;
   int stride_ = 1;  // order of the first tracked line: the number of teeth
-  int maxOrderPerRate_ = 0;
   double rate_ = 0.0;
   double omega_ = 0.0;                        // rad/s
   double p00_ = 0.0, p01_ = 0.0, p11_ = 0.0;  // covariance of angle and omega
   long frames_ = 0;
   int turns_ = 0;
   double scatter_ = 0.0;
-  double retained_ = 1.0;  // part of the followed amplitude that is still in its place
-  bool clean_ = false;     // it was once followed with little scatter
-  std::array<std::complex<double>, kChannels * kOrders> sums_{};
+  std::array<double, kChannels> all_{};  // sum of squares of this turn
+  double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
+  double retained_ = 1.0;                // part of the followed amplitude that is still in its place
+  bool clean_ = false;                   // it was once followed with little scatter
+  dsp::kernels::Kernels kernels_;
+  std::array<Row, kChannels> sums_{};  // of this turn, by channel
+  Row phasor_;                         // e^{-j order angle} of the frame to come
+  Row turn_;                           // e^{-j order step}
+  double step_ = 0.0;
   std::array<std::complex<double>, kChannels * kOrders> now_{};
   std::array<std::complex<double>, kChannels * kOrders> reference_{};
   std::array<double, kChannels * kOrders> variance_{};

@@ -30,8 +30,15 @@ constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is
 constexpr double kSpeedDoubts = 4.0;   // ... or within so many standard deviations of the harmonic's place
 constexpr double kMostOffset = 0.25;
 
-// A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
+// A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here. One that is followed
+// need not be looked at more often than verdicts are given, nor less often than every quarter of that spectrum.
 constexpr int kLookHops = kHopsPerTurn / 2;
+constexpr Seconds kFollowing{10e-3};
+constexpr int kMostLookHops = 4 * kHopsPerTurn;
+
+int followingHops(Seconds hop) noexcept {
+  return std::clamp(static_cast<int>(kFollowing / hop), kLookHops, kMostLookHops);
+}
 
 }  // namespace
 
@@ -46,7 +53,7 @@ void RatioJudge::leaveCut() noexcept {
   line_ = {};
   highTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
   learned_ = false;
-  calmFloor_ = {};
+  calmFloor_ = calmNews_ = {};
   frequency_ = {};
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
 }
@@ -60,7 +67,7 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
   }
   grown_ = grown_ || onset.alarm();
   learned_ = learned_ && onset.learned();
-  growing_ = growing_ || (onset.alarm() && growth.steadyGrowth());
+  growing_ = growing_ || (onset.grown() && growth.steadyGrowth());
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
@@ -95,19 +102,23 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
 
 void RatioJudge::learnCalm(std::span<const RatioChannel> channels) noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const OnsetTest& onset = channels[i].growth.onset();
-    if (!onset.learned()) continue;
-    double& floor = calmFloor_[i];
-    floor = floor > 0.0 ? std::min(floor, onset.floor()) : onset.floor();
+    const auto learn = [](double& calm, const OnsetTest& onset) {
+      if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
+    };
+    learn(calmFloor_[i], channels[i].growth.onset());
+    learn(calmNews_[i], channels[i].news.onset());
   }
 }
 
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
-// weak signal make a ratio too.
+// weak signal make a ratio too. Of a line near a harmonic the difference passes so little that its ratio falls as the
+// line grows; there the news hears it.
 bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RatioChannel& c = channels[i];
-    if (c.ratio < chatterRatio_ || c.growth.changed() < kAboveCalm * calmFloor_[i]) continue;
+    const bool above =
+        c.growth.changed() >= kAboveCalm * calmFloor_[i] || c.news.changed() >= kAboveCalm * calmNews_[i];
+    if (c.ratio < chatterRatio_ || !above) continue;
     const double part = chain.bandPart(static_cast<int>(i), line_.frequency);
     if (part > kBandPart) return true;
   }
@@ -204,8 +215,8 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     doubled_ = false;
     return;
   }
-  if (frequency_.value > 0.0 && ++sinceLook_ < kLookHops) return;
-  const int hops = frequency_.value > 0.0 ? kLookHops : 1;
+  const int hops = frequency_.value > 0.0 ? followingHops(hop.length) : 1;
+  if (++sinceLook_ < hops) return;
   sinceLook_ = 0;
   const double spindle = hop.spindle.value;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);

@@ -86,7 +86,8 @@ class RatioJudge {
   double evidence_ = 0.0;
   double floor_ = 0.0;
   bool learned_ = false;
-  std::array<double, kMaxChannels> calmFloor_{};  // lowest floor of each channel while the ratio was not high; 0: none
+  // Lowest floor of each channel while the ratio was not high, of the difference and of the news; 0: none.
+  std::array<double, kMaxChannels> calmFloor_{}, calmNews_{};
   std::array<double, kMaxChannels> alarmEnergy_{};  // that does not repeat, of each channel, while an alarm lasts
   bool grown_ = false;                              // of any channel
   bool growing_ = false;                            // the difference of any, and neither a blow nor what is left of one

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/input_check.h"
+#include "core/model/device_doubt.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -13,9 +16,11 @@ constexpr int kFewestKnocks = 3;   // knocks in a window: one is a chip that hit
 constexpr double kKnockPart = 0.05;
 constexpr int kKnocksStay = 3;       // windows, however long: a machine gets a bump now and then
 constexpr double kKnocksGone = 1.0;  // s
-constexpr double kNoiseLeft = 0.95;  // part of the power that no predictor foretells
-constexpr double kGaussian = 4.0;    // kurtosis; an edge's impacts are white too, but not Gaussian
-constexpr double kLoud = 4.0;        // 6 dB above air
+// Part of the power that no predictor foretells: white noise 1, and 0.85 through an audio converter's filter, which
+// ends at 0.9 of half the rate; loud cuts a few percent, a weak one in a slow sensor two thirds.
+constexpr double kNoiseLeft = 0.8;
+constexpr double kGaussian = 4.0;  // kurtosis; an edge's impacts are white too, but not Gaussian
+constexpr double kLoud = 4.0;      // 6 dB above air
 constexpr double kNoiseStays = 0.5;
 constexpr double kPlaceMemory = 10.0;     // s: drift is no fault
 constexpr double kLearnPlace = 1.0;       // s
@@ -24,14 +29,7 @@ constexpr double kGravityTurned = 19.62;  // m/s2: a sensor turned upside down
 constexpr double kOffsetStays = 0.5;
 constexpr double kHumPart = 0.5;
 constexpr double kHumInAir = 1.0;  // m/s2 rms: in air, less is the hum of a sensor that hears nothing else
-constexpr int kLongestHold = 8;
-constexpr int kFewestRuns = 32;
-constexpr double kSingles = 0.02;  // part of the runs; a gain or filter never makes pairs of all values
-constexpr int kRepeatedStays = 3;
-
-bool changesOnly(SensorQuantity q) {
-  return q == SensorQuantity::Acceleration || q == SensorQuantity::Velocity || q == SensorQuantity::Sound;
-}
+constexpr double kStillStays = 0.5;
 
 }  // namespace
 
@@ -44,6 +42,7 @@ void SensorCheck::prepare(const CutSetup& setup) {
     c.quantity = setup.channels[i].quantity;
     c.scale = setup.channels[i].scale;
     c.samples.assign(window_, 0.0);
+    c.before.assign(window_, 0.0);
     c.angles.assign(window_, KnockFinder::kNoAngle);
     c.knocks.prepare(static_cast<int>(window_));
     c.hum.prepare(setup.rate);
@@ -61,7 +60,8 @@ void SensorCheck::reset() noexcept {
     c.knocks.reset();
     c.hum.reset();
     c.place = c.largest = c.seconds = 0.0;
-    c.loose = c.off = c.noise = c.repeated = {};
+    c.loose = c.off = c.noise = c.still = {};
+    c.repeats = {};
   }
   cable_.reset();
   pairs_.reset();
@@ -78,11 +78,10 @@ void SensorCheck::reset() noexcept {
 void SensorCheck::begin() noexcept {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     Channel& c = channels_[i];
-    c.fill = 0;
+    c.fill = c.beforeFill = 0;
     c.length = window_ - window_ * i / (2 * channels_.size());
     c.sum = 0.0;
-    c.run = c.singles = c.held = 0;
-    c.step = 0.0F;
+    c.repeats.interrupt();
   }
 }
 
@@ -94,30 +93,26 @@ void SensorCheck::interrupt(const SampleBlock& raw, const Reason& why) noexcept 
   status_.fault = why;
 }
 
-void SensorCheck::countRuns(Channel& c, float value) noexcept {
-  if (c.run > 0 && value == c.last) {
-    ++c.run;
-    return;
-  }
-  const float change = std::abs(value - c.last);
-  if (c.run > 0 && (c.step == 0.0F || change < c.step)) c.step = change;
-  if (c.run == 1) ++c.singles;
-  if (c.run > 1 && c.run <= kLongestHold) ++c.held;
-  c.last = value;
-  c.run = 1;
-}
-
 void SensorCheck::take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept {
   Channel& c = channels_[static_cast<std::size_t>(index)];
   const std::span<const float> delivered = raw.channel(index);
   const std::span<const double> x = block.channel(index);
   const bool turning = block.spindle.value > 0.0;
-  for (std::size_t f = 0; f < x.size(); ++f) {
-    countRuns(c, delivered[f]);
-    c.sum += static_cast<double>(delivered[f]);
-    c.samples[c.fill] = x[f];
-    c.angles[c.fill] = turning ? KnockFinder::angleOf(block.angle[f]) : KnockFinder::kNoAngle;
-    if (++c.fill == c.length) look(index, gate);
+  for (std::size_t f = 0; f < x.size();) {
+    const std::size_t now = std::min(c.length - c.fill, x.size() - f);
+    double sum = c.sum;
+    for (const float v : delivered.subspan(f, now)) {
+      c.repeats.see(v);
+      sum += static_cast<double>(v);
+    }
+    c.sum = sum;
+    std::copy_n(x.data() + f, now, c.samples.data() + c.fill);
+    for (std::size_t k = 0; k < now; ++k) {
+      c.angles[c.fill + k] = turning ? KnockFinder::angleOf(block.angle[f + k]) : KnockFinder::kNoAngle;
+    }
+    c.fill += now;
+    f += now;
+    if (c.fill == c.length) look(index, gate);
   }
   c.hum.push(x, block.spindle);
 }
@@ -140,10 +135,17 @@ void SensorCheck::watchMean(Channel& c, double mean, double peak) noexcept {
   if (!left) c.place += (mean - c.place) * windowSeconds_ / kPlaceMemory;
 }
 
-void SensorCheck::watchRuns(Channel& c) noexcept {
-  const int runs = c.singles + c.held;
-  c.repeated.see(c.held >= kFewestRuns && c.singles < kSingles * runs, kRepeatedStays, kRepeatedStays);
-  c.singles = c.held = 0;
+// What may rest is dead where others of its kind are in a cut, 6 dB above their own air.
+void SensorCheck::watchStill(int index, const CutGate& gate) noexcept {
+  Channel& c = channels_[static_cast<std::size_t>(index)];
+  bool othersCut = false;
+  for (std::size_t o = 0; o < channels_.size() && gate.inCut(); ++o) {
+    const double air = gate.airFloor(static_cast<int>(o));
+    const double rms = status_.channel[o].rms;
+    othersCut = othersCut || (channels_[o].quantity == c.quantity && air > 0.0 && rms * rms > kLoud * air);
+  }
+  const bool still = c.repeats.run() >= static_cast<int>(c.length) && c.quantity != SensorQuantity::SpindleSpeed;
+  c.still.see(still && othersCut, windowsIn(kStillStays), 1);
 }
 
 void SensorCheck::look(int index, const CutGate& gate) noexcept {
@@ -159,20 +161,23 @@ void SensorCheck::look(int index, const CutGate& gate) noexcept {
   }
   const double mean = c.scale * c.sum / count;
   c.seconds += windowSeconds_;
-  const KnockFacts facts =
-      c.knocks.look(x, std::span(c.angles).first(c.fill), kLastBits * std::abs(c.scale) * static_cast<double>(c.step));
+  const KnockFacts facts = c.knocks.look(x, std::span(c.angles).first(c.fill),
+                                         kLastBits * std::abs(c.scale) * static_cast<double>(c.repeats.step()));
   const bool knocks = gate.inCut() && facts.knocks >= kFewestKnocks && facts.part > kKnockPart;
   c.loose.see(knocks, kKnocksStay, windowsIn(kKnocksGone));
   const double air = gate.airFloor(index);
   const bool loud = air > 0.0 && gate.inCut() && squares > kLoud * air * count;
   c.noise.see(loud && facts.left > kNoiseLeft && facts.kurtosis < kGaussian, windowsIn(kNoiseStays), 1);
-  cable_.look(index, squares / count, 1.0 / windowSeconds_, gate);
+  cable_.look(index, x, std::span(c.before).first(c.beforeFill), squares / count, 1.0 / windowSeconds_, gate);
   watchMean(c, mean, peak);
-  watchRuns(c);
+  watchStill(index, gate);
+  c.repeats.judge();
   ChannelStatus& status = status_.channel[i];
   status.rms = std::sqrt(squares / count);
   status.peak = peak;
   status.offset = mean;
+  c.samples.swap(c.before);
+  c.beforeFill = c.fill;
   c.fill = 0;
   c.length = window_;
   c.sum = 0.0;
@@ -185,6 +190,7 @@ int SensorCheck::windowsIn(double seconds) const noexcept {
 Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
   const Channel& c = channels_[static_cast<std::size_t>(index)];
   const auto channel = static_cast<double>(index);
+  if (c.still.stands()) return {ReasonCode::InputDead, {channel}};
   if (cable_.broken(index)) return {ReasonCode::InputSilent, {channel}};
   if (c.loose.stands()) return {ReasonCode::InputLoose, {channel}};
   if (c.off.stands())
@@ -195,7 +201,8 @@ Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
   if (c.noise.stands()) return {ReasonCode::InputNoise, {channel}};
   const int twin = pairs_.twinOf(index);
   if (twin >= 0) return {ReasonCode::InputDoubled, {static_cast<double>(twin), channel}};
-  if (c.repeated.stands()) return {ReasonCode::InputRepeated, {channel}};
+  if (c.repeats.repeats() && c.quantity != SensorQuantity::SpindleSpeed)  // told now and then, and held
+    return {ReasonCode::InputRepeated, {channel}};
   if (const auto [line, order] = alias_.folded(index); order > 0) {
     return {ReasonCode::InputAliased, {channel, line.value, static_cast<double>(order)}};
   }
@@ -218,6 +225,13 @@ Reason SensorCheck::check(const SampleBlock& raw, const ConditionedBlock& block,
   if (rate_.wrong() && status_.fault.code == ReasonCode::None) {
     status_.fault = {ReasonCode::InputRate, {rate_.rate().value, status_.nominalRate.value}};
   }
+  if (raw.has(kBlockOtherRate) && status_.fault.code == ReasonCode::None) {
+    const int channel = otherRateChannel(raw);
+    status_.fault = {ReasonCode::InputRepeated, {static_cast<double>(channel)}};
+    if (channel < block.channels) status_.channel[static_cast<std::size_t>(channel)].fault = status_.fault;
+  }
+  if (rate_.pending() > 0.0 && status_.fault.code == ReasonCode::None)
+    status_.fault = {ReasonCode::Learning, {rate_.pending()}};
   return status_.fault;
 }
 

@@ -4,15 +4,17 @@
 // Every channel is looked at in windows of a tenth of a second, 256 samples at the least:
 //   loose mount      in the cut, much of the energy lies in knocks at no fixed spindle angle (knock_finder.h),
 //                    three windows long
-//   broken cable     falls silent in the cut while another channel goes on (cable_watch.h)
+//   broken cable     falls silent in the cut while another channel goes on, or at once (cable_watch.h)
+//   dead             a force, current or displacement stands still while others of its kind are in the cut
 //   offset           the mean has left its place by more than anything the channel has shown, and more than gravity
 //                    can turn: a sensor of what changes (acceleration, velocity, sound) has lost its bias. An
 //                    accelerometer that starts that far from zero is off from its first second on
 //   mains hum        more than half of what is there (hum_watch.h)
 //   noise            white and loud, with no structure in it: no cut is
 //   same axis twice  two axes deliver the same (pair_watch.h)
-//   values repeated  each sample comes two to eight times: a lower rate was stretched
-//   wrong rate       against the clock (rate_watch.h)
+//   values repeated  each sample comes two to eight times: a lower rate was stretched (repeat_watch.h)
+//   wrong rate       against the clock (rate_watch.h): a device's first seconds are not believed until its rate is
+//                    known. Of a device joined to the first, its source says so (daq/joined_source.h)
 //   aliased          a line between the harmonics goes with the speed as a folded order does (alias_watch.h)
 // Which of two axes is x cannot be told from a cut: the forces turn with the tool and both axes hear the same lines at
 // strengths that tool, feed direction and structure decide. Knocks tell it when sensors are set up (daq/axis_knock.h).
@@ -26,11 +28,12 @@
 #include "core/detect/cable_watch.h"
 #include "core/detect/conditioned_block.h"
 #include "core/detect/cut_gate.h"
-#include "core/detect/finding.h"
 #include "core/detect/hum_watch.h"
 #include "core/detect/knock_finder.h"
 #include "core/detect/pair_watch.h"
-#include "core/detect/rate_watch.h"
+#include "core/dsp/finding.h"
+#include "core/dsp/rate_watch.h"
+#include "core/dsp/repeat_watch.h"
 #include "core/model/cut_setup.h"
 #include "core/model/sample_block.h"
 #include "core/model/sensor_status.h"
@@ -52,27 +55,23 @@ class SensorCheck {
   struct Channel {
     SensorQuantity quantity = SensorQuantity::Acceleration;
     double scale = 1.0;
-    std::vector<double> samples;  // of the window, conditioned
+    std::vector<double> samples, before;  // of the window, conditioned, and of the one before it
     std::vector<std::uint8_t> angles;
-    std::size_t fill = 0, length = 0;
-    double sum = 0.0;  // as delivered [SI]
-    float last = 0.0F;
-    int run = 0;                        // equal values in a row
-    float step = 0.0F;                  // least change from one value to the next; 0: none yet
-    int singles = 0, held = 0;          // runs of one, runs of two to eight
+    std::size_t fill = 0, length = 0, beforeFill = 0;
+    double sum = 0.0;                   // as delivered [SI]
     double place = 0.0, largest = 0.0;  // usual mean, and the largest magnitude shown [SI]
     double peak = 0.0;                  // of the window before
     double seconds = 0.0;               // looked at so far
     KnockFinder knocks;
     HumWatch hum;
-    Finding loose, off, noise, repeated;
+    dsp::RepeatWatch repeats;
+    dsp::Finding loose, off, noise, still;
   };
   void begin() noexcept;
   void take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept;
-  void countRuns(Channel& c, float value) noexcept;
   void look(int index, const CutGate& gate) noexcept;
   void watchMean(Channel& c, double mean, double peak) noexcept;
-  void watchRuns(Channel& c) noexcept;
+  void watchStill(int index, const CutGate& gate) noexcept;
   int windowsIn(double seconds) const noexcept;
   Reason faultOf(int index, const CutGate& gate) const noexcept;
 
@@ -81,7 +80,7 @@ class SensorCheck {
   std::vector<Channel> channels_;
   CableWatch cable_;
   PairWatch pairs_;
-  RateWatch rate_;
+  dsp::RateWatch rate_;
   AliasWatch alias_;
   SensorStatus status_;
 };

@@ -137,7 +137,8 @@ bool SpectralDetector::fromEntry(const LineOutside& line, double turns) noexcept
 void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   const double step = hop_ / rate_;
   const double turns = block.spindle.value * step;
-  steadySeconds_ = block.phase == CutPhase::Steady ? steadySeconds_ + step : 0.0;
+  steadySeconds_ = AlarmJudge::steady(block) ? steadySeconds_ + step : 0.0;
+  if (judge_.outdated(block)) leaveCut();
   if (!(turns > 0.0) || !ring_.full()) return;
   mask_.update(block.spindle, block.spindleSd, maskBins_, Hertz(kUsableBand * rate_));
   const bool settled = steadySeconds_ * rate_ > static_cast<double>(ring_.window());
@@ -159,7 +160,7 @@ void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   }
   const LineOutside& line = channels_[leading_].line;
   const bool entry = threshold_ <= 0.0 && settled && fromEntry(line, turns);
-  judge_.judge({begins || entry, lasts, severity}, block.phase, Seconds(step));
+  judge_.judge({begins || entry, lasts, severity}, block, Seconds(step));
   judge_.follow(line.frequency, Hertz(0.25 * spectrum_.binWidth()));
 }
 

@@ -5,16 +5,15 @@
 // threshold, is chatter, and its place f_c.
 //
 // Departures, with their evidence:
-// - The paper's 512 points at 1 kHz are 0.51 s, eight turns at its 950 rev/min. Here the window is 20 turns (a Hann
-// line is
-//   four bins wide, so 8 turns leave nothing between two spindle harmonics), at most 1.5 s, with 8 windows overlapping.
-//   That is 0.15 s at 11 000 rev/min; growth shows before the window is full of it.
+// - The paper's 512 points at 1 kHz are 0.51 s, eight turns at its 950 rev/min. Here the window is 28 turns, at most
+//   1.5 s, with 8 windows overlapping: a Hann line is four bins wide, so 8 turns leave nothing between two spindle
+//   harmonics. That is 0.15 s at 11 000 rev/min; growth shows before the window is full of it.
 // - The paper's threshold is a number on its force sensor. Here the strongest free line's part of the vibration is
 //   tested for growth above its learned floor (onset_test.h). `spectral.threshold` fixes an amplitude instead.
 // - A line is a local maximum, seen in two spectra in a row, and holds a good part of what lies between the harmonics
 //   (the flank of a harmonic, chips and knocks do not).
 // - Works on any sensor, every channel on its own; the loudest evidence decides.
-// Known limits: harmonics folded back by a missing anti-alias filter are not masked; chatter within 2 bins (0.083
+// Known limits: harmonics folded back by a missing anti-alias filter are not masked; chatter within 2 bins (0.071
 // orders) of a spindle harmonic is masked; period doubling with even teeth too. Thread: worker. See detector.h.
 #pragma once
 

@@ -39,17 +39,17 @@ constexpr double kFine = 7e-4;
 constexpr double kClearPart = 0.5;
 constexpr double kLeastPart = 0.1;
 constexpr double kContrast = 3.0;
-constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
-constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
-constexpr double kBetter = 2.0;         // ... if that comb carries so much more
-constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
-constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
-constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
-constexpr double kRecentSeconds = 0.05;
+constexpr double kAgreement = 1.5e-3;    // two windows in a row say the same speed
+constexpr double kMoved = 2.5e-3;        // a lock this far off a better comb is given up ...
+constexpr double kBetter = 2.0;          // ... if that comb carries so much more
+constexpr double kMargin = 1.2;          // past the stated doubt, so that its end is still a peak
+constexpr double kMachineRange = 0.01;   // a measured speed is better than a programmed one
+constexpr double kSameSpeed = 1e-4;      // a read-back that moves less did not move
+constexpr double kRecentSeconds = 0.05;  // at least, and
+constexpr double kRecentTurns = 2.0;
 constexpr double kRide = 2e-3;    // from the mean of the recent past: faster than the phases can be followed
 constexpr double kMoving = 1e-2;  // ... than turns can be compared
-constexpr double kGlide = 3e-3;   // the same of the speed that is heard, which scatters more
-constexpr double kSwift = 4e-3;
+constexpr double kSwift = 4e-3;   // the same of the speed that is heard, which lags
 constexpr double kArrived = 1e-3;
 constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
@@ -75,8 +75,8 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
 }
 
 void SpeedTracker::reset() noexcept {
-  told_ = before_ = recent_ = nominal_;
-  measured_ = riding_ = moving_ = gliding_ = false;
+  told_ = before_ = turning_ = recent_ = nominal_;
+  measured_ = riding_ = moving_ = false;
   heard_ = 0.0;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
@@ -108,7 +108,8 @@ void SpeedTracker::listen(const MachineState& machine, int frames) noexcept {
       told = toHertz(machine.targetSpeed()).value;
     }
   }
-  if (measured != measured_ || !(before_ > 0.0)) before_ = recent_ = told;  // another kind of word, no change of speed
+  if (measured != measured_ || !(before_ > 0.0))
+    before_ = turning_ = recent_ = told;  // another kind of word, no change of speed
   measured_ = measured;
   if (!(told > 0.0) && locked_) return;  // nobody says more than the signal did
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
@@ -174,7 +175,9 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
     if (away < kMoved && !astray()) {
       const bool slipped = !proven_ && away > kFine && tracker_.scatter() > kSlipped;
-      proven_ = proven_ || now.part > kClearPart;
+      // Not by its window alone: a comb may fit the coming in of the tool, when a mode rings and lines are broad.
+      const bool held = tracker_.clean() || (away < kFine && tracker_.turns() > kThoroughTurns);
+      proven_ = proven_ || (now.part > kClearPart && held);
       if (!slipped) return;
     }
     if (away > kMoved && proven_ && !astray()) return;
@@ -191,7 +194,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     }
   }
   toothPart_ = now.toothPart;
-  proven_ = now.part > kClearPart;
+  proven_ = false;
   lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 
@@ -244,7 +247,7 @@ void SpeedTracker::watchLoneLine(const SpeedSearch& search) noexcept {
   loneLine_ = {};
   if (teeth_ < 2 || !(told_ > 0.0) || !(strongest_.value > 0.0) || !(before.value > 0.0)) return;
   if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
-  const double range = kMargin * (measured_ ? kMachineRange : range_);
+  const double range = kMargin * (measured_ ? kReadBack : range_);
   if (search.mayBeForced(strongest_, Hertz(told_ * (1.0 - range)), Hertz(told_ * (1.0 + range)))) return;
   // A mode can make runout's harmonic the only line there is; a measured speed says where they are.
   const Hertz told(told_);
@@ -294,8 +297,12 @@ void SpeedTracker::followMachine(double seconds) noexcept {
     riding_ = moving_ = false;
     return;
   }
-  recent_ += (1.0 - std::exp(-seconds / kRecentSeconds)) * (told_ - recent_);
-  const double away = std::abs(told_ / recent_ - 1.0);
+  // Teeth and chatter shake a slow spindle within its turn: there it is told by the mean over one.
+  const double longer = 1.0 / told_ - kRecentSeconds;
+  turning_ = longer > 0.0 ? turning_ + (1.0 - std::exp(-seconds / longer)) * (told_ - turning_) : told_;
+  const double recent = std::max(kRecentSeconds, kRecentTurns / told_);
+  recent_ += (1.0 - std::exp(-seconds / recent)) * (told_ - recent_);
+  const double away = std::abs(turning_ / recent_ - 1.0);
   moving_ = away > (moving_ ? kArrived : kMoving);
   const bool rode = riding_;
   riding_ = away > (riding_ ? kArrived : kRide);
@@ -306,13 +313,10 @@ void SpeedTracker::followMachine(double seconds) noexcept {
 
 // Without a machine that says so: the vibration itself shows that the speed changes.
 void SpeedTracker::followSignal(double seconds) noexcept {
-  gliding_ = false;
   if (!locked_ || riding_) return;
   const double now = tracker_.spindle().value;
   heard_ += (1.0 - std::exp(-seconds / kRecentSeconds)) * (now - heard_);
-  const double away = std::abs(now / heard_ - 1.0);
-  gliding_ = away > kGlide;
-  moving_ = moving_ || away > kSwift;
+  moving_ = moving_ || std::abs(now / heard_ - 1.0) > kSwift;
 }
 
 void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
@@ -360,25 +364,23 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
   quick_.since += frames;
   thorough_.since += frames;
   double omega = locked_ ? kTwoPi * tracker_.spindle().value : kTwoPi * spindle().value;
-  std::complex<double> phasor = std::polar(1.0, angle_);
-  std::complex<double> rotation = std::polar(1.0, omega / rate_ + slew_);
-  for (int f = 0; f < frames; ++f) {
+  for (int f = 0; f < frames;) {
+    const int first = f;
+    const double begin = angle_;
     const double increment = omega / rate_ + slew_;
-    angle[f] = angle_;
-    step[f] = increment;
-    if (locked_) tracker_.accumulate(phasor, samples, f);
-    angle_ += increment;
-    phasor *= rotation;
-    if (angle_ < kTwoPi) continue;
+    do {
+      angle[f] = angle_;
+      step[f] = increment;
+      angle_ += increment;
+    } while (++f < frames && angle_ < kTwoPi);
+    if (locked_) tracker_.accumulate(begin, increment, samples, first, f - first);
+    if (angle_ < kTwoPi) return;
     angle_ -= kTwoPi;
-    if (locked_) {
-      const double ahead = tracker_.completeTurn();
-      omega = kTwoPi * tracker_.spindle().value;
-      if (told_ > 0.0) ratio_ = tracker_.spindle().value / told_;
-      catchUp(ahead, omega);
-      rotation = std::polar(1.0, omega / rate_ + slew_);
-    }
-    phasor = std::polar(1.0, angle_);
+    if (!locked_) continue;
+    const double ahead = tracker_.completeTurn();
+    omega = kTwoPi * tracker_.spindle().value;
+    if (told_ > 0.0) ratio_ = tracker_.spindle().value / told_;
+    catchUp(ahead, omega);
   }
 }
 

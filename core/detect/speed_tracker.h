@@ -47,8 +47,9 @@ class SpeedTracker {
   // Without a lock: one line that holds most of the vibration, window after window, and can be no tooth passing at any
   // speed that was told. 0: none.
   Hertz loneLine() const noexcept { return loneLine_; }
-  // The speed changes: the angle follows the machine's word or, without one, the vibration itself.
-  bool riding() const noexcept { return riding_ || gliding_; }
+  // The speed changes and the angle follows the machine's word. Where it follows the vibration, what it catches up of
+  // its own lag is no turning of the spindle, and turns are told by the speed alone.
+  bool riding() const noexcept { return riding_; }
   // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
   bool moving() const noexcept { return moving_ || astray(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
@@ -93,12 +94,12 @@ class SpeedTracker {
   double told_ = 0.0;     // Hz, now
   double ratio_ = 1.0;    // true over told
   double before_ = 0.0;   // Hz, told with the block before
+  double turning_ = 0.0;  // Hz, told now, or over the last turn of a slow spindle
   double recent_ = 0.0;   // Hz, told over the last while
   bool measured_ = false;
   bool riding_ = false;  // angle and speed come from the machine, since its speed changes
   bool moving_ = false;
   double heard_ = 0.0;  // Hz, of the tracker over the last while
-  bool gliding_ = false;
   SpeedSource source_ = SpeedSource::None;
   bool locked_ = false;
   bool proven_ = false;     // the comb of the lock carried most of the power

@@ -8,6 +8,8 @@
 namespace stillcut::detect {
 namespace {
 
+using dsp::kernels::HarmonicRun;
+
 constexpr double kSameAngle = 1e-9;  // rad; the sums of angles differ by roundings
 
 }  // namespace
@@ -88,8 +90,8 @@ void TurningHarmonics::align(double angle, double step) noexcept {
   makeTurn();
 }
 
-dsp::kernels::HarmonicRun TurningHarmonics::run(int channel, const double* x, double* rest, std::size_t frames,
-                                                double after) noexcept {
+HarmonicRun TurningHarmonics::run(int channel, const double* x, double* rest, std::size_t frames,
+                                  double after) noexcept {
   return {x,
           rest,
           frames,
@@ -115,6 +117,19 @@ void TurningHarmonics::process(int channel, const double* x, double* rest, std::
   finished(channel, rest, frames);
 }
 
+void TurningHarmonics::process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride,
+                               std::size_t frames, double after) noexcept {
+  int c = 0;
+  for (; c + 1 < channels_; c += 2) {
+    const HarmonicRun first = run(c, x + c * stride, rest + c * restStride, frames, after);
+    const HarmonicRun second = run(c + 1, x + (c + 1) * stride, rest + (c + 1) * restStride, frames, after);
+    kernels_.harmonicPair(first, second);
+    finished(c, first.rest, frames);
+    finished(c + 1, second.rest, frames);
+  }
+  if (c < channels_) process(c, x + c * stride, rest + c * restStride, frames, after);
+}
+
 void TurningHarmonics::advance(std::size_t frames) noexcept {
   angle_ = dsp::wrapPhase(angle_ + static_cast<double>(frames) * step_);
 }
@@ -124,9 +139,19 @@ double TurningHarmonics::power(int channel, int n) const noexcept {
   return re_[i] * re_[i] + im_[i] * im_[i];
 }
 
-std::complex<double> TurningHarmonics::amplitude(int channel, int n) const noexcept {
-  const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
-  return std::complex<double>(re_[i], im_[i]) * std::polar(1.0, -n * angle_);
+void TurningHarmonics::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+  const double c = std::cos(angle_);
+  const double s = -std::sin(angle_);
+  double re = c;
+  double im = s;
+  for (std::size_t n = 0; n < out.size(); ++n) {
+    const double r = re_[row(channel) + n];
+    const double i = im_[row(channel) + n];
+    out[n] = {r * re - i * im, r * im + i * re};
+    const double next = re * c - im * s;
+    im = re * s + im * c;
+    re = next;
+  }
 }
 
 double TurningHarmonics::weightedPower(int channel, const double* weight) const noexcept {

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <complex>
+#include <span>
 #include <vector>
 
 #include "core/dsp/kernels/kernels.h"
@@ -37,6 +38,9 @@ class TurningHarmonics {
   // Predicts one channel, corrects its harmonics, writes the rest times `after`. A rest that is not finite starts the
   // channel anew and leaves silence.
   void process(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept;
+  // Every channel: x[channel * stride + frame], rest the same with restStride.
+  void process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride, std::size_t frames,
+               double after) noexcept;
   // The same for a kernel that does more with each rest; finished() is to follow.
   dsp::kernels::HarmonicRun run(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept;
   bool finished(int channel, double* rest, std::size_t frames) noexcept;
@@ -47,8 +51,8 @@ class TurningHarmonics {
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
   double power(int channel, int n) const noexcept;
-  // A_n: q_n against the spindle's angle.
-  std::complex<double> amplitude(int channel, int n) const noexcept;
+  // A_n: q_n against the spindle's angle, of the first harmonics.
+  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
   double weightedPower(int channel, const double* weight) const noexcept;
 

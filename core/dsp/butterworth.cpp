@@ -95,6 +95,26 @@ void Butterworth::bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcep
   }
 }
 
+void Butterworth::process(std::span<Butterworth> filters, const double* x, std::ptrdiff_t stride, double* out,
+                          std::ptrdiff_t outStride, std::size_t frames, const kernels::Kernels& kernels) noexcept {
+  static_assert(sizeof(Biquad) == 5 * sizeof(double) && sizeof(state_) == 2 * kMaxSections * sizeof(double));
+  for (std::size_t n = 0; n < filters.size(); n += 2) {
+    const bool alone = n + 1 == filters.size();
+    kernels::CascadeRun run;
+    run.frames = frames;
+    run.sections = static_cast<std::size_t>(filters[n].sections_);
+    std::array<std::array<double, 2>, kMaxSections> copied = filters[n].state_;  // an odd one keeps itself company
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t at = alone ? n : n + i;
+      run.in[i] = x + static_cast<std::ptrdiff_t>(at) * stride;
+      run.out[i] = out + static_cast<std::ptrdiff_t>(at) * outStride;
+      run.coefficients[i] = &filters[at].coefficients_[0].b0;
+      run.state[i] = alone && i == 1 ? copied[0].data() : filters[at].state_[0].data();
+    }
+    kernels.cascade(run);
+  }
+}
+
 std::complex<double> Butterworth::response(Hertz f, Hertz rate) const {
   const Complex d = std::polar(1.0, -kTwoPi * f.value / rate.value);
   Complex h = 1.0;

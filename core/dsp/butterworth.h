@@ -6,8 +6,11 @@
 
 #include <array>
 #include <complex>
+#include <cstddef>
+#include <span>
 
 #include "core/base/units.h"
+#include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::dsp {
 
@@ -25,6 +28,10 @@ class Butterworth {
   void highPass(int order, Hertz edge, Hertz rate) noexcept;
   void bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcept;
 
+  // One stretch of several signals, each through its own filter; all filters of one order. x[signal * stride + frame];
+  // out the same with outStride, and may be x itself.
+  static void process(std::span<Butterworth> filters, const double* x, std::ptrdiff_t stride, double* out,
+                      std::ptrdiff_t outStride, std::size_t frames, const kernels::Kernels& kernels) noexcept;
   double process(double x) noexcept {
     for (int s = 0; s < sections_; ++s) {
       const Biquad& c = coefficients_[static_cast<std::size_t>(s)];

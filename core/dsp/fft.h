@@ -1,5 +1,6 @@
 // Real FFT plans as values that own them (FFTW, double). Plan in prepare(); executing allocates nothing as long as the
-// size has only the primes 2, 3, 5, 7, which prepare() insists on (FFTW allocates at run time for large primes).
+// size is even and has only the primes 2, 3, 5, 7, which prepare() insists on (FFTW allocates at run time for large
+// primes; counted over all the sizes allowed up to 140000: not for one of them).
 // Thread: prepare() on any thread (the planner is guarded); forward() on one thread at a time per object.
 #pragma once
 
@@ -9,8 +10,7 @@
 
 namespace stillcut::dsp {
 
-// Smallest even size >= n whose only prime factors are 2, 3, 5 and 7: FFTW runs large odd sizes through a buffer that
-// it allocates at each call (counted over all such sizes up to 40000: 96 odd ones, no even one).
+// Smallest even size >= n whose only prime factors are 2, 3, 5 and 7.
 int goodFftSize(int n);
 // The same for a transform that may be padded: a multiple of 32 with no more than one factor 3. FFTW's estimated plans
 // take up to twice as long a point for sizes rich in threes and poor in twos (measured: 2.1 ns at 2916, 1.2 at 3136).
@@ -23,7 +23,7 @@ class RealFft {
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 
-  // Throws std::runtime_error for a size < 2 or with a prime factor above 7.
+  // Throws std::runtime_error for a size that is odd, < 2 or has a prime factor above 7.
   void prepare(int size);
   int size() const;
   int bins() const { return size() / 2 + 1; }

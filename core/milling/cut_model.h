@@ -4,7 +4,7 @@
 //
 // Axes: x along the feed, y to the left of it, seen from the spindle; tooth angle phi is measured from +y towards +x
 // (clockwise), so that the chip thickness of a straight edge is h = f_z sin(phi) (van Dijk 2010 eq. 1-4).
-// Up milling engages phi = 0 .. acos(1 - 2 a/D), down milling pi - acos(1 - 2 a/D) .. pi.
+// Up milling engages phi = 0 .. acos(1 - 2 a/D), down milling pi - acos(1 - 2 a/D) .. pi. Any thread.
 #pragma once
 
 #include <array>

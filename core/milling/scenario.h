@@ -1,5 +1,5 @@
 // Scenario: one simulated cut on one simulated machine, complete: physics, programme, sensors, drives, what is expected
-// of control. Files: resources/scenarios/*.toml (scenario_toml.cpp), shared cases (case_json.cpp).
+// of control. Files: resources/scenarios/*.toml (scenario_toml.cpp), cases (case_json.cpp). Values: any thread.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a channel measures. The quantity decides the detector profile and Caliskan's integration factor.
+// What a channel measures. The quantity decides detector profile and Caliskan's integration factor. Any thread.
 #pragma once
 
 #include <optional>

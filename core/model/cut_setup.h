@@ -1,4 +1,4 @@
-// What is known about the cut before it starts: the tool, the programmed values, the channels.
+// What is known about the cut before it starts: the tool, the programmed values, the channels. Any thread.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// Events (lines a machinist understands) and interventions (cards with before and after).
+// Events (lines a machinist understands) and interventions (cards with before and after). Plain values: any thread.
 #pragma once
 
 #include <cstdint>

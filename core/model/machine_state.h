@@ -1,4 +1,4 @@
-// MachineState: the machine as read back, by value. The only thing that flows against the samples.
+// MachineState: the machine as read back, by value. The only thing that flows against the samples. Any thread.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Marker: what a person says about a moment or a span of a recording. Machinists touch a button during the cut;
-// engineers add spans and notes afterwards.
+// engineers add spans and notes afterwards. Plain values: any thread.
 #pragma once
 
 #include <cstdint>

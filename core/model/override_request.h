@@ -1,5 +1,5 @@
 // OverrideRequest: what a strategy wants, in absolute values, with its reason. A wish, not a command: only the gate can
-// make a command of it.
+// make a command of it. Plain values: any thread.
 #pragma once
 
 #include <cstdint>

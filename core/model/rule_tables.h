@@ -1,4 +1,4 @@
-// The rules of a fuzzy strategy as they are at this moment, what was learned included: for screens. Plain value.
+// The rules of a fuzzy strategy as they are at this moment, what was learned included: for screens. Any thread.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What is known of the sensors from what they deliver: for screens, and for the reason of an invalid verdict.
+// What is known of the sensors from what they deliver: for screens and the reason of an invalid verdict. Any thread.
 #pragma once
 
 #include <array>

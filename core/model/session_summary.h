@@ -1,6 +1,6 @@
 // SessionSummary: a whole recording as a reader of a report sees it: what was cut, what happened, what we did about it,
 // how the sensors were. Of bounded size however long the recording: curves and spectrogram are thinned, keeping the
-// largest of what they merge.
+// largest of what they merge. Plain values: any thread.
 #pragma once
 
 #include <string>

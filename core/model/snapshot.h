@@ -67,7 +67,7 @@ struct Snapshot {
   bool operatorHold = false;
   MachineState machine;
   double vibrationRms = 0.0;  // first channel, SI, last block
-  Seconds chatterTime{};      // total in onset or chatter
+  Seconds chatterTime{};      // total in chatter; an onset is not counted
   Metres chatterLength{};     // path cut meanwhile
   PathHealth health;
   SensorStatus sensors;  // live level, actual rate, and whether each channel can be believed

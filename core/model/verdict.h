@@ -1,4 +1,4 @@
-// Verdict: what a detector says after one block.
+// Verdict: what a detector says after one block. Plain values: any thread.
 #pragma once
 
 #include <array>

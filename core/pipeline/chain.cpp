@@ -97,6 +97,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   machine_ = believable(input.machine);
   const detect::ConditionedBlock& block = conditioner_.process(input.block, machine_);
   step_.vibrationRms = rms(block.channel(0));
+  step_.feed = block.feed;
   step_.sensors = &conditioner_.sensors();
   runDetectors(block);
   tellStrategy(input);
@@ -171,7 +172,7 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
       return parts_.strategy->decide({.now = input.block.end(),
                                       .dt = dt_,
                                       .verdict = verdict,
-                                      .machine = machine_,
+                                      .machine = gate_.seenByWishes(machine_),
                                       .perturbation = read(perturbation_),
                                       .vibration = step_.vibrationRms,
                                       .coherence = read(coherence_),

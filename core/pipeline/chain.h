@@ -40,6 +40,7 @@ class Chain {
     StepOutput output;
     safety::GateOutput gate;    // authority, advice, holds
     double vibrationRms = 0.0;  // first channel, SI
+    MetresPerSecond feed{};     // the machine's, or as set up; 0: unknown
     const SensorStatus* sensors = nullptr;
     bool strategyFailed = false;  // now or earlier: monitoring only until the next prepare()
     bool detectorFailed = false;

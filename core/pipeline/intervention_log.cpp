@@ -23,7 +23,7 @@ void append(StepOutput& output, std::uint64_t& number, EventLevel level, Instant
 
 }  // namespace
 
-void InterventionLog::follow(const StepInput& input, StepOutput& output, double vibrationRms, Seconds dt) noexcept {
+void InterventionLog::follow(const StepInput& input, StepOutput& output, const CutNow& cut, Seconds dt) noexcept {
   const Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.inCharge)];
   alarming_ = verdict.alarming();
   // Without a verdict nobody knows whether it is quiet. An exit may be one or chatter that dies down: what it was shows
@@ -33,17 +33,20 @@ void InterventionLog::follow(const StepInput& input, StepOutput& output, double 
   } else if (verdict.valid && verdict.phase != CutPhase::Exit) {
     sinceAlarm_ += dt;
   }
+  // An onset marks nothing yet: what is counted is the full chatter.
+  if (alarming_ && verdict.state == CutState::Chatter) {
+    chatterTime_ += dt;
+    chatterLength_ += Metres(cut.feed.value * dt.value);
+  }
   if (alarming_) {
     lastAlarm_ = verdict.time;
-    chatterTime_ += dt;
-    chatterLength_ += Metres(input.machine.actualFeed.value * dt.value);
-    if (!open_) begin(input, output, verdict, vibrationRms);
+    if (!open_) begin(input, output, verdict, cut);
   }
-  if (open_) update(input, output, verdict, vibrationRms, dt);
+  if (open_) update(input, output, verdict, cut, dt);
 }
 
 void InterventionLog::begin(const StepInput& input, StepOutput& output, const Verdict& verdict,
-                            double vibrationRms) noexcept {
+                            const CutNow& cut) noexcept {
   Intervention& card = cards_[count_ % kInterventionsShown];
   card = Intervention{};
   card.number = count_++;
@@ -51,13 +54,13 @@ void InterventionLog::begin(const StepInput& input, StepOutput& output, const Ve
   card.frequency = verdict.frequency;
   card.speedBefore = card.speedAfter = input.machine.actualSpeed;
   card.feedBefore = card.feedAfter = input.machine.actualFeed;
-  card.vibrationBefore = vibrationRms;
+  card.vibrationBefore = cut.vibrationRms;
   open_ = true;
   append(output, eventNumber_, EventLevel::Warning, verdict.time,
          {ReasonCode::ChatterBegan, {verdict.frequency.value, verdict.severity.value, 0.0, 0.0}});
 }
 
-void InterventionLog::update(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms,
+void InterventionLog::update(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut,
                              Seconds dt) noexcept {
   Intervention& card = cards_[(count_ - 1) % kInterventionsShown];
   if (output.hasCommand && moves(output.command) && card.commanded == Instant{}) card.commanded = output.command.time;
@@ -66,17 +69,17 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
   const MetresPerSecond wanted = input.machine.programmedFeed * input.machine.operatorFeed.value;
   const bool known = wanted.value > 0.0 && card.feedAfter.value > 0.0;
   card.cycleTime = known ? Ratio(wanted / card.feedAfter) : Ratio(1.0);
-  card.vibrationAfter = vibrationRms;
+  card.vibrationAfter = cut.vibrationRms;
   if (verdict.valid) card.severityAfter = verdict.severity;
   if (alarming_) {
     // "Before" ends with our first command: while the spindle changes its speed nothing repeats from turn to turn, and
     // the energy ratio says nothing about chatter.
     if (card.commanded == Instant{}) {
       card.severityBefore = std::max(card.severityBefore, verdict.severity);
-      card.vibrationBefore = std::max(card.vibrationBefore, vibrationRms);
+      card.vibrationBefore = std::max(card.vibrationBefore, cut.vibrationRms);
       if (verdict.state == CutState::Chatter || card.frequency.value <= 0.0) card.frequency = verdict.frequency;
     }
-    card.marked += Metres(input.machine.actualFeed.value * dt.value);
+    if (verdict.state == CutState::Chatter) card.marked += Metres(cut.feed.value * dt.value);
     return;
   }
   const bool left = verdict.phase == CutPhase::Air;

@@ -12,10 +12,16 @@
 
 namespace stillcut::pipeline {
 
+// What the conditioner made of the block.
+struct CutNow {
+  double vibrationRms = 0.0;  // first channel, SI
+  MetresPerSecond feed{};     // also of a cut without a machine's link, as set up; 0: unknown
+};
+
 class InterventionLog {
  public:
-  // `vibrationRms` of the block in SI. Appends "chatter began / ended" to the output's events.
-  void follow(const StepInput& input, StepOutput& output, double vibrationRms, Seconds dt) noexcept;
+  // Appends "chatter began / ended" to the output's events.
+  void follow(const StepInput& input, StepOutput& output, const CutNow& cut, Seconds dt) noexcept;
   void reset() noexcept { *this = InterventionLog(); }
 
   std::uint64_t count() const { return count_; }
@@ -25,8 +31,8 @@ class InterventionLog {
   Metres chatterLength() const { return chatterLength_; }
 
  private:
-  void begin(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms) noexcept;
-  void update(const StepInput& input, StepOutput& output, const Verdict& verdict, double vibrationRms,
+  void begin(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut) noexcept;
+  void update(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut,
               Seconds dt) noexcept;
 
   std::array<Intervention, kInterventionsShown> cards_{};

@@ -21,6 +21,7 @@ namespace stillcut::pipeline {
 class MachineFeed {
  public:
   virtual ~MachineFeed() = default;
+  // Fills the machine's state and the operator's inputs in; whoever has none leaves the state invalid.
   virtual void complete(StepInput& step) noexcept = 0;
 };
 

@@ -20,7 +20,8 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
   const Seconds length(input.block.frames / input.block.rate.value);
   output_ = done.output;
   tellLosses(input.block.end());
-  log_.follow(input, output_, done.vibrationRms, started_ ? secondsBetween(previous_, input.block.end()) : length);
+  log_.follow(input, output_, {done.vibrationRms, done.feed},
+              started_ ? secondsBetween(previous_, input.block.end()) : length);
   previous_ = input.block.end();
   started_ = true;
 

@@ -18,6 +18,7 @@ namespace stillcut::pipeline {
 class StepTap {
  public:
   virtual ~StepTap() = default;
+  // Copies the step or drops it; never waits.
   virtual bool push(const StepInput& input, const StepOutput& output) noexcept = 0;
   // It has given up for good; the loop says so once, and goes on.
   virtual bool stopped() const noexcept { return false; }

@@ -12,6 +12,7 @@ class StepSource {
   virtual ~StepSource() = default;
   // Fills step.block (and, from a session, the recorded machine state and inputs). False: no more.
   virtual bool read(StepInput& step) noexcept = 0;
+  // Ends a read() that waits, and all after it. Any thread.
   virtual void stop() noexcept = 0;
 };
 

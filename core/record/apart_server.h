@@ -1,4 +1,4 @@
-// The other end of openApart(): what the program stillcut-reader does.
+// The other end of openApart(): what the program stillcut-reader does. Thread: the main one of its process; waits.
 #pragma once
 
 #include <string>

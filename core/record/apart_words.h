@@ -1,5 +1,6 @@
 // What goes between openApart() and its process, over a socket: first, unasked, what the file is; then, for every block
 // capacity that is sent (a 32-bit number), one block. Both ends are of the same build on the same machine.
+// Plain values: any thread.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // What a sound file cannot say about its channels, as one comment in it: names, quantities, units and calibration, so
 // that an exported sound file comes back as what it was. JSON; other programs show it as text or leave it alone.
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // ColumnReader: a recording whose channels lie one after the other in the file (universal files, MATLAB, HDF5), read as
 // blocks. The format gives one Column a channel; everything else is the same for all of them.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <functional>

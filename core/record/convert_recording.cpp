@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/record/recording_sink.h"
+#include "core/record/session_folder.h"
+#include "core/record/session_reader.h"
 
 namespace stillcut::record {
 namespace {
@@ -79,11 +81,17 @@ Status fillGap(RecordingSink& sink, const SampleBlock& after, GapStyle style, co
 
 Status convertRecording(const std::string& from, const std::string& to, const ReadOptions& options,
                         const TimeSpan& span, const OpenCut& open) {
+  if (Status free = checkReplaceable(to, MayReplace::NoSession); !free) return free;
   Result<std::unique_ptr<RecordingReader>> reader = openPart(from, options, span, open);
   if (!reader) return reader.error();
   ExportPlan plan;
   plan.channels = (*reader)->format().channels;
   plan.rate = (*reader)->format().rate;
+  if ((*reader)->format().setup && isHdf5File(from)) {  // a session's clock does not begin with it
+    const Result<SessionCounts> counts = countSession(from);
+    if (!counts) return counts.error();
+    plan.begin = counts->begin;
+  }
   if (sinkNeedsLook(to)) {
     if (const Status s = look(**reader, to, plan); !s) return s.error();
     if (plan.frames == 0) return Error{from, "the span holds no samples", ""};

@@ -1,4 +1,4 @@
-// Export: any recording that can be opened, or a span of it, in SI units and with its calibration.
+// Export: any recording that can be opened, or a span of it, in SI units and with its calibration. Any one thread.
 #pragma once
 
 #include <functional>

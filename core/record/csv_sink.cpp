@@ -7,10 +7,12 @@
 namespace stillcut::record {
 namespace {
 
-// Time and one column a channel, with names and units; seconds since the clock of the samples began.
+// Time and one column a channel, with names and units; seconds since the first sample of the recording, also where only
+// a span of it is written.
 class CsvSink final : public RecordingSink {
  public:
-  CsvSink(const std::string& path, const ExportPlan& plan) : file_(path), channels_(plan.channels) {}
+  CsvSink(const std::string& path, const ExportPlan& plan)
+      : file_(path), channels_(plan.channels), begin_(plan.begin) {}
 
   bool opened() const { return file_.opened(); }
   Error failure() const { return file_.failure(); }
@@ -30,7 +32,7 @@ class CsvSink final : public RecordingSink {
   Status write(const SampleBlock& block) override {
     std::FILE* to = file_.stream();
     for (int f = 0; f < block.frames; ++f) {
-      std::fprintf(to, "%.9f", sinceEpoch(block.firstSample).value + f / block.rate.value);
+      std::fprintf(to, "%.9f", secondsBetween(begin_, block.firstSample).value + f / block.rate.value);
       for (int c = 0; c < block.channels; ++c) {
         const double scale = channels_[static_cast<std::size_t>(c)].info.scale;
         std::fprintf(to, ",%.9g", block.channel(c)[static_cast<std::size_t>(f)] * scale);
@@ -46,6 +48,7 @@ class CsvSink final : public RecordingSink {
  private:
   PartFile file_;
   std::vector<RecordedChannel> channels_;
+  Instant begin_;
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ std::string number(double value) {
 std::string channelLine(std::size_t index, const RecordedChannel& channel) {
   const ChannelInfo& info = channel.info;
   std::string line = "channel " + std::to_string(index) + "    " + info.name + ", " + std::string(name(info.quantity));
-  if (!channel.quantityKnown) line += " (assumed)";
+  if (!channel.quantityKnown) line += channel.unit.empty() ? " (assumed)" : " (assumed; its unit is not known)";
   if (!channel.unit.empty()) line += ", in " + channel.unit;
   if (info.scale != 1.0) line += ", times " + number(info.scale) + " makes " + std::string(siUnit(info.quantity));
   if (const std::string sensor = sensorText(info); !sensor.empty()) line += "; " + sensor;
@@ -68,7 +68,8 @@ std::string sessionText(const std::string& path, const RecordingFormat& format, 
           " operator inputs\n";
   if (!format.closedCleanly) text += "state        " + unclosedText(path) + "\n";
   for (const Event& event : counts.firstEvents) {
-    text += "event        " + number(sinceEpoch(event.time).value) + " s: " + sentence(event.reason) + "\n";
+    text += "event        " + number(secondsBetween(counts.begin, event.time).value) + " s: " + sentence(event.reason) +
+            "\n";
   }
   for (const Marker& marker : counts.markers) text += markerLine(marker, counts.begin);
   for (const auto& [key, value] : counts.truthValues) text += "truth        " + key + " = " + number(value) + "\n";
@@ -96,6 +97,11 @@ nlohmann::ordered_json sessionJson(const RecordingFormat& format, const SessionC
   session["commands"] = counts.commands;
   session["events"] = counts.events;
   session["operator_inputs"] = counts.inputs;
+  session["first_events"] = nlohmann::ordered_json::array();
+  for (const Event& event : counts.firstEvents) {
+    session["first_events"].push_back(
+        {{"t_s", secondsBetween(counts.begin, event.time).value}, {"text", sentence(event.reason)}});
+  }
   session["markers"] = nlohmann::ordered_json::array();
   for (const Marker& m : counts.markers) {
     session["markers"].push_back({{"number", m.number},
@@ -109,6 +115,16 @@ nlohmann::ordered_json sessionJson(const RecordingFormat& format, const SessionC
   for (const auto& [key, value] : counts.truthValues) session["truth"][key] = value;
   session["configuration"] = format.configuration;
   return session;
+}
+
+}  // namespace
+
+namespace {
+
+// A history of features has no samples to count.
+Seconds lengthOf(const RecordingDescription& description) {
+  const bool history = description.format.frames == 0 && description.session;
+  return history ? secondsBetween(description.session->begin, description.session->end) : description.format.length();
 }
 
 }  // namespace
@@ -133,7 +149,12 @@ std::string toText(const RecordingDescription& description) {
   const RecordingFormat& format = description.format;
   std::string text = "file         " + description.path + "\nformat       " + format.kind + "\n";
   text += "rate         " + number(format.rate.value) + " Hz\n";
-  text += "length       " + number(format.length().value) + " s, " + std::to_string(format.frames) + " frames\n";
+  text += "length       " + number(lengthOf(description).value) + " s, " + std::to_string(format.frames) + " frames\n";
+  constexpr Hertz kSlowest{10.0};
+  if (format.rate < kSlowest) {
+    text +=
+        "doubt        too slow for vibration: is the first column no time in seconds? --rate HZ gives another rate\n";
+  }
   for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
   for (const std::string& skipped : format.skipped) text += "no channel   " + skipped + "\n";
   if (description.session) text += sessionText(description.path, format, *description.session);
@@ -147,7 +168,7 @@ std::string toJson(const RecordingDescription& description) {
   json["format"] = format.kind;
   json["rate_hz"] = format.rate.value;
   json["frames"] = format.frames;
-  json["length_s"] = format.length().value;
+  json["length_s"] = lengthOf(description).value;
   json["channels"] = nlohmann::ordered_json::array();
   for (const RecordedChannel& channel : format.channels) {
     json["channels"].push_back({{"name", channel.info.name},

@@ -1,4 +1,4 @@
-// What a file holds, for `info` and for screens.
+// What a file holds, for `info` and for screens. Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <optional>

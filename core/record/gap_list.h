@@ -1,6 +1,6 @@
 // What is missing in a file of a format that cannot say so: a short table beside it, "cut.wav.gaps.csv", with a line
 // for every gap. Export writes it where it has filled gaps with zeros; a recording that has one beside it is read with
-// its gaps, so that zeros nobody has measured are never taken for silence.
+// its gaps, so that zeros nobody has measured are never taken for silence. Plain values: any thread.
 #pragma once
 
 #include <cstdint>

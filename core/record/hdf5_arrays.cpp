@@ -173,9 +173,31 @@ Result<Hdf5Listing> listHdf5Arrays(hid_t file, const std::string& from, std::uin
   return std::move(walk.listing);
 }
 
+namespace {
+
+// A chunk that does not fit the library's cache of 1 MB would be inflated anew for each block read from it.
+Hdf5Id roomForAChunk(hid_t file, const std::string& path) {
+  Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS));
+  const Hdf5Id dataset(H5Dopen2(file, path.c_str(), H5P_DEFAULT));
+  const Hdf5Id properties(dataset ? H5Dget_create_plist(dataset.get()) : H5I_INVALID_HID);
+  if (!properties || H5Pget_layout(properties.get()) != H5D_CHUNKED) return access;
+  std::array<hsize_t, H5S_MAX_RANK> chunk{};
+  const int rank = H5Pget_chunk(properties.get(), static_cast<int>(chunk.size()), chunk.data());
+  const Hdf5Id type(H5Dget_type(dataset.get()));
+  constexpr double kMost = 256U << 20U, kUsual = 1U << 20U;  // bytes
+  double bytes = static_cast<double>(H5Tget_size(type.get()));
+  for (int i = 0; i < rank; ++i) bytes *= static_cast<double>(chunk[static_cast<std::size_t>(i)]);
+  if (bytes <= kUsual || bytes > kMost) return access;
+  H5Pset_chunk_cache(access.get(), H5D_CHUNK_CACHE_NSLOTS_DEFAULT, static_cast<std::size_t>(bytes + kUsual),
+                     H5D_CHUNK_CACHE_W0_DEFAULT);
+  return access;
+}
+
+}  // namespace
+
 Result<std::unique_ptr<Column>> openHdf5Column(const std::shared_ptr<Hdf5Id>& file, const Hdf5Array& array, int column,
                                                const std::string& where) {
-  Hdf5Id dataset(H5Dopen2(file->get(), array.path.c_str(), H5P_DEFAULT));
+  Hdf5Id dataset(H5Dopen2(file->get(), array.path.c_str(), roomForAChunk(file->get(), array.path).get()));
   if (!dataset) return Error{where, "'" + cleanName(array.path) + "' cannot be opened", hdf5Cause()};
   return std::unique_ptr<Column>(new Hdf5Column(file, std::move(dataset), array, column, where));
 }

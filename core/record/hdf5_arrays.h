@@ -1,4 +1,5 @@
 // Arrays of numbers in an HDF5 file: what there is, and one column of one of them as numbers.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <cstdint>

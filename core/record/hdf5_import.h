@@ -1,4 +1,5 @@
 // Recordings in HDF5 files of other programs, MATLAB's v7.3 among them: any data set, or a folder of them, by its path.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <memory>

@@ -9,7 +9,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "journals are written as memory has them");
 
-constexpr std::uint64_t kMagic = 0x314C4E524A544353ULL;  // "SCTJRNL1"
+constexpr std::uint64_t kMagic = 0x324C4E524A544353ULL;       // "SCTJRNL2"
+constexpr std::uint64_t kFirstMagic = 0x314C4E524A544353ULL;  // "SCTJRNL1": without the bytes before
 
 struct Header {
   std::uint64_t magic = kMagic;
@@ -19,7 +20,8 @@ struct Header {
   std::uint64_t payload = 0;
   std::uint32_t payloadCrc = 0;
   std::uint32_t headerCrc = 0;  // of all before
-  std::array<std::uint64_t, 2> reserved{};
+  std::uint64_t sizeAfter = 0;
+  std::uint64_t sizeAfterCheck = 0;  // its complement: it came after the header's checksum
 };
 static_assert(sizeof(Header) == 64);
 
@@ -58,6 +60,7 @@ std::vector<std::byte> encodeJournal(const JournalContent& content) {
   for (const Overwrite& o : content.overwrites) {
     append(out, o.offset);
     append(out, static_cast<std::uint64_t>(o.bytes.size()));
+    out.insert(out.end(), o.before.begin(), o.before.end());
     out.insert(out.end(), o.bytes.begin(), o.bytes.end());
   }
   Header header;
@@ -67,6 +70,8 @@ std::vector<std::byte> encodeJournal(const JournalContent& content) {
   header.payload = out.size() - sizeof(Header);
   header.payloadCrc = crc32(std::span(out).subspan(sizeof(Header)));
   header.headerCrc = crc32(guarded(header));
+  header.sizeAfter = content.sizeAfter;
+  header.sizeAfterCheck = ~content.sizeAfter;
   std::memcpy(out.data(), &header, sizeof header);
   return out;
 }
@@ -76,21 +81,25 @@ std::optional<JournalContent> decodeJournal(std::span<const std::byte> bytes) {
   if (bytes.size() < sizeof header) return std::nullopt;
   std::memcpy(&header, bytes.data(), sizeof header);
   bytes = bytes.subspan(sizeof header);
-  if (header.magic != kMagic || header.headerCrc != crc32(guarded(header)) || header.payload > bytes.size()) {
+  const bool first = header.magic == kFirstMagic;
+  if (!first && (header.magic != kMagic || header.sizeAfterCheck != ~header.sizeAfter)) return std::nullopt;
+  if (header.headerCrc != crc32(guarded(header)) || header.payload > bytes.size()) {
     return std::nullopt;
   }
   bytes = bytes.first(header.payload);
   if (crc32(bytes) != header.payloadCrc) return std::nullopt;
-  JournalContent content{header.commit, header.fileSize, {}};
+  JournalContent content{header.commit, header.fileSize, {}, first ? header.fileSize : header.sizeAfter};
   while (!bytes.empty()) {
     std::array<std::uint64_t, 2> place{};  // offset, length
     if (bytes.size() < sizeof place) return std::nullopt;
     std::memcpy(place.data(), bytes.data(), sizeof place);
     bytes = bytes.subspan(sizeof place);
-    if (place[1] > bytes.size()) return std::nullopt;
-    const auto data = bytes.first(place[1]);
-    content.overwrites.push_back({place[0], {data.begin(), data.end()}});
-    bytes = bytes.subspan(place[1]);
+    const std::size_t copies = first ? 1 : 2;
+    if (place[1] > bytes.size() / copies) return std::nullopt;
+    const auto before = bytes.first((copies - 1) * place[1]);
+    const auto data = bytes.subspan(before.size(), place[1]);
+    content.overwrites.push_back({place[0], {data.begin(), data.end()}, {before.begin(), before.end()}});
+    bytes = bytes.subspan(copies * place[1]);
   }
   if (content.overwrites.size() != header.overwrites) return std::nullopt;
   return content;

@@ -1,4 +1,5 @@
 // Lets the HDF5 library read and write through a JournaledFile (a "virtual file driver" in its words).
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <hdf5.h>

@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 namespace stillcut::record {
@@ -38,16 +40,65 @@ bool readAll(int file, std::uint64_t offset, std::span<std::byte> out) {
   return true;
 }
 
-// What a dead writer has left, where it fits the file.
-std::optional<JournalContent> journalOf(int journal, std::uint64_t fileSize) {
+std::optional<JournalContent> journalOf(int journal) {
   const std::uint64_t size = sizeOf(journal);
   if (size > kLongestJournal) return std::nullopt;
   std::vector<std::byte> bytes(size);
   if (!readAll(journal, 0, bytes)) return std::nullopt;
-  std::optional<JournalContent> content = decodeJournal(bytes);
-  // Shorter than when the journal was made: the two do not belong together.
-  if (content && content->fileSize > fileSize) return std::nullopt;
-  return content;
+  return decodeJournal(bytes);
+}
+
+// The file begins with HDF5's own marks. Part of every commit: a file that another program has closed, cleared or
+// replaced since does not have them any more.
+constexpr std::uint64_t kHead = 48;
+
+bool markedAsOpen(int file) {
+  constexpr std::size_t kVersion = 8, kFlags = 11;
+  constexpr std::byte kFirstWithFlags{3}, kWriting{1};
+  std::array<std::byte, kFlags + 1> head{};
+  return readAll(file, 0, head) && head[kVersion] >= kFirstWithFlags && (head[kFlags] & kWriting) != std::byte{0};
+}
+
+// A commit begun on this very file: whatever moment it was broken off at, each byte is as it was before or as it shall
+// be. Anything else was written by somebody else, later, or is another file.
+bool belongsTo(const JournalContent& content, int file) {
+  if (std::min(content.fileSize, content.sizeAfter) > sizeOf(file)) return false;
+  return std::all_of(content.overwrites.begin(), content.overwrites.end(), [file](const Overwrite& o) {
+    if (o.before.empty()) return markedAsOpen(file);  // of the first format
+    std::vector<std::byte> now(o.bytes.size());
+    if (!readAll(file, o.offset, now)) return false;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      if (now[i] != o.before[i] && now[i] != o.bytes[i]) return false;
+    }
+    return true;
+  });
+}
+
+// Each place once, as it is in the file and as the last of its overwrites leaves it.
+std::vector<Overwrite> merged(std::span<const Overwrite> overwrites, int file) {
+  std::vector<std::array<std::uint64_t, 2>> places{{0, kHead}};
+  for (const Overwrite& o : overwrites) places.push_back({o.offset, o.offset + o.bytes.size()});
+  std::sort(places.begin(), places.end());
+  std::vector<Overwrite> all;
+  for (const auto& [from, to] : places) {
+    if (all.empty() || from > all.back().offset + all.back().bytes.size()) {
+      all.push_back({from, {}, {}});
+    }
+    const std::uint64_t end = std::max(all.back().offset + all.back().bytes.size(), to);
+    all.back().bytes.resize(end - all.back().offset);
+  }
+  for (Overwrite& o : all) {
+    o.before.resize(o.bytes.size());
+    if (!readAll(file, o.offset, o.before)) return {};
+    o.bytes = o.before;
+  }
+  for (const Overwrite& o : overwrites) {
+    Overwrite& place = *std::prev(std::upper_bound(all.begin(), all.end(), o.offset,
+                                                   [](std::uint64_t at, const Overwrite& p) { return at < p.offset; }));
+    std::copy(o.bytes.begin(), o.bytes.end(),
+              place.bytes.begin() + static_cast<std::ptrdiff_t>(o.offset - place.offset));
+  }
+  return all;
 }
 
 void syncFolder(const std::string& path) {
@@ -73,7 +124,8 @@ Result<std::unique_ptr<JournaledFile>> JournaledFile::open(const std::string& pa
   if (access == Access::Read) {
     const int journal = ::open(journalPath(path).c_str(), O_RDONLY | O_CLOEXEC);
     if (journal >= 0) {
-      if (auto left = journalOf(journal, file->size_)) file->pending_ = std::move(*left);
+      auto left = journalOf(journal);
+      if (left && belongsTo(*left, file->file_)) file->pending_ = std::move(*left);
       ::close(journal);
     }
   }
@@ -136,6 +188,9 @@ Status JournaledFile::commit(bool toDisk) {
   pending_.fileSize = sizeOf(file_);
   if (toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{"", error_, ""};
   if (!pending_.overwrites.empty() && journalFile_ >= 0) {
+    pending_.sizeAfter = size_;
+    pending_.overwrites = merged(pending_.overwrites, file_);
+    if (pending_.overwrites.empty()) return failed("reading"), Error{"", error_, ""};
     const std::vector<std::byte> journal = encodeJournal(pending_);
     if (!disk_.write(journalFile_, 0, journal) || (toDisk && !disk_.sync(journalFile_))) {
       return failed("writing the journal"), Error{"", error_, ""};
@@ -165,13 +220,20 @@ void JournaledFile::abandon() {
   size_ = committed_;
 }
 
+bool JournaledFile::isAt(const std::string& path) const {
+  struct stat mine {};
+  struct stat there {};
+  return fstat(file_, &mine) == 0 && stat(path.c_str(), &there) == 0 && mine.st_dev == there.st_dev &&
+         mine.st_ino == there.st_ino;
+}
+
 void JournaledFile::removeJournal() {
   if (journalFile_ < 0) return;
   std::remove(journal_.c_str());
   ::close(std::exchange(journalFile_, -1));
 }
 
-Result<Recovery> recoverFromJournal(const std::string& path) {
+Result<Recovery> recoverFromJournal(const std::string& path, const std::function<Status()>& whole) {
   const std::string name = journalPath(path);
   std::error_code unknown;
   if (!std::filesystem::exists(name, unknown)) return Recovery::NothingToDo;
@@ -184,7 +246,9 @@ Result<Recovery> recoverFromJournal(const std::string& path) {
   };
   if (journal < 0 || file < 0) return left(Recovery::NotWritable);
   if (flock(journal, LOCK_EX | LOCK_NB) != 0) return left(Recovery::WriterAlive);
-  if (const auto content = journalOf(journal, sizeOf(file))) {
+  if (const auto content = journalOf(journal)) {
+    if (!belongsTo(*content, file)) return left(Recovery::AnothersJournal);
+    if (const Status usable = whole(); !usable) return left(usable.error());
     for (const Overwrite& o : content->overwrites) {
       if (!systemDisk().write(file, o.offset, o.bytes)) {
         return left(Error{path, "could not be repaired", std::strerror(errno)});

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,7 +21,8 @@ class JournaledFile {
  public:
   enum class Access { Create, Write, Read };
   // Create: everything goes straight to the file until beginJournal(). Write: the journal begins at once; an error when
-  // somebody else is writing. Read: with the overwrites of a journal that was left, as if they had been made.
+  // somebody else is writing. Read: with the overwrites of a journal that was left, as if they had been made, where it
+  // is this file's.
   static Result<std::unique_ptr<JournaledFile>> open(const std::string& path, Access access, Disk& disk = systemDisk());
   ~JournaledFile();  // without commit
   JournaledFile(const JournaledFile&) = delete;
@@ -41,6 +43,8 @@ class JournaledFile {
   void abandon();
   // The file is whole without its journal: removes it. After the last commit.
   void removeJournal();
+  // False: `path` is not this file any more; it was deleted, moved away or replaced.
+  bool isAt(const std::string& path) const;
   // One line about the last failure.
   const std::string& error() const { return error_; }
 
@@ -62,13 +66,14 @@ class JournaledFile {
 };
 
 enum class Recovery {
-  NothingToDo,  // no journal
-  WriterAlive,  // a journal that somebody holds
-  NotWritable,  // a journal, but the file or its folder cannot be written
-  Recovered,    // the journal's overwrites are in the file
+  NothingToDo,      // no journal
+  WriterAlive,      // a journal that somebody holds
+  NotWritable,      // a journal, but the file or its folder cannot be written
+  AnothersJournal,  // the file is not what this journal was written for, or was changed since: both are left alone
+  Recovered,        // the journal's overwrites are in the file
 };
-// Completes what a dead writer has begun, and leaves the journal in place, empty: the marks in the file still say that
-// it was not closed.
-Result<Recovery> recoverFromJournal(const std::string& path);
+// Completes what a dead writer has begun, and leaves the journal in place: the marks in the file still say that it was
+// not closed. `whole` looks at the file as it would be; when it fails, nothing is written.
+Result<Recovery> recoverFromJournal(const std::string& path, const std::function<Status()>& whole);
 
 }  // namespace stillcut::record

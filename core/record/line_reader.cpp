@@ -40,8 +40,12 @@ Result<bool> LineReader::next(std::string_view& line) {
   ++number_;
   const auto length = static_cast<std::size_t>(stop - start);
   if (length > kLongestLine) return Error{where(), "the line is too long", "this is no text recording"};
+  const std::string_view raw(start, length);
+  if (number_ == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF"))) {
+    return Error{path_, "is text in UTF-16", "save it as UTF-8"};
+  }
   if (std::memchr(start, '\0', length) != nullptr) return Error{where(), "holds bytes that are no text", ""};
-  line = std::string_view(start, length);
+  line = raw;
   if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   if (line.ends_with('\r')) line.remove_suffix(1);
   begin_ += length + (newline != nullptr ? 1 : 0);

@@ -1,4 +1,5 @@
 // LineReader: a text file line by line, with bounded memory whatever the file holds.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// The part of a session that a marker speaks of.
+// The part of a session that a marker speaks of. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // Recordings in MATLAB files of version 5 to 7.2, through matio. Version 7.3 is HDF5: hdf5_import.h.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <memory>

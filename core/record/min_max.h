@@ -1,4 +1,4 @@
-// MinMax: the least and the greatest of some samples.
+// MinMax: the least and the greatest of some samples. Pure: any thread.
 #pragma once
 
 namespace stillcut::record {

@@ -1,4 +1,5 @@
 // PartFile: a binary file written beside its name and renamed to it when it is complete; gone otherwise.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What a recording keeps, declared once.
+// What a recording keeps, declared once. Plain values: any thread.
 #pragma once
 
 #include <cstdint>

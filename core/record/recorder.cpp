@@ -128,6 +128,9 @@ Status Recorder::checkSpace() {
     const std::scoped_lock lock(faultLock_);
     path_ = path;
   }
+  if (const SessionWriter* writer = sink_->writer(); writer != nullptr && !writer->inPlace()) {
+    return Error{path, "recording stopped: the file was deleted or moved away", ""};
+  }
   std::error_code problem;
   const std::filesystem::space_info space = std::filesystem::space(path, problem);
   if (problem || space.available >= options_.reserveBytes) return Done{};

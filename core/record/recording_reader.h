@@ -51,7 +51,7 @@ struct RecordingFormat {
 class RecordingReader {
  public:
   virtual ~RecordingReader() = default;
-  virtual const RecordingFormat& format() const = 0;
+  virtual const RecordingFormat& format() const = 0;  // known from the opening on, the same to the end
   // Fills `block` (allocated for the channels of format()) with the next frames, at most its capacity, and sets every
   // other field. Sessions come back in their recorded blocks, which needs a capacity of format().blockFrames; others in
   // full blocks, cut short only before missing samples and at the end. Time counts from 0 at the first sample unless

@@ -16,6 +16,7 @@ namespace stillcut::record {
 struct ExportPlan {
   std::vector<RecordedChannel> channels;
   Hertz rate{};
+  Instant begin{};  // first sample of the whole recording, on the clock of its samples
   // Found by reading the recording once; only where sinkNeedsLook() says so.
   std::int64_t frames = 0;    // with gaps filled
   std::vector<double> peaks;  // largest magnitude of every channel [SI units]
@@ -27,6 +28,7 @@ class RecordingSink {
   virtual ~RecordingSink() = default;
   // Samples as read: the channel's scale is applied here.
   virtual Status write(const SampleBlock& block) = 0;
+  // After the last block: the file appears under its name. An error leaves none.
   virtual Status finish() = 0;
 };
 

@@ -1,5 +1,6 @@
 // What a profile tells of a sensor, as attributes of the data set that holds its samples: place, coupling, and the
 // sensitivity and input range that its scale was made of. Only what is told is written; what is missing stays untold.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <hdf5.h>

@@ -11,6 +11,7 @@
 
 #include "core/record/hdf5_file.h"
 #include "core/record/journal.h"
+#include "core/record/marker_rows.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_open.h"
@@ -67,7 +68,7 @@ std::string inWords(Seconds age) {
 std::vector<Candidate> sessionsBelow(const std::string& folder) {
   std::vector<Candidate> found;
   std::error_code problem;
-  for (auto entry = fs::recursive_directory_iterator(folder, problem);
+  for (auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, problem);
        !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
     struct stat info {};
     if (entry->path().extension() != ".h5" || stat(entry->path().c_str(), &info) != 0 || !S_ISREG(info.st_mode))
@@ -79,6 +80,15 @@ std::vector<Candidate> sessionsBelow(const std::string& folder) {
   std::sort(found.begin(), found.end(),
             [](const Candidate& a, const Candidate& b) { return a.changed_ns < b.changed_ns; });
   return found;
+}
+
+std::string freeName(const std::string& stem, const std::string& suffix, const char* between) {
+  std::string path = stem + suffix;
+  std::error_code unknown;
+  for (int n = 2; fs::exists(path, unknown) || fs::exists(journalPath(path), unknown); ++n) {
+    path = stem + between + std::to_string(n) + suffix;
+  }
+  return path;
 }
 
 }  // namespace
@@ -94,13 +104,32 @@ Result<std::string> newSessionPath(const std::string& folder, const std::string&
   std::tm parts{};
   char text[40] = "";
   if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &parts);
-  fs::path path = place / (std::string(text) + ".h5");
-  for (int n = 2; fs::exists(path, problem); ++n) path = place / (std::string(text) + "_" + std::to_string(n) + ".h5");
-  return path.string();
+  return freeName((place / text).string(), ".h5", "_");
 }
 
-Result<std::vector<Deleted>> applyRetention(const std::string& folder, const RecordPlan& plan,
-                                            std::int64_t now_utc_ns) {
+std::string freeSessionPath(const std::string& wanted) {
+  return freeName(fs::path(wanted).replace_extension().string(), fs::path(wanted).extension().string(), "-");
+}
+
+Status checkReplaceable(const std::string& path, MayReplace may) {
+  constexpr const char* kRefused = "is not replaced";
+  std::error_code unknown;
+  if (fs::exists(journalPath(path), unknown)) {
+    return Error{path, kRefused, "a recording of this name is still being written, or was cut off; take another name"};
+  }
+  if (!isHdf5File(path)) return Done{};
+  const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
+  if (!opened) return Error{path, kRefused, "it may be a recording that is damaged; take another name"};
+  const hid_t file = opened->file.get();
+  if (readText(file, "format") != kSessionFormat) return Done{};
+  if (may == MayReplace::SimulatedSession && readInteger(file, "simulated").value_or(0) != 0) {
+    const auto markers = readMarkerRows(file, path);
+    if (markers && markers->empty()) return Done{};
+  }
+  return Error{path, kRefused, "it is a recorded session; take another name"};
+}
+
+std::vector<Deleted> applyRetention(const std::string& folder, const RecordPlan& plan, std::int64_t now_utc_ns) {
   const Seconds features = plan.mode == RecordMode::Features ? plan.history : plan.keepFor;
   std::vector<Candidate> files = sessionsBelow(folder);
   std::uint64_t total = 0;
@@ -115,10 +144,12 @@ Result<std::vector<Deleted>> applyRetention(const std::string& folder, const Rec
     const Seconds keep = *holds == Holds::FeaturesOnly ? features : plan.keepFor;
     if (!beyond && age <= keep) continue;
     std::error_code problem;
-    if (!fs::remove(f.path, problem)) return Error{f.path, "cannot be deleted", problem.message()};
+    const bool gone = fs::remove(f.path, problem) || !problem;  // or somebody else was first
     total -= f.bytes;
-    deleted.push_back({f.path, age > keep ? "older than " + inWords(keep)
-                                          : "more than " + std::to_string(plan.keepBytes / 1'000'000) + " MB"});
+    deleted.push_back(
+        {f.path,
+         age > keep ? "older than " + inWords(keep) : "more than " + std::to_string(plan.keepBytes / 1'000'000) + " MB",
+         gone ? "" : problem.message()});
   }
   return deleted;
 }

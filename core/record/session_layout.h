@@ -1,4 +1,4 @@
-// Names and limits of session files that writer and reader share. Documented in resources/manual/files.md.
+// Names and limits of session files that writer and reader share. Constants, any thread. See resources/manual/files.md.
 #pragma once
 
 #include <cstdint>

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <map>
 
+#include "core/record/journal.h"
 #include "core/record/journaled_driver.h"
 #include "core/record/marker_rows.h"
 #include "core/record/session_layout.h"
@@ -32,6 +34,11 @@ Status appendRow(const std::string& path, Make make) {
   {  // a session that was cut off is made whole first
     const Result<OpenedSession> opened = openSessionFile(path);
     if (!opened) return opened.error();
+  }
+  std::error_code unknown;
+  if (std::filesystem::exists(journalPath(path), unknown)) {
+    return Error{path, "cannot be marked: the journal beside it belongs to another recording, or is in use",
+                 "move " + journalPath(path) + " away"};
   }
   Result<std::unique_ptr<JournaledFile>> journaled = JournaledFile::open(path, JournaledFile::Access::Write);
   if (!journaled) return journaled.error();

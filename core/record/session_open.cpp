@@ -3,12 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <fstream>
 #include <utility>
 #include <vector>
 
-#include "core/record/journal.h"
 #include "core/record/journaled_driver.h"
 #include "core/record/sensor_notes.h"
 #include "core/record/session_layout.h"
@@ -137,12 +135,7 @@ Status checkWhole(const JournaledFile& bytes, hid_t file, const std::string& pat
 }  // namespace
 
 Result<Recovery> recoverSession(const std::string& path) {
-  std::error_code unknown;
-  if (std::filesystem::exists(journalPath(path), unknown)) {
-    const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-    if (file && readText(file.get(), "format") != kSessionFormat) return Error{path, kNoSession, ""};
-  }
-  return recoverFromJournal(path);
+  return recoverFromJournal(path, [&path] { return checkUnclosed(path, true); });
 }
 
 Status checkUnclosed(const std::string& path, bool journal) {
@@ -178,7 +171,7 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
   opened.file = openAsItIs(path, opened.journaled.get());
   if (!opened.file) return Error{path, "the session file cannot be opened", cause};
   if (opened.journaled) {
-    const bool journal = recovery.value() != Recovery::NothingToDo;
+    const bool journal = recovery.value() != Recovery::NothingToDo && recovery.value() != Recovery::AnothersJournal;
     if (Status whole = checkWhole(*opened.journaled, opened.file.get(), path, journal); !whole) return whole.error();
   }
   return opened;

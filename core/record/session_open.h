@@ -1,4 +1,5 @@
 // Opening a session file for reading, whatever state it was left in. Shared by the reader and by what counts in it.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,7 @@ struct OpenedSession {
 // refused and left as it is: what is missing would read as zeros.
 enum class Repair : std::uint8_t { Yes, No };  // No: a glance, nothing is changed
 Result<OpenedSession> openSessionFile(const std::string& path, Repair repair = Repair::Yes);
-// Completes what a dead writer has begun, unless the file has been replaced by one that is no session.
+// Completes what a dead writer has begun, where that makes a whole session of it.
 Result<Recovery> recoverSession(const std::string& path);
 // An error: a file that was not closed is no session, or cut short. Nothing is written.
 Status checkUnclosed(const std::string& path, bool journal);

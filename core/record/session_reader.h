@@ -1,5 +1,5 @@
 // SessionReader: reads a session file step by step, also while it is being written and after a crash: up to the last
-// step of which everything is there. And the repair that makes a crashed file readable for others.
+// step of which everything is there. And the repair of a crashed file. Thread: one at a time.
 #pragma once
 
 #include <memory>
@@ -30,6 +30,7 @@ struct SessionCounts {
   std::uint64_t events = 0;
   std::vector<Marker> markers;
   Instant begin{};                                          // of the first sample
+  Instant end{};                                            // of the last step
   std::vector<Event> firstEvents;                           // at most a hundred
   std::vector<std::pair<std::string, double>> truthValues;  // simulated cuts
 };

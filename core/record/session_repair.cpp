@@ -3,6 +3,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/record/journal.h"
 #include "core/record/journaled_driver.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_markers.h"
@@ -45,6 +46,11 @@ Result<bool> repairSession(const std::string& path) {
   if (!recovery) return recovery.error();
   if (recovery.value() == Recovery::WriterAlive) return Error{path, "is still being recorded", ""};
   const bool marked = !Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+  if (recovery.value() == Recovery::AnothersJournal) {
+    if (!marked && checkUnclosed(path, false)) return false;
+    return Error{path, "is not repaired: the journal beside it does not fit it",
+                 "move " + journalPath(path) + " away to clear the mark of the dead writer alone"};
+  }
   const bool journal = recovery.value() != Recovery::NothingToDo;
   if (!marked && !journal) return false;
   if (marked) {
@@ -87,6 +93,7 @@ Result<SessionCounts> countSession(const std::string& path) {
   bool damaged = false;
   for (std::uint64_t i = 0; const BlockRow* row = blocks.at(i, damaged); ++i) {
     if (i == 0) counts.begin = instantFromNs(row->firstSample);
+    counts.end = instantFromNs(row->firstSample);
     if ((row->flags & kBlockGap) != 0) ++counts.gaps;
   }
   for (std::uint64_t i = 0; i < kMostShown; ++i) {

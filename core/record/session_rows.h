@@ -1,5 +1,6 @@
 // One row of every table of a session file, flat, in the order of the file, and the way from and to the plain values of
 // the model. What a field means is said there; units are part of the names in the file (session_rows.cpp).
+// Plain values: any thread.
 #pragma once
 
 #include <array>

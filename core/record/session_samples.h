@@ -2,7 +2,7 @@
 // small blocks cost few reads.
 // The pyramid has kPyramidLevels levels; a bucket of level k holds the least and the greatest of kPyramidBase *
 // kPyramidFactor^k frames in a row. Only full buckets are stored; what the last frames have not filled is made up from
-// the level below, and in the end from the samples.
+// the level below, and in the end from the samples. Thread: its owner's; not real-time.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
 // SessionTable: one table of a session file, appended to row by row or read in windows.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <algorithm>

@@ -15,6 +15,7 @@
 #include "core/record/session_samples.h"
 #include "core/record/session_segments.h"
 #include "core/record/session_table.h"
+#include "core/record/utf_text.h"
 
 namespace stillcut::record {
 namespace {
@@ -64,7 +65,7 @@ const char* labelOf(OperatorAction action) {
 struct SessionWriter::Impl {
   std::unique_ptr<JournaledFile> journaled;
   Hdf5Id file;
-  std::string operatorName;
+  std::string author;  // as far as a marker has room for it
   bool keepSamples = true;
   bool powerSafe = false;
   bool commitLater = false;
@@ -142,7 +143,7 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
   if (!file) return Error{path, "the session file cannot be created", file.error().why};
   auto impl = std::make_unique<Impl>();
   impl->journaled = std::move(*file);
-  impl->operatorName = header.operatorName;
+  impl->author = cutUtf8(header.operatorName.substr(0, header.operatorName.find('\0')), kMarkerAuthorSize - 1);
   impl->keepSamples = options.samples;
   impl->powerSafe = options.powerSafe;
   Status begun = Done{};
@@ -196,7 +197,8 @@ Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
     const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
     w.inputs.add(toRow(asked, step));
     if (const char* label = labelOf(asked.action)) {
-      if (Status s = addMarker({0, block.end(), block.end(), label, w.operatorName, "", 0}); !s) return s;
+      // Whatever became of it, the touch is among the inputs, and the recording goes on.
+      (void)addMarker({0, block.end(), block.end(), label, w.author, "", 0}).ok();
     }
   }
   for (int i = 0; i < output.verdictCount; ++i) {
@@ -231,6 +233,10 @@ Status SessionWriter::addMarker(Marker marker) {
   if (!row) return row.error();
   impl_->markers.add(*row);
   return Done{};
+}
+
+bool SessionWriter::inPlace() const {
+  return impl_->journaled && impl_->journaled->isAt(path_);
 }
 
 void SessionWriter::setPowerSafe() {

@@ -61,6 +61,8 @@ class SessionWriter {
   void setPowerSafe();
   // Flushes and closes; later calls fail. The destructor does the same and cannot report.
   Status close();
+  // False: somebody has deleted or moved the file; what is written goes where nobody looks.
+  bool inPlace() const;
   const std::string& path() const { return path_; }
 
  private:

@@ -1,4 +1,5 @@
 // A part of a recording as a recording of its own: from one time to another, counted from the recording's first sample.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <memory>

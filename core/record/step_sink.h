@@ -17,8 +17,11 @@ class StepSink {
   virtual ~StepSink() = default;
   // An error ends the recording; what was flushed is closed.
   virtual Status add(const StepInput& input, const StepOutput& output) = 0;
+  // As of SessionWriter, of the file that is open; nothing to do where none is.
   virtual Status flush() = 0;
+  // Ends the recording; add() may not follow.
   virtual Status close() = 0;
+  // From here on a flush also reaches the disk.
   virtual void setPowerSafe() = 0;
   // The file being written, or the folder the next one will be in.
   virtual std::string path() const = 0;

@@ -10,12 +10,28 @@
 
 namespace stillcut::record {
 
+namespace {
+
+// Where the cell that begins at `at` ends, or nowhere. What stands in quotes holds no delimiter; a quote that is never
+// closed is a letter.
+template <class Find>
+std::size_t endOfCell(std::string_view line, std::size_t at, Find find) {
+  const std::size_t first = line.find_first_not_of(' ', at);
+  if (first != std::string_view::npos && line[first] == '"') {
+    const std::size_t closing = line.find('"', first + 1);
+    if (closing != std::string_view::npos) return find(closing + 1);
+  }
+  return find(at);
+}
+
+}  // namespace
+
 void splitCells(std::string_view line, char delimiter, std::vector<std::string_view>& cells) {
   cells.clear();
   if (delimiter == ' ') {
     constexpr std::string_view kBlank = " \t";
     for (std::size_t at = line.find_first_not_of(kBlank); at != std::string_view::npos;) {
-      const std::size_t stop = line.find_first_of(kBlank, at);
+      const std::size_t stop = endOfCell(line, at, [&](std::size_t from) { return line.find_first_of(kBlank, from); });
       cells.push_back(trimmed(line.substr(at, stop - at)));
       at = stop == std::string_view::npos ? stop : line.find_first_not_of(kBlank, stop);
     }
@@ -23,7 +39,7 @@ void splitCells(std::string_view line, char delimiter, std::vector<std::string_v
   }
   std::size_t at = 0;
   while (true) {
-    const std::size_t stop = line.find(delimiter, at);
+    const std::size_t stop = endOfCell(line, at, [&](std::size_t from) { return line.find(delimiter, from); });
     cells.push_back(trimmed(line.substr(at, stop - at)));
     if (stop == std::string_view::npos) return;
     at = stop + 1;

@@ -1,4 +1,4 @@
-// Cells of one line of a text recording: splitting and numbers.
+// Cells of one line of a text recording: splitting and numbers. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,8 @@ struct CellFormat {
   bool decimalComma = false;
 };
 
-// Cells, trimmed of blanks and quotes. `cells` is reused to keep the reading of long files cheap.
+// Cells, trimmed of blanks and quotes; a delimiter within quotes parts nothing. `cells` is reused to keep the reading
+// of long files cheap.
 void splitCells(std::string_view line, char delimiter, std::vector<std::string_view>& cells);
 // A line without numbers of the recording, wherever it stands: blank, or a time stamp ("2016-05-26 21:15:16.881") that
 // some loggers write between their buffers.

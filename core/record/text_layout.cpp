@@ -93,14 +93,24 @@ bool isUnitsLine(const Cells& cells) {
                      [](std::string_view c) { return c.empty() || unitFromText(c).has_value(); });
 }
 
+// "time_ms", "Time us", "t_s": the unit of a time that stands at the end of its name.
+std::string timeUnitAtEnd(const std::string& name) {
+  const std::size_t gap = name.find_last_of("_ ");
+  if (gap == std::string::npos || meaningOfName(name) != NameMeaning::Time) return "";
+  const std::string end = name.substr(gap + 1);
+  const std::optional<UnitMeaning> unit = unitFromText(end);
+  return unit && unit->kind == UnitKind::Time ? end : "";
+}
+
 // Names, and units from brackets or from a line of their own, out of the lines just above the numbers.
-void readHeader(std::span<const std::string> lines, std::size_t firstData, TextLayout& layout) {
-  if (firstData == 0) return;
+Status readHeader(std::span<const std::string> lines, std::size_t firstData, TextLayout& layout,
+                  const std::string& where) {
+  if (firstData == 0) return Done{};
   std::string_view nearest = lines[firstData - 1];
   if (nearest.starts_with("# ")) nearest.remove_prefix(2);
   Cells header;
   splitCells(nearest, layout.cells.delimiter, header);
-  if (!isHeaderLine(header, layout.columns.size())) return;
+  if (!isHeaderLine(header, layout.columns.size())) return Done{};
   Cells units;
   if (firstData >= 2 && isUnitsLine(header)) {
     Cells above;
@@ -110,10 +120,19 @@ void readHeader(std::span<const std::string> lines, std::size_t firstData, TextL
       header = above;
     }
   }
+  // Names would stand over the wrong numbers. LabVIEW's column of comments is one that most rows leave out.
+  const auto named = static_cast<std::size_t>(
+      std::count_if(header.begin(), header.end(), [](std::string_view c) { return !c.empty() && c != "Comment"; }));
+  if (named > layout.columns.size()) {
+    return Error{
+        where + ":" + std::to_string(firstData),
+        "names " + std::to_string(named) + " columns where the rows have " + std::to_string(layout.columns.size()),
+        "put names that hold the delimiter in quotes"};
+  }
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const NameAndUnit both = splitNameAndUnit(header[i]);
     layout.columns[i].name = both.name;
-    layout.columns[i].unit = both.unit;
+    layout.columns[i].unit = both.unit.empty() ? timeUnitAtEnd(both.name) : both.unit;
     if (i < units.size() && !units[i].empty()) {
       const std::string cell(units[i]);
       const NameAndUnit bracketed = splitNameAndUnit("x " + cell);
@@ -121,6 +140,7 @@ void readHeader(std::span<const std::string> lines, std::size_t firstData, TextL
     }
   }
   layout.maxCells = std::max(layout.maxCells, static_cast<int>(header.size()));
+  return Done{};
 }
 
 // Key, then one value per channel, up to the numbers.
@@ -220,7 +240,7 @@ Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool com
   layout.firstDataLine = static_cast<std::int64_t>(data.first) + 1;
   layout.columns.resize(data.cells);
   findEmptyColumns(lines, data, layout);
-  readHeader(lines, data.first, layout);
+  if (const Status s = readHeader(lines, data.first, layout, where); !s) return s.error();
   findTimeColumn(lines, data, layout);
   if (trimmed(lines[0]).starts_with("DynoWare")) layout.kind = "DynoWare text";
   if (trimmed(lines[0]).starts_with("LabVIEW Measurement")) {

@@ -1,5 +1,6 @@
 // TextLayout: how a text recording is laid out, found from its first lines by content alone: delimiter, decimal sign,
 // where the numbers begin, names and units, the time column. The rules are in resources/manual/recordings.md.
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <cstdint>

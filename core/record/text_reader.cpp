@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/record/utf_text.h"
+
 namespace stillcut::record {
 namespace {
 
@@ -26,7 +28,7 @@ Result<std::vector<std::string>> firstLines(const std::string& path, bool& compl
       complete = true;
       break;
     }
-    lines.emplace_back(line);
+    lines.push_back(utf8Of(line));
   }
   return lines;
 }
@@ -88,6 +90,10 @@ Result<bool> TextReader::nextRow() {
     if (!more) return more.error();
     if (!*more) return false;
   } while (isSkippedLine(line));
+  if (line.starts_with("***End_of_Header***") || line.starts_with("Channels\t")) {
+    return Error{lines_->where(), "a second segment of the measurement begins",
+                 "save each segment as a file of its own"};
+  }
   splitCells(line, layout_.cells.delimiter, cells_);
   const double before = row_.time;
   if (const Status s = parseRow(); !s) return s.error();

@@ -1,5 +1,5 @@
 // TextReader: CSV and other tables of numbers. open() reads the whole file once, so that a bad cell in the last line is
-// known before anything is made of the first; memory stays bounded.
+// known before anything is made of the first; memory stays bounded. Thread: its owner's; not real-time.
 #pragma once
 
 #include <memory>

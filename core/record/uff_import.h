@@ -1,4 +1,5 @@
 // Time recordings in universal files: every dataset 58 or 58b that is a time response is a channel.
+// Thread: its caller's, for as long as it takes; not real-time.
 #pragma once
 
 #include <memory>

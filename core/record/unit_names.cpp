@@ -143,7 +143,7 @@ NameMeaning meaningOfName(std::string_view text) {
   const auto is = [&n](auto... words) { return ((n == words) || ...); };
   const auto has = [&n](auto... parts) { return ((n.find(parts) != std::string::npos) || ...); };
   if (is("t", "time", "times", "timestamp", "x_value", "zeit", "tiempo", "seconds", "sec") || n.starts_with("time ") ||
-      n.starts_with("time_")) {
+      n.starts_with("time_") || is("t_s", "t_ms", "t_us")) {
     return NameMeaning::Time;
   }
   if (is("n", "no", "#", "index", "idx", "row", "sample", "samples", "frame", "label", "class", "state", "comment",

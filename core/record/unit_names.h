@@ -1,4 +1,4 @@
-// Units and names as file headers spell them.
+// Units and names as file headers spell them. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <optional>

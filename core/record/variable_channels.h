@@ -1,4 +1,5 @@
 // Files of named arrays (MATLAB, HDF5): which array is a channel, which one the rate, which one the time.
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // WavReader: sound files through libsndfile (WAV, RF64, FLAC, AIFF ... of any PCM or float format), and writeWav.
 // Whole numbers come as fractions of full scale, floats as they are; the unit is full scale unless --scale is given.
+// Thread: its owner's; not real-time.
 #pragma once
 
 #include <memory>

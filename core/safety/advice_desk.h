@@ -14,6 +14,7 @@ namespace stillcut::safety {
 struct Advice {
   Factors factors;
   OverrideRequest request;
+  Rpm programmed{};  // S word that it was made for
 };
 
 class AdviceDesk {
@@ -60,13 +61,21 @@ class AdviceDesk {
   }
   // Accepted and not yet carried out; an acceptance that waits too long for the machine lapses.
   const Advice* accepted() const STILLCUT_RT { return acceptedLeft_ > 0.0 ? &accepted_ : nullptr; }
+  // Or given up.
   void carriedOut() STILLCUT_RT { acceptedLeft_ = 0.0; }
+  // Accepted for this cut, and still what the strategy asks for. Else nobody has accepted it.
+  bool stillMeant(const Advice& now) const STILLCUT_RT {
+    const double differs = std::abs((now.programmed - accepted_.programmed).value);
+    return now.request.kind == RequestKind::Set && alike(now.factors, accepted_.factors) &&
+           differs <= kSameProgram * accepted_.programmed.value;
+  }
 
  private:
   static constexpr double kAcceptedFor = 5.0;  // [s]
   static constexpr double kSilentFor = 30.0;   // [s]
   static constexpr double kAlike = 0.02;       // 2 % of the programmed values
   static constexpr double kSameToTheEye = 0.005;
+  static constexpr double kSameProgram = 1e-3;
 
   static bool within(const Factors& a, const Factors& b, double by) STILLCUT_RT {
     return std::abs(a.speed - b.speed) <= by && std::abs(a.feed - b.feed) <= by;

@@ -1,4 +1,4 @@
-// What goes into the gate and what comes out of it, each block. Plain values, no storage of their own.
+// What goes into the gate and what comes out of it, each block. Plain values, no storage of their own. Thread: worker.
 #pragma once
 
 #include <array>

@@ -122,6 +122,7 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
 void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.reason = trouble;
   desk_.close();
+  desk_.carriedOut();
   if (restLeft_ > 0.0) restLeft_ = limits_.restTime.value;
   if (!commanding_) return;
   // The end of a program is an ordinary end, everything else is a fault worth its flight record.

@@ -27,6 +27,10 @@ class OverrideGate {
 
   Authority authority() const STILLCUT_RT { return authority_; }
   bool commanding() const STILLCUT_RT { return commanding_; }
+  // The machine as the next step() takes absolute wishes: with the operator's knobs by which they are divided. A knob
+  // that is turned while something of ours is in force scales what is in force; a strategy that saw it turned would
+  // count it twice.
+  MachineState seenByWishes(const MachineState& machine) const STILLCUT_RT;
 
  private:
   struct Wish {
@@ -46,6 +50,7 @@ class OverrideGate {
   void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
 
   void act(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void endOldAcceptance(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void steer(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void retarget(const GateInput& in, GateOutput& out) STILLCUT_RT;

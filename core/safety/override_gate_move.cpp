@@ -18,14 +18,37 @@ void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
   if (!keeper_.budget().cooling()) saidCoolDown_ = false;
   restLeft_ = std::max(0.0, restLeft_ - elapsed_);
-  // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects.
-  if (!commanding_ || (in.verdict.alarming() && !watch_.knobTurning())) watch_.rebase(in.machine);
+  if (!commanding_) watch_.rebase(in.machine);
 
+  endOldAcceptance(in, out);
   if (commanding_) {
     steer(in, out);
   } else {
     tryToTake(in, out);
   }
+  // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects. From the
+  // next wish on: this one was made with seenByWishes() of before.
+  if (commanding_ && in.verdict.alarming() && !watch_.knobTurning()) watch_.rebase(in.machine);
+}
+
+MachineState OverrideGate::seenByWishes(const MachineState& machine) const STILLCUT_RT {
+  MachineState seen = machine;
+  if (commanding_) {
+    seen.operatorSpeed = watch_.baseSpeedKnob();
+    seen.operatorFeed = watch_.baseFeedKnob();
+  }
+  return seen;
+}
+
+// What was accepted for another cut, or is no longer asked for, is not carried out.
+void OverrideGate::endOldAcceptance(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  if (desk_.accepted() == nullptr) return;
+  const Advice now{wish(in.request, in.machine).factors, in.request, in.machine.programmedSpeed};
+  if (desk_.stillMeant(now)) return;
+  const OverrideRequest& was = desk_.accepted()->request;
+  const OverrideRequest& is = in.request.kind == RequestKind::Set ? in.request : was;
+  say(out, in.now, EventLevel::Warning, {ReasonCode::AdviceChanged, {is.speed.value, toMmPerMin(is.feed)}});
+  desk_.carriedOut();
 }
 
 // Nothing of ours is in force.
@@ -43,7 +66,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
     return;
   }
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    desk_.put({wanted.factors, in.request});
+    desk_.put({wanted.factors, in.request, in.machine.programmedSpeed});
     out.reason = {ReasonCode::AdviceOnly, {}};
     return;
   }
@@ -126,7 +149,7 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   if (authority_ == Authority::Advise && accepted == nullptr) {
     const Wish wanted = wish(r, in.machine);
-    keeper_.near(wanted.factors) ? desk_.close() : desk_.put({wanted.factors, r});
+    keeper_.near(wanted.factors) ? desk_.close() : desk_.put({wanted.factors, r, in.machine.programmedSpeed});
     return;
   }
   const Wish wanted = wish(accepted != nullptr ? accepted->request : r, in.machine);

@@ -22,7 +22,9 @@ if(STILLCUT_SANITIZE)
 endif()
 find_program(STILLCUT_MOLD mold)
 if(STILLCUT_MOLD)
-  target_link_options(stillcut_options INTERFACE -fuse-ld=mold)
+  # Debian 12's mold (1.10.1) now and then ends the read-only part where no page ends, and the program cannot start
+  # ("cannot apply additional memory protection"). What is built to be tested goes without that part.
+  target_link_options(stillcut_options INTERFACE -fuse-ld=mold $<$<NOT:$<CONFIG:Release>>:LINKER:-z,norelro>)
 endif()
 
 # stillcut_room(core_detect SOURCES a.cpp b.cpp LINKS core_model core_dsp [PRIVATE_LINKS ...])

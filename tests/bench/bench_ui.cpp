@@ -59,7 +59,7 @@ int main(int argc, char** argv) {
   ui::MainWindow window(session, ui::ThemeKind::Dark, ui::Language::English);
   window.resize(1920, 1080);
   window.show();
-  session.send({OperatorAction::SetAuthority, Authority::Auto});
+  session.send({OperatorAction::SetAuthority, Authority::Auto}, session.generation());
   for (const ui::PageEntry& entry : ui::pageTable()) {
     window.showPage(QLatin1String(entry.id));
     ui::costOf(session, window, false);  // fills the history

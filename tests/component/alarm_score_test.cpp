@@ -152,6 +152,19 @@ TEST(Truth, WhatWasStoppedWhileItGrewIsNeitherChatterNorQuiet) {
   EXPECT_EQ(scoreAlarms(spans, {alarm(7.0, 7.1)}).falseAlarms, 1);
 }
 
+TEST(Truth, WhatIsToldOfATimeAfterTheEndCountsNothing) {
+  const std::vector<TruthSpan> told{{Seconds(0.0), Seconds(5000.0), SpanKind::Quiet, "stable"},
+                                    {Seconds(6000.0), Seconds(6001.0), SpanKind::Chatter, "chatter"}};
+  const AlarmScore score = scoreAlarms(told, {}, Seconds(7.8));
+  EXPECT_DOUBLE_EQ(score.quiet.value, 7.8);
+  EXPECT_EQ(score.spans, 0) << "nobody could have found it";
+}
+
+TEST(Truth, LabelsAreReadInLettersOfAnySize) {
+  EXPECT_EQ(kindOf("Chatter"), SpanKind::Chatter);
+  EXPECT_EQ(kindOf("STABLE"), SpanKind::Quiet);
+}
+
 TEST(WhatIf, IsSaidInWords) {
   AlarmScore before, after;
   before.alarms = 5;

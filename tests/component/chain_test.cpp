@@ -191,7 +191,7 @@ TEST(Chain, WhatAStrategyAskedForEndsWhenTheOperatorTakesTheMachineBack) {
   class Stubborn final : public control::Strategy {
    public:
     explicit Stubborn(int& told) : told_(told) {}
-    control::StrategyInfo describe() const override { return {"stubborn", "", "", true, true}; }
+    control::StrategyInfo describe() const override { return {"stubborn", "", ""}; }
     void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
     OverrideRequest decide(const control::StrategyInput& /*input*/) override { return {}; }
     void reset() noexcept override {}

@@ -77,6 +77,30 @@ TEST(Engine, FullRingDropsBlocksAndTheNextOneCarriesTheGap) {
   EXPECT_EQ(bench.loop.health().gaps, 1U);
 }
 
+// A run that only listens has no machine to ask: its path in chatter is counted with the feed that was set up.
+TEST(StepLoop, ACutWithoutALinkCountsItsPathInChatterWithTheFeedThatWasSetUp) {
+  constexpr int kBlocks = 50;
+  SteadyClock clock;
+  rt::Mailbox<OverrideCommand> commands;
+  RecordedMachineFeed feed;
+  Chain chain(test::scriptedChain([](const auto&) {
+    Verdict v = test::stableVerdict();
+    v.state = CutState::Chatter;
+    return v;
+  }));
+  CutSetup setup = test::setup();
+  setup.nominalFeed = fromMmPerMin(600.0);
+  chain.prepare(setup, {}, {});
+  StepLoop loop({chain, feed, commands, nullptr, nullptr, clock});
+  ScriptedSource source(kBlocks);
+  StepInput step;
+  step.block.allocate(1, test::kFrames);
+  while (source.read(step)) (void)loop.step(step);
+  const Metres path(0.010 * kBlocks * test::kFrames / test::kRate);  // at 10 mm/s
+  EXPECT_NEAR(loop.interventions().chatterLength().value, path.value, 1e-9);
+  EXPECT_NEAR(loop.interventions().card(0).marked.value, path.value, 1e-9);
+}
+
 int threadsOfThisProcess() {
   int count = 0;
   DIR* dir = opendir("/proc/self/task");

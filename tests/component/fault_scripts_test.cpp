@@ -172,6 +172,20 @@ TEST_F(FaultScript, TheOperatorGrabsTheKnob) {
   expectFlight(sentence({ReasonCode::AuthorityChanged, {2.0, 0.0}}));
 }
 
+TEST_F(FaultScript, ATurnedKnobCountsOnceWhenTheCutIsQuietAgain) {
+  runMidRamp();
+  while (run_.last().gate.reason.code != ReasonCode::GateInForce && advance()) {
+  }
+  runFor(0.2);  // the machine has read it
+  const double speed = machine().speedOverride.value, feed = machine().feedOverride.value;
+  ASSERT_LT(feed, 0.9);
+  run_.machine().turnKnobs(Ratio(1.0), Ratio(0.9));
+  runFor(2.7);  // he has let go of it for a while
+  EXPECT_EQ(run_.last().gate.reason.code, ReasonCode::GateInForce);
+  EXPECT_NEAR(machine().speedOverride.value, speed, 0.005);
+  EXPECT_NEAR(machine().feedOverride.value, 0.9 * feed, 0.005);
+}
+
 TEST_F(FaultScript, TheSpeedReadbackFreezes) {
   runMidRamp();
   run_.freezeSpeed();

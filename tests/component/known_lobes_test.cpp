@@ -61,6 +61,18 @@ TEST_F(KnownLobes, WithoutAModelNothingIsKnown) {
   EXPECT_FALSE((*rig)->setup().stableSpeeds.has_value());
 }
 
+TEST_F(KnownLobes, WithoutADepthOrWithAnUnevenPitchTheCutRunsAndNothingIsKnown) {
+  profile_.depth = {};
+  const auto shallow = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_TRUE(shallow.ok()) << shallow.error().line();
+  EXPECT_FALSE((*shallow)->setup().stableSpeeds.has_value());
+  profile_.depth = Metres(1.5e-3);
+  profile_.pitch = {80.0, 100.0, 80.0, 100.0};
+  const auto uneven = buildProfileRig(profile_, path("mill.toml"));
+  ASSERT_TRUE(uneven.ok()) << uneven.error().line();
+  EXPECT_FALSE((*uneven)->setup().stableSpeeds.has_value()) << "the lobes of an even pitch are not this tool's";
+}
+
 TEST_F(KnownLobes, AModelThatIsMissingOrOfAnotherToolIsOneLine) {
   profile_.model = "absent.toml";
   auto rig = buildProfileRig(profile_, path("mill.toml"));

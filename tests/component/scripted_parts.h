@@ -136,7 +136,7 @@ class ScriptedStrategy final : public control::Strategy {
  public:
   using Script = std::function<OverrideRequest(const control::StrategyInput&)>;
   explicit ScriptedStrategy(Script script) : script_(std::move(script)) {}
-  control::StrategyInfo describe() const override { return {"scripted", "Scripted", "test", true, true}; }
+  control::StrategyInfo describe() const override { return {"scripted", "Scripted", "test"}; }
   void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
   OverrideRequest decide(const control::StrategyInput& input) override { return script_(input); }
   void reset() noexcept override {}

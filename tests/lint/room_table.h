@@ -29,7 +29,7 @@ inline const std::vector<Room>& roomTable() {
       {"core/safety", {"core/base", "core/rt", "core/model", "core/config"}},
       {"core/active", {"core/base", "core/rt", "core/model", "core/config", "core/dsp", "core/milling", "core/safety"}},
       {"core/record", {"core/base", "core/rt", "core/model", "core/config", "core/record/uff"}},
-      {"core/daq", {"core/base", "core/rt", "core/model", "core/config", "core/milling", "core/record"}},
+      {"core/daq", {"core/base", "core/rt", "core/model", "core/config", "core/dsp", "core/milling", "core/record"}},
       {"core/cnc", {"core/base", "core/rt", "core/model", "core/config", "core/milling"}},
       {"core/pipeline",
        {"core/base", "core/rt", "core/model", "core/config", "core/dsp", "core/detect", "core/control", "core/active",

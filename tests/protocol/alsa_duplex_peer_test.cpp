@@ -83,7 +83,6 @@ class AlsaDuplex : public ::testing::Test {
     for (safety::ActuatorLimits& l : options.limits) {
       l.amplitude = 3e-6;
       l.slew = 1.0;
-      l.lease = Seconds(1.0);
     }
     engine_ = std::make_unique<ActiveEngine>(
         std::make_unique<PcmDuplex>(settings, std::make_unique<Watched>(app::makeAlsaDuplexDriver(), wire_)), options,

@@ -199,6 +199,12 @@ TEST_F(PulseTest, ADeviceBehindASoundServerIsToldFromOneOfItsOwn) {
   const auto bare = (*direct)->open();
   ASSERT_TRUE(bare) << bare.error().line();
   EXPECT_EQ(bare->doubt, "");
+  // What converts may stand before a server.
+  auto behind = heard({{"device", "plug:null"}, {"rate_hz", std::to_string(kRate)}}, 1);
+  ASSERT_TRUE(behind) << behind.error().line();
+  const auto converted = (*behind)->open();
+  ASSERT_TRUE(converted) << converted.error().line();
+  EXPECT_NE(converted->doubt.find("'plug:null' converts"), std::string::npos) << converted->doubt;
 }
 
 TEST_F(PulseTest, ARateThatWouldBeConvertedIsRefusedWithTheOneThereIs) {

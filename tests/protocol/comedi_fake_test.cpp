@@ -6,8 +6,13 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <string>
 #include <utility>
@@ -33,6 +38,9 @@ struct Card {
   int removed = -1;
   int absent = 0;  // so many times it cannot be opened
   bool streams = true;
+  int flags = 0;
+  bool calibrated = false;  // its file is there
+  int buffer = 65536, most = 1 << 20, waiting = 0;
   unsigned slowest = 1000;  // ns; its clock is a multiple
   int commands = 0, opened = 0;
   std::map<unsigned, lsampl_t> written;
@@ -101,6 +109,36 @@ int comedi_get_n_ranges(comedi_t*, unsigned, unsigned) {
   return 1;
 }
 int comedi_get_subdevice_flags(comedi_t*, unsigned) {
+  return card.flags;
+}
+const char* comedi_get_board_name(comedi_t*) {
+  return "pci-6221";
+}
+int comedi_get_buffer_size(comedi_t*, unsigned) {
+  return card.buffer;
+}
+int comedi_get_max_buffer_size(comedi_t*, unsigned) {
+  return card.most;
+}
+int comedi_set_buffer_size(comedi_t*, unsigned, unsigned bytes) {
+  card.buffer = static_cast<int>(bytes);
+  return card.buffer;
+}
+int comedi_get_buffer_contents(comedi_t*, unsigned) {
+  return card.waiting;
+}
+char* comedi_get_default_calibration_path(comedi_t*) {
+  return ::strdup("/var/lib/comedi/calibrations/ni_pcimio_pci-6221_comedi0");
+}
+comedi_calibration_t* comedi_parse_calibration_file(const char*) {
+  static comedi_calibration_t calibration{};
+  return card.calibrated ? &calibration : nullptr;
+}
+void comedi_cleanup_calibration(comedi_calibration_t*) {}
+// 1 % more than nominal, 20 mV off, and a little bent.
+int comedi_get_softcal_converter(unsigned, unsigned, unsigned, comedi_conversion_direction, const comedi_calibration_t*,
+                                 comedi_polynomial_t* polynomial) {
+  *polynomial = {{0.02, 1.01 * 10.0 / 32768.0, 1e-12, 0.0}, 32768.0, 2};
   return 0;
 }
 int comedi_get_subdevice_type(comedi_t*, unsigned subdevice) {
@@ -115,7 +153,7 @@ lsampl_t comedi_get_maxdata(comedi_t*, unsigned, unsigned) {
 int comedi_get_cmd_generic_timed(comedi_t*, unsigned, comedi_cmd* command, unsigned, unsigned period) {
   *command = {};
   command->scan_begin_src = TRIG_TIMER;
-  command->scan_begin_arg = period / card.slowest * card.slowest;
+  command->scan_begin_arg = std::max(1U, period / card.slowest) * card.slowest;
   return 0;
 }
 int comedi_command_test(comedi_t*, comedi_cmd*) {
@@ -171,6 +209,7 @@ class ComediFake : public ::testing::Test {
     ASSERT_TRUE(format) << format.error().line();
     frames_ = format->blockFrames;
     volts_ = format->channels[0].scale;
+    doubt_ = format->doubt;
     block_.allocate(2, frames_);
   }
   // Frame n: n codes above the middle on the first input, as many below it on the second.
@@ -188,6 +227,7 @@ class ComediFake : public ::testing::Test {
   SampleBlock block_;
   int frames_ = 0;
   double volts_ = 0.0;
+  std::string doubt_;
 };
 
 TEST_F(ComediFake, CodesAreVoltsAndShortReadsMakeWholeBlocks) {
@@ -205,8 +245,70 @@ TEST_F(ComediFake, CodesAreVoltsAndShortReadsMakeWholeBlocks) {
       ASSERT_NEAR(block_.channel(0)[at] * volts_, 10.0 * (k * frames_ + f) / 32768.0, 1e-6);
       ASSERT_NEAR(block_.channel(1)[at] * volts_, -10.0 * (k * frames_ + f) / 32768.0, 1e-6);
     }
-    EXPECT_EQ(block_.flags, 0U);
+    EXPECT_FALSE(block_.has(kBlockGap));
   }
+}
+
+// 0 to 10 V: the middle of the codes is 5 V and not zero.
+TEST_F(ComediFake, ARangeOfOneSignKeepsItsPlace) {
+  card.inputs = {0.0, 10.0, 0};
+  open();
+  card.send(frames(0, frames_));
+  ASSERT_TRUE(source_->read(block_));
+  for (std::size_t f = 0; f < static_cast<std::size_t>(frames_); ++f) {
+    ASSERT_NEAR(block_.channel(0)[f] * volts_, 5.0 + 10.0 * static_cast<double>(f) / 65536.0, 1e-6);
+    ASSERT_NEAR(block_.channel(1)[f] * volts_, 5.0 - 10.0 * static_cast<double>(f) / 65536.0, 1e-6);
+  }
+}
+
+TEST_F(ComediFake, ACardThatIsCalibratedInSoftwareIsReadByItsCalibration) {
+  card.flags = SDF_SOFT_CALIBRATED;
+  open();
+  EXPECT_NE(doubt_.find("is not calibrated"), std::string::npos) << doubt_;
+  card.calibrated = true;
+  open();
+  EXPECT_EQ(doubt_, "");
+  card.send(frames(1000, frames_));
+  ASSERT_TRUE(source_->read(block_));
+  for (std::size_t f = 0; f < static_cast<std::size_t>(frames_); ++f) {
+    const double code = 1000.0 + static_cast<double>(f);
+    ASSERT_NEAR(block_.channel(0)[f] * volts_, 0.02 + 1.01 * 10.0 * code / 32768.0 + 1e-12 * code * code, 1e-6);
+  }
+}
+
+TEST_F(ComediFake, AnInputAtItsLimitIsClipped) {
+  open();
+  std::vector<std::uint16_t> codes = frames(0, frames_);
+  codes[6] = 65535;
+  card.send(codes);
+  ASSERT_TRUE(source_->read(block_));
+  EXPECT_TRUE(block_.has(kBlockClipped));
+}
+
+// What still waits in the card's buffer is younger than what was read.
+TEST_F(ComediFake, ItsBufferHoldsTwoSecondsAndAgesTheSamples) {
+  open();
+  EXPECT_EQ(card.buffer, 2 * 10000 * 2 * 2);
+  card.waiting = 4 * 5000;  // half a second of frames
+  const Instant before = clock_.now();
+  card.send(frames(0, frames_));
+  ASSERT_TRUE(source_->read(block_));
+  const double age = secondsBetween(block_.end(), before).value;
+  EXPECT_GT(age, 0.4);
+  EXPECT_LT(age, 0.5);
+}
+
+TEST_F(ComediFake, CardsAreListedWithTheirRanges) {
+  std::string folder = ::testing::TempDir() + "comedi-XXXXXX";
+  ASSERT_NE(::mkdtemp(folder.data()), nullptr);
+  EXPECT_TRUE(app::comediDevices(folder).empty());
+  std::ofstream(folder + "/comedi0") << "";
+  const auto cards = app::comediDevices(folder);
+  std::filesystem::remove_all(folder);
+  ASSERT_EQ(cards.size(), 1U);
+  EXPECT_EQ(cards[0].name, folder + "/comedi0");
+  EXPECT_EQ(cards[0].label, "pci-6221");
+  EXPECT_EQ(cards[0].range, "0 to 3 ('inputs'), up to 1000000 Hz for one, 16 bits; 'range' 0: -10 to 10 V");
 }
 
 TEST_F(ComediFake, StreamThatEndedIsBegunAgainWithAGap) {

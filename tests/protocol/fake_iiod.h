@@ -1,19 +1,34 @@
 // A server that speaks iiod's text protocol (libiio 0.24): one accelerometer of three axes, 24 bits in 32, whose frame
-// n holds 3 n + c on axis c. Its buffer is refilled as fast as it is asked for.
+// n holds 3 n + c on axis c; or a device with the elements it is given. Its buffer is refilled as fast as it is asked
+// for, or at its rate.
 #pragma once
 
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/timerfd.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace stillcut::testing {
+
+// A channel of the buffer: `value` of frame n is sent in its low bytes, as they are.
+struct IioElement {
+  std::string id = "accel_x", format = "le:s24/32>>0";
+  int bytes = 4;  // all repetitions together
+  std::function<std::uint64_t(int frame)> value{};
+  std::string offset{};  // empty: it has none
+  bool big = false;      // the highest byte first
+};
 
 class FakeIiod {
  public:
@@ -40,9 +55,15 @@ class FakeIiod {
   bool good() const { return good_; }
 
   std::atomic<double> rate{25600.0};
+  std::atomic<bool> paced{false};      // by a crystal of its rate
   std::atomic<bool> triggered{false};  // streams only with its trigger "timer" set
   std::atomic<bool> hasTrigger{false};
   std::atomic<int> hangUpAfter{-1};  // buffers; then the streaming connection is cut, once
+  // Set before anyone connects.
+  std::vector<IioElement> elements = {
+      {"accel_x", "le:s24/32>>0", 4, [](int n) { return static_cast<std::uint64_t>(3 * n); }},
+      {"accel_y", "le:s24/32>>0", 4, [](int n) { return static_cast<std::uint64_t>(3 * n + 1); }},
+      {"accel_z", "le:s24/32>>0", 4, [](int n) { return static_cast<std::uint64_t>(3 * n + 2); }}};
 
  private:
   static constexpr int kPort = 30431;
@@ -72,7 +93,7 @@ class FakeIiod {
     send(client, std::to_string(text.size()) + "\n" + text + "\n");
   }
 
-  static std::string description() {
+  std::string description() const {
     std::string xml =
         "<?xml version=\"1.0\" encoding=\"utf-8\"?><!DOCTYPE context [<!ELEMENT context (device | context-attribute)*>"
         "<!ELEMENT context-attribute EMPTY><!ELEMENT device (channel | attribute | debug-attribute | "
@@ -86,10 +107,13 @@ class FakeIiod {
         "CDATA "
         "#REQUIRED><!ATTLIST buffer-attribute name CDATA #REQUIRED>]><context name=\"network\" description=\"test\">"
         "<device id=\"iio:device0\" name=\"adxl\">";
-    const char* axes[] = {"accel_x", "accel_y", "accel_z"};
-    for (int c = 0; c < 3; ++c) {
-      xml += std::string("<channel id=\"") + axes[c] + "\" type=\"input\"><scan-element index=\"" + std::to_string(c) +
-             "\" format=\"le:s24/32&gt;&gt;0\" scale=\"0.001000\" /></channel>";
+    int index = 0;
+    for (const IioElement& e : elements) {
+      const std::string format =
+          e.format.substr(0, e.format.find('>')) + "&gt;&gt;" + e.format.substr(e.format.rfind('>') + 1);
+      xml += "<channel id=\"" + e.id + "\" type=\"input\"><scan-element index=\"" + std::to_string(index++) +
+             "\" format=\"" + format + "\" scale=\"0.001000\" />" +
+             (e.offset.empty() ? "" : "<attribute name=\"offset\" filename=\"in_offset\" />") + "</channel>";
     }
     return xml +
            "<attribute name=\"sampling_frequency\" /><attribute name=\"sampling_frequency_available\" />"
@@ -97,11 +121,34 @@ class FakeIiod {
            "<device id=\"iio:device1\" name=\"temperature\"></device></context>";
   }
 
+  // Wakes when so many frames have been sampled since the first.
+  class Crystal {
+   public:
+    Crystal() : timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC)) {}
+    ~Crystal() { ::close(timer_); }
+    Crystal(const Crystal&) = delete;
+    Crystal& operator=(const Crystal&) = delete;
+    void await(int frames, double rate) {
+      if (begin_.tv_sec == 0) ::clock_gettime(CLOCK_MONOTONIC, &begin_);
+      const auto at = static_cast<std::int64_t>(frames / rate * 1e9) + begin_.tv_nsec;
+      const itimerspec due{{}, {begin_.tv_sec + at / 1'000'000'000, at % 1'000'000'000}};
+      ::timerfd_settime(timer_, TFD_TIMER_ABSTIME, &due, nullptr);
+      std::uint64_t ticks = 0;
+      while (::read(timer_, &ticks, sizeof ticks) < 0 && errno == EINTR) {
+      }
+    }
+
+   private:
+    int timer_;
+    timespec begin_{};
+  };
+
   void serve(int client) {
+    Crystal crystal;
     std::string line;
     int frame = 0;
     int buffers = 0;
-    unsigned mask = 7;
+    unsigned mask = 1;
     while (!stopped_ && readLine(client, line)) {
       if (line.starts_with("VERSION")) {
         send(client, "0.24.c4498c2\n");
@@ -113,21 +160,25 @@ class FakeIiod {
           break;
         }
         const int bytes = std::atoi(line.substr(line.rfind(' ')).c_str());
-        int channels = 0;
-        for (unsigned m = mask; m != 0; m >>= 1) channels += static_cast<int>(m & 1U);
+        int frameBytes = 0;
+        for (std::size_t c = 0; c < elements.size(); ++c) frameBytes += (mask >> c & 1U) != 0 ? elements[c].bytes : 0;
+        if (paced) crystal.await(frame + bytes / frameBytes, rate);
         char head[64];
         std::snprintf(head, sizeof head, "%d\n%08x\n", bytes, mask);
         std::string data = head;
-        for (int f = 0; f < bytes / (4 * channels); ++f, ++frame) {
-          for (int c = 0; c < 3; ++c) {
-            if ((mask >> c & 1U) == 0) continue;
-            const auto value = static_cast<unsigned>(3 * frame + c);
-            for (int b = 0; b < 4; ++b) data += static_cast<char>(value >> (8 * b));
+        for (int f = 0; f < bytes / frameBytes; ++f, ++frame) {
+          for (std::size_t c = 0; c < elements.size(); ++c) {
+            const IioElement& e = elements[c];
+            const int size = (mask >> c & 1U) != 0 ? e.bytes : 0;
+            const std::uint64_t value = e.value(frame);
+            for (int b = 0; b < size; ++b) data += static_cast<char>(value >> (8 * (e.big ? size - 1 - b : b)));
           }
         }
         send(client, data);
       } else if (line.starts_with("READ") && line.find("available") != std::string::npos) {
         sendText(client, "12800 25600");
+      } else if (line.starts_with("READ") && line.find("offset") != std::string::npos) {
+        sendText(client, elements.front().offset);
       } else if (line.starts_with("READ ")) {
         sendText(client, std::to_string(rate.load()));
       } else if (line.starts_with("WRITE")) {

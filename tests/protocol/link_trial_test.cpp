@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tests/support/virtual_clock.h"
@@ -60,7 +61,7 @@ TEST(LinkTrial, GoodLinkPassesEveryStepIsMeasuredAndNothingMoves) {
   EXPECT_TRUE(b.trial.passed());
   EXPECT_NEAR(b.trial.look().value, 0.004, 1e-9);
   EXPECT_NEAR(b.trial.age().value, 0.004, 1e-9);
-  EXPECT_EQ(b.trial.steps()[1].said,
+  EXPECT_EQ(text(b.trial.steps()[1].said),
             "no program running; spindle 7200 rev/min, programmed 8000; overrides 90 % speed, 100 % feed");
   EXPECT_EQ(b.machine.closed, 1);
   EXPECT_EQ(b.machine.moved, 0);
@@ -68,16 +69,16 @@ TEST(LinkTrial, GoodLinkPassesEveryStepIsMeasuredAndNothingMoves) {
 
 TEST(LinkTrial, SaysWhetherTheMachineWatches) {
   Bench without;
-  EXPECT_NE(without.run().said.find("no watchdog"), std::string::npos);
+  EXPECT_NE(text(without.run().said).find("no watchdog"), std::string::npos);
   Bench with;
   with.machine.watchdog = true;
-  EXPECT_NE(with.run().said.find("goes back by itself"), std::string::npos);
+  EXPECT_NE(text(with.run().said).find("goes back by itself"), std::string::npos);
 }
 
 TEST(LinkTrial, StopsAtTheStepThatFailsAndSaysWhy) {
   Bench absent;
   absent.machine.there = false;
-  EXPECT_EQ(absent.run().said, "mill:1: no answer (is it on?)");
+  EXPECT_EQ(text(absent.run().said), "mill:1: no answer (is it on?)");
   EXPECT_EQ(absent.trial.steps().size(), 1U);
   EXPECT_FALSE(absent.trial.passed());
   EXPECT_EQ(absent.machine.closed, 1);
@@ -93,7 +94,24 @@ TEST(LinkTrial, LostLooksAreCountedAndTooManyFail) {
   b.machine.lostLooks = 40;
   const TrialStep& last = b.run();
   EXPECT_FALSE(last.good);
-  EXPECT_NE(last.said.find("40 of 60 looks were lost"), std::string::npos) << last.said;
+  EXPECT_NE(text(last.said).find("40 of 60 looks were lost"), std::string::npos) << text(last.said);
+}
+
+// A sentence that is missing there would reach a German screen in English.
+TEST(LinkTrial, EverythingThatItSaysIsListedForTranslation) {
+  const auto listed = [](const std::string& form) {
+    return std::ranges::any_of(LinkTrial::words(), [&form](const char* word) { return form == word; });
+  };
+  Bench plain, doubtful, mute;
+  doubtful.machine.watchdog = true;
+  doubtful.machine.lostLooks = 20;
+  mute.machine.readable = false;
+  for (Bench* b : {&plain, &doubtful, &mute}) {
+    b->run();
+    for (const TrialStep& step : b->trial.steps()) {
+      for (const Phrase& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;
+    }
+  }
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST_F(LinuxCncHalReal, TrialPassesAndMeasuresTheDelay) {
   LinkTrial trial(*link, clock_);
   while (trial.next()) {
     const TrialStep& step = trial.steps().back();
-    std::printf("%s: %s\n", step.what.c_str(), step.said.c_str());
+    std::printf("%s: %s\n", step.what.c_str(), text(step.said).c_str());
   }
   EXPECT_TRUE(trial.passed());
   EXPECT_GT(trial.look().value, 0.0);

@@ -14,7 +14,7 @@ inline double residentMegabytes() {
   return resident * 4096.0 / 1e6;
 }
 
-// After the first tenth of a run: 5 % and 8 MB at most.
+// After the first tenth of a run: 5 % or 8 MB, the larger.
 inline bool flat(double early, double late) {
   return late < std::max(1.05 * early, early + 8.0);
 }

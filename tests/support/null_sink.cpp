@@ -2,6 +2,7 @@
 
 #include <alsa/asoundlib.h>
 #include <poll.h>
+#include <sched.h>
 #include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -65,6 +66,7 @@ std::string NullSink::plug() {
   const std::string socket = (folder_ / "socket").string();
   server_ = ::fork();
   if (server_ == 0) {
+    const OnTime always;
     const std::string listen = "--load=module-native-protocol-unix auth-anonymous=1 socket=" + socket;
     const std::string sink = "--load=module-null-sink sink_name=sink format=s32le rate=" + std::to_string(rate_) +
                              " channels=" + std::to_string(channels_) + map_;
@@ -84,23 +86,34 @@ void NullSink::unplug() {
   fs::remove(folder_ / "socket");
 }
 
-NullSinkPlayer::NullSinkPlayer(int rate, int channels, Fill fill)
-    : fill_(std::move(fill)), thread_([this, rate, channels] { run(rate, channels); }) {}
+OnTime::OnTime() {
+  const sched_param lowest{.sched_priority = 1};
+  ::sched_setscheduler(0, SCHED_RR, &lowest);
+}
+
+OnTime::~OnTime() {
+  const sched_param none{};
+  ::sched_setscheduler(0, SCHED_OTHER, &none);
+}
+
+NullSinkPlayer::NullSinkPlayer(int rate, int channels, Fill fill, double ahead)
+    : fill_(std::move(fill)), thread_([this, rate, channels, ahead] { run(rate, channels, ahead); }) {}
 
 NullSinkPlayer::~NullSinkPlayer() {
   stopped_ = true;
   thread_.join();
 }
 
-void NullSinkPlayer::run(int rate, int channels) {
+void NullSinkPlayer::run(int rate, int channels, double ahead) {
+  const OnTime always;
   snd_pcm_t* pcm = nullptr;
   if (::snd_pcm_open(&pcm, "played", SND_PCM_STREAM_PLAYBACK, 0) < 0) {
     refused_ = true;
     return;
   }
-  constexpr unsigned kLatencyUs = 1'000'000;  // a busy computer must not silence it
-  refused_ = ::snd_pcm_set_params(pcm, SND_PCM_FORMAT_S32_LE, SND_PCM_ACCESS_RW_INTERLEAVED,
-                                  static_cast<unsigned>(channels), static_cast<unsigned>(rate), 0, kLatencyUs) < 0;
+  refused_ =
+      ::snd_pcm_set_params(pcm, SND_PCM_FORMAT_S32_LE, SND_PCM_ACCESS_RW_INTERLEAVED, static_cast<unsigned>(channels),
+                           static_cast<unsigned>(rate), 0, static_cast<unsigned>(ahead * 1e6)) < 0;
   const auto frames = static_cast<std::size_t>(rate / 100);
   std::vector<std::int32_t> out(static_cast<std::size_t>(channels) * frames);
   while (!stopped_ && !refused_) {

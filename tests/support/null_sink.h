@@ -39,11 +39,22 @@ class NullSink {
   pid_t server_ = -1;
 };
 
+// The calling thread, and those that it starts, come before ordinary ones for as long as this lives, where permitted:
+// what stands in for a device must not be late because the computer is busy.
+class OnTime {
+ public:
+  OnTime();
+  ~OnTime();
+  OnTime(const OnTime&) = delete;
+  OnTime& operator=(const OnTime&) = delete;
+};
+
 // Plays interleaved 32-bit frames until it is destroyed. fill: one call after the other, on the player's own thread.
+// ahead: so many seconds are handed over before they are due.
 class NullSinkPlayer {
  public:
   using Fill = std::function<void(std::span<std::int32_t> interleaved)>;
-  NullSinkPlayer(int rate, int channels, Fill fill);
+  NullSinkPlayer(int rate, int channels, Fill fill, double ahead = 1.0);
   ~NullSinkPlayer();
   NullSinkPlayer(const NullSinkPlayer&) = delete;
   NullSinkPlayer& operator=(const NullSinkPlayer&) = delete;
@@ -53,7 +64,7 @@ class NullSinkPlayer {
   int underruns() const { return underruns_; }
 
  private:
-  void run(int rate, int channels);
+  void run(int rate, int channels, double ahead);
 
   Fill fill_;
   std::atomic<bool> stopped_{false};

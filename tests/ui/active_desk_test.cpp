@@ -3,18 +3,27 @@
 
 #include <gtest/gtest.h>
 
+#include <QTemporaryDir>
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <thread>
 
 #include "app/compose/active_setup.h"
 #include "app/session/session.h"
 #include "core/milling/scenario.h"
+#include "ui/shell/main_window.h"
 
 namespace stillcut::app {
 namespace {
+
+// What the table was told, for whoever looks when it is gone.
+struct TableSeen {
+  std::atomic<double> last{0.0};  // share of the stroke, either way
+  std::atomic<bool> closed{false};
+};
 
 // Time that the device makes: a block is as long as its samples. It stands still but for what the test allows.
 class BlockTime final : public active::DuplexDevice {
@@ -35,15 +44,22 @@ class BlockTime final : public active::DuplexDevice {
     return event;
   }
   active::DuplexEvent write(std::span<const safety::ActuatorCommand> out) noexcept override {
+    double farthest = 0.0;
+    for (const safety::ActuatorCommand& command : out) farthest = std::max(farthest, std::abs(command.value()));
+    seen->last = farthest;
     return device_->write(out);
   }
   void stop() noexcept override {
     stopped_ = true;
     device_->stop();
   }
-  void close() noexcept override { device_->close(); }
+  void close() noexcept override {
+    device_->close();
+    seen->closed = true;
+  }
 
   std::atomic<std::int64_t> allowed{0};  // [ns]
+  std::shared_ptr<TableSeen> seen = std::make_shared<TableSeen>();
 
  private:
   std::atomic<bool> stopped_{false};
@@ -63,9 +79,15 @@ class OnFord : public testing::Test {
     options.record.duration = Seconds(2.0);
     auto paced = std::make_unique<BlockTime>(std::move(device), clock_);
     time_ = paced.get();
-    desk_ = std::make_unique<ActiveDesk>(std::move(paced), options, clock_, simulated_);
+    seen_ = time_->seen;
+    owned_ = std::make_unique<ActiveDesk>(std::move(paced), options, clock_, simulated_);
+    desk_ = owned_.get();
   }
-  void TearDown() override { time_->allowed = std::numeric_limits<std::int64_t>::max(); }  // to ramp out
+  void TearDown() override {
+    if (!seen_->closed) letGo();
+  }
+  // The device's time runs free, to ramp out.
+  void letGo() { time_->allowed = std::numeric_limits<std::int64_t>::max(); }
 
   // Until the loop's clock has gone on by so much, or earlier when it is done.
   template <class Done>
@@ -97,7 +119,10 @@ class OnFord : public testing::Test {
   ManualClock clock_;
   active::SimulatedDuplex* simulated_ = nullptr;
   BlockTime* time_ = nullptr;
-  std::unique_ptr<ActiveDesk> desk_;
+  std::shared_ptr<TableSeen> seen_;
+  ActiveDesk* desk_ = nullptr;
+  std::unique_ptr<ActiveDesk> owned_;
+  std::unique_ptr<Session> session_;  // where it is given one
 };
 
 TEST_F(OnFord, TellsWhatItIdentified) {
@@ -139,6 +164,51 @@ TEST_F(OnFord, HoldsTheUnstableCutUntilItIsStopped) {
   EXPECT_EQ(newest().axes[0].release, ActuatorRelease::Asked);
 }
 
+// On a session beside a cut, as the desktop has it.
+class OnFordInASession : public OnFord {
+ protected:
+  void controlInASession() {
+    openDesk("ford-unstable");
+    control();
+    ASSERT_GT(seen_->last, 0.0) << "the table does not move: nothing to stop";
+    auto opened = openScenarioSession(kDemo, false);
+    ASSERT_TRUE(opened.ok()) << opened.error().line();
+    session_ = std::move(opened).value();
+    session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
+    session_->setActive(std::move(owned_));
+  }
+  static constexpr const char* kDemo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
+  const QTemporaryDir folder_;
+};
+
+TEST_F(OnFordInASession, ClosingTheWindowStopsTheTable) {
+  controlInASession();
+  {
+    ui::MainWindow window(*session_, ui::ThemeKind::Light, ui::Language::English);
+    session_->endWith(window, [](const Error& error) { ADD_FAILURE() << error.line(); });
+    window.show();
+    window.close();
+  }
+  watch(1.0, [] { return false; });
+  for (const ActiveAxis& axis : newest().axes) {
+    EXPECT_EQ(axis.state, ActuatorState::Off);
+    EXPECT_EQ(axis.release, ActuatorRelease::Asked) << actuatorReleaseText(axis.release);
+  }
+  EXPECT_EQ(seen_->last, 0.0);
+}
+
+TEST_F(OnFordInASession, AnotherCutInItsPlaceBringsTheTableToRest) {
+  controlInASession();
+  session_->demonstrateWith(kDemo);
+  letGo();
+  const Status begun = session_->setup()->startDemonstration();
+  ASSERT_TRUE(begun.ok()) << begun.error().line();
+  EXPECT_TRUE(seen_->closed);
+  EXPECT_EQ(seen_->last, 0.0) << "ramped out, not cut off";
+  EXPECT_EQ(session_->active(), nullptr) << "the demonstration has no table";
+  EXPECT_TRUE(session_->stop().ok());
+}
+
 TEST_F(OnFord, TellsWhatItEarnsOnTheLineOfTheStableCut) {
   openDesk("ford-stable");
   control();
@@ -165,6 +235,26 @@ TEST_F(OnFord, ADeviceThatIsGoneIsSaidAndMustBeIdentifiedAnew) {
   EXPECT_FALSE(desk_->start().ok());
   EXPECT_TRUE(desk_->identify().ok());
   EXPECT_TRUE(desk_->problem().isEmpty());
+}
+
+// The operator's one way out, on whatever page and in whatever window it is touched.
+TEST_F(OnFord, BackToProgrammedLetsTheTableGo) {
+  openDesk("ford-unstable");
+  control();
+  ASSERT_EQ(newest().axes[0].state, ActuatorState::On);
+  auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/ford-unstable.toml", false);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  session_ = std::move(session).value();
+  session_->setActive(std::move(owned_));
+  session_->send({OperatorAction::Hold}, session_->generation());
+  watch(0.5, [] { return false; });
+  EXPECT_EQ(newest().axes[0].state, ActuatorState::On) << "a hold is of the overrides";
+  session_->send({OperatorAction::BackToProgrammed}, session_->generation());
+  watch(1.0, [] { return false; });
+  for (const ActiveAxis& axis : newest().axes) {
+    EXPECT_EQ(axis.state, ActuatorState::Off);
+    EXPECT_EQ(axis.release, ActuatorRelease::Asked);
+  }
 }
 
 TEST(ActiveSession, AScenarioOfAWorkHolderOpensWithItsDesk) {

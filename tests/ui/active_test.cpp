@@ -129,16 +129,6 @@ TEST_F(ActivePage, IdentifiesStartsWatchesAndStops) {
   EXPECT_EQ(desk_.stops, 1);
 }
 
-TEST_F(ActivePage, BackTo100FromAnyPageLetsTheTableGo) {
-  openActive();
-  desk_.snapshot = exampleActive();
-  window_->showPage(QStringLiteral("operate"));
-  play(0.2);
-  press("back");
-  EXPECT_EQ(session_.sent().back().action, OperatorAction::BackToProgrammed);
-  EXPECT_EQ(desk_.stops, 1);
-}
-
 TEST_P(ActivePage, Fits) {
   desk_.fits = {exampleFit(), std::nullopt};
   desk_.snapshot = exampleActive();

@@ -2,48 +2,15 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QTemporaryDir>
-#include <QWheelEvent>
+#include <cmath>
 
-#include "tests/ui/ui_fixture.h"
-#include "ui/pages/analyse_page.h"
-#include "ui/plots/history_map.h"
+#include "tests/ui/analyse_fixture.h"
 #include "ui/plots/spectrum_plot.h"
 #include "ui/plots/trace_plot.h"
+#include "ui/plots/track_plot.h"
 
 namespace stillcut::ui {
 namespace {
-
-class Analyse : public WindowTest {
- protected:
-  void openPage() {
-    open();
-    press("page-analyse");
-    play(6.0);
-  }
-  AnalyseView& view() const { return find<AnalysePage>()->view(); }
-  QPoint inMap(double x, double y) const {
-    const QRect plot = find<HistoryMap>()->plotRect();
-    return {plot.left() + static_cast<int>(x * plot.width()), plot.top() + static_cast<int>(y * plot.height())};
-  }
-  void drag(QWidget* widget, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) const {
-    QTest::mousePress(widget, Qt::LeftButton, keys, from);
-    QTest::mouseMove(widget, (from + to) / 2);
-    QTest::mouseMove(widget, to);
-    QTest::mouseRelease(widget, Qt::LeftButton, keys, to);
-  }
-  void wheel(QWidget* widget, QPoint at, int notches, Qt::KeyboardModifiers keys = {}) const {
-    QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * notches}, Qt::NoButton, keys, Qt::NoScrollPhase,
-                      false);
-    QCoreApplication::sendEvent(widget, &event);
-  }
-  static int differentPixels(const QImage& a, const QImage& b) {
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y) {
-      for (int x = 0; x < a.width(); ++x) count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
-    }
-    return count;
-  }
-};
 
 TEST_F(Analyse, ClicksPutCursorsThatStay) {
   openPage();
@@ -128,6 +95,60 @@ TEST_F(Analyse, HarmonicCursorByClickAndOnTheStrongestLine) {
   EXPECT_GT(*view().harmonic(), at);
   QTest::keyClick(spectrum, Qt::Key_Delete);
   EXPECT_FALSE(view().harmonic());
+}
+
+// What a level is counted from stands beside it, and cursors read levels, not only times.
+TEST_F(Analyse, LevelsHaveTheirUnitAndAreReadAtTheCursors) {
+  openPage();
+  auto* map = find<HistoryMap>();
+  const QRect header(map->plotRect().left(), 0, map->plotRect().width(), map->plotRect().top());
+  const QImage key = map->grab(header).toImage();
+  int colourful = 0;
+  for (int x = 0; x < key.width(); ++x) colourful += key.pixelColor(x, key.height() / 2).hsvSaturation() > 100 ? 1 : 0;
+  EXPECT_GT(colourful, 80) << "the palette beside the title";
+  EXPECT_EQ(find<SpectrumPlot>()->spectrum().unit, QStringLiteral("m/s\u00b2"));
+  EXPECT_EQ(decibelUnit(find<SpectrumPlot>()->spectrum().unit), QStringLiteral("dB re 1 m/s\u00b2"));
+  view().setHarmonic(Hertz(1713));
+  QTest::mouseClick(map, Qt::LeftButton, {}, inMap(0.5, 0.5));
+  tick(40);
+  const QString alone = find<SpectrumPlot>()->spectrum().reading;
+  EXPECT_TRUE(alone.endsWith(QStringLiteral("dB"))) << alone.toStdString();
+  QTest::mouseClick(map, Qt::LeftButton, Qt::ShiftModifier, inMap(0.97, 0.5));
+  tick(40);
+  const QString both = find<SpectrumPlot>()->spectrum().reading;
+  EXPECT_TRUE(both.startsWith(alone) && both.contains("B:")) << both.toStdString();
+  press("linear");
+  tick(40);
+  EXPECT_TRUE(find<SpectrumPlot>()->spectrum().reading.endsWith(QStringLiteral("m/s\u00b2")));
+}
+
+// The limit of a detector that has one is a line across its row; a reading stands beside each cursor.
+TEST_F(Analyse, TracksHaveTheirScaleTheirLimitAndReadings) {
+  openPage();
+  auto* tracks = find<TrackPlot>();
+  const QImage with = tracks->grab().toImage();
+  session_.mutableInfo().limits.energyRatio = std::nan("");
+  session_.mutableInfo().limits.coherence = std::nan("");
+  session_.touch();
+  tick(40);
+  const QImage without = tracks->grab().toImage();
+  const QRect plot = tracks->plotRect();
+  const auto changedRows = [&](const QImage& a, const QImage& b) {
+    int rows = 0;
+    for (int y = plot.top(); y <= plot.bottom(); ++y) {
+      int count = 0;
+      for (int x = plot.left(); x < plot.left() + plot.width() / 3; ++x)
+        count += a.pixel(x, y) != b.pixel(x, y) ? 1 : 0;
+      rows += count > plot.width() / 12 ? 1 : 0;
+    }
+    return rows;
+  };
+  EXPECT_GE(changedRows(with, without), 2) << "one limit in each of two rows";
+  QTest::mouseClick(find<HistoryMap>(), Qt::LeftButton, {}, inMap(0.5, 0.5));
+  const QImage read = tracks->grab().toImage();
+  const int x = static_cast<int>(tracks->xOf(*view().cursor(AnalyseView::A))) + 3;
+  const QRect beside(x, plot.top(), 24, 16);
+  EXPECT_GT(differentPixels(without.copy(beside), read.copy(beside)), 100);
 }
 
 TEST_F(Analyse, GoToAMomentByTyping) {

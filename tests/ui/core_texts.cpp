@@ -16,6 +16,8 @@
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
+#include "core/daq/axis_knock.h"
+#include "core/daq/device_words.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
 #include "core/model/reason.h"
@@ -89,6 +91,9 @@ std::string fileText() {
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);
   for (const auto& entry : daq::sourceTable()) lines.add("Core", entry.description);
   for (const char* const step : cnc::LinkTrial::kNames) lines.add("Core", step);
+  for (const char* const word : cnc::LinkTrial::words()) lines.add("Core", word);
+  for (const char* const word : daq::knockWords()) lines.add("Core", word);
+  for (const char* const word : daq::kDeviceWords) lines.add("Core", word);
   for (const std::string_view what : app::foundSentences()) lines.add("Core", what);
   for (const auto& entry : cnc::linkTable()) addPart(lines, std::string(entry.id), {});
   for (const auto& entry : daq::sourceTable()) addPart(lines, {}, std::string(entry.id));

@@ -165,7 +165,7 @@ TEST(Closing, MidCutReturnsTheMachineToItsProgrammedValues) {
   ui::SessionInfo info = sessionInfo(**rig);
   Session session(std::move(rig).value(), std::move(info), "");
   session.keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
-  session.send({OperatorAction::GrantBySimulation, Authority::Auto});
+  session.send({OperatorAction::GrantBySimulation, Authority::Auto}, session.generation());
 
   ui::MainWindow window(session, ui::ThemeKind::Light, ui::Language::English);
   session.endWith(window, [](const Error& error) { ADD_FAILURE() << error.line(); });

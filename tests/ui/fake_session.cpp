@@ -20,13 +20,12 @@ FakeSession::FakeSession() {
   info_.setup.toolDiameter = Metres(0.012);
   info_.setup.rate = Hertz(25600);
   info_.setup.channels = {{"x", SensorQuantity::Acceleration, 1.0, "x"}, {"y", SensorQuantity::Acceleration, 1.0, "y"}};
-  info_.sourceLabel = "simulated cut";
   info_.linkLabel = "LinuxCNC";
   info_.simulatedMachine = true;
   info_.machineWatchdog = true;
   info_.feedPerTooth = Metres(40e-6);
   info_.detectors = {{"energy-ratio", "Energy ratio", {"er"}}, {"coherence", "Coherence", {"gamma_max"}}};
-  info_.limits = {0.1, 0.3, 0.6, 10.0};
+  info_.limits = {0.3, 0.6, 10.0};
   info_.wallMsAtStreamZero = 1'780'000'000'000;
   recorder_ = {RecorderStatus::State::Recording, Seconds(760), {}};
 
@@ -54,8 +53,16 @@ FakeSession::FakeSession() {
   earlier.marked = Metres(0.0021);
 }
 
-void FakeSession::send(const OperatorInput& input) {
+const Snapshot* FakeSession::pull() {
+  if (tuning_ != nullptr && started_) {
+    for (const OperatorInput& input : tuning_->desk().take(4)) send(input, generation_);
+  }
+  return replay_ ? &*replay_ : live();
+}
+
+void FakeSession::send(const OperatorInput& input, std::uint32_t seen) {
   sent_.push_back(input);
+  seen_.push_back(seen);
   Snapshot& s = snapshot_;
   switch (input.action) {
     case OperatorAction::SetAuthority:

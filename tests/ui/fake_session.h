@@ -2,7 +2,9 @@
 // speed is moved (by Accept under Advise, by itself under Auto); then it dies down. Time passes only in advance().
 #pragma once
 
+#include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tests/ui/fake_lobes.h"
@@ -15,8 +17,10 @@ class FakeSession final : public SessionFacade {
   FakeSession();
 
   const SessionInfo& info() const override { return info_; }
-  const Snapshot* pull() override { return started_ ? &snapshot_ : nullptr; }
-  void send(const OperatorInput& input) override;
+  const Snapshot* pull() override;
+  bool replayShown() const override { return replay_.has_value(); }
+  const Snapshot* live() override { return started_ ? &snapshot_ : nullptr; }
+  void send(const OperatorInput& input, std::uint32_t seen) override;
   RecorderStatus recorder() const override { return recorder_; }
   LinkStatus link() const override { return link_; }
   std::uint32_t generation() const override { return generation_; }
@@ -40,6 +44,11 @@ class FakeSession final : public SessionFacade {
   int shownChannel() const { return channel_; }
   // Samples and spectra of the next `s` seconds never arrive.
   void lose(Seconds s) { lost_ = s; }
+  // In the place of the story, as it is now; nothing: the story again.
+  void showReplay(std::optional<Snapshot> replay) {
+    replay_ = std::move(replay);
+    ++generation_;
+  }
   // As if something else had been opened, with another machine.
   void openOther(const std::string& machine) {
     info_.setup.machine = machine;
@@ -56,6 +65,7 @@ class FakeSession final : public SessionFacade {
   RecorderStatus& mutableRecorder() { return recorder_; }
   LinkStatus& mutableLink() { return link_; }
   const std::vector<OperatorInput>& sent() const { return sent_; }
+  const std::vector<std::uint32_t>& seen() const { return seen_; }  // with which generation on the screen
 
  private:
   void step();
@@ -69,6 +79,7 @@ class FakeSession final : public SessionFacade {
 
   SessionInfo info_;
   Snapshot snapshot_;
+  std::optional<Snapshot> replay_;
   RecorderStatus recorder_;
   LinkStatus link_;
   QString stateFolder_;
@@ -83,6 +94,7 @@ class FakeSession final : public SessionFacade {
   SetupDesk* setup_ = nullptr;
   std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
+  std::vector<std::uint32_t> seen_;
   std::mt19937 random_{7};
   bool started_ = false;
   bool moved_ = false;

@@ -60,6 +60,8 @@ class FakeSessionDesk final : public SessionDesk {
     state.length = Seconds(30.0);
     changed = true;
   }
+  // What is opened next.
+  void showNext(std::shared_ptr<const SessionSummary> summary) { summary_ = std::move(summary); }
   QString openedPath() const override { return path_; }
   std::shared_ptr<const SessionSummary> summary() const override { return path_.isEmpty() ? nullptr : summary_; }
   ReplayState replay() const override { return state; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/record/record_params.h"
@@ -69,6 +70,8 @@ class FakeSetupDesk final : public SetupDesk {
     return name + QStringLiteral(".toml");
   }
   config::Profile draft() const override { return {}; }
+  void keepDraft(const config::Profile& profile) override { begun = profile; }
+  std::optional<config::Profile> keptDraft() const override { return begun; }
   void listen(const config::Profile& profile, const QString&) override {
     listenedTo = QString::fromStdString(profile.source.id);
     ears.state = Heard::State::Opening;
@@ -128,6 +131,7 @@ class FakeSetupDesk final : public SetupDesk {
   }
 
   std::map<QString, config::Profile> kept;
+  std::optional<config::Profile> begun;
   std::vector<ToolEntry> shop;
   std::vector<TrialStep> steps;
   QString inForce, listenedTo, calibrated;

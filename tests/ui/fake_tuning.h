@@ -2,6 +2,8 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "core/control/fuzzy_params.h"
 #include "core/control/registry.h"
@@ -37,9 +39,19 @@ class FakeTuning final : public Tuning {
     static constexpr const config::ParamDecl* kActive[] = {&kTaps};
     add("active", "Active work-holder", TunablePart::Role::Active, kActive);
   }
-  std::uint32_t tuningRun() const override { return run; }
+  std::uint32_t tuningRun() const override { return run_; }
   const std::vector<TunablePart>& tunableParts() const override { return parts_; }
-  const config::ParamSet& startValues() const override { return started_; }
+  TuneDesk& desk() override { return *desk_; }
+  // Another run in the place of this one, with its own values.
+  void openOther() {
+    ++run_;
+    desk_->open({});
+  }
+  // Another one beside it is shown.
+  void show(std::unique_ptr<TuneDesk>& other) {
+    ++run_;
+    std::swap(desk_, other);
+  }
   Result<QString> saveValues(const config::ParamSet& values) override {
     if (refuse) return Error{"mill3.toml", "cannot be written", "the disk is full"};
     saved = values;
@@ -49,7 +61,6 @@ class FakeTuning final : public Tuning {
   const RuleTables* rulesNow() override { return rules ? &*rules : nullptr; }
 
   std::optional<RuleTables> rules;
-  std::uint32_t run = 0;
   bool refuse = false;
   std::optional<config::ParamSet> saved;
 
@@ -73,7 +84,8 @@ class FakeTuning final : public Tuning {
   }
 
   std::vector<TunablePart> parts_;
-  config::ParamSet started_;
+  std::unique_ptr<TuneDesk> desk_ = std::make_unique<TuneDesk>();
+  std::uint32_t run_ = 0;
 };
 
 }  // namespace stillcut::ui

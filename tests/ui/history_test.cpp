@@ -72,6 +72,24 @@ TEST(SignalHistory, WhatIsMissingIsAGapAndIsNotDrawn) {
   EXPECT_TRUE(extents[4].present);
 }
 
+// The stamps of a device whose clock is being followed: each block a little off from where the one before ended, and a
+// crystal that is off by half a percent.
+TEST(SignalHistory, AClockThatIsBeingFollowedMakesNoGaps) {
+  SignalHistory history;
+  history.prepare(oneChannel());
+  for (int k = 0; k < 200; ++k) {
+    const double wobble = 0.004 * std::sin(0.7 * k);  // four samples
+    history.add(blockOf(at(1.0 + 0.0201 * 1.005 * k + wobble), std::vector<float>(20, 1.0F)));
+  }
+  EXPECT_TRUE(history.gaps().empty());
+  EXPECT_NEAR(secondsBetween(at(1.0 + 0.0201 * 1.005 * 199), history.end()).value, 0.02, 0.015)
+      << "the stamps are kept to";
+  SampleBlock lost = blockOf(history.end(), std::vector<float>(20, 1.0F));
+  lost.flags = kBlockGap;
+  history.add(lost);
+  EXPECT_EQ(history.gaps().size(), 1U) << "the device says so";
+}
+
 TEST(SignalHistory, KeepsTheNewestSecondsOnly) {
   SignalHistory history;
   history.prepare(oneChannel());
@@ -97,6 +115,17 @@ TEST(RunHistory, RemembersMoreThanASnapshotHolds) {
   EXPECT_NEAR(sinceEpoch(column->time).value, 2.0, 0.021);
   history.see(*session.pull());
   EXPECT_EQ(history.columns().size(), 100U) << "the same picture again brings nothing";
+}
+
+TEST(RunHistory, KnowsWhereSamplesAreMissing) {
+  FakeSession session;
+  RunHistory history;
+  for (int k = 0; k < 10; ++k) {
+    session.advance(Seconds(0.04));
+    if (k == 6) session.snapshot().health.gaps += 2;
+    history.see(*session.pull());
+  }
+  for (std::size_t k = 0; k < 10; ++k) EXPECT_EQ(history.tracks()[0][k].afterGap, k == 6) << k;
 }
 
 TEST(RunHistory, AnotherChannelBeginsANewPicture) {
@@ -213,7 +242,7 @@ TEST(SpectrumView, MaxHoldIsTheHighestOfTheStretchOnShow) {
   RunHistory history;
   for (int k = 0; k < 250; ++k) {
     session.advance(Seconds(0.04));
-    if (k == 150) session.send({OperatorAction::GrantBySimulation, Authority::Auto});
+    if (k == 150) session.send({OperatorAction::GrantBySimulation, Authority::Auto}, session.generation());
     history.see(*session.pull());
   }
   AnalyseView view;
@@ -298,6 +327,56 @@ TEST(Lobes, WhatIfSaysStableOrChatterWithItsMargin) {
   EXPECT_FALSE(ask(8250, 2.0).stable);
   EXPECT_TRUE(ask(8250, 2.0).verdict.contains("50")) << ask(8250, 2.0).verdict.toStdString();
   EXPECT_FALSE(ask(20000, 2.0).known);
+}
+
+// Shallow up to 11 000 rpm, then nothing limits the cut as deep as was looked, up to 16 000.
+LobeDiagram openPocket() {
+  LobeDiagram diagram;
+  for (int n = 9000; n <= 18000; n += 100) {
+    const bool open = n >= 11000 && n <= 16000;
+    diagram.limits.push_back({Rpm(n), Metres(open ? 4.5e-3 : 1e-3), !open, ChatterKind::Unknown, Hertz()});
+  }
+  return diagram;
+}
+
+TEST(Lobes, APocketsBestSpeedIsTheMiddleOfItsPlateauNotItsEdge) {
+  const LobeDiagram diagram = openPocket();
+  LobeFrame frame;
+  frame.reachLow = Rpm(8000);
+  frame.reachHigh = Rpm(20000);
+  auto pockets = pocketsAt(diagram, frame, Metres(2e-3));
+  ASSERT_EQ(pockets.size(), 1U);
+  EXPECT_NEAR(pockets[0].best.value, 13500.0, 1.0);
+  EXPECT_FALSE(pockets[0].limited);
+  frame.reachHigh = Rpm(12000);
+  pockets = pocketsAt(diagram, frame, Metres(2e-3));
+  EXPECT_NEAR(pockets[0].best.value, 12000.0, 1.0) << "as near to the middle as the override reaches";
+  EXPECT_TRUE(pockets[0].reachable);
+  frame.reachHigh = Rpm(10500);
+  pockets = pocketsAt(diagram, frame, Metres(2e-3));
+  EXPECT_FALSE(pockets[0].reachable);
+  EXPECT_NEAR(pockets[0].best.value, 13500.0, 1.0);
+}
+
+TEST(Lobes, WhereTheSearchEndedIsNotToldAsALimit) {
+  const LobeDiagram diagram = openPocket();
+  LobeFrame frame;
+  frame.reachHigh = Rpm(20000);
+  PocketTable table;
+  table.setPockets(pocketsAt(diagram, frame, Metres(4.5e-3)), UnitSystem::Metric);
+  ASSERT_EQ(table.rowCount(), 1) << "quiet down to the end of the search, that depth included";
+  const QModelIndex limit = table.index(0, PocketTable::Limit);
+  EXPECT_EQ(table.data(limit).toString(), QStringLiteral("> 4.50\u00a0mm"));
+  EXPECT_TRUE(table.data(limit, Qt::ToolTipRole).toString().contains("No limit found"));
+  const auto ask = [&](double rpm, double mm) {
+    return whatIf(&diagram, frame, Rpm(rpm), Metres(mm * 1e-3), UnitSystem::Metric);
+  };
+  EXPECT_TRUE(ask(13500, 4.5).stable);
+  EXPECT_TRUE(ask(13500, 3.0).verdict.contains("no limit found down to"));
+  EXPECT_TRUE(ask(13500, 3.0).detail.contains("deeper than"));
+  EXPECT_FALSE(ask(13500, 5.0).known) << "nobody looked there";
+  EXPECT_FALSE(ask(10000, 2.0).stable);
+  EXPECT_TRUE(ask(10000, 0.5).detail.startsWith("limit 1.00"));
 }
 
 TEST(Lobes, PocketTablePassesTheModelTester) {

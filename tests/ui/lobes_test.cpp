@@ -10,6 +10,21 @@
 namespace stillcut::ui {
 namespace {
 
+QRect plotOf(const LobeChart& chart) {
+  return chart.chart()->plotArea().toRect();
+}
+
+// The rectangle around every pixel of this colour; null: there is none.
+QRect findColor(const QImage& image, const QRect& where, const QColor& color) {
+  QRect found;
+  for (int y = where.top(); y <= where.bottom(); ++y) {
+    for (int x = where.left(); x <= where.right(); ++x) {
+      if (image.pixelColor(x, y) == color) found |= QRect(x, y, 1, 1);
+    }
+  }
+  return found;
+}
+
 class LobesPageTest : public WindowTest {
  protected:
   void openPage() {
@@ -77,16 +92,82 @@ TEST_F(LobesPageTest, ATouchOnAPocketTriesItsBestSpeed) {
   EXPECT_TRUE(answer().startsWith("STABLE"));
 }
 
+TEST_F(LobesPageTest, APocketIsTriedWithArrowsAndEnter) {
+  computed();
+  auto* pockets = find<QTableView>();
+  pockets->setFocus();
+  pockets->setCurrentIndex(pockets->model()->index(0, 0));
+  QTest::keyClick(pockets, Qt::Key_Down);
+  QTest::keyClick(pockets, Qt::Key_Return);
+  EXPECT_NEAR(find<LobeChart>()->handle().speed.value, 7000.0, 51.0);
+  EXPECT_EQ(pockets->currentIndex().row(), 1) << "and the arrows go on from there";
+}
+
+TEST_F(LobesPageTest, SaysWhyTheWorkingPointIsGone) {
+  computed();
+  const auto said = [this] {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->text().contains(QStringLiteral("working point is not shown"))) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(said());
+  tick(2000);
+  EXPECT_TRUE(said());
+  play(0.2);
+  EXPECT_FALSE(said());
+}
+
 TEST_F(LobesPageTest, ShowsWhereTheCutIsAndWhereItIsAdvisedToGo) {
   computed();
-  const QImage calm = find<LobeChart>()->grab().toImage();
+  const auto* chart = find<LobeChart>();
+  const QColor advice = themeColors(ThemeKind::Light).advice;
+  EXPECT_TRUE(findColor(find<LobeChart>()->grab().toImage(), plotOf(*chart), advice).isNull());
   press("advise");
   while (!session_.snapshot().adviceOpen) play(0.04);
   play(0.2);
-  const QImage advised = find<LobeChart>()->grab().toImage();
-  const auto* chart = find<LobeChart>();
+  const QRect arrow = findColor(find<LobeChart>()->grab().toImage(), plotOf(*chart), advice);
+  const QPoint now = chart->place({Rpm(8799), Metres(1.5e-3)});
   const QPoint target = chart->place({session_.snapshot().request.speed, Metres(1.5e-3)});
-  EXPECT_NE(calm.pixel(target + QPoint(4, 0)), advised.pixel(target + QPoint(4, 0))) << "the head of the arrow";
+  EXPECT_LT(now.x() - target.x(), 20) << "a short move";
+  EXPECT_GT(arrow.right() - target.x(), 35) << "and yet an arrow";
+  EXPECT_LT(arrow.bottom(), target.y() + 4) << "above what it leads to";
+}
+
+// All in one place: each sign leaves the others in sight.
+TEST_F(UiTest, RingCrossAndPointsOfTheLobeChartDoNotCoverEachOther) {
+  FakeLobes lobes;
+  LobeChart chart;
+  chart.resize(900, 600);
+  chart.applyTheme(makeTheme(ThemeKind::Light, 1.0));
+  chart.setDiagram(nullptr, lobes.frame());
+  const SpeedDepth here{Rpm(8800), Metres(2e-3)};
+  const std::vector<MetPoint> met{{Rpm(6000), here.depth, CutState::Onset},
+                                  {Rpm(7000), here.depth, CutState::Chatter},
+                                  {here.speed, here.depth, CutState::Stable}};
+  chart.setHandle(here);
+  chart.setWork(here, met);
+  chart.show();
+  QCoreApplication::processEvents();
+  const QImage image = chart.grab().toImage();
+  const ThemeColors c = themeColors(ThemeKind::Light);
+  const QPoint at = chart.place(here);
+  const auto darkNear = [&](int radius) {  // to the right of the place
+    int darkest = 255;
+    for (int k = 0; k < 9; ++k) {
+      darkest = std::min(darkest, image.pixelColor(at + QPoint(radius - 1 + k % 3, k / 3 - 1)).lightness());
+    }
+    return darkest;
+  };
+  EXPECT_LT(darkNear(5), 120) << "the point";
+  EXPECT_LT(darkNear(11), 120) << "the arm";
+  EXPECT_LT(darkNear(20), 120) << "the ring";
+  EXPECT_EQ(image.pixelColor(chart.place({Rpm(6000), here.depth})), c.onset) << "onset is not chatter's";
+  EXPECT_EQ(image.pixelColor(chart.place({Rpm(7000), here.depth})), c.chatter);
+  EXPECT_FALSE(chart.clipped());
+  const QRect legend(0, 0, chart.width(), plotOf(chart).top());
+  EXPECT_FALSE(findColor(image, legend, c.onset).isNull()) << "what the signs mean stands above";
+  EXPECT_FALSE(findColor(image, legend, c.chatter).isNull());
 }
 
 TEST_F(LobesPageTest, WithoutModesThePageSaysWhatToDo) {

@@ -1,6 +1,10 @@
 // The desk behind the Set up page on simulated machines and files of a folder.
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <QTemporaryDir>
 #include <algorithm>
@@ -65,6 +69,43 @@ TEST(MachineDesk, ListensToTheChosenDeviceWithoutItsMachine) {
   EXPECT_TRUE(desk.heard().problem.contains(QStringLiteral("nowhere.toml")));
 }
 
+// A device that accepts and sends nothing keeps the thread that opens it; whoever stops listening does not wait for it.
+TEST(MachineDesk, StopsListeningWhileTheDeviceIsBeingOpened) {
+  const int silent = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  ASSERT_EQ(::bind(silent, reinterpret_cast<sockaddr*>(&address), length), 0);
+  ASSERT_EQ(::listen(silent, 1), 0);
+  ASSERT_EQ(::getsockname(silent, reinterpret_cast<sockaddr*>(&address), &length), 0);
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  profile.link = {};
+  profile.source = {"tcp",
+                    {{"host", "127.0.0.1"},
+                     {"port", std::to_string(ntohs(address.sin_port))},
+                     {"rate_hz", "1000"},
+                     {"format", "text"}}};
+  profile.cut.channels = {{"x", SensorQuantity::Acceleration, 1.0, "x"}};
+  desk.listen(profile, {});
+  pollfd connected{silent, POLLIN, 0};
+  ASSERT_EQ(::poll(&connected, 1, 10'000), 1) << "it does not even try";
+  const int wire = ::accept(silent, nullptr, nullptr);
+  ASSERT_GE(wire, 0);
+  desk.stopListening();
+  char byte = 0;
+  EXPECT_EQ(::recv(wire, &byte, 1, MSG_DONTWAIT), -1) << "closed: it was waited for";
+  EXPECT_EQ(desk.heard().state, ui::Heard::State::Off);
+  // What is asked next of the device begins when the first has let it go.
+  desk.calibrate(profile, {}, 0, QStringLiteral("1 g"), Hertz(100.0));
+  EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
+  ::close(wire);
+  ::close(silent);
+}
+
 TEST(MachineDesk, EveryLinkSaysWhatItAsksForWithoutAWire) {
   const MachineDesk desk;
   config::Profile profile;
@@ -122,6 +163,28 @@ TEST(MachineDesk, CalibratesAgainstTheChosenDevice) {
   EXPECT_EQ(desk.sensorTrial().state, ui::SensorTrial::State::Runs);
   test::waitFor(desk, [&] { return desk.sensorTrial().state != ui::SensorTrial::State::Runs; });
   EXPECT_TRUE(desk.sensorTrial().said.contains(QStringLiteral("has no channel 8")));
+}
+
+TEST(MachineDesk, WhatIsBeingPutTogetherOutlivesTheProgramUntilItRuns) {
+  const QTemporaryDir folder;
+  {
+    MachineDesk desk;
+    desk.keepIn(folder.path());
+    EXPECT_FALSE(desk.keptDraft().has_value());
+    desk.keepDraft({});
+    EXPECT_TRUE(desk.keptDraft().has_value()) << "nothing is said yet, and that can be read as well";
+    desk.keepDraft(simulatedMill());
+  }
+  MachineDesk next;
+  next.keepIn(folder.path());
+  const auto kept = next.keptDraft();
+  ASSERT_TRUE(kept.has_value());
+  EXPECT_EQ(kept->cut.machine, "Simulated mill");
+  EXPECT_EQ(kept->link.id, "simulated");
+  next.begin = [](const std::string&) { return Status(Done{}); };
+  ASSERT_TRUE(next.save(*kept, QStringLiteral("mill")).ok());
+  ASSERT_TRUE(next.start(QStringLiteral("mill")).ok());
+  EXPECT_FALSE(next.keptDraft().has_value()) << "it is a profile now";
 }
 
 TEST(MachineDesk, ProfilesAreKeptAndComeBack) {

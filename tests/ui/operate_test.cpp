@@ -2,6 +2,7 @@
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/plots/spectrogram_widget.h"
+#include "ui/shell/page_table.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/painting.h"
@@ -42,7 +43,7 @@ TEST_F(Operate, TellsTheStoryFromStableToChatterToQuiet) {
   EXPECT_FALSE(enabled("accept"));
   playToChatter();
   EXPECT_EQ(verdict().word, "CHATTER");
-  EXPECT_TRUE(verdict().detail.contains("Hopf"));
+  EXPECT_TRUE(verdict().kind.contains("regenerative"));
   EXPECT_EQ(advice().mode, AdviceView::Mode::Open);
   EXPECT_TRUE(enabled("accept"));
   press("accept");
@@ -168,6 +169,48 @@ TEST_F(Operate, AlarmsAreJudgedWithOneTouch) {
   press("was-true");
   EXPECT_EQ(lastSent().action, OperatorAction::TrueAlarm);
   EXPECT_FALSE(find<TouchButton>("was-false")->isChecked());
+}
+
+TEST_F(Operate, AFaultStandsOverTheNewestCardInLargeLetters) {
+  open();
+  play(1);
+  const auto* list = find<InterventionList>();
+  EXPECT_GT(list->shownCards(), 0);
+  Snapshot& s = session_.snapshot();
+  s.eventCount = 1;
+  s.events[0] = {s.time, 0, EventLevel::Fault, {ReasonCode::StrategyFault, {}}};
+  tick(40);
+  EXPECT_GT(list->shownCards(), 0);
+  const QColor red = makeTheme(ThemeKind::Light, 1.0).colors.chatter;
+  const QPoint inside = list->mapTo(window_.get(), QPoint(24, 60));
+  EXPECT_EQ(picture().pixelColor(inside), red);
+  EXPECT_FALSE(list->clipped());
+  s.events[0].level = EventLevel::Warning;
+  tick(40);
+  EXPECT_NE(picture().pixelColor(inside), red) << "only a fault is worth that";
+}
+
+TEST_F(Operate, NoAlarmAndNoAdviceGoesUnseenOnAnotherPage) {
+  open();
+  press("advise");
+  playToChatter();
+  const auto* accept = find<TouchButton>("accept-here");
+  EXPECT_FALSE(accept->isVisible()) << "the page has its own";
+  for (const PageEntry& entry : pageTable()) {
+    if (QLatin1String(entry.id) == QStringLiteral("operate")) continue;
+    window_->showPage(QLatin1String(entry.id));
+    tick(40);
+    const CommandView& bar = find<CommandBar>()->view();
+    EXPECT_EQ(bar.verdict.word, "CHATTER") << entry.id;
+    EXPECT_EQ(bar.verdict.shape, Shape::Octagon) << entry.id;
+    EXPECT_TRUE(accept->isVisible() && accept->isEnabled()) << entry.id;
+    EXPECT_TRUE(accept->hint().contains(bar.advice) && !bar.advice.isEmpty()) << entry.id;
+    EXPECT_FALSE(find<CommandBar>()->clipped() || accept->clipped()) << entry.id;
+  }
+  const std::uint32_t number = session_.snapshot().adviceNumber;
+  QTest::keyClick(window_.get(), Qt::Key_F5);
+  EXPECT_EQ(lastSent().action, OperatorAction::Accept);
+  EXPECT_EQ(lastSent().advice, number);
 }
 
 TEST_F(Operate, AStalePictureSaysSoEverywhere) {

@@ -1,17 +1,19 @@
 // Pictures for people to look at, written to the build folder: the operator page in the states that matter, and every
 // page in light and dark, two sizes, three languages. What a machine can check of them is that nothing was cut off.
 #include <QDir>
-#include <QLabel>
 #include <QListView>
 #include <QScrollArea>
 #include <algorithm>
 #include <ostream>
 #include <vector>
 
+#include "tests/ui/fake_active_desk.h"
 #include "tests/ui/fake_session_desk.h"
 #include "tests/ui/fake_setup_desk.h"
 #include "tests/ui/fake_tuning.h"
+#include "tests/ui/page_picture.h"
 #include "tests/ui/ui_fixture.h"
+#include "ui/pages/active_view.h"
 #include "ui/pages/intervention_list.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/page_table.h"
@@ -144,8 +146,12 @@ struct Edition {
   int width, height;
 };
 
+const char* nameOf(ThemeKind theme) {
+  return theme == ThemeKind::Dark ? "dark" : theme == ThemeKind::Light ? "light" : "contrast";
+}
+
 void PrintTo(const Edition& e, std::ostream* out) {
-  *out << languageCode(e.language).toStdString() << e.width << (e.theme == ThemeKind::Dark ? "dark" : "light");
+  *out << languageCode(e.language).toStdString() << e.width << nameOf(e.theme);
 }
 
 // A text that its widget is too small for is drawn cut off, or tells it; both count.
@@ -155,32 +161,16 @@ class EveryPage : public WindowTest, public testing::WithParamInterface<Edition>
     const Edition& e = GetParam();
     return QStringLiteral("%1/%2-%3-%4-%5.png")
         .arg(QStringLiteral(STILLCUT_SCREENSHOT_DIR), QLatin1String(page), languageCode(e.language),
-             e.theme == ThemeKind::Dark ? QStringLiteral("dark") : QStringLiteral("light"))
+             QLatin1String(nameOf(e.theme)))
         .arg(e.width);
-  }
-  void expectWhole(const char* page) const {
-    EXPECT_LE(window_->minimumSizeHint().width(), GetParam().width) << page;
-    EXPECT_LE(window_->minimumSizeHint().height(), GetParam().height) << page;
-    for (const QWidget* widget : window_->findChildren<QWidget*>()) {
-      if (!widget->isVisible()) continue;
-      const auto* meta = widget->metaObject();
-      if (const auto* button = qobject_cast<const TouchButton*>(widget)) {
-        EXPECT_FALSE(button->clipped()) << page << ": button " << button->text().toStdString();
-      } else if (const auto* label = qobject_cast<const QLabel*>(widget)) {
-        const QSize needed = label->wordWrap() ? QSize(0, label->heightForWidth(label->width())) : label->sizeHint();
-        EXPECT_GE(label->width() + 1, needed.width()) << page << ": " << label->text().toStdString();
-        EXPECT_GE(label->height() + 1, needed.height()) << page << ": " << label->text().toStdString();
-      } else if (const auto* painted = dynamic_cast<const Themed*>(widget)) {
-        EXPECT_FALSE(painted->clipped()) << page << ": " << meta->className();
-      }
-    }
   }
   // As it is now, and whole.
   void keep(const char* name) {
     play(0.2);
     QCoreApplication::processEvents();
     EXPECT_TRUE(window_->grab().save(file(name)));
-    expectWhole(name);
+    expectNothingCut(*window_, QLatin1String(name), {GetParam().width, GetParam().height});
+    expectNames(*window_, QLatin1String(name));
   }
   // Every page with something on it.
   void furnish() {
@@ -205,6 +195,7 @@ class EveryPage : public WindowTest, public testing::WithParamInterface<Edition>
   FakeTuning tuning_{"fuzzy-learning"};
   FakeSetupDesk setup_;
   FakeSessionDesk sessions_;
+  FakeActiveDesk table_;
 };
 
 TEST_P(EveryPage, FitsAndIsKeptAsAPicture) {
@@ -238,6 +229,8 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   keep("setup-sensors");
   press("setup-tools");
   keep("setup-tools");
+  press("setup-recording");
+  keep("setup-recording");
   press("setup-profile");
   press("profile-try");
   keep("setup-profile");
@@ -249,6 +242,8 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   window_->showPage(QStringLiteral("sessions"));
   sessions_.open(sessions_.entries().front().path);
   keep("sessions-open");
+  press("sheet-compare");
+  keep("sessions-compare");
   QTest::keyClick(window_.get(), Qt::Key_F1);
   keep("manual");
   QTest::keyClick(window_.get(), Qt::Key_F1);
@@ -256,17 +251,58 @@ TEST_P(EveryPage, EveryPartOfAPageFits) {
   keep("display");
 }
 
-INSTANTIATE_TEST_SUITE_P(Looks, EveryPage, testing::ValuesIn([] {
-                           std::vector<Edition> editions;
-                           for (const Language language : kLanguages) {
-                             for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark}) {
-                               editions.push_back({language, theme, 1280, 800});
-                               editions.push_back({language, theme, 1920, 1080});
-                             }
-                           }
-                           return editions;
-                         }()),
-                         [](const auto& edition) { return testing::PrintToString(edition.param); });
+// The operator's page when something is wrong, the active table, the other pictures of Analyse, and inches.
+TEST_P(EveryPage, EveryStateAndChoiceFits) {
+  furnish();
+  table_.snapshot = exampleActive();
+  table_.fits = {exampleFit(), std::nullopt};
+  session_.setActive(&table_);
+  open(GetParam().width, GetParam().height, GetParam().theme, GetParam().language);
+  play(0.2);
+  keep("operate-no-verdict");
+  while (session_.snapshot().verdicts[0].state != CutState::Onset) play(0.04);
+  keep("operate-onset");
+  window_->showPage(QStringLiteral("tune"));
+  const int parts = find<QListView>("tune-parts")->model()->rowCount();
+  for (int row = 0; row < parts && !find<ActiveView>()->isVisible(); ++row) chooseRow("tune-parts", row);
+  EXPECT_TRUE(find<ActiveView>()->isVisible());
+  keep("tune-active");
+  window_->showPage(QStringLiteral("analyse"));
+  press("order");
+  keep("analyse-orders");
+  press("waterfall");
+  keep("analyse-waterfall");
+  press("display");
+  press("units-1");
+  QCoreApplication::processEvents();
+  for (const char* const page : {"operate", "lobes"}) {
+    window_->showPage(QLatin1String(page));
+    if (session_.fakeLobes().progress().state == LobeProgress::State::Running) session_.fakeLobes().finish();
+    keep((std::string("inch-") + page).c_str());
+  }
+  window_->showPage(QStringLiteral("setup"));
+  for (const char* const tab : {"machine", "tools"}) {
+    press(QStringLiteral("setup-") + QLatin1String(tab));
+    keep((std::string("inch-") + tab).c_str());
+  }
+  window_->showPage(QStringLiteral("operate"));
+  tick(2300);
+  EXPECT_TRUE(window_->grab().save(file("operate-stale")));
+  expectNothingCut(*window_, QStringLiteral("operate-stale"), {GetParam().width, GetParam().height});
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Looks, EveryPage, testing::ValuesIn([] {
+      std::vector<Edition> editions;
+      for (const Language language : kLanguages) {
+        for (const ThemeKind theme : {ThemeKind::Light, ThemeKind::Dark, ThemeKind::HighContrast}) {
+          editions.push_back({language, theme, 1280, 800});
+          editions.push_back({language, theme, 1920, 1080});
+        }
+      }
+      return editions;
+    }()),
+    [](const auto& edition) { return testing::PrintToString(edition.param); });
 
 }  // namespace
 }  // namespace stillcut::ui

@@ -1,4 +1,4 @@
-// The desks behind the Sessions, Tune and Lobes pages on real recordings, simulated machines and files of a folder.
+// The desks behind the Sessions and Lobes pages on real recordings, simulated machines and files of a folder.
 
 #include <gtest/gtest.h>
 
@@ -11,10 +11,8 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
+#include "app/session/lobe_worker.h"
 #include "app/session/replay_desk.h"
-#include "app/session/session.h"
-#include "app/session/tool_library.h"
-#include "core/detect/energy_ratio.h"
 #include "core/record/session_markers.h"
 #include "tests/component/demo_cut.h"
 #include "tests/ui/wait_for.h"
@@ -45,6 +43,12 @@ class ReplayDeskTest : public testing::Test {
     desk_.open(path_);
     test::waitFor(desk_, [this] { return desk_.replay().open && desk_.replayed() != nullptr; });
   }
+  // The disk has it, and the replay goes on.
+  void mark(Seconds from, Seconds to, const char* label, const char* note = "") {
+    const std::size_t before = desk_.markers().size();
+    ASSERT_TRUE(desk_.mark(from, to, QString::fromUtf8(label), QString::fromUtf8(note)).ok());
+    test::waitFor(desk_, [&] { return desk_.markers().size() == before + 1; });
+  }
   void waitForTask() {
     test::waitFor(desk_, [this] { return !desk_.task().running; });
     EXPECT_TRUE(desk_.task().problem.isEmpty()) << desk_.task().problem.toStdString();
@@ -72,17 +76,17 @@ TEST_F(ReplayDeskTest, ListsOpensPlaysJumpsAndBeginsAnew) {
   test::waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 1.0) < 0.1; });
   desk_.loop(Seconds(1.0), Seconds(1.5));
   desk_.play();
-  test::waitFor(desk_, [this] { return desk_.replayed()->health.blocks > 300; });
+  test::waitFor(desk_, [this] { return desk_.replayed() != nullptr && desk_.replayed()->health.blocks > 300; });
   EXPECT_LT(desk_.replay().position.value, 1.7) << "it goes round and round";
 }
 
 TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
-  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("chatter"), QStringLiteral("deep slot")).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(1.0), Seconds(1.0), QStringLiteral("heard"), {}).ok());
+  mark(Seconds(2.4), Seconds(4.0), "chatter", "deep slot");
+  mark(Seconds(1.0), Seconds(1.0), "heard");
   ASSERT_EQ(desk_.markers().size(), 2U);
   EXPECT_NEAR(desk_.markerTime(desk_.markers()[1]).value, 2.4, 1e-6);
   ASSERT_TRUE(desk_.removeMark(desk_.markers()[0].number).ok());
-  test::waitFor(desk_, [this] { return desk_.replayed() != nullptr; });
+  test::waitFor(desk_, [this] { return desk_.markers().size() == 1U && desk_.replayed() != nullptr; });
   ReplayDesk second;
   second.open(path_);
   test::waitFor(second, [&] { return second.replay().open; });
@@ -90,11 +94,60 @@ TEST_F(ReplayDeskTest, MarksStayInTheFileWhileItIsReplayed) {
   EXPECT_EQ(second.markers()[0].note, "deep slot");
 }
 
+// However slow the disk is: a mark is written beside the screen, and what is touched meanwhile is not forgotten.
+TEST_F(ReplayDeskTest, AMarkWaitsForNoDiskAndTheReplayGoesOnWhereItWas) {
+  desk_.goTo(Seconds(3.0));
+  test::waitFor(desk_, [this] { return std::abs(desk_.replay().position.value - 3.0) < 0.1; });
+  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("burr"), {}).ok());
+  EXPECT_TRUE(desk_.markers().empty()) << "it is not waited for";
+  EXPECT_EQ(desk_.task().what, ui::TaskState::What::Marking);
+  EXPECT_TRUE(desk_.replay().open);
+  EXPECT_NEAR(desk_.replay().position.value, 3.0, 0.1);
+  ASSERT_TRUE(desk_.mark(Seconds(1.0), Seconds(1.5), QStringLiteral("tick"), {}).ok()) << "and another at once";
+  desk_.loop(Seconds(2.0), Seconds(2.5));
+  desk_.play();
+  EXPECT_TRUE(desk_.replay().playing);
+  EXPECT_NEAR(desk_.replay().position.value, 2.0, 1e-9);
+  test::waitFor(desk_, [this] { return desk_.markers().size() == 2U && desk_.replayed() != nullptr; });
+  test::waitFor(desk_, [this] { return desk_.replayed() != nullptr && desk_.replayed()->health.blocks > 100; });
+  EXPECT_TRUE(desk_.replay().playing);
+  EXPECT_LT(desk_.replay().position.value, 2.7) << "it goes round and round";
+  EXPECT_TRUE(desk_.task().problem.isEmpty()) << desk_.task().problem.toStdString();
+}
+
+// Whoever opens another recording, or leaves, straight after a touch has marked all the same.
+TEST_F(ReplayDeskTest, WhatWasMarkedLastIsWritten) {
+  const QString copy = folder_.filePath(QStringLiteral("copy.h5"));
+  ASSERT_TRUE(QFile::copy(path_, copy));
+  {
+    ReplayDesk hasty;
+    hasty.open(copy);
+    test::waitFor(hasty, [&] { return hasty.replay().open; });
+    ASSERT_TRUE(hasty.mark(Seconds(1.0), Seconds(1.0), QStringLiteral("heard"), {}).ok());
+    hasty.open(path_);
+    EXPECT_FALSE(hasty.mark(Seconds(2.0), Seconds(2.0), QStringLiteral("note"), {}).ok()) << "nothing is open now";
+  }
+  const auto written = record::readMarkers(copy.toStdString());
+  ASSERT_TRUE(written.ok()) << written.error().line();
+  ASSERT_EQ(written->size(), 1U);
+  EXPECT_EQ(written->front().label, "heard");
+}
+
+// Where the file cannot be written the sentence says so, and the replay goes on.
+TEST_F(ReplayDeskTest, AMarkThatCannotBeWrittenIsASentence) {
+  test::waitFor(desk_, [this] { return desk_.summaryWhole(); });
+  ASSERT_TRUE(desk_.removeMark(77).ok());
+  test::waitFor(desk_, [this] { return !desk_.task().problem.isEmpty(); });
+  EXPECT_TRUE(desk_.replay().open);
+  mark(Seconds(1.0), Seconds(1.0), "heard");
+  EXPECT_TRUE(desk_.task().problem.isEmpty()) << desk_.task().problem.toStdString();
+}
+
 // What was marked after it was read stands in the report as well.
 TEST_F(ReplayDeskTest, TheSummaryHasTheMarkersOfNow) {
   test::waitFor(desk_, [this] { return desk_.summaryWhole(); });
   const auto before = desk_.summary();
-  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("burr"), QStringLiteral("deep slot")).ok());
+  mark(Seconds(2.4), Seconds(4.0), "burr", "deep slot");
   ASSERT_EQ(desk_.summary()->markers.size(), 1U);
   EXPECT_TRUE(desk_.summaryWhole()) << "nothing has to be read again for it";
   EXPECT_EQ(desk_.summary()->markers[0].note, "deep slot");
@@ -106,7 +159,7 @@ TEST_F(ReplayDeskTest, TheSummaryHasTheMarkersOfNow) {
   ASSERT_EQ(read->markers.size(), 1U);
   EXPECT_EQ(read->markers[0].begin, desk_.summary()->markers[0].begin);
   ASSERT_TRUE(desk_.removeMark(desk_.markers()[0].number).ok());
-  EXPECT_TRUE(desk_.summary()->markers.empty());
+  test::waitFor(desk_, [this] { return desk_.summary()->markers.empty(); });
 }
 
 TEST_F(ReplayDeskTest, IsOpenAtOnceAndReadsTheWholeMeanwhile) {
@@ -135,7 +188,7 @@ TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
   ASSERT_TRUE(foreign.open(QIODevice::WriteOnly));
   foreign.write("nothing");
   foreign.close();
-  ASSERT_TRUE(desk_.mark(Seconds(1.0), Seconds(1.0), QStringLiteral("heard"), {}).ok());
+  mark(Seconds(1.0), Seconds(1.0), "heard");
   using Inside = ui::SessionEntry::Inside;
   const auto told = [this] {
     const auto& all = desk_.entries();
@@ -151,13 +204,13 @@ TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
   EXPECT_NEAR(demo.length.value, 5.0, 0.1);
   EXPECT_EQ(demo.markers, 1);
   EXPECT_EQ(broken.inside, Inside::No);
-  ASSERT_TRUE(desk_.mark(Seconds(2.0), Seconds(3.0), QStringLiteral("note"), {}).ok());
+  mark(Seconds(2.0), Seconds(3.0), "note");
   EXPECT_EQ(demo.markers, 2) << "without listing the folder anew";
 }
 
 TEST_F(ReplayDeskTest, DetectorsRunSideBySideAndAreScored) {
-  ASSERT_TRUE(desk_.mark(Seconds(0.7), Seconds(1.5), QStringLiteral("stable"), {}).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.6), QStringLiteral("chatter"), {}).ok());
+  mark(Seconds(0.7), Seconds(1.5), "stable");
+  mark(Seconds(2.4), Seconds(4.6), "chatter");
   desk_.runDetectors({QStringLiteral("energy-ratio.onset-amplitude=1"), QStringLiteral("energy-ratio.chatter=1")});
   waitForTask();
   ASSERT_EQ(desk_.tracks().size(), 4U);
@@ -189,7 +242,7 @@ TEST_F(ReplayDeskTest, ExportsTheSpan) {
 
 // One bad file is no reason to score none.
 TEST_F(ReplayDeskTest, AFolderIsScoredAroundTheFileThatCannotBeRead) {
-  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.6), QStringLiteral("chatter"), {}).ok());
+  mark(Seconds(2.4), Seconds(4.6), "chatter");
   const QString broken = folder_.filePath(QStringLiteral("Housing/broken.h5"));
   ASSERT_TRUE(QFile::copy(path_, broken));
   ASSERT_TRUE(QFile::resize(broken, QFile(broken).size() / 2)) << "a copy that broke off";
@@ -204,8 +257,9 @@ TEST_F(ReplayDeskTest, AFolderIsScoredAroundTheFileThatCannotBeRead) {
 }
 
 TEST_F(ReplayDeskTest, LabelAndNoteOfASpanAreMendedInTheFile) {
-  ASSERT_TRUE(desk_.mark(Seconds(2.4), Seconds(4.0), QStringLiteral("burr"), {}).ok());
+  mark(Seconds(2.4), Seconds(4.0), "burr");
   ASSERT_TRUE(desk_.changeMark(desk_.markers()[0].number, QStringLiteral("burr, deep"), QStringLiteral("0.2 mm")).ok());
+  test::waitFor(desk_, [this] { return desk_.markers()[0].note == "0.2 mm"; });
   EXPECT_FALSE(desk_.changeMark(99, QStringLiteral("x"), {}).ok());
   const auto markers = record::readMarkers(path_.toStdString());
   ASSERT_TRUE(markers.ok());
@@ -294,81 +348,18 @@ TEST(Lobes, AProfilesModesGiveTheLobesPageItsDiagram) {
   (*lobes)->ask({ui::LobeMethod::ZerothOrder, frame.lowest, frame.highest, 40, frame.maxDepth});
   EXPECT_TRUE(QTest::qWaitFor([&] { return (*lobes)->diagram() != nullptr; }, 60000));
   EXPECT_EQ((*lobes)->diagram()->limits.size(), 40U);
+  profile.pitch = {170.0, 190.0};
+  auto uneven = LobeWorker::ofProfile(profile, path);
+  ASSERT_TRUE(uneven.ok()) << uneven.error().line();
+  (*uneven)->ask({ui::LobeMethod::ZerothOrder, frame.lowest, frame.highest, 40, frame.maxDepth});
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*uneven)->progress().state == ui::LobeProgress::State::Failed; }, 60000));
+  EXPECT_TRUE((*uneven)->progress().problem.contains(QStringLiteral("regular pitch")))
+      << "the lobes of an even pitch are not this tool's";
+  EXPECT_EQ((*uneven)->diagram(), nullptr);
   profile.model = "nowhere.toml";
   const auto missing = LobeWorker::ofProfile(profile, path);
   ASSERT_FALSE(missing.ok());
   EXPECT_NE(missing.error().line().find("nowhere.toml"), std::string::npos);
-}
-
-TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
-  const QTemporaryDir folder;
-  const std::string path = folder.filePath(QStringLiteral("data/tools.toml")).toStdString();
-  EXPECT_TRUE(loadTools(path)->empty());
-  ui::ToolEntry tool;
-  tool.name = QStringLiteral("T12 \"D12\" Z4 µ");
-  tool.holder = QStringLiteral("HSK63");
-  tool.teeth = 4;
-  tool.diameter_mm = 12.0;
-  tool.highestSpeed_rpm = 18000.0;
-  tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot")}, {8200.0, 0.0, 0.0, {}}};
-  ui::ToolEntry plain;
-  plain.name = QStringLiteral("T3");
-  ASSERT_TRUE(saveTools({tool, plain}, path).ok());
-  const auto back = loadTools(path);
-  ASSERT_TRUE(back.ok()) << back.error().line();
-  EXPECT_EQ(*back, (std::vector<ui::ToolEntry>{tool, plain}));
-  QFile file(QString::fromStdString(path));
-  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-  file.write("version = 1\n[[tool]]\nname = \"T1\"\nteeth = 0\ndiameter_mm = 3\n");
-  file.close();
-  const auto wrong = loadTools(path);
-  ASSERT_FALSE(wrong.ok());
-  EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
-}
-
-TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
-  auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
-  ASSERT_TRUE(session.ok()) << session.error().line();
-  int automatic = 0;
-  for (const ui::TunablePart& part : (*session)->tunableParts()) {
-    for (const config::ParamDecl* decl : part.params) {
-      if (!decl->mayBeAutomatic) continue;
-      ++automatic;
-      EXPECT_NE(decl->meaning.find("auto: "), std::string_view::npos) << decl->key;
-      if (part.running && part.role == ui::TunablePart::Role::Detector) {
-        EXPECT_EQ(part.chosen.count(decl->key), 1U) << decl->key;
-      }
-    }
-  }
-  EXPECT_GT(automatic, 10);
-}
-
-TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
-  const QTemporaryDir folder;
-  const std::string demo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
-  auto session = openScenarioSession(demo, true);
-  ASSERT_TRUE(session.ok()) << session.error().line();
-  (*session)->keepStateIn(folder.path());
-  (*session)->demonstrateWith(demo);
-  (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
-  (*session)->start();
-  const std::uint32_t before = (*session)->generation();
-  config::ParamSet values = (*session)->startValues();
-  ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());
-  const auto kept = (*session)->saveValues(values);
-  ASSERT_TRUE(kept.ok()) << kept.error().line();
-  QFile file(kept.value());
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  EXPECT_TRUE(file.readAll().contains("chatter = 0.35"));
-  (*session)->send({OperatorAction::SetParameter, Authority::Off, 0, config::parameterId(detect::kErChatter.key), 0.4});
-  EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
-  ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
-  EXPECT_GT((*session)->generation(), before);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr; }, 20000)) << "the new cut moves";
-  const Status refused = (*session)->setup()->start(QStringLiteral("no-such-profile"));
-  ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().line().find("stopped"), std::string::npos);
-  EXPECT_TRUE((*session)->stop().ok());
 }
 
 }  // namespace

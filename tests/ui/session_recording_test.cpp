@@ -115,7 +115,7 @@ TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWas
   start("around-events");
   ASSERT_TRUE(comes(ui::RecordingNow::State::Waits));
   EXPECT_TRUE(session_->recorder().waiting);
-  session_->send({OperatorAction::HearChatter});
+  session_->send({OperatorAction::HearChatter}, session_->generation());
   ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
   EXPECT_FALSE(session_->recorder().waiting);
   ASSERT_TRUE(session_->stop().ok());

@@ -71,6 +71,39 @@ TEST(Transport, EveryPaceOfTheSliderIsInReach) {
   EXPECT_EQ(TransportBar::paceAt(1.0), 0.0);
 }
 
+// Controlled and alone: two recordings on one axis.
+TEST_F(SessionsPageTest, ARecordingStaysBesideTheNextOne) {
+  openSessions();
+  press("sheet-compare");
+  EXPECT_FALSE(find<TouchButton>("session-beside")->isEnabled());
+  openFirst();
+  auto* timeline = find<SessionTimeline>();
+  press("session-beside");
+  EXPECT_FALSE(timeline->besideShown()) << "not beside itself";
+  auto other = std::make_shared<SessionSummary>(*desk_.summary());
+  other->file = "/rec/Bracket/T3/2026-11-21.h5";
+  other->length = Seconds(20.0);
+  for (SummaryPoint& point : other->curve) point.vibration *= 0.5;
+  desk_.showNext(other);
+  desk_.open(QStringLiteral("/rec/Bracket/T3/2026-11-21.h5"));
+  tick(40);
+  EXPECT_TRUE(timeline->besideShown());
+  const QImage both = timeline->grab().toImage();
+  savePage(*window_, "sessions", kPageLooks[0], "beside");
+  press("session-beside");
+  EXPECT_FALSE(timeline->besideShown());
+  const QImage alone = timeline->grab().toImage();
+  const QColor line = themeColors(ThemeKind::Light).advice;
+  const auto count = [&](const QImage& image) {
+    int found = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) found += image.pixelColor(x, y) == line ? 1 : 0;
+    }
+    return found;
+  };
+  EXPECT_GT(count(both), count(alone) + 200) << "its curve, and its alarms in a row of their own";
+}
+
 TEST_F(SessionsPageTest, WhatIsReadMeanwhileLeavesTheSelectedSpan) {
   openSessions();
   openFirst();

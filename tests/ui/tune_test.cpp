@@ -247,10 +247,96 @@ TEST_F(TunePageTest, SavesAndSaysWhereOrWhyNot) {
 TEST_F(TunePageTest, AnotherRunBeginsWithItsOwnValues) {
   openTune();
   press("energy-ratio.chatter-more");
-  ++tuning_.run;
+  tuning_.openOther();
   tick(40);
   EXPECT_EQ(row("energy-ratio.chatter")->view().value, QStringLiteral("0.2"));
   EXPECT_FALSE(find<TouchButton>("tune-undo")->isEnabled());
+}
+
+// The run goes on with what was set while the screen is made anew.
+TEST_F(TunePageTest, AnotherLanguageKeepsWhatRunsUndoAndBothSides) {
+  openTune();
+  press("tune-b");
+  press("energy-ratio.chatter-more");
+  tick(40);
+  const double b = sentValues(kErChatter).back();
+  play(1.0);
+  const QString shown = row("energy-ratio.chatter")->view().value;
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  press("language-1");
+  QCoreApplication::processEvents();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  tick(40);
+  ASSERT_EQ(find<TouchButton>("tune-b")->accessibleName(), QStringLiteral("Werte der Seite B nutzen"));
+  EXPECT_EQ(row("energy-ratio.chatter")->view().value, shown) << "what runs, not what it began with";
+  EXPECT_TRUE(find<TouchButton>("tune-b")->isChecked());
+  EXPECT_GT(tuning_.desk().tally().side(1).inForce.value, 0.5) << "what B did is still known";
+  press("tune-a");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2);
+  press("tune-b");
+  press("tune-undo");
+  tick(40);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2) << "undone, of B";
+  press("tune-redo");
+  press("tune-save");
+  ASSERT_TRUE(tuning_.saved.has_value());
+  EXPECT_DOUBLE_EQ(tuning_.saved->real(kErChatter), b);
+}
+
+TEST_F(TunePageTest, WhatItSeesNowSaysThatItIsOld) {
+  openTune();
+  play(1.0);
+  const auto said = [this](const char* text) {
+    for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
+      if (label->isVisible() && label->text().contains(QLatin1String(text))) return true;
+    }
+    return false;
+  };
+  ASSERT_TRUE(said("learned noise floor")) << "the indicators";
+  tick(2000);
+  EXPECT_TRUE(said("The picture is stale"));
+  EXPECT_FALSE(said("learned noise floor"));
+}
+
+TEST_F(TunePageTest, BothSidesAlikeCanBeUndone) {
+  openTune();
+  press("tune-b");
+  press("energy-ratio.chatter-more");
+  tick(40);
+  const double b = sentValues(kErChatter).back();
+  press("tune-a");
+  tick(40);
+  press("tune-copy");
+  press("tune-b");
+  tick(40);
+  EXPECT_DOUBLE_EQ(tuning_.desk().value(kErChatter), 0.2) << "B is like A";
+  press("tune-undo");
+  tick(40);
+  EXPECT_DOUBLE_EQ(tuning_.desk().value(kErChatter), b);
+  EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), b) << "and the run has it";
+}
+
+TEST_F(TunePageTest, AReplayHasADeskOfItsOwnAndTheCutsComesBackAsItWas) {
+  openTune();
+  press("energy-ratio.chatter-more");
+  tick(40);
+  const QString cut = row("energy-ratio.chatter")->view().value;
+  choosePart("coherence");
+  auto replay = std::make_unique<TuneDesk>();
+  tuning_.show(replay);
+  tick(40);
+  choosePart("energy-ratio");
+  EXPECT_EQ(row("energy-ratio.chatter")->view().value, QStringLiteral("0.2"));
+  EXPECT_FALSE(find<TouchButton>("tune-undo")->isEnabled());
+  press("energy-ratio.chatter-less");
+  EXPECT_NE(row("energy-ratio.chatter")->view().value, QStringLiteral("0.2"));
+  tuning_.show(replay);
+  tick(40);
+  ASSERT_NE(row("energy-ratio.chatter"), nullptr) << "the same part is open";
+  EXPECT_EQ(row("energy-ratio.chatter")->view().value, cut);
+  press("tune-undo");
+  EXPECT_EQ(row("energy-ratio.chatter")->view().value, QStringLiteral("0.2"));
 }
 
 class TunePictures : public TunePageTest, public testing::WithParamInterface<PageLook> {};

@@ -31,7 +31,7 @@ bool repeatsNumbers(ReasonCode code) {
 QString deltaText(const Move& move, const MachineState& machine) {
   if (!(machine.programmedSpeed.value > 0)) return {};
   const double change = move.speed.value - machine.programmedSpeed.value;
-  return say("%1 rpm, %2").arg(withSign(change), percent(move.speed / machine.programmedSpeed));
+  return say("%1 rpm, %2").arg(withSign(change), overrideText(move.speed / machine.programmedSpeed));
 }
 
 // Time goes as 1 / feed; the cutting speed is pi D n.
@@ -79,6 +79,10 @@ AdviceView openAdvice(const Picture& picture) {
   AdviceView view;
   view.mode = AdviceView::Mode::Open;
   view.title = say("ADVICE");
+  if (picture.replay) {  // it was answered when it was live, or never
+    view.mode = AdviceView::Mode::InForce;
+    view.title = say("ADVICE IN THE REPLAY");
+  }
   view.reason = reasonText(request.reason);
   if (request.kind == RequestKind::Release) {
     view.target = say("Back to 100 %");

@@ -90,6 +90,14 @@ void AnalyseView::zoomFrequency(double factor, Hertz around) {
   setOptions(o);
 }
 
+void AnalyseView::showFrequencies(Hertz low, Hertz high) {
+  if (high - low < kNarrowest) return;
+  AnalyseOptions o = options_;
+  o.low = low;
+  o.high = high;
+  setOptions(o);
+}
+
 void AnalyseView::setCursor(Cursor c, std::optional<Instant> t) {
   cursors_[c] = t;
   emit changed();

@@ -56,6 +56,7 @@ class AnalyseView : public QObject {
   void showTimes(Instant from, Instant to);
   void panFrequency(Hertz by);
   void zoomFrequency(double factor, Hertz around);
+  void showFrequencies(Hertz low, Hertz high);
 
   // Two cursors in time; they stay where they were put while the picture moves.
   enum Cursor { A, B };

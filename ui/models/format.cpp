@@ -50,6 +50,11 @@ QString percent(double ratio) {
   return join(number(ratio * 100.0), QStringLiteral("%"));
 }
 
+QString overrideText(double ratio) {
+  const double shown = std::round(ratio * 1e3) / 10.0;
+  return join(number(shown, shown == std::round(shown) ? 0 : 1), QStringLiteral("%"));
+}
+
 QString withSign(double value) {
   return value > 0 ? u'+' + number(value) : number(value);
 }
@@ -79,6 +84,18 @@ QString lengthText(Metres m, UnitSystem units) {
   return join(number(mm, mm < 99.95 ? 1 : 0), QStringLiteral("mm"));
 }
 
+double lengthIn(Metres m, UnitSystem units) {
+  return units == UnitSystem::Inch ? m.value / kInch : m.value * 1e3;
+}
+
+Metres lengthFrom(double shown, UnitSystem units) {
+  return Metres(units == UnitSystem::Inch ? shown * kInch : shown * 1e-3);
+}
+
+QString lengthUnit(UnitSystem units) {
+  return units == UnitSystem::Inch ? QStringLiteral("in") : QStringLiteral("mm");
+}
+
 QString depthText(Metres m, UnitSystem units) {
   if (units == UnitSystem::Inch) return join(number(m.value / kInch, 4), QStringLiteral("in"));
   return join(number(m.value * 1e3, 2), QStringLiteral("mm"));
@@ -86,6 +103,10 @@ QString depthText(Metres m, UnitSystem units) {
 
 double feedIn(MetresPerSecond feed, UnitSystem units) {
   return units == UnitSystem::Inch ? feed.value * 60.0 / kInch : toMmPerMin(feed);
+}
+
+MetresPerSecond feedFrom(double shown, UnitSystem units) {
+  return units == UnitSystem::Inch ? MetresPerSecond(shown * kInch / 60.0) : fromMmPerMin(shown);
 }
 
 QString feedUnit(UnitSystem units) {

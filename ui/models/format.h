@@ -18,14 +18,19 @@ QString number(double value, int decimals = 0);
 QString significant(double value, int digits = 2);
 // "1 713 \u00b12 Hz"; the value is rounded to what the doubt allows. Without a known doubt: "about 1 713 Hz".
 QString frequency(Hertz value, Hertz doubt);
-QString percent(double ratio);                             // "97 %"
-QString withSign(double value);                            // "+235", "-235"
-QString duration(Seconds s);                               // "38 ms", "1.2 s", "2 min 05 s", "9 h 07 min"
-QString lengthText(Metres m, UnitSystem units);            // "1.2 mm", "0.047 in"
+QString percent(double ratio);                   // "97 %"
+QString overrideText(double ratio);              // "97 %", "82.5 %": two ways to one override show one number
+QString withSign(double value);                  // "+235", "-235"
+QString duration(Seconds s);                     // "38 ms", "1.2 s", "2 min 05 s", "9 h 07 min"
+QString lengthText(Metres m, UnitSystem units);  // "1.2 mm", "0.047 in"
+double lengthIn(Metres m, UnitSystem units);     // as it is typed: mm or inches
+Metres lengthFrom(double shown, UnitSystem units);
+QString lengthUnit(UnitSystem units);
 QString depthText(Metres m, UnitSystem units);             // "1.15 mm", "0.0453 in"
 QString feedText(MetresPerSecond feed, UnitSystem units);  // "1 370 mm/min", "53.9 in/min"
 QString feedUnit(UnitSystem units);
 double feedIn(MetresPerSecond feed, UnitSystem units);
+MetresPerSecond feedFrom(double shown, UnitSystem units);
 QString cuttingSpeedText(MetresPerSecond v, UnitSystem units);  // "323 m/min", "1 060 ft/min"
 double removalIn(double cubicMetresPerSecond, UnitSystem units);
 QString removalUnit(UnitSystem units);

@@ -1,6 +1,7 @@
 #include "ui/models/live_numbers.h"
 
 #include <array>
+#include <limits>
 
 #include "ui/models/say.h"
 
@@ -43,6 +44,12 @@ QString indicatorText(const QString& name) {
     if (name == QLatin1String(word.name)) return word.text;
   }
   return name;
+}
+
+double limitOfIndicator(const QString& name, const LimitMarks& limits) {
+  if (name == QLatin1String("er")) return limits.energyRatio;
+  if (name == QLatin1String("gamma_max")) return limits.coherence;
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace stillcut::ui

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/models/say.h"
@@ -12,6 +13,8 @@ namespace {
 // Points closer together than this are one point on the screen.
 constexpr double kSameSpeed = 0.005;
 constexpr double kSameDepth = 20e-6;  // [m]
+constexpr Metres kRounding(1e-9);     // between units
+constexpr double kPlateau = 0.01;     // of its depth: no cut is set more finely than that
 
 double removalRate(const LobeFrame& frame, Rpm speed, Metres depth) {
   return depth.value * frame.widthOfCut.value * frame.feedPerTooth.value * frame.teeth * speed.value / 60.0;
@@ -28,57 +31,83 @@ Rpm crossing(const LobeLimit& a, const LobeLimit& b, Metres depth) {
   return a.speed + (b.speed - a.speed) * std::clamp(part, 0.0, 1.0);
 }
 
-}  // namespace
-
-std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed) {
+// The speeds looked at on both sides, the same twice where `speed` is one of them; none outside the diagram.
+std::optional<std::pair<const LobeLimit*, const LobeLimit*>> limitsAround(const LobeDiagram& diagram, Rpm speed) {
   const auto& limits = diagram.limits;
   if (limits.empty() || speed < limits.front().speed || speed > limits.back().speed) return std::nullopt;
   const auto after = std::lower_bound(limits.begin(), limits.end(), speed,
                                       [](const LobeLimit& limit, Rpm s) { return limit.speed < s; });
-  if (after == limits.begin()) return after->depth;
-  const auto before = after - 1;
+  return std::pair{after->speed == speed ? &*after : &*(after - 1), &*after};
+}
+
+// In a pocket of the limits `first` .. `last`. The edges of the deepest stretch are where it is the least safe, so the
+// middle of it is the best; where the override does not reach that far, the nearest speed that it reaches.
+void findBest(Pocket& pocket, const LobeDiagram& diagram, std::size_t first, std::size_t last, const LobeFrame& frame) {
+  const auto& limits = diagram.limits;
+  std::size_t deepest = first;
+  for (std::size_t k = first; k <= last; ++k) {
+    const bool reached = within(limits[k].speed, frame);
+    const bool deeper = limits[k].depth > limits[deepest].depth;
+    if (reached == pocket.reachable ? deeper : reached) deepest = k;
+    pocket.reachable = pocket.reachable || reached;
+  }
+  const Metres plateau = limits[deepest].depth * (1.0 - kPlateau);
+  std::size_t left = deepest, right = deepest;
+  while (left > first && limits[left - 1].depth >= plateau) --left;
+  while (right < last && limits[right + 1].depth >= plateau) ++right;
+  pocket.best = (limits[left].speed + limits[right].speed) * 0.5;
+  if (pocket.reachable) pocket.best = std::clamp(pocket.best, frame.reachLow, frame.reachHigh);
+  pocket.limit = limitAt(diagram, pocket.best).value_or(limits[deepest].depth);
+  pocket.limited = !openBelow(diagram, pocket.best);
+}
+
+}  // namespace
+
+std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed) {
+  const auto around = limitsAround(diagram, speed);
+  if (!around) return std::nullopt;
+  const auto& [before, after] = *around;
+  if (before == after) return after->depth;
   const double part = (speed - before->speed) / (after->speed - before->speed);
   return before->depth + (after->depth - before->depth) * part;
 }
 
+bool openBelow(const LobeDiagram& diagram, Rpm speed) {
+  const auto around = limitsAround(diagram, speed);
+  return around && !around->first->limited && !around->second->limited;
+}
+
 bool onIsland(const LobeDiagram& diagram, Rpm speed, Metres depth) {
-  const auto& limits = diagram.limits;
   const auto quiet = [depth](const LobeLimit& limit) {
     return std::any_of(limit.islands.begin(), limit.islands.end(),
                        [depth](const DepthSpan& span) { return depth > span.from && depth < span.to; });
   };
-  if (limits.empty() || speed < limits.front().speed || speed > limits.back().speed) return false;
-  const auto after = std::lower_bound(limits.begin(), limits.end(), speed,
-                                      [](const LobeLimit& limit, Rpm s) { return limit.speed < s; });
-  return quiet(*after) && (after->speed == speed || quiet(*(after - 1)));
+  const auto around = limitsAround(diagram, speed);
+  return around && quiet(*around->first) && quiet(*around->second);
 }
 
 std::vector<Pocket> pocketsAt(const LobeDiagram& diagram, const LobeFrame& frame, Metres depth) {
   std::vector<Pocket> out;
   const auto& limits = diagram.limits;
-  for (std::size_t k = 0; k < limits.size(); ++k) {
-    const bool quiet = limits[k].depth > depth;
-    const bool wasQuiet = k > 0 && limits[k - 1].depth > depth;
-    if (quiet && !wasQuiet) {
-      Pocket pocket;
-      pocket.open = k == 0;
-      pocket.from = k == 0 ? limits[0].speed : crossing(limits[k - 1], limits[k], depth);
-      out.push_back(pocket);
+  const auto quiet = [depth](const LobeLimit& l) {
+    return l.depth > depth || (!l.limited && depth <= l.depth + kRounding);
+  };
+  for (std::size_t first = 0; first < limits.size();) {
+    if (!quiet(limits[first])) {
+      ++first;
+      continue;
     }
-    if (quiet) {
-      Pocket& pocket = out.back();
-      if (limits[k].depth > pocket.limit) {
-        pocket.limit = limits[k].depth;
-        pocket.best = limits[k].speed;
-      }
-      pocket.to = limits[k].speed;
-      pocket.reachable = pocket.reachable || within(limits[k].speed, frame);
-    } else if (wasQuiet) {
-      out.back().to = crossing(limits[k - 1], limits[k], depth);
-    }
+    std::size_t last = first;
+    while (last + 1 < limits.size() && quiet(limits[last + 1])) ++last;
+    Pocket pocket;
+    pocket.open = first == 0 || last + 1 == limits.size();
+    pocket.from = first == 0 ? limits[0].speed : crossing(limits[first - 1], limits[first], depth);
+    pocket.to = last + 1 == limits.size() ? limits[last].speed : crossing(limits[last], limits[last + 1], depth);
+    findBest(pocket, diagram, first, last, frame);
+    pocket.removal = removalRate(frame, pocket.best, depth);
+    out.push_back(pocket);
+    first = last + 1;
   }
-  if (!out.empty() && !limits.empty() && limits.back().depth > depth) out.back().open = true;
-  for (Pocket& pocket : out) pocket.removal = removalRate(frame, pocket.best, depth);
   return out;
 }
 
@@ -90,16 +119,24 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
     out.detail = diagram ? say("The diagram does not reach this speed") : say("Compute the diagram first");
     return out;
   }
+  const bool open = openBelow(*diagram, speed);
+  if (open && depth > *limit + kRounding) {
+    out.verdict = say("Not computed so deep");
+    out.detail = say("no limit found down to %1").arg(depthText(*limit, units));
+    return out;
+  }
   out.known = true;
   const bool island = onIsland(*diagram, speed, depth);
-  out.stable = depth < *limit || island;
+  out.stable = depth < *limit || island || open;
   const double margin = 100.0 * (*limit / std::max(depth, Metres(1e-9)) - 1.0);
   out.tone = out.stable ? Tone::Normal : Tone::Chatter;
   out.verdict =
-      island       ? say("STABLE, on an island above the limit: less depth would chatter")
+      open         ? say("STABLE, no limit found down to %1").arg(depthText(*limit, units))
+      : island     ? say("STABLE, on an island above the limit: less depth would chatter")
       : out.stable ? say("STABLE, %1 deeper would be too deep").arg(join(number(margin), QStringLiteral("%")))
                    : say("CHATTER, %1 too deep").arg(join(number(100.0 * (1.0 - *limit / depth)), QStringLiteral("%")));
-  QStringList parts{say("limit %1").arg(depthText(*limit, units))};
+  QStringList parts{open ? say("limit deeper than %1").arg(depthText(*limit, units))
+                         : say("limit %1").arg(depthText(*limit, units))};
   if (frame.feedPerTooth.value > 0.0) {
     parts << say("removes %1").arg(removalText(removalRate(frame, speed, depth), units));
     if (frame.programmed.value > 0.0) {
@@ -117,9 +154,8 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
 std::vector<MetPoint> pointsMet(const RunHistory& history, const LobeService& service) {
   std::vector<MetPoint> out;
   for (const WorkingPoint& point : history.points()) {
-    const bool unstable = point.state == CutState::Onset || point.state == CutState::Chatter;
-    const MetPoint met{point.speed, service.depthAt(point.time), unstable};
-    const bool same = !out.empty() && out.back().unstable == met.unstable &&
+    const MetPoint met{point.speed, service.depthAt(point.time), point.state};
+    const bool same = !out.empty() && out.back().state == met.state &&
                       std::abs(met.speed / out.back().speed - 1.0) < kSameSpeed &&
                       std::abs((met.depth - out.back().depth).value) < kSameDepth;
     if (!same) out.push_back(met);
@@ -128,6 +164,7 @@ std::vector<MetPoint> pointsMet(const RunHistory& history, const LobeService& se
 }
 
 void PocketTable::setPockets(std::vector<Pocket> pockets, UnitSystem units) {
+  if (pockets == pockets_ && units == units_) return;  // whoever goes through them with the keys stays where he is
   beginResetModel();
   pockets_ = std::move(pockets);
   units_ = units;
@@ -146,7 +183,7 @@ QVariant PocketTable::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const Pocket& p = pocket(index.row());
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == Qt::ToolTipRole) return p.reachable ? QVariant() : QVariant(tr("Beyond what the speed override reaches"));
+  if (role == Qt::ToolTipRole) return hintOf(p, static_cast<Column>(index.column()));
   if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
   switch (static_cast<Column>(index.column())) {
     case Speeds:
@@ -154,13 +191,18 @@ QVariant PocketTable::data(const QModelIndex& index, int role) const {
     case Best:
       return p.reachable ? number(p.best.value) : tr("(%1)").arg(number(p.best.value));
     case Limit:
-      return depthText(p.limit, units_);
+      return p.limited ? depthText(p.limit, units_) : tr("> %1").arg(depthText(p.limit, units_));
     case Removal:
       return p.removal > 0.0 ? significant(removalIn(p.removal, units_), 3) : number(std::nan(""));
     case kColumns:
       break;
   }
   return {};
+}
+
+QVariant PocketTable::hintOf(const Pocket& pocket, Column column) const {
+  if (column == Limit && !pocket.limited) return tr("No limit found: the search ended there");
+  return pocket.reachable ? QVariant() : QVariant(tr("Beyond what the speed override reaches"));
 }
 
 QVariant PocketTable::headerData(int section, Qt::Orientation orientation, int role) const {

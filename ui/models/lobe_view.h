@@ -16,15 +16,21 @@ namespace stillcut::ui {
 // Between two speeds looked at the limit runs straight; none outside the diagram.
 std::optional<Metres> limitAt(const LobeDiagram& diagram, Rpm speed);
 
+// Whether limitAt() is only where the search ended: no limit was found on either side.
+bool openBelow(const LobeDiagram& diagram, Rpm speed);
+
 // Whether the speeds looked at on both sides are quiet again this deep, above their limit.
 bool onIsland(const LobeDiagram& diagram, Rpm speed, Metres depth);
 
 struct Pocket {
-  Rpm from{}, to{}, best{};
+  Rpm from{}, to{};
+  Rpm best{};              // the middle of where it is deepest, as near to it as the override reaches
   Metres limit{};          // at `best`
+  bool limited = true;     // false: the search ended there and found no limit
   double removal = 0.0;    // there, at the depth asked for [m^3/s]; 0: the feed is not known
   bool open = false;       // the diagram ends before it does
   bool reachable = false;  // some of it lies within what the override reaches
+  bool operator==(const Pocket&) const = default;
 };
 
 // Stretches of speed whose limit lies deeper than `depth`, by speed.
@@ -41,11 +47,11 @@ struct WhatIf {
 
 WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Metres depth, UnitSystem units);
 
-// Where the cut has been, and whether it was quiet there.
+// Where the cut has been, and whether it was quiet there: stable, onset or chatter.
 struct MetPoint {
   Rpm speed{};
   Metres depth{};
-  bool unstable = false;
+  CutState state = CutState::Stable;
 };
 std::vector<MetPoint> pointsMet(const RunHistory& history, const LobeService& service);
 
@@ -64,6 +70,8 @@ class PocketTable : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
 
  private:
+  QVariant hintOf(const Pocket& pocket, Column column) const;
+
   std::vector<Pocket> pockets_;
   UnitSystem units_ = UnitSystem::Metric;
 };

@@ -18,7 +18,7 @@ OverrideRow row(const QString& label, const QString& unit, double programmed, Ra
   r.label = label;
   r.unit = unit;
   r.programmed = number(programmed);
-  r.overridden = percent(inForce.value);
+  r.overridden = overrideText(inForce.value);
   r.actual = number(actual);
   if (std::abs(inForce.value - knob.value) > 0.004) r.tone = Tone::Advice;
   return r;
@@ -31,7 +31,7 @@ QString machineOff(const MachineState& m) {
     return say("The machine is off");
   }
   return say("The machine is off at speed %1, feed %2; Stillcut brings them back when it is on")
-      .arg(percent(m.speedOverride.value), percent(m.feedOverride.value));
+      .arg(overrideText(m.speedOverride.value), overrideText(m.feedOverride.value));
 }
 
 QString blocked(const MachineState& m) {
@@ -81,10 +81,10 @@ QString whatHinders(const MachineState& m, Seconds age) {
 // What our overrides leave of the feed per tooth, and the knobs. Overrides are read back in steps of up to 1 %.
 QString knobs(const MachineState& m) {
   constexpr double kReadBack = 0.015;
-  const QString speed = percent(m.operatorSpeed.value), feed = percent(m.operatorFeed.value);
+  const QString speed = overrideText(m.operatorSpeed.value), feed = overrideText(m.operatorFeed.value);
   const double perTooth = (m.feedOverride / m.operatorFeed) / (m.speedOverride / m.operatorSpeed);
   if (!std::isfinite(perTooth) || std::abs(perTooth - 1.0) <= kReadBack) return say("Knobs %1, %2").arg(speed, feed);
-  return say("Knobs %1, %2; feed per tooth %3").arg(speed, feed, percent(perTooth));
+  return say("Knobs %1, %2; feed per tooth %3").arg(speed, feed, overrideText(perTooth));
 }
 
 double clampedFraction(double value, double full) {
@@ -114,21 +114,20 @@ int detectorIndex(const SessionInfo& info, const QString& id) {
   return found == info.detectors.end() ? -1 : static_cast<int>(found - info.detectors.begin());
 }
 
-Tone toneOver(double value, double onset, double limit) {
-  if (std::isfinite(limit) && value >= limit) return Tone::Chatter;
-  if (std::isfinite(onset) && value >= onset) return Tone::Onset;
-  return Tone::Normal;
+// As the detector says: a ratio may pass its limit for a moment, as at a change of speed, without an alarm.
+Tone toneOf(const Verdict& verdict) {
+  if (!verdict.alarming()) return Tone::Normal;
+  return verdict.state == CutState::Chatter ? Tone::Chatter : Tone::Onset;
 }
 
 BarView energyBar(const Picture& p, bool live) {
-  const LimitMarks& limits = p.info->limits;
   const int index = detectorIndex(*p.info, QStringLiteral("energy-ratio"));
-  const std::size_t which = static_cast<std::size_t>(index >= 0 ? index : live ? p.snapshot->inCharge : 0);
-  const double value = live ? p.snapshot->verdicts[which].severity.value : 0.0;
-  BarView bar = ratioBar(say("Energy ratio"), value, live && p.snapshot->verdicts[which].valid);
-  mark(bar, limits.energyRatioOnset, 1.0);
-  mark(bar, limits.energyRatio, 1.0);
-  if (bar.known) bar.tone = toneOver(value, limits.energyRatioOnset, limits.energyRatio);
+  const Verdict none;
+  const Verdict& verdict =
+      live ? p.snapshot->verdicts[static_cast<std::size_t>(index >= 0 ? index : p.snapshot->inCharge)] : none;
+  BarView bar = ratioBar(say("Energy ratio"), verdict.severity.value, verdict.valid);
+  mark(bar, p.info->limits.energyRatio, 1.0);
+  bar.tone = toneOf(verdict);
   return bar;
 }
 
@@ -139,13 +138,13 @@ BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
   const SensorQuantity quantity = channels.empty() ? SensorQuantity::Acceleration : channels.front().quantity;
   const std::string_view siName = siUnit(quantity);
   const QString unit = QString::fromUtf8(siName.data(), static_cast<qsizetype>(siName.size()));
-  const double rms = live ? p.snapshot->vibrationRms : 0.0;
-  const double full = scale.fullFor(rms, p.info->limits.vibration);
+  const double rms = live ? p.snapshot->vibrationRms : 0.0, limit = p.info->limits.vibration;
+  const double full = scale.fullFor(rms, limit);
   bar.known = live && std::isfinite(rms);
   bar.value = bar.known ? join(significant(rms), unit) : join(number(std::nan("")), unit);
   bar.fraction = bar.known ? clampedFraction(rms, full) : 0.0;
-  mark(bar, p.info->limits.vibration, full);
-  if (bar.known) bar.tone = toneOver(rms, std::nan(""), p.info->limits.vibration);
+  mark(bar, limit, full);
+  if (bar.known && std::isfinite(limit) && rms >= limit) bar.tone = Tone::Chatter;
   return bar;
 }
 
@@ -153,10 +152,11 @@ BarView coherenceBar(const Picture& p, bool live, int detector) {
   const auto which = static_cast<std::size_t>(detector);
   const DetectorInfo& info = p.info->detectors[which];
   const qsizetype place = std::max<qsizetype>(info.indicators.indexOf(QStringLiteral("gamma_max")), 0);
-  const double value = live ? p.snapshot->verdicts[which].indicators[static_cast<std::size_t>(place)] : 0.0;
-  BarView bar = ratioBar(say("Coherence"), value, live && p.snapshot->verdicts[which].valid);
+  const Verdict none;
+  const Verdict& verdict = live ? p.snapshot->verdicts[which] : none;
+  BarView bar = ratioBar(say("Coherence"), verdict.indicators[static_cast<std::size_t>(place)], verdict.valid);
   mark(bar, p.info->limits.coherence, 1.0);
-  if (bar.known) bar.tone = toneOver(value, std::nan(""), p.info->limits.coherence);
+  bar.tone = toneOf(verdict);
   return bar;
 }
 

@@ -40,7 +40,13 @@ QString placeText(const TunablePart& part) {
 
 }  // namespace
 
-ParamModel::ParamModel(TuneDesk& desk, QObject* parent) : QAbstractTableModel(parent), desk_(desk) {
+ParamModel::ParamModel(TuneDesk& desk, QObject* parent) : QAbstractTableModel(parent) {
+  work(desk);
+}
+
+void ParamModel::work(TuneDesk& desk) {
+  if (desk_ != nullptr) desk_->disconnect(this);
+  desk_ = &desk;
   connect(&desk, &TuneDesk::changed, this, [this] {
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
   });
@@ -72,7 +78,7 @@ QString ParamModel::lockReason(const ParamDecl& decl) const {
 }
 
 QString ParamModel::automaticText(const ParamDecl& decl) const {
-  if (!decl.mayBeAutomatic || std::isfinite(desk_.value(decl))) return {};
+  if (!decl.mayBeAutomatic || std::isfinite(desk_->value(decl))) return {};
   const auto found = part_->chosen.find(decl.key);
   if (found == part_->chosen.end() || !std::isfinite(found->second)) {
     return part_->running && part_->role == TunablePart::Role::Detector ? tr("follows what is learned from the cut")
@@ -83,7 +89,7 @@ QString ParamModel::automaticText(const ParamDecl& decl) const {
 
 ParamView ParamModel::view(int row) const {
   const ParamDecl& d = decl(row);
-  const double value = desk_.value(d);
+  const double value = desk_->value(d);
   ParamView view;
   view.label = sayCore(std::string(d.label));
   view.meaning = sayCore(std::string(d.meaning));
@@ -98,7 +104,7 @@ ParamView ParamModel::view(int row) const {
   view.mayBeAutomatic = d.mayBeAutomatic;
   view.isAutomatic = d.mayBeAutomatic && std::isnan(value);
   view.changed = view.value != view.fallback;
-  view.otherSide = valueText(d, desk_.value(d, TuneDesk::A)) != valueText(d, desk_.value(d, TuneDesk::B));
+  view.otherSide = valueText(d, desk_->value(d, TuneDesk::A)) != valueText(d, desk_->value(d, TuneDesk::B));
   if (d.kind == ParamKind::Boolean) view.choices = {tr("off"), tr("on")};
   if (d.kind == ParamKind::Choice) {
     for (const std::string_view word : d.choices) view.choices.push_back(sayCore(std::string(word)));
@@ -119,7 +125,7 @@ QVariant ParamModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const ParamView shown = view(index.row());
   if (role == Qt::ToolTipRole) return shown.locked.isEmpty() ? shown.meaning : shown.locked;
-  if (role == Qt::EditRole && index.column() == Value) return desk_.value(decl(index.row()));
+  if (role == Qt::EditRole && index.column() == Value) return desk_->value(decl(index.row()));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case Name:
@@ -141,7 +147,7 @@ bool ParamModel::setData(const QModelIndex& index, const QVariant& value, int ro
   const std::optional<double> wanted =
       value.metaType().id() == QMetaType::Double ? std::optional(value.toDouble()) : valueFrom(d, value.toString());
   if (!wanted || !config::isLegal(d, *wanted)) return false;
-  desk_.set(d, *wanted);
+  desk_->set(d, *wanted);
   return true;
 }
 

@@ -29,6 +29,7 @@ class ParamModel : public QAbstractTableModel {
  public:
   enum Column { Name, Value, Unit, Default, ColumnCount };
   explicit ParamModel(TuneDesk& desk, QObject* parent = nullptr);
+  void work(TuneDesk& desk);
 
   // Null: none. The part must live as long as it is shown.
   void show(const TunablePart* part);
@@ -51,7 +52,7 @@ class ParamModel : public QAbstractTableModel {
   QString lockReason(const config::ParamDecl& decl) const;
   QString automaticText(const config::ParamDecl& decl) const;
 
-  TuneDesk& desk_;
+  TuneDesk* desk_ = nullptr;
   const TunablePart* part_ = nullptr;
   bool running_ = false;
 };

@@ -27,11 +27,13 @@ void RunHistory::see(const Snapshot& snapshot) {
     if (!columns_.empty() && columns_.back().channel != column.channel) columns_.clear();
     columns_.push_back(column);
   });
+  const bool afterGap = snapshot.health.gaps > gaps_;
+  gaps_ = snapshot.health.gaps;
   tracks_.resize(static_cast<std::size_t>(std::max(snapshot.detectorCount, 0)));
   for (std::size_t d = 0; d < tracks_.size(); ++d) {
     const Verdict& v = snapshot.verdicts[d];
     tracks_[d].push_back({snapshot.time, v.state, v.valid, static_cast<float>(v.severity.value),
-                          static_cast<float>(v.indicators[0]), static_cast<float>(v.frequency.value)});
+                          static_cast<float>(v.indicators[0]), static_cast<float>(v.frequency.value), afterGap});
   }
   addPoint(snapshot);
   forget();

@@ -18,6 +18,7 @@ struct TrackPoint {
   float severity = 0.0F;   // energy ratio, 0..1
   float indicator = 0.0F;  // its first one
   float frequency = 0.0F;  // [Hz], 0: none
+  bool afterGap = false;   // samples are missing between the point before and this one
 };
 
 // Where the cut was: spindle speed, and what the detector in charge said of it.
@@ -59,6 +60,7 @@ class RunHistory {
   std::vector<std::deque<TrackPoint>> tracks_;
   std::deque<WorkingPoint> points_;
   std::uint64_t number_ = 0;
+  std::uint64_t gaps_ = 0;
   Hertz top_{};
   Instant end_{};
 };

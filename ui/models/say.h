@@ -4,7 +4,12 @@
 
 #include <QCoreApplication>
 #include <QString>
+#include <QStringList>
 #include <string>
+#include <vector>
+
+#include "core/model/phrase.h"
+#include "ui/models/core_sentence.h"
 
 namespace stillcut::ui {
 
@@ -16,6 +21,23 @@ inline QString say(const char* text) {
 // detectors, strategies, links and devices. translations/core_texts.h lists them.
 inline QString sayCore(const std::string& text) {
   return text.empty() ? QString() : QCoreApplication::translate("Core", text.c_str());
+}
+
+// Sentences of core with what they tell of; values that are words or sentences of core are translated too. Any thread.
+inline QString sayCore(const Phrase& phrase) {
+  Phrase told{sayCore(phrase.form).toStdString(), {}};
+  for (const std::string& value : phrase.values) told.values.push_back(coreSentence(value).toStdString());
+  return QString::fromStdString(stillcut::text(told));
+}
+
+inline QString sayCore(const std::vector<Phrase>& phrases) {
+  QStringList all;
+  for (const Phrase& phrase : phrases) all << sayCore(phrase);
+  return all.join(QStringLiteral("; "));
+}
+
+inline QString sayError(const Error& error) {
+  return sayCore(phraseOf(error));
 }
 
 }  // namespace stillcut::ui

@@ -53,7 +53,7 @@ struct ReplayState {
 
 // The one thing that is being worked on.
 struct TaskState {
-  enum class What { None, Reading, Detectors, Scoring, Exporting };
+  enum class What { None, Reading, Marking, Detectors, Scoring, Exporting };
   What what = What::None;  // the last one when nothing runs
   bool running = false;
   double part = 0.0;  // 0 .. 1
@@ -95,6 +95,7 @@ class SessionDesk {
 
   virtual const std::vector<Marker>& markers() const = 0;
   virtual Seconds markerTime(const Marker& marker) const = 0;  // from the first sample
+  // What cannot be is said at once; what can is done beside the screen, and task() tells how it went.
   virtual Status mark(Seconds from, Seconds to, const QString& label, const QString& note) = 0;
   virtual Status changeMark(std::uint64_t number, const QString& label, const QString& note) = 0;
   virtual Status removeMark(std::uint64_t number) = 0;

@@ -22,7 +22,6 @@ struct DetectorInfo {
 
 // Limits drawn as marks on bars. Not a number: there is no such limit, no mark is drawn.
 struct LimitMarks {
-  double energyRatioOnset = std::numeric_limits<double>::quiet_NaN();
   double energyRatio = std::numeric_limits<double>::quiet_NaN();
   double coherence = std::numeric_limits<double>::quiet_NaN();
   double vibration = std::numeric_limits<double>::quiet_NaN();  // SI unit of the first channel
@@ -30,8 +29,7 @@ struct LimitMarks {
 
 struct SessionInfo {
   CutSetup setup;
-  QString sourceLabel;  // "simulated cut", "ALSA hw:1"
-  QString linkLabel;    // "LinuxCNC", "simulated machine"
+  QString linkLabel;  // "LinuxCNC", "simulated machine"
   bool simulatedMachine = false;
   bool machineWatchdog = false;  // the machine restores 100 % by itself when this program dies
   Metres feedPerTooth{};         // 0: unknown
@@ -71,6 +69,7 @@ struct Picture {
   const RunHistory* history = nullptr;  // of this run; null only where nobody keeps one
   const SignalHistory* signal = nullptr;
   const ActiveSnapshot* table = nullptr;  // of the active work-holder; null: there is none, or nothing came yet
+  bool replay = false;                    // the pages show a replay: there is nothing to answer or to judge in it
 
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

@@ -50,6 +50,8 @@ QString taskText(const TaskState& task) {
       return {};
     case TaskState::What::Reading:
       return task.running ? say("Reading %1: %2").arg(file, percent(task.part)) : QString();
+    case TaskState::What::Marking:
+      return task.running ? say("Writing %1").arg(file) : say("The marker is in the file");
     case TaskState::What::Detectors:
       return task.running ? say("Every detector runs on it: %1").arg(percent(task.part))
                           : say("Every detector has run on it");

@@ -5,6 +5,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,7 +27,7 @@ struct TrialStep {
   enum class What { Settings, Device, Samples, Link, Machine };
   What what = What::Settings;
   State state = State::Waits;
-  QString detail;  // what was found, or what is wrong; in English
+  QString detail;  // what was found, or what is wrong; in the language of the screen
 };
 
 // A device beside the first of several joined ones, by this computer's clock.
@@ -40,7 +41,7 @@ struct JoinedClock {
 struct SensorTrial {
   enum class State { Off, Runs, Good, Bad };
   State state = State::Off;
-  QString said;                                    // what was heard, or why nothing comes of it; in English
+  QString said;  // what was heard, or why nothing comes of it; in the language of the screen
   std::vector<std::pair<int, ChannelInfo>> found;  // Good: the channels that are not right as they are, set right
 };
 
@@ -71,14 +72,15 @@ struct MachineSearch {
   };
   bool runs = false, done = false;
   std::vector<Place> places;
-  QString problem;  // why nothing was looked for; in English
+  QString problem;  // why nothing was looked for; in the language of the screen
 };
 
 // The chosen link by itself, step by step as they are taken.
 struct LinkTest {
   enum class State { Off, Runs, Good, Bad };
   struct Step {
-    QString what, said;  // in English
+    QString what;  // in English; shown by sayCore()
+    QString said;  // in the language of the screen
     bool good = false;
   };
   State state = State::Off;
@@ -112,6 +114,10 @@ class SetupDesk {
   // Gives the file.
   virtual Result<QString> save(const config::Profile& profile, const QString& name) = 0;
   virtual config::Profile draft() const = 0;  // to begin with: of the run, as far as it is known
+  // What is being put together outlives page and program until it is put in force. None: nothing was begun, or it
+  // cannot be read any more.
+  virtual void keepDraft(const config::Profile& profile) = 0;
+  virtual std::optional<config::Profile> keptDraft() const = 0;
 
   // Runs the device of `profile` by itself: no machine, nobody in charge. The device of the present cut may refuse to
   // be opened twice.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/config/override_limits.h"
 #include "ui/models/format.h"
 #include "ui/models/say.h"
 
@@ -23,9 +24,30 @@ void put(std::map<std::string, std::string>& settings, const QString& key, const
 
 }  // namespace
 
+std::optional<std::vector<double>> pitchAngles(const ToolEntry& tool) {
+  constexpr double kClosed = 0.05;  // degrees; as a catalogue rounds them
+  std::vector<double> angles;
+  double sum = 0.0;
+  for (QString text : tool.pitch.split(u' ', Qt::SkipEmptyParts)) {
+    bool isNumber = false;
+    angles.push_back(text.replace(u',', u'.').toDouble(&isNumber));
+    if (!isNumber || !(angles.back() > 0.0)) return std::nullopt;
+    sum += angles.back();
+  }
+  if (angles.empty()) return angles;
+  if (static_cast<int>(angles.size()) != tool.teeth || !(std::abs(sum - 360.0) < kClosed)) return std::nullopt;
+  return angles;
+}
+
 void SetupDraft::open(const config::Profile& profile, const QString& name) {
   profile_ = profile;
   name_ = name;
+  emit changed();
+}
+
+void SetupDraft::setUnits(UnitSystem units) {
+  if (units == units_) return;
+  units_ = units;
   emit changed();
 }
 
@@ -58,7 +80,10 @@ void SetupDraft::useTool(const ToolEntry& tool) {
     p.cut.tool = (tool.holder.isEmpty() ? tool.name : tool.name + u' ' + tool.holder).toStdString();
     p.cut.teeth = tool.teeth;
     p.cut.toolDiameter = Metres(tool.diameter_mm * 1e-3);
-    if (!tool.modes.isEmpty()) p.model = tool.modes.toStdString();
+    p.model = tool.modes.toStdString();  // none: the modes are not known, least of all those of the tool before
+    p.pitch = pitchAngles(tool).value_or(std::vector<double>());
+    p.params.unset(config::kToolSpeed);
+    if (tool.highestSpeed_rpm > 0.0) (void)p.params.set(config::kToolSpeed, tool.highestSpeed_rpm, "tool").ok();
   });
 }
 
@@ -179,10 +204,15 @@ void ToolModel::put(int row, const ToolEntry& tool) {
 
 int ToolModel::add(const ToolEntry& tool) {
   const int row = rowCount();
-  beginInsertRows({}, row, row);
-  tools_.push_back(tool);
-  endInsertRows();
+  insert(row, tool);
   return row;
+}
+
+void ToolModel::insert(int row, const ToolEntry& tool) {
+  if (row < 0 || row > rowCount()) return;
+  beginInsertRows({}, row, row);
+  tools_.insert(tools_.begin() + row, tool);
+  endInsertRows();
 }
 
 void ToolModel::remove(int row) {
@@ -190,6 +220,11 @@ void ToolModel::remove(int row) {
   beginRemoveRows({}, row, row);
   tools_.erase(tools_.begin() + row);
   endRemoveRows();
+}
+
+void ToolModel::setUnits(UnitSystem units) {
+  units_ = units;
+  if (!tools_.empty()) emit dataChanged(index(0), index(static_cast<int>(tools_.size()) - 1));
 }
 
 int ToolModel::rowCount(const QModelIndex& parent) const {
@@ -200,7 +235,9 @@ QVariant ToolModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   if (role != Qt::DisplayRole && role != Qt::AccessibleTextRole) return {};
   const ToolEntry& t = tools_[static_cast<std::size_t>(index.row())];
-  QString facts = tr("D %1 mm, %2 teeth").arg(QString::number(t.diameter_mm, 'g', 4)).arg(t.teeth);
+  const QString diameter =
+      join(QString::number(lengthIn(Metres(t.diameter_mm * 1e-3), units_), 'g', 4), lengthUnit(units_));
+  QString facts = tr("D %1, %2 teeth").arg(diameter).arg(t.teeth);
   if (!t.chattered.empty()) facts += u'\n' + tr("chattered here before: %1").arg(t.chattered.size());
   return t.name + u'\n' + facts;
 }

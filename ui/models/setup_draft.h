@@ -4,10 +4,16 @@
 
 #include <QAbstractTableModel>
 #include <QObject>
+#include <optional>
+#include <vector>
 
 #include "ui/models/setup_desk.h"
+#include "ui/models/units.h"
 
 namespace stillcut::ui {
+
+// The tool's pitch as one angle a tooth, in degrees; empty: even. Nothing: it does not go once around.
+std::optional<std::vector<double>> pitchAngles(const ToolEntry& tool);
 
 class SetupDraft : public QObject {
   Q_OBJECT
@@ -18,6 +24,9 @@ class SetupDraft : public QObject {
   const QString& name() const { return name_; }
   void open(const config::Profile& profile, const QString& name);
   void setName(const QString& name);
+  // How lengths and feeds are shown and typed; the profile is SI.
+  UnitSystem units() const { return units_; }
+  void setUnits(UnitSystem units);
   // Changes the profile by `edit` and tells of it.
   template <class Edit>
   void edit(Edit&& edit) {
@@ -29,6 +38,7 @@ class SetupDraft : public QObject {
   // Empty: as if it had not been said.
   void setSourceSetting(const QString& key, const QString& value);
   void setLinkSetting(const QString& key, const QString& value);
+  // With its modes, its pitch and its highest speed; what it does not say is not known, or has no limit.
   void useTool(const ToolEntry& tool);
 
   enum class Part { Machine, Sensors, Tool };
@@ -41,6 +51,7 @@ class SetupDraft : public QObject {
  private:
   config::Profile profile_;
   QString name_;
+  UnitSystem units_ = UnitSystem::Metric;
 };
 
 // The channels of the draft: name, quantity, SI units per device unit, axis.
@@ -70,10 +81,13 @@ class ToolModel : public QAbstractListModel {
  public:
   using QAbstractListModel::QAbstractListModel;
   void show(std::vector<ToolEntry> tools);
+  UnitSystem units() const { return units_; }
+  void setUnits(UnitSystem units);
   const std::vector<ToolEntry>& tools() const { return tools_; }
   const ToolEntry* tool(int row) const;
   void put(int row, const ToolEntry& tool);
   int add(const ToolEntry& tool);
+  void insert(int row, const ToolEntry& tool);
   void remove(int row);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -81,6 +95,7 @@ class ToolModel : public QAbstractListModel {
 
  private:
   std::vector<ToolEntry> tools_;
+  UnitSystem units_ = UnitSystem::Metric;
 };
 
 // "hal_port" as a label: "Hal port"; a unit at its end ("_percent", "_mm") in brackets.

@@ -4,6 +4,11 @@
 #include <cmath>
 
 namespace stillcut::ui {
+namespace {
+
+constexpr double kDrift = 0.01;  // s: nobody sees less on half a minute
+
+}  // namespace
 
 void SignalHistory::prepare(const CutSetup& setup) {
   *this = SignalHistory();
@@ -20,11 +25,14 @@ Instant SignalHistory::endOf(const Piece& piece) const {
 
 void SignalHistory::add(const SampleBlock& block) {
   if (samples_.empty() || block.frames <= 0) return;
-  // Stamps of blocks that follow each other agree to a fraction of a sample; more than one and a half is a gap.
-  const bool follows = !pieces_.empty() && !block.has(kBlockGap) &&
-                       std::abs(secondsBetween(endOf(pieces_.back()), block.firstSample).value) * rate_ < 1.5;
+  // A clock that is being followed moves the stamps by parts of a block; a block that is missing, by a whole one.
+  const double away = std::abs(secondsBetween(newest_, block.firstSample).value);
+  const bool gap = block.has(kBlockGap) || away > 0.5 * block.frames / rate_;
   if (!pieces_.empty() && block.firstSample < pieces_.back().time) pieces_.clear();
-  if (!follows || pieces_.empty()) pieces_.push_back({block.firstSample, frames_, 0});
+  const bool drifted =
+      !pieces_.empty() && std::abs(secondsBetween(endOf(pieces_.back()), block.firstSample).value) > kDrift;
+  if (gap || drifted || pieces_.empty()) pieces_.push_back({block.firstSample, frames_, 0, gap});
+  newest_ = block.firstSample + toDuration(Seconds(block.frames / rate_));
   const int channels = std::min(block.channels, static_cast<int>(samples_.size()));
   for (int c = 0; c < channels; ++c) {
     const auto from = block.channel(c);
@@ -88,7 +96,9 @@ std::vector<Extent> SignalHistory::extents(int channel, Instant from, Instant to
 
 std::vector<SignalHistory::Gap> SignalHistory::gaps() const {
   std::vector<Gap> out;
-  for (std::size_t k = 1; k < pieces_.size(); ++k) out.push_back({endOf(pieces_[k - 1]), pieces_[k].time});
+  for (std::size_t k = 1; k < pieces_.size(); ++k) {
+    if (pieces_[k].afterGap) out.push_back({endOf(pieces_[k - 1]), pieces_[k].time});
+  }
   return out;
 }
 

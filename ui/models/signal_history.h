@@ -36,11 +36,12 @@ class SignalHistory {
   std::vector<Gap> gaps() const;
 
  private:
-  // Samples that follow each other without a gap.
+  // Samples that follow each other on one straight line of time.
   struct Piece {
     Instant time{};
     std::uint64_t first = 0;  // counts frames since prepare()
     std::uint64_t count = 0;
+    bool afterGap = false;  // else only time has drifted from the piece before
   };
   Instant endOf(const Piece& piece) const;
   void forget();
@@ -51,6 +52,7 @@ class SignalHistory {
   std::vector<double> scales_;
   std::vector<std::vector<float>> samples_;  // [channel][frame % capacity_]
   std::deque<Piece> pieces_;
+  Instant newest_{};  // end of the newest block, as it was stamped
 };
 
 }  // namespace stillcut::ui

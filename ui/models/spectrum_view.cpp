@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/model/channel.h"
 #include "ui/models/format.h"
 #include "ui/models/say.h"
 
@@ -31,14 +32,42 @@ Levels highest(const RunHistory& history, Instant from, Instant to) {
   return hold;
 }
 
-QString readingAt(Hertz f, const SpectrumView& view) {
+QString levelText(float level_dB, LevelScale scale, const QString& unit) {
+  if (scale == LevelScale::Linear) return join(significant(amplitudeOf(level_dB), 3), unit);
+  return join(number(level_dB, 1), QStringLiteral("dB"));
+}
+
+// Of the spectrum on show, and where cursor B is set of the one under it.
+QString readingAt(Hertz f, const SpectrumView& spectrum, const AnalyseView& view, const RunHistory& history) {
   QString text = join(number(f.value, f.value < 1000 ? 1 : 0), QStringLiteral("Hz"));
-  if (view.spindle.value > 0.0) text += say(", order %1").arg(number(f / view.spindle, 2));
-  const auto bin = static_cast<std::size_t>(std::clamp(f / view.top * kSpectrumBins, 0.0, kSpectrumBins - 1.0));
-  return text + QStringLiteral(", ") + join(number(view.level_dB[bin], 1), QStringLiteral("dB"));
+  if (spectrum.spindle.value > 0.0) text += say(", order %1").arg(number(f / spectrum.spindle, 2));
+  const auto bin = static_cast<std::size_t>(std::clamp(f / spectrum.top * kSpectrumBins, 0.0, kSpectrumBins - 1.0));
+  const LevelScale scale = view.options().level;
+  text += QStringLiteral(", ") + levelText(spectrum.level_dB[bin], scale, spectrum.unit);
+  if (const auto b = view.cursor(AnalyseView::B))
+    text += say(", B: %1").arg(levelText(history.columnAt(*b)->level_dB[bin], scale, spectrum.unit));
+  return text;
 }
 
 }  // namespace
+
+QString channelUnit(const CutSetup& setup, int channel) {
+  if (channel < 0 || channel >= static_cast<int>(setup.channels.size())) return {};
+  const std::string_view si = siUnit(setup.channels[static_cast<std::size_t>(channel)].quantity);
+  return QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
+}
+
+QString decibelUnit(const QString& unit) {
+  return unit.isEmpty() ? say("dB") : say("dB re 1 %1").arg(unit);
+}
+
+QString rmsUnit(const QString& unit) {
+  return unit.isEmpty() ? say("rms") : say("%1 rms").arg(unit);
+}
+
+double amplitudeOf(double level_dB) {
+  return std::pow(10.0, level_dB / 20.0);
+}
 
 SpectrumView makeSpectrumView(const RunHistory& history, const AnalyseView& view, const SessionInfo& info) {
   SpectrumView out;
@@ -47,6 +76,7 @@ SpectrumView makeSpectrumView(const RunHistory& history, const AnalyseView& view
   const SpectrumColumn* column = history.columnAt(cursor.value_or(view.to()));
   if (column == nullptr || !(out.top.value > 0.0)) return out;
   out.known = true;
+  out.unit = channelUnit(info.setup, column->channel);
   out.atCursor = cursor.has_value();
   out.level_dB = column->level_dB;
   out.spindle = column->spindle;
@@ -56,7 +86,7 @@ SpectrumView makeSpectrumView(const RunHistory& history, const AnalyseView& view
   out.toothPassing = multiplesOf(column->spindle * static_cast<double>(info.setup.teeth), out.top);
   if (view.harmonic()) {
     out.harmonics = multiplesOf(*view.harmonic(), out.top);
-    out.reading = readingAt(*view.harmonic(), out);
+    out.reading = readingAt(*view.harmonic(), out, view, history);
   }
   return out;
 }

@@ -24,8 +24,17 @@ struct SpectrumView {
   QString time;                     // of that column, as the clock shows it
   std::vector<Hertz> toothPassing;  // harmonics up to `top`
   std::vector<Hertz> harmonics;     // of the harmonic cursor, up to `top`
-  QString reading;                  // "1 713 Hz, order 12.0, -8.2 dB"; empty without a cursor
+  QString unit;                     // of the signal
+  QString reading;                  // "1 713 Hz, order 12.0, -8.2 dB, B: -20.1 dB"; empty without a cursor
 };
+
+// SI unit of a channel; empty where there is no such channel.
+QString channelUnit(const CutSetup& setup, int channel);
+// "dB re 1 m/s2"; of a signal without a unit "dB".
+QString decibelUnit(const QString& unit);
+// "m/s2 rms".
+QString rmsUnit(const QString& unit);
+double amplitudeOf(double level_dB);
 
 SpectrumView makeSpectrumView(const RunHistory& history, const AnalyseView& view, const SessionInfo& info);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/models/active_words.h"
+#include "ui/models/advice_view.h"
 #include "ui/models/format.h"
 #include "ui/models/reason_text.h"
 #include "ui/models/say.h"
@@ -60,6 +61,8 @@ StripItem sensorItem(const Picture& p) {
     case ReasonCode::InputRepeated:
     case ReasonCode::InputRate:
       return {label, say("wrong rate"), Tone::Chatter};
+    case ReasonCode::Learning:  // its rate
+      return {label, say("being checked"), Tone::Onset};
     case ReasonCode::InputAliased:
       return {label, say("aliased"), Tone::Chatter};
     default:
@@ -90,11 +93,26 @@ QString change(const QString& before, const QString& after, const QString& unit)
   return join(QStringLiteral("%1 \u2192 %2").arg(before, after), unit);
 }
 
+// Where the feed is known and nothing was marked, the onset was caught before it became chatter.
 QString headlineOf(const Intervention& i, UnitSystem units) {
-  const QString what = say("Chatter %1").arg(join(number(i.frequency.value), QStringLiteral("Hz")));
+  const QString at = join(number(i.frequency.value), QStringLiteral("Hz"));
+  const bool caught = i.finished && i.quiet && i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
+  if (caught) return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToQuiet));
+  const QString what = say("Chatter %1").arg(at);
   if (!i.finished) return say("%1, acting").arg(what);
   if (!i.quiet) return say("%1, not quieted").arg(what);
   return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, units));
+}
+
+// What was cured is the chatter, told as its part of the vibration. The vibration itself may even have risen: at the
+// quiet speed the teeth may excite a mode, and the cut may have become deeper meanwhile.
+QString vibrationOf(const Intervention& i, const QString& unit) {
+  const QString moved = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
+  if (!i.finished || !i.quiet) return say("Vibration %1").arg(moved);
+  constexpr double kLess = 0.9;  // what anybody hears
+  if (i.vibrationAfter < kLess * i.vibrationBefore) return say("Vibration %1: the chatter is gone").arg(moved);
+  const QString teeth = percent(std::floor(1e2 * (1.0 - std::clamp(i.severityAfter.value, 0.0, 1.0))) / 1e2);
+  return say("Vibration %1: no chatter, %2 is the teeth").arg(moved, teeth);
 }
 
 CardView cardOf(const Intervention& i, const Picture& picture) {
@@ -109,12 +127,10 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));
-  // The proof: how much of the vibration is the cut's own. The vibration alone may stay, when the quiet speed lies
-  // where the teeth excite a mode.
   card.ratio =
       say("chatter %1")
           .arg(change(number(1e2 * i.severityBefore.value), number(1e2 * i.severityAfter.value), QStringLiteral("%")));
-  card.vibration = change(significant(i.vibrationBefore), significant(i.vibrationAfter), unit);
+  card.vibration = vibrationOf(i, unit);
   card.tone = i.quiet ? Tone::Normal : i.finished ? Tone::Chatter : Tone::Advice;
   return card;
 }
@@ -141,6 +157,8 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
 CommandView makeCommandView(const Picture& picture) {
   CommandView view;
   view.autoNeedsSecondTouch = !picture.info->machineWatchdog;
+  view.verdict = makeVerdictView(picture, Trend::Unknown);
+  view.verdict.detail = view.verdict.marked = QString();  // there is room for a glance
   if (!picture.snapshot) {
     view.inCommand = say("You are in command");
     return view;
@@ -150,10 +168,14 @@ CommandView makeCommandView(const Picture& picture) {
   view.live = s.running;
   view.autoAllowed = s.autoAllowed;
   view.held = s.operatorHold;
+  if (const AdviceView advice = makeAdviceView(picture); advice.mode == AdviceView::Mode::Open) {
+    view.advice = advice.target;
+    view.adviceNumber = s.adviceNumber;
+  }
   const MachineState& m = s.machine;
   const auto differs = [](Ratio r) { return std::abs(r.value - 1.0) > 0.004; };
   if (m.valid && (differs(m.speedOverride) || differs(m.feedOverride))) {
-    view.moved = say("speed %1, feed %2").arg(percent(m.speedOverride.value), percent(m.feedOverride.value));
+    view.moved = QStringLiteral("%1, %2").arg(overrideText(m.speedOverride.value), overrideText(m.feedOverride.value));
   }
   view.inCommand = s.authority == Authority::Auto     ? say("Stillcut is in command")
                    : s.authority == Authority::Advise ? say("You are in command, Stillcut advises")
@@ -164,6 +186,7 @@ CommandView makeCommandView(const Picture& picture) {
   }
   if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
+  if (picture.replay) view.since = say("live, %1").arg(view.since);
   return view;
 }
 
@@ -175,6 +198,7 @@ std::vector<CardView> makeCards(const Picture& picture) {
   for (quint64 k = 0; k < kept; ++k) {
     const quint64 number = s.interventionCount - 1 - k;
     cards.push_back(cardOf(s.interventions[number % kInterventionsShown], picture));
+    if (k > 0) cards.back().vibration.clear();  // it is about now
   }
   return cards;
 }

@@ -6,6 +6,7 @@
 
 #include "ui/models/session_info.h"
 #include "ui/models/theme.h"
+#include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {
 
@@ -25,7 +26,11 @@ struct CommandView {
   bool autoAllowed = false;
   bool autoNeedsSecondTouch = false;
   bool held = false;
-  QString moved;  // "speed 97 %, feed 97 %" while the overrides are not 100 %
+  QString moved;  // "97 %, 97 %", speed and feed, while the overrides are not 100 %
+  // For the pages that do not show them large.
+  VerdictView verdict;
+  QString advice;  // "8 565 rpm" that waits for an answer; empty: none
+  std::uint32_t adviceNumber = 0;
   bool operator==(const CommandView&) const = default;
 };
 
@@ -34,8 +39,9 @@ CommandView makeCommandView(const Picture& picture);
 struct CardView {
   quint64 number = 0;
   QString time, headline;
-  QString speed, ratio, vibration;  // "8 800 -> 8 565 rpm" with a true arrow
-  QString cost;                     // "time +21 %"; empty: none
+  QString speed, ratio;  // "8 800 -> 8 565 rpm" with a true arrow
+  QString cost;          // "time +21 %"; empty: none
+  QString vibration;     // of the newest: before and after, and what became of the chatter
   Tone tone = Tone::Normal;
   bool operator==(const CardView&) const = default;
 };

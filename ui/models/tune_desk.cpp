@@ -51,10 +51,18 @@ void TuneDesk::open(const config::ParamSet& started) {
   undo_.clear();
   queue_.clear();
   seen_.clear();
+  tally_.reset();
   started_ = started;
   sides_ = {started, started};
   side_ = A;
   emit changed();
+}
+
+void TuneDesk::resend() {
+  queue_.clear();
+  for (const auto& [key, decl] : seen_) {
+    if (!same(value(*decl), started_.real(*decl))) enqueue(*decl, value(*decl));
+  }
 }
 
 void TuneDesk::set(const config::ParamDecl& decl, double value) {
@@ -107,8 +115,15 @@ void TuneDesk::use(Side side) {
 }
 
 void TuneDesk::copyToOther() {
-  sides_[side_ == A ? B : A] = sides_[side_];
-  emit changed();
+  const Side other = side_ == A ? B : A;
+  std::vector<Change> changes;
+  for (const auto& [key, decl] : seen_) {
+    if (!same(value(*decl, other), value(*decl))) changes.push_back({decl, value(*decl, other), value(*decl)});
+  }
+  if (changes.empty()) return;
+  settle();
+  undo_.push(new SetValues(*this, other, gesture_, std::move(changes), tr("both sides alike")));
+  settle();
 }
 
 std::vector<std::string> TuneDesk::differences() const {

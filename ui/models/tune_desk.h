@@ -1,5 +1,6 @@
-// TuneDesk: the values a person has set on a running cut or a replay: two sides, A and B, to compare; every change can
-// be undone; what has to reach the worker is handed out a few at a time. Knows no widget. GUI thread.
+// TuneDesk: the values a person has set on a running cut or a replay: two sides, A and B, to compare, and what each
+// did; every change can be undone; what has to reach the worker is handed out a few at a time. Lives as long as the
+// run, whatever is on the screen. Knows no widget. GUI thread.
 #pragma once
 
 #include <QObject>
@@ -10,6 +11,7 @@
 
 #include "core/config/param_set.h"
 #include "core/model/operator_input.h"
+#include "ui/models/compare_tally.h"
 
 namespace stillcut::ui {
 
@@ -21,6 +23,8 @@ class TuneDesk : public QObject {
 
   // Another run: both sides begin with its values, nothing can be undone.
   void open(const config::ParamSet& started);
+  // The same run was begun anew with the values it started with: it is told again what was set.
+  void resend();
 
   double value(const config::ParamDecl& decl) const { return value(decl, side_); }
   double value(const config::ParamDecl& decl, Side side) const { return sides_[side].real(decl); }
@@ -39,6 +43,7 @@ class TuneDesk : public QObject {
   // Parameters in which the sides differ.
   std::vector<std::string> differences() const;
 
+  CompareTally& tally() { return tally_; }
   QUndoStack& undoStack() { return undo_; }
   // What the worker does not know yet, oldest first, at most `most` of them.
   std::vector<OperatorInput> take(int most);
@@ -63,6 +68,7 @@ class TuneDesk : public QObject {
   Side side_ = A;
   int gesture_ = 0;
   std::deque<OperatorInput> queue_;
+  CompareTally tally_;
   QUndoStack undo_;
 };
 

@@ -1,5 +1,5 @@
-// What the Tune page needs of a session beyond the picture: which parts have parameters, with which values the run
-// began, and where to keep others. app/session implements it. GUI thread; every function returns at once.
+// What the Tune page needs of a session beyond the picture: which parts have parameters, the values that are in force,
+// and where to keep others. app/session implements it. GUI thread; every function returns at once.
 #pragma once
 
 #include <QString>
@@ -11,6 +11,7 @@
 #include "core/base/result.h"
 #include "core/config/param_set.h"
 #include "core/model/rule_tables.h"
+#include "ui/models/tune_desk.h"
 
 namespace stillcut::ui {
 
@@ -41,7 +42,8 @@ class Tuning {
   // The rules of the fuzzy strategy that runs, as they are at this moment, what it has learned included; null: no such
   // strategy runs. Valid until the next call.
   virtual const RuleTables* rulesNow() { return nullptr; }
-  virtual const config::ParamSet& startValues() const = 0;
+  // Of the run that is shown. It is the run's, not the page's: pages come and go, what was set stays.
+  virtual TuneDesk& desk() = 0;
   // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.
   virtual Result<QString> saveValues(const config::ParamSet& values) = 0;
 };

@@ -28,7 +28,7 @@ QString kindText(ChatterKind kind) {
     case ChatterKind::Unknown:
       return {};
     case ChatterKind::Hopf:
-      return say("Hopf");
+      return say("regenerative");
     case ChatterKind::Flip:
       return say("period doubling");
     case ChatterKind::Forced:
@@ -69,7 +69,10 @@ QString phaseText(CutPhase phase) {
 
 QString totals(const Picture& picture) {
   const Snapshot& snapshot = *picture.snapshot;
-  if (!(snapshot.chatterTime.value > 0)) return say("No chatter in this run");
+  if (!(snapshot.chatterTime.value > 0)) {
+    const auto onsets = static_cast<double>(snapshot.interventionCount);
+    return onsets > 0 ? say("Onsets in this run: %1, no chatter").arg(number(onsets)) : say("No chatter in this run");
+  }
   return say("In chatter so far: %1, %2")
       .arg(duration(snapshot.chatterTime), lengthText(snapshot.chatterLength, picture.units));
 }
@@ -96,9 +99,8 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
   view.shape = chatter ? Shape::Octagon : Shape::Triangle;
   view.tone = chatter ? Tone::Chatter : Tone::Onset;
   view.frequency = frequency(verdict.frequency, verdict.frequencySd);
-  QStringList words{kindText(verdict.kind), trendText(trend)};
-  words.removeAll(QString());
-  view.detail = words.join(say(", "));
+  view.kind = kindText(verdict.kind);
+  view.detail = trendText(trend);
   view.marked = say("For %1").arg(duration(verdict.sinceOnset));
   if (verdict.feedSinceOnset.value > 0)
     view.marked =
@@ -108,7 +110,7 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
 }  // namespace
 
 QString VerdictView::spoken() const {
-  QStringList parts{word, frequency, detail, marked};
+  QStringList parts{word, frequency, kind, detail, marked};
   parts.removeAll(QString());
   return parts.join(QStringLiteral(". "));
 }

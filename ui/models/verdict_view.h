@@ -16,7 +16,8 @@ struct VerdictView {
   Tone tone = Tone::Faint;
   QString word;       // "CHATTER"
   QString frequency;  // "1 713 ±2 Hz", empty when there is none
-  QString detail;     // "Hopf, growing", or the sentence why there is no verdict
+  QString kind;       // of an alarm, in a machinist's words: "regenerative"; empty when it is not known
+  QString detail;     // "growing", or the sentence why there is no verdict
   QString marked;     // time and length in chatter
 
   QString spoken() const;  // for screen readers

@@ -72,7 +72,7 @@ void ActiveView::takeAxis(int axis) {
 }
 
 void ActiveView::tell(const Status& status) {
-  refused_ = status ? QString() : QString::fromStdString(status.error().line());
+  refused_ = status ? QString() : sayError(status.error());
 }
 
 void ActiveView::display() {

@@ -5,8 +5,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <initializer_list>
+#include <utility>
+#include <vector>
 
-#include "core/model/channel.h"
+#include "ui/models/live_numbers.h"
 #include "ui/models/run_history.h"
 #include "ui/models/say.h"
 #include "ui/models/signal_history.h"
@@ -30,12 +32,6 @@ QStringList channelNames(const CutSetup& setup) {
   QStringList names;
   for (const ChannelInfo& channel : setup.channels) names << QString::fromStdString(channel.name);
   return names;
-}
-
-QString unitOf(const CutSetup& setup, int channel) {
-  if (channel < 0 || channel >= static_cast<int>(setup.channels.size())) return {};
-  const std::string_view si = siUnit(setup.channels[static_cast<std::size_t>(channel)].quantity);
-  return QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size()));
 }
 
 }  // namespace
@@ -63,6 +59,15 @@ AnalysePage::AnalysePage(QWidget* parent)
   grid_->setRowStretch(2, 22);
   grid_->setRowStretch(3, 14);
   grid_->setRowStretch(4, 14);
+  connect(&view_, &AnalyseView::changed, this, [this] {
+    if (view_.options() == told_) return;
+    told_ = view_.options();
+    emit stateChanged();
+  });
+  for (const auto signal : {&PresetList::rowsInserted, &PresetList::rowsRemoved}) {
+    connect(&presets_, signal, this, &Page::stateChanged);
+  }
+  connect(&presets_, &PresetList::dataChanged, this, &Page::stateChanged);
   connect(tools_, &AnalyseTools::referenceAsked, this, [this] {
     spectrum_->toggleReference();
     tools_->setReference(spectrum_->hasReference());
@@ -91,12 +96,17 @@ void AnalysePage::display(const Picture& picture) {
   view_.setReach(history.begin(), history.end(), history.spectrumTop());
   tools_->setChannels(channelNames(info.setup));
   bar_->display(info);
-  QStringList names;
-  for (const DetectorInfo& detector : info.detectors) names << sayCore(detector.label.toStdString());
-  map_->display(&history, info.setup.teeth);
-  trace_->display(picture.signal, unitOf(info.setup, channel_));
-  tracks_->display(&history, names, picture.snapshot ? picture.snapshot->inCharge : 0);
+  std::vector<TrackPlot::Row> rows;
+  for (const DetectorInfo& detector : info.detectors) {
+    rows.push_back(
+        {sayCore(detector.label.toStdString()), limitOfIndicator(detector.indicators.value(0), info.limits)});
+  }
+  const QString unit = channelUnit(info.setup, channel_);
+  map_->display(&history, info.setup.teeth, unit);
+  trace_->display(picture.signal, unit);
+  tracks_->display(&history, std::move(rows), picture.snapshot ? picture.snapshot->inCharge : 0);
   spectrum_->display(makeSpectrumView(history, view_, info));
+  spectrum_->setStale(picture.stale && view_.following());
   for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_}) {
     plot->setStale(picture.stale && view_.following());
     plot->setClock([&info](Instant t) { return info.wallMs(t); });

@@ -42,6 +42,7 @@ class AnalysePage : public Page {
 
   AnalyseView view_;
   PresetList presets_;
+  AnalyseOptions told_;  // of view_, as last said to be worth keeping
   AnalyseTools* tools_;
   HistoryMap* map_;
   TracePlot* trace_;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kPad = 16;
 constexpr double kHead = 30;
+constexpr double kFault = 76;
 
 }  // namespace
 
@@ -44,8 +45,9 @@ InterventionList::InterventionList(QWidget* parent)
   for (int k = 0; k < kInterventionsShown; ++k) widgets_.push_back(new InterventionCard(this));
 }
 
-void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming) {
-  if (cards == cards_ && event == event_ && live == live_ && alarming == alarming_) return;
+void InterventionList::display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming,
+                               bool answerable) {
+  if (cards == cards_ && event == event_ && live == live_ && alarming == alarming_ && answerable == answerable_) return;
   const bool newAlarm =
       (alarming && !alarming_) || (!cards.empty() && (cards_.empty() || cards.front().number != cards_.front().number));
   if (newAlarm) judgement_ = Judgement::None;
@@ -54,7 +56,8 @@ void InterventionList::display(const std::vector<CardView>& cards, const EventLi
   if (alarming != alarming_ || live != live_) hear_->setChecked(false);
   live_ = live;
   alarming_ = alarming;
-  hear_->setEnabled(live && !alarming);
+  answerable_ = answerable;
+  hear_->setEnabled(live && !alarming && answerable);
   for (std::size_t k = 0; k < widgets_.size() && k < cards.size(); ++k) widgets_[k]->display(cards[k]);
   showJudgement();
   place();
@@ -68,7 +71,7 @@ void InterventionList::judge(bool wasChatter) {
 }
 
 void InterventionList::showJudgement() {
-  const bool judgeable = alarming_ || !cards_.empty();
+  const bool judgeable = answerable_ && (alarming_ || !cards_.empty());
   wasTrue_->setEnabled(judgeable);
   wasFalse_->setEnabled(judgeable);
   wasTrue_->setChecked(judgement_ == Judgement::True);
@@ -91,7 +94,8 @@ QSize InterventionList::minimumSizeHint() const {
   const int gap = std::max(theme_.px(12), pixelsFor(kTouchGapMm, this));
   const int buttons = wasTrue_->sizeHint().height() * 3 + 2 * gap;
   return {theme_.px(420),
-          std::max(buttons + theme_.px(2 * 8), theme_.px(kHead + 12) + 2 * widgets_.front()->sizeHint().height())};
+          std::max(buttons + theme_.px(2 * 8),
+                   theme_.px(kHead + 12) + widgets_[0]->sizeHint().height() + widgets_[1]->sizeHint().height())};
 }
 
 QSize InterventionList::sizeHint() const {
@@ -113,9 +117,9 @@ void InterventionList::place() {
   wasTrue_->setGeometry(left, top, buttonWidth, high);
   wasFalse_->setGeometry(left, top + high + gap, buttonWidth, high);
   hear_->setGeometry(left, top + 2 * (high + gap), buttonWidth, high);
-  int y = theme_.px(kHead);
-  const int cardHeight = widgets_.front()->sizeHint().height();
+  int y = theme_.px(faulty() ? kFault + kPad / 2 + 4 : kHead);
   for (std::size_t k = 0; k < widgets_.size(); ++k) {
+    const int cardHeight = widgets_[k]->sizeHint().height();
     const bool fits = k < cards_.size() && y + cardHeight <= height() - theme_.px(6);
     widgets_[k]->setVisible(fits);
     widgets_[k]->setGeometry(pad, y, left - gap - pad, cardHeight);
@@ -127,8 +131,9 @@ void InterventionList::paintEvent(QPaintEvent*) {
   QPainter p(this);
   drawPanel(p, rect(), theme_, theme_.colors.panel);
   TextPainter text(p, theme_);
-  // What went wrong takes the place of the title: the cards explain themselves.
   const double pad = theme_.px(kPad), room = wasTrue_->x() - 2 * pad;
+  if (faulty()) return paintFault(p, QRectF(pad, pad / 2, room, theme_.px(kFault)));
+  // What is only worth a look takes the place of the title: the cards explain themselves.
   const bool plain = event_.text.isEmpty();
   text.centred(QRectF(pad, theme_.px(4), room, theme_.px(kHead - 4)), plain ? tr("LAST INTERVENTIONS") : event_.text,
                {type_size::kLabel, true, plain ? theme_.colors.secondary : theme_.onPanel(event_.tone)});
@@ -136,6 +141,16 @@ void InterventionList::paintEvent(QPaintEvent*) {
   if (!cards_.empty()) return;
   text.centred(QRectF(pad, theme_.px(kHead), room, height() - 2 * theme_.px(kHead)), tr("None in this run"),
                {type_size::kBody, false, theme_.colors.faint});
+}
+
+// A fault takes the place of the older cards, in letters for the operator who stands at the machine.
+void InterventionList::paintFault(QPainter& p, const QRectF& box) {
+  drawPanel(p, box, theme_, theme_.back(event_.tone));
+  TextPainter text(p, theme_);
+  const double pad = theme_.px(kPad);
+  text.block(box.adjusted(pad, pad / 4, -pad, -pad / 4), event_.text,
+             {type_size::kTarget, true, theme_.front(event_.tone), Qt::AlignLeft, 0.4});
+  clipped_ = text.clipped();
 }
 
 }  // namespace stillcut::ui

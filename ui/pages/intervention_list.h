@@ -20,7 +20,9 @@ class InterventionList : public QWidget, public Themed {
   explicit InterventionList(QWidget* parent = nullptr);
 
   // `live`: samples come in. `alarming`: an alarm is on right now, which can be judged before there is a card.
-  void display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming);
+  // `answerable`: not of a replay.
+  void display(const std::vector<CardView>& cards, const EventLine& event, bool live, bool alarming,
+               bool answerable = true);
   int shownCards() const;
   bool clipped() const override { return clipped_; }
 
@@ -39,6 +41,8 @@ class InterventionList : public QWidget, public Themed {
   void judge(bool wasChatter);
   void showJudgement();
   void place();
+  bool faulty() const { return event_.tone == Tone::Chatter; }
+  void paintFault(QPainter& p, const QRectF& box);
 
   enum class Judgement { None, True, False };
 
@@ -50,7 +54,7 @@ class InterventionList : public QWidget, public Themed {
   TouchButton* wasFalse_;
   TouchButton* hear_;  // chatter that nobody told of
   bool live_ = false;
-  bool alarming_ = false;
+  bool alarming_ = false, answerable_ = true;
   bool clipped_ = false;
   Judgement judgement_ = Judgement::None;
 };

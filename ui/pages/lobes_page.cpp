@@ -43,6 +43,7 @@ LobesPage::LobesPage(FindService find, QWidget* parent)
       depth_(new QDoubleSpinBox),
       verdict_(new TextLabel({type_size::kValue, true, false, true})),
       detail_(new QLabel),
+      reach_(new QLabel(tr("In brackets: beyond the override's reach"))),
       pockets_(new QTableView),
       table_(new PocketTable(this)),
       side_(new Panel),
@@ -107,7 +108,7 @@ void LobesPage::layOut() {
 
   pockets_->setModel(table_);
   pockets_->setAccessibleName(tr("Quiet pockets at this depth"));
-  pockets_->setToolTip(tr("Choose a pocket to try its best speed. In brackets: beyond the override's reach."));
+  pockets_->setToolTip(tr("Choose a pocket to try its best speed"));
   pockets_->setSelectionBehavior(QAbstractItemView::SelectRows);
   pockets_->setSelectionMode(QAbstractItemView::SingleSelection);
   pockets_->verticalHeader()->hide();
@@ -115,6 +116,8 @@ void LobesPage::layOut() {
   pockets_->horizontalHeader()->setSectionResizeMode(PocketTable::Speeds, QHeaderView::ResizeToContents);
   pockets_->setTabKeyNavigation(false);
   column->addWidget(pockets_, 1);
+  reach_->setWordWrap(true);
+  column->addWidget(reach_);
   grid_->addWidget(around, 0, 0);
   grid_->addWidget(side_, 0, 1);
   grid_->setColumnStretch(0, 62);
@@ -126,6 +129,7 @@ void LobesPage::connectAll() {
     connect(methods_[k], &TouchButton::clicked, this, [this, k] {
       chooseMethod(static_cast<LobeMethod>(k));
       compute();
+      emit stateChanged();
     });
   }
   connect(compute_, &TouchButton::clicked, this, [this] {
@@ -142,12 +146,14 @@ void LobesPage::connectAll() {
     const QSignalBlocker quietSpeed(speed_), quietDepth(depth_);
     speed_->setValue(chart_->handle().speed.value);
     depth_->setValue(chart_->handle().depth.value / unitLength(units_));
-    showWhatIf();
+    whatIfAsked();
   });
-  connect(pockets_, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    const Pocket pocket = table_->pocket(index.row());
-    speed_->setValue(pocket.best.value);
-  });
+  // By touch, or with the arrows and Enter.
+  const auto takePocket = [this](const QModelIndex& index) {
+    speed_->setValue(table_->pocket(index.row()).best.value);
+  };
+  connect(pockets_, &QTableView::clicked, this, takePocket);
+  connect(pockets_, &QTableView::activated, this, takePocket);
 }
 
 // The first look computes by itself: a page that shows nothing until a button is found is no page.
@@ -176,6 +182,10 @@ void LobesPage::meet(LobeService* service) {
   depth_->setSuffix(inch ? QStringLiteral("\u00a0in") : QStringLiteral("\u00a0mm"));
   depth_->setRange(0.0, frame.maxDepth.value / unitLength(units_));
   depth_->setValue(frame.depth.value / unitLength(units_));
+  if (!frame.name.isEmpty() && asked_.tool == frame.name) {
+    speed_->setValue(asked_.speed.value);
+    depth_->setValue(asked_.depth.value / unitLength(units_));
+  }
   chart_->setHandle({Rpm(speed_->value()), Metres(depth_->value() * unitLength(units_))});
   if (!service_->diagram() && service_->progress().state == LobeProgress::State::Idle) compute();
 }
@@ -201,6 +211,8 @@ void LobesPage::display(const Picture& picture) {
   chart_->setUnits(units_);
   if (!met_ || otherUnits) meet(find_());
   if (service_ == nullptr) return;
+  absent_ = picture.snapshot != nullptr && picture.stale ? tr("Nothing new arrives: the working point is not shown")
+                                                         : QString();
   showProgress();
   if (service_->diagram() != diagram_) {
     diagram_ = service_->diagram();
@@ -234,7 +246,9 @@ void LobesPage::showProgress() {
     case LobeProgress::State::Done:
       text = service_->frame().name;
       if (diagram_ && !diagram_->warnings.isEmpty()) {
-        text = tr("%1. Left out: %2").arg(text, sayCore(diagram_->warnings.front().toStdString()));
+        QString warning = coreSentence(diagram_->warnings.front().toStdString());
+        warning[0] = warning[0].toUpper();
+        text += QStringLiteral(". ") + warning;
       }
       break;
     case LobeProgress::State::Cancelled:
@@ -244,6 +258,7 @@ void LobesPage::showProgress() {
       text = tr("Cannot be computed: %1").arg(progress.problem);
       break;
   }
+  if (!absent_.isEmpty()) text += (text.isEmpty() ? QString() : QStringLiteral("\n")) + absent_;
   if (text != state_->text()) state_->setText(text);
 }
 
@@ -254,6 +269,13 @@ void LobesPage::showDiagram() {
 
 void LobesPage::fieldsChanged() {
   chart_->setHandle({Rpm(speed_->value()), Metres(depth_->value() * unitLength(units_))});
+  whatIfAsked();
+}
+
+// Somebody moved it: it stays so, for this tool.
+void LobesPage::whatIfAsked() {
+  asked_ = {service_ != nullptr ? service_->frame().name : QString(), chart_->handle().speed, chart_->handle().depth};
+  emit stateChanged();
   showWhatIf();
 }
 
@@ -265,7 +287,9 @@ void LobesPage::showWhatIf() {
   detail_->setText(answer.detail);
   verdict_->setTone(answer.tone);
   verdict_->setAccessibleDescription(answer.detail);
-  table_->setPockets(diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{}, units_);
+  std::vector<Pocket> pockets = diagram_ ? pocketsAt(*diagram_, service_->frame(), at.depth) : std::vector<Pocket>{};
+  reach_->setVisible(std::ranges::any_of(pockets, [](const Pocket& pocket) { return !pocket.reachable; }));
+  table_->setPockets(std::move(pockets), units_);
 }
 
 void LobesPage::restart() {
@@ -276,11 +300,17 @@ void LobesPage::restart() {
 
 void LobesPage::keep(QSettings& settings) const {
   settings.setValue(QStringLiteral("method"), static_cast<int>(method_));
+  settings.setValue(QStringLiteral("what-if-tool"), asked_.tool);
+  settings.setValue(QStringLiteral("what-if-speed"), asked_.speed.value);
+  settings.setValue(QStringLiteral("what-if-depth"), asked_.depth.value);
 }
 
 void LobesPage::restore(const QSettings& settings) {
   const int kept = settings.value(QStringLiteral("method"), static_cast<int>(LobeMethod::Exact)).toInt();
   if (kept >= 0 && kept < static_cast<int>(methods_.size())) chooseMethod(static_cast<LobeMethod>(kept));
+  asked_ = {settings.value(QStringLiteral("what-if-tool")).toString(),
+            Rpm(settings.value(QStringLiteral("what-if-speed")).toDouble()),
+            Metres(settings.value(QStringLiteral("what-if-depth")).toDouble())};
 }
 
 void LobesPage::applyTheme(const Theme& theme) {

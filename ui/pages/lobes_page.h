@@ -44,11 +44,18 @@ class LobesPage : public Page {
   void showDiagram();
   void showWhatIf();
   void fieldsChanged();
+  void whatIfAsked();
 
   FindService find_;
   LobeService* service_ = nullptr;
   bool met_ = false;
   LobeMethod method_ = LobeMethod::Exact;
+  struct Asked {
+    QString tool;
+    Rpm speed{};
+    Metres depth{};
+  } asked_;         // where somebody has put the ring
+  QString absent_;  // why the working point is not shown; empty: it is
   UnitSystem units_ = UnitSystem::Metric;
   std::shared_ptr<const LobeDiagram> diagram_;
 
@@ -61,6 +68,7 @@ class LobesPage : public Page {
   QDoubleSpinBox* depth_;
   TextLabel* verdict_;
   QLabel* detail_;
+  QLabel* reach_;
   QTableView* pockets_;
   PocketTable* table_;
   Panel* side_;

@@ -6,31 +6,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/pages/tool_button.h"
 #include "ui/widgets/painting.h"
-#include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
-namespace {
-
-TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
-  auto* button = new TouchButton(caption, TouchButton::Look::Plain);
-  button->setObjectName(QLatin1String(name));
-  button->setAccessibleName(spoken);
-  button->setBaseHeight(48);
-  return button;
-}
-
-}  // namespace
-
 MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
     : QWidget(parent),
       desk_(desk),
       list_(new QListView),
       label_(makeEdit(tr("Label"), tr("Label of the span"), "mark-label")),
       note_(makeEdit(tr("Note"), tr("Note of the next marker"), "mark-text")),
-      span_(tool(tr("SPAN"), tr("Mark the selected span with the label"), "mark-span")),
-      change_(tool(tr("CHANGE"), tr("Give the chosen marker this label and note"), "mark-change")),
-      remove_(tool(tr("REMOVE"), tr("Remove the chosen marker"), "mark-remove")) {
+      span_(toolButton(tr("SPAN"), tr("Mark the selected span with the label"), "mark-span")),
+      change_(toolButton(tr("CHANGE"), tr("Give the chosen marker this label and note"), "mark-change")),
+      remove_(toolButton(tr("REMOVE"), tr("Remove the chosen marker"), "mark-remove")) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   lines_ = {new QHBoxLayout, new QHBoxLayout};
@@ -46,7 +34,7 @@ MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
       {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelHeard, Qt::ALT | Qt::Key_3},
       {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
   for (const Button& b : buttons) {
-    TouchButton* button = tool(b.caption, b.spoken, b.name);
+    TouchButton* button = toolButton(b.caption, b.spoken, b.name);
     button->setKey(b.key);
     lines_[0]->addWidget(button);
     touches_.push_back(button);
@@ -103,7 +91,9 @@ void MarkSheet::markSpan() {
   if (!label.isEmpty()) {
     mark(label);
   } else {
-    emit told(Error{"marker", "needs a label", "type one beside SPAN"}, {});
+    emit told(Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "needs a label"),
+                    QT_TRANSLATE_NOOP("Core", "type one beside SPAN")},
+              {});
   }
 }
 
@@ -121,9 +111,22 @@ void MarkSheet::change() {
   emit told(done, tr("Marker changed"));
 }
 
+// The touch that has removed one brings it back, until another is chosen.
 void MarkSheet::remove() {
+  if (removed_) {
+    const auto [begin, length, label, note] = *std::exchange(removed_, std::nullopt);
+    emit told(desk_->mark(begin, begin + length, label, note), tr("Marker put back"));
+    enable();
+    return;
+  }
   const Marker* marker = current();
-  if (marker != nullptr) emit told(desk_->removeMark(marker->number), tr("Marker removed"));
+  if (marker == nullptr) return;
+  const Removed gone{desk_->markerTime(*marker), secondsBetween(marker->begin, marker->end),
+                     QString::fromStdString(marker->label), QString::fromStdString(marker->note)};
+  const Status done = desk_->removeMark(marker->number);
+  if (done) removed_ = gone;
+  emit told(done, tr("Marker removed"));
+  enable();
 }
 
 void MarkSheet::edit(const Marker& marker) {
@@ -144,6 +147,7 @@ void MarkSheet::editNone() {
 void MarkSheet::currentMoved(int row) {
   const Marker* marker = markers_.marker(row);
   if (refreshing_ || marker == nullptr || marker->number == edited_) return;
+  removed_.reset();
   if (label_->isModified() || note_->isModified()) {
     edited_.reset();
     enable();
@@ -155,6 +159,7 @@ void MarkSheet::currentMoved(int row) {
 void MarkSheet::choose(int row) {
   const Marker* marker = markers_.marker(row);
   if (marker == nullptr) return;
+  removed_.reset();
   edit(*marker);
   const Seconds begin = desk_->markerTime(*marker);
   emit wentTo(begin, begin + secondsBetween(marker->begin, marker->end));
@@ -172,6 +177,7 @@ void MarkSheet::refresh() {
   }
   refreshing_ = false;
   const bool gone = edited_ && (current() == nullptr || current()->number != edited_);
+  if (another) removed_.reset();
   if (another || gone) editNone();
   enable();
 }
@@ -181,7 +187,8 @@ void MarkSheet::enable() {
   const bool open = summary != nullptr && summary->session;
   for (TouchButton* button : touches_) button->setEnabled(open);
   span_->setEnabled(open);
-  remove_->setEnabled(open && current() != nullptr);
+  remove_->setText(removed_ ? tr("UNDO") : tr("REMOVE"));
+  remove_->setEnabled(open && (removed_ || current() != nullptr));
   change_->setEnabled(open && current() != nullptr && current()->number == edited_);
 }
 
@@ -192,7 +199,7 @@ void MarkSheet::applyTheme(const Theme& theme) {
   list_->setFont(theme.font(type_size::kBody));
   for (QLineEdit* edit : {label_, note_}) {
     edit->setFont(theme.font(type_size::kBody));
-    edit->setFixedHeight(theme.px(48));
+    edit->setFixedHeight(touchHeight(theme, this, 48));
   }
 }
 

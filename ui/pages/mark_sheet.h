@@ -51,6 +51,11 @@ class MarkSheet : public QWidget, public Themed {
   MarkerModel markers_;
   QString path_;                         // of the recording that the markers are of
   std::optional<std::uint64_t> edited_;  // whose label and note are in the fields; none: they are of the next marker
+  struct Removed {
+    Seconds begin, length;
+    QString label, note;
+  };
+  std::optional<Removed> removed_;  // the last one, while it can be brought back
   bool refreshing_ = false;
   QListView* list_;
   QLineEdit *label_, *note_;

@@ -86,7 +86,7 @@ void OperatePage::display(const Picture& picture) {
   overrides_->display(makeMachineView(picture));
   const bool live = picture.snapshot && !picture.stale && picture.snapshot->running;
   const bool alarming = live && picture.verdict().alarming();
-  interventions_->display(makeCards(picture), makeEventLine(picture), live, alarming);
+  interventions_->display(makeCards(picture), makeEventLine(picture), live, alarming, !picture.replay);
   showBars(picture);
   showSpectrogram(picture);
 }

@@ -24,7 +24,7 @@ class Page : public QWidget, public Themed {
   virtual void display(const Picture& picture) = 0;
   // Another cut, replay or machine was opened: what was seen of the one before is forgotten.
   virtual void restart() {}
-  // What outlives a restart: its own group of the settings.
+  // What outlives a restart: its own group of the settings. Who has something to keep emits stateChanged().
   virtual void keep(QSettings& settings) const { static_cast<void>(settings); }
   virtual void restore(const QSettings& settings) { static_cast<void>(settings); }
 
@@ -32,6 +32,8 @@ class Page : public QWidget, public Themed {
   // Shows another page of the window, by its id.
   void pageAsked(const QString& id);
   void asked(const stillcut::OperatorInput& input);
+  // What keep() writes has changed: it is on the disk a second later, whatever becomes of the program.
+  void stateChanged();
 };
 
 }  // namespace stillcut::ui

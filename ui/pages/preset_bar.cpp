@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/models/time_text.h"
@@ -50,8 +51,7 @@ PresetBar::PresetBar(AnalyseView& view, PresetList& presets, QWidget* parent)
   grid_->addWidget(go_, 1, 1, 1, 2);
   grid_->setColumnStretch(0, 1);
   connect(names_, &QComboBox::activated, this, &PresetBar::choose);
-  connect(names_, &QComboBox::editTextChanged, this,
-          [this](const QString& name) { drop_->setEnabled(presets_.isOwn(presets_.rowOf(name))); });
+  connect(names_, &QComboBox::editTextChanged, this, [this](const QString& name) { offerBack({}, name); });
   connect(save_, &TouchButton::clicked, this, &PresetBar::save);
   connect(drop_, &TouchButton::clicked, this, &PresetBar::drop);
   connect(go_, &TouchButton::clicked, this, &PresetBar::go);
@@ -73,12 +73,31 @@ void PresetBar::choose(int row) {
 }
 
 void PresetBar::save() {
-  const QString name = names_->currentText();
-  if (presets_.save(name, view_.options())) names_->setCurrentIndex(presets_.rowOf(name.simplified().left(40)));
+  const QString name = names_->currentText().simplified().left(40);
+  if (!presets_.save(name, view_.options())) return;
+  names_->setCurrentIndex(presets_.rowOf(name));
+  offerBack({}, name);
 }
 
+// The touch that has deleted one brings it back, until another is looked at.
 void PresetBar::drop() {
-  presets_.remove(presets_.rowOf(names_->currentText()));
+  if (dropped_) {
+    const auto [name, options] = *dropped_;
+    presets_.save(name, options);
+    names_->setCurrentIndex(presets_.rowOf(name));
+    offerBack({}, name);
+    return;
+  }
+  const QString name = names_->currentText();
+  const int row = presets_.rowOf(name);
+  const auto options = presets_.options(row);
+  if (options && presets_.remove(row)) offerBack(std::pair(name, *options), {});
+}
+
+void PresetBar::offerBack(std::optional<std::pair<QString, AnalyseOptions>> dropped, const QString& shown) {
+  dropped_ = std::move(dropped);
+  drop_->setText(dropped_ ? tr("UNDO") : tr("DELETE"));
+  drop_->setEnabled(dropped_ || presets_.isOwn(presets_.rowOf(shown)));
 }
 
 void PresetBar::go() {

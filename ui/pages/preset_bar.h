@@ -33,6 +33,7 @@ class PresetBar : public QWidget, public Themed {
   void choose(int row);
   void save();
   void drop();
+  void offerBack(std::optional<std::pair<QString, AnalyseOptions>> dropped, const QString& shown);
   void go();
   QString cursorText() const;
 
@@ -45,6 +46,7 @@ class PresetBar : public QWidget, public Themed {
   TouchButton* drop_;
   QLineEdit* moment_;
   TouchButton* go_;
+  std::optional<std::pair<QString, AnalyseOptions>> dropped_;  // the preset that was deleted last
   Theme theme_;
   bool refused_ = false;  // the text is no moment
   bool clipped_ = false;

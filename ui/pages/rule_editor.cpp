@@ -28,7 +28,7 @@ TouchButton* button(const QString& caption, const QString& spoken, const char* n
 
 RuleEditor::RuleEditor(TuneDesk& desk, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      desk_(&desk),
       line_(new QHBoxLayout),
       speedTable_(button(tr("SPEED"), tr("Rules of the speed"), "rules-speed")),
       feedTable_(button(tr("FEED"), tr("Rules of the feed"), "rules-feed")),
@@ -58,8 +58,8 @@ RuleEditor::RuleEditor(TuneDesk& desk, QWidget* parent)
   connect(grid_, &RuleGrid::chosenChanged, this, [this](int cell) { cell_->setText(grid_->cellText(cell)); });
   connect(grid_, &RuleGrid::reset, this, [this](int cell) {
     const config::ParamDecl& decl = *decls()[static_cast<std::size_t>(cell)];
-    desk_.set(decl, decl.fallback);
-    desk_.settle();
+    desk_->set(decl, decl.fallback);
+    desk_->settle();
   });
   hide();
 }
@@ -85,8 +85,8 @@ void RuleEditor::takeTable(bool feed) {
 void RuleEditor::step(int cell, int direction) {
   if (part_ == nullptr) return;
   const config::ParamDecl& decl = *decls()[static_cast<std::size_t>(cell)];
-  desk_.set(decl, std::clamp(desk_.value(decl) + direction * kStep, decl.lowest, decl.highest));
-  desk_.settle();
+  desk_->set(decl, std::clamp(desk_->value(decl) + direction * kStep, decl.lowest, decl.highest));
+  desk_->settle();
 }
 
 void RuleEditor::refresh(const RuleTables* told) {
@@ -99,7 +99,7 @@ void RuleEditor::refresh(const RuleTables* told) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const config::ParamDecl& decl = *decls()[k];
     const std::size_t row = k / kRuleSets, column = k % kRuleSets;
-    const double rule = desk_.value(decl);
+    const double rule = desk_->value(decl);
     const double now = !hasNow_ || now_.lessons == 0 ? rule : feed_ ? now_.feed[row][column] : now_.speed[row][column];
     cells[k] = {rule, now, rule != decl.fallback};
     if (std::abs(now - rule) < kLearned) continue;
@@ -109,7 +109,7 @@ void RuleEditor::refresh(const RuleTables* told) {
   grid_->display(cells);
   cell_->setText(grid_->cellText(grid_->chosen()));
   std::array<double, 3> centres{};
-  for (std::size_t k = 0; k < centres.size(); ++k) centres[k] = desk_.value(*part_->setCentres[k]);
+  for (std::size_t k = 0; k < centres.size(); ++k) centres[k] = desk_->value(*part_->setCentres[k]);
   sets_->display(centres);
   learned_->setVisible(hasNow_);
   learned_->setText(now_.lessons == 0 ? tr("Nothing has been learned")

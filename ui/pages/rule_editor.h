@@ -20,6 +20,7 @@ class RuleEditor : public QWidget, public Themed {
   Q_OBJECT
  public:
   explicit RuleEditor(TuneDesk& desk, QWidget* parent = nullptr);
+  void work(TuneDesk& desk) { desk_ = &desk; }
 
   // Null, or a part without rules: nothing to edit, hidden. The part lives as long as it is shown.
   void show(const TunablePart* part);
@@ -32,7 +33,7 @@ class RuleEditor : public QWidget, public Themed {
   void takeTable(bool feed);
   void step(int cell, int direction);
 
-  TuneDesk& desk_;
+  TuneDesk* desk_;
   const TunablePart* part_ = nullptr;
   bool feed_ = false;
   RuleTables now_;

@@ -5,23 +5,11 @@
 #include <QListView>
 #include <algorithm>
 
+#include "ui/pages/tool_button.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
-namespace {
-
-TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
-  auto* button = new TouchButton(caption);
-  button->setObjectName(QLatin1String(name));
-  button->setAccessibleName(spoken);
-  button->setBaseHeight(48);
-  return button;
-}
-
-}  // namespace
-
 SessionList::SessionList(SessionDesk* desk, QWidget* parent)
     : QWidget(parent), desk_(desk), kinds_(new QHBoxLayout), orders_(new QHBoxLayout), list_(new QListView) {
   order_.setSourceModel(&sessions_);
@@ -33,17 +21,17 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(false);
   connect(filter_, &QLineEdit::textChanged, &order_, &QSortFilterProxyModel::setFilterFixedString);
-  byJob_ = tool(tr("JOB"), tr("Order by job"), "sessions-by-job");
-  byTool_ = tool(tr("TOOL"), tr("Order by tool"), "sessions-by-tool");
-  byTime_ = tool(tr("TIME"), tr("Order by time"), "sessions-by-time");
+  byJob_ = toolButton(tr("JOB"), tr("Order by job"), "sessions-by-job");
+  byTool_ = toolButton(tr("TOOL"), tr("Order by tool"), "sessions-by-tool");
+  byTime_ = toolButton(tr("TIME"), tr("Order by time"), "sessions-by-time");
   for (const auto& [button, by] : {std::pair{byJob_, SessionOrder::Job}, std::pair{byTool_, SessionOrder::Tool},
                                    std::pair{byTime_, SessionOrder::Time}}) {
     button->setCheckable(true);
     orders_->addWidget(button);
     connect(button, &TouchButton::clicked, this, [this, by = by] { orderBy(by); });
   }
-  recorded_ = tool(tr("RECORDED"), tr("Recordings of the folder"), "sessions-recorded");
-  simulated_ = tool(tr("SIMULATED"), tr("Simulated cuts, replayed as recordings are"), "sessions-simulated");
+  recorded_ = toolButton(tr("RECORDED"), tr("Recordings of the folder"), "sessions-recorded");
+  simulated_ = toolButton(tr("SIMULATED"), tr("Simulated cuts, replayed as recordings are"), "sessions-simulated");
   for (TouchButton* button : {recorded_, simulated_}) {
     button->setCheckable(true);
     kinds_->addWidget(button);
@@ -113,7 +101,7 @@ void SessionList::applyTheme(const Theme& theme) {
   list_->setFont(theme.font(type_size::kBody));
   for (QLineEdit* edit : {filter_, folder_}) {
     edit->setFont(theme.font(type_size::kBody));
-    edit->setFixedHeight(theme.px(48));
+    edit->setFixedHeight(touchHeight(theme, this, 48));
   }
 }
 

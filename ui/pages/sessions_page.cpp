@@ -13,26 +13,19 @@
 
 #include "ui/models/format.h"
 #include "ui/models/live_numbers.h"
+#include "ui/models/say.h"
 #include "ui/models/session_words.h"
 #include "ui/pages/mark_sheet.h"
 #include "ui/pages/session_list.h"
+#include "ui/pages/tool_button.h"
 #include "ui/plots/session_timeline.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
 #include "ui/widgets/transport_bar.h"
 
 namespace stillcut::ui {
 namespace {
-
-TouchButton* tool(const QString& caption, const QString& spoken, const char* name) {
-  auto* button = new TouchButton(caption, TouchButton::Look::Plain);
-  button->setObjectName(QLatin1String(name));
-  button->setAccessibleName(spoken);
-  button->setBaseHeight(48);
-  return button;
-}
 
 struct Format {
   const char* name;
@@ -68,7 +61,7 @@ SessionsPage::SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* pare
   timeline_ = new SessionTimeline;
   timeline_->setObjectName(QStringLiteral("session-timeline"));
   transport_ = new TransportBar;
-  everywhere_ = tool(tr("ON ALL PAGES"), tr("Show the replay on all pages"), "replay-everywhere");
+  everywhere_ = toolButton(tr("ON ALL PAGES"), tr("Show the replay on all pages"), "replay-everywhere");
   everywhere_->setCheckable(true);
   auto* head = new QHBoxLayout;
   auto* names = new QVBoxLayout;
@@ -102,8 +95,8 @@ QWidget* SessionsPage::makeBelow() {
   connectMarks();
   sheets->addWidget(marks_);
   sheets->addWidget(makeResults());
-  std::vector<TouchButton*> buttons{tool(tr("MARK"), tr("Markers"), "sheet-mark"),
-                                    tool(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare")};
+  std::vector<TouchButton*> buttons{toolButton(tr("MARK"), tr("Markers"), "sheet-mark"),
+                                    toolButton(tr("COMPARE"), tr("Compare, score and export"), "sheet-compare")};
   for (std::size_t k = 0; k < buttons.size(); ++k) {
     buttons[k]->setCheckable(true);
     choices->addWidget(buttons[k]);
@@ -124,18 +117,20 @@ QWidget* SessionsPage::makeResults() {
   auto* sheet = new QWidget;
   auto* column = new QVBoxLayout(sheet);
   column->setContentsMargins(0, 0, 0, 0);
-  run_ = tool(tr("ALL DETECTORS"), tr("Run every detector on this recording"), "session-run");
-  score_ = tool(tr("SCORE"), tr("Score this recording against its markers"), "session-score");
-  scoreAll_ = tool(tr("SCORE FOLDER"), tr("Score the whole folder"), "session-score-all");
-  cut_ = tool(tr("EXPORT"), tr("Export the selected span, or the whole"), "session-export");
+  run_ = toolButton(tr("ALL DETECTORS"), tr("Run every detector on this recording"), "session-run");
+  score_ = toolButton(tr("SCORE"), tr("Score this recording against its markers"), "session-score");
+  scoreAll_ = toolButton(tr("SCORE FOLDER"), tr("Score the whole folder"), "session-score-all");
+  cut_ = toolButton(tr("EXPORT"), tr("Export the selected span, or the whole"), "session-export");
   formatButton_ =
-      tool(tr("AS %1").arg(QLatin1String(kFormats[0].name)), tr("The next format of EXPORT"), "session-format");
-  pdf_ = tool(tr("REPORT"), tr("Write a report"), "session-report");
-  stop_ = tool(tr("STOP"), tr("Stop what is being worked on"), "session-stop");
-  tuned_ = tool(tr("FROM TUNE"), tr("Take what was changed on the Tune page"), "session-tuned");
+      toolButton(tr("AS %1").arg(QLatin1String(kFormats[0].name)), tr("The next format of EXPORT"), "session-format");
+  pdf_ = toolButton(tr("REPORT"), tr("Write a report"), "session-report");
+  stop_ = toolButton(tr("STOP"), tr("Stop what is being worked on"), "session-stop");
+  tuned_ = toolButton(tr("FROM TUNE"), tr("Take what was changed on the Tune page"), "session-tuned");
+  beside_ = toolButton(tr("BESIDE"), tr("Keep this recording beside the next one that is opened"), "session-beside");
+  beside_->setCheckable(true);
   settings_ = new QLineEdit;
   settings_->setObjectName(QStringLiteral("session-settings"));
-  settings_->setPlaceholderText(QStringLiteral("energy-ratio.chatter=0.3"));
+  settings_->setPlaceholderText(tr("What if") + QStringLiteral(": energy-ratio.chatter=0.3"));
   settings_->setAccessibleName(tr("What if: settings, KEY=VALUE, with spaces between them"));
   auto* first = new QHBoxLayout;
   for (TouchButton* button : {run_, score_, scoreAll_, pdf_, stop_}) first->addWidget(button);
@@ -144,9 +139,8 @@ QWidget* SessionsPage::makeResults() {
   for (QBoxLayout* line :
        {static_cast<QBoxLayout*>(column), static_cast<QBoxLayout*>(first), static_cast<QBoxLayout*>(second)})
     lines_.push_back(line);
-  second->addWidget(new TextLabel({type_size::kBody}, tr("What if")));
   second->addWidget(settings_, 1);
-  for (TouchButton* button : {tuned_, cut_, formatButton_}) second->addWidget(button);
+  for (TouchButton* button : {tuned_, beside_, cut_, formatButton_}) second->addWidget(button);
   results_ = new TextLabel({type_size::kBody, false, false, true});
   results_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* scroll = new QScrollArea;
@@ -165,6 +159,11 @@ QWidget* SessionsPage::makeResults() {
   connect(cut_, &TouchButton::clicked, this, &SessionsPage::exportChosen);
   connect(formatButton_, &TouchButton::clicked, this, &SessionsPage::nextFormat);
   connect(pdf_, &TouchButton::clicked, this, [this] { writeDrawn(QStringLiteral(".pdf")); });
+  connect(beside_, &TouchButton::clicked, this, [this] {
+    const bool on = beside_->isChecked();
+    timeline_->setBeside(on ? desk_->summary() : nullptr);
+    if (on) tell(Done{}, tr("Open another recording: this one stays beside it, as the dashed line"));
+  });
   connect(stop_, &TouchButton::clicked, this, [this] { desk_->cancel(); });
   return sheet;
 }
@@ -212,7 +211,7 @@ void SessionsPage::connectMarks() {
 
 void SessionsPage::tell(const Status& status, const QString& done) {
   status_->setTone(status ? Tone::Normal : Tone::Onset);
-  status_->setText(status ? done : QString::fromStdString(status.error().line()));
+  status_->setText(status ? done : sayError(status.error()));
 }
 
 // Beside the recording; where nothing may be written there, among the others.
@@ -245,13 +244,19 @@ void SessionsPage::exportChosen() {
 void SessionsPage::writeDrawn(const QString& suffix) {
   const auto summary = desk_->summary();
   if (!summary || !report_) return;
-  if (!desk_->summaryWhole()) return tell(Error{"export", "the recording is still being read", "a moment later"}, {});
+  if (!desk_->summaryWhole())
+    return tell(
+        Error{QT_TRANSLATE_NOOP("Core", "export"), QT_TRANSLATE_NOOP("Core", "the recording is still being read"),
+              QT_TRANSLATE_NOOP("Core", "a moment later")},
+        {});
   const QString file = exportName(suffix);
   tell(report_(*summary, file), tr("Written: %1").arg(file));
 }
 
 void SessionsPage::see(const Picture&) {
-  if (desk_ != nullptr && desk_->poll()) refresh();
+  if (desk_ == nullptr || !desk_->poll()) return;
+  refresh();
+  if (std::exchange(keptFolder_, desk_->folder()) != desk_->folder()) emit stateChanged();
 }
 
 void SessionsPage::refresh() {
@@ -259,6 +264,8 @@ void SessionsPage::refresh() {
   if (any) {
     marks_->refresh();
     timeline_->setSummary(desk_->summary());
+    // What is kept is read to its end first.
+    if (beside_->isChecked() && !timeline_->besideShown()) timeline_->setBeside(desk_->summary());
     timeline_->setTracks(desk_->tracks());
     std::vector<SessionTimeline::Mark> marks;
     for (const Marker& m : desk_->markers()) {
@@ -274,16 +281,16 @@ void SessionsPage::refresh() {
   const bool whole = summary != nullptr && desk_->summaryWhole();
   if (whole) {
     facts_->setText(tr("%1 · %2 · alarms: %3 · in chatter %4")
-                        .arg(QString::fromStdString(summary->kind), timeText(summary->length))
+                        .arg(coreSentence(summary->kind), timeText(summary->length))
                         .arg(summary->alarms)
                         .arg(duration(summary->chatterTime)));
   } else {
-    facts_->setText(summary != nullptr ? QStringLiteral("%1 · %2").arg(QString::fromStdString(summary->kind),
-                                                                       timeText(summary->length))
-                                       : QString());
+    facts_->setText(summary != nullptr
+                        ? QStringLiteral("%1 · %2").arg(coreSentence(summary->kind), timeText(summary->length))
+                        : QString());
   }
   const bool open = summary != nullptr;
-  for (TouchButton* button : {run_, score_, cut_, everywhere_}) button->setEnabled(open);
+  for (TouchButton* button : {run_, score_, cut_, everywhere_, beside_}) button->setEnabled(open);
   pdf_->setEnabled(whole);
   scoreAll_->setEnabled(any && !desk_->entries().empty());
   if (any) showResults();
@@ -342,7 +349,7 @@ void SessionsPage::applyTheme(const Theme& theme) {
   }
   below_->layout()->setSpacing(apart);
   settings_->setFont(theme.font(type_size::kBody));
-  settings_->setFixedHeight(theme.px(48));
+  settings_->setFixedHeight(touchHeight(theme, this, 48));
 }
 
 }  // namespace stillcut::ui

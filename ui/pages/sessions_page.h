@@ -47,6 +47,7 @@ class SessionsPage : public Page {
   void writeDrawn(const QString& suffix);
   QString exportName(const QString& suffix) const;
 
+  QString keptFolder_;  // that was said to be worth keeping
   SessionDesk* desk_;
   ReportWriter report_;
   Theme theme_;
@@ -57,7 +58,7 @@ class SessionsPage : public Page {
   MarkSheet* marks_ = nullptr;
   QLineEdit* settings_ = nullptr;
   TouchButton *run_ = nullptr, *tuned_ = nullptr, *score_ = nullptr, *scoreAll_ = nullptr, *cut_ = nullptr,
-              *pdf_ = nullptr, *everywhere_ = nullptr, *formatButton_ = nullptr, *stop_ = nullptr;
+              *pdf_ = nullptr, *everywhere_ = nullptr, *formatButton_ = nullptr, *stop_ = nullptr, *beside_ = nullptr;
   TextLabel *title_ = nullptr, *facts_ = nullptr, *status_ = nullptr, *results_ = nullptr, *verdict_ = nullptr;
   SessionTimeline* timeline_ = nullptr;
   TransportBar* transport_ = nullptr;

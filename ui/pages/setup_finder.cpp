@@ -5,6 +5,7 @@
 #include <QListWidget>
 
 #include "ui/models/say.h"
+#include "ui/widgets/step_list.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 
@@ -20,7 +21,13 @@ SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       save_(makeButton(tr("SAVE"), tr("Save the link with its delay into the profile"), QStringLiteral("link-save"))),
       places_(new QListWidget),
       note_(new TextLabel({type_size::kBody, false, true, true})),
-      steps_(new TextLabel({type_size::kBody, false, false, true})) {
+      steps_(new StepList) {
+  layOut();
+  connectAll();
+  SetupFinder::refresh();
+}
+
+void SetupFinder::layOut() {
   auto* column = new QVBoxLayout(this);
   column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("FIND THE MACHINE")));
   auto* line = new QHBoxLayout;
@@ -33,6 +40,8 @@ SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   places_->setWordWrap(true);
   places_->setResizeMode(QListView::Adjust);
   places_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  constexpr int kLeastHeight = 80;  // gives way to what the test of a link says
+  places_->setMinimumHeight(kLeastHeight);
   column->addWidget(places_, 1);
   column->addWidget(note_);
   auto* buttons = new QHBoxLayout;
@@ -40,6 +49,9 @@ SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   buttons->addStretch(1);
   column->addLayout(buttons);
   column->addWidget(steps_);
+}
+
+void SetupFinder::connectAll() {
   connect(find_, &TouchButton::clicked, this, [this] {
     if (desk_.search().runs) {
       desk_.stopFinding();
@@ -59,7 +71,6 @@ SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   });
   connect(save_, &TouchButton::clicked, this, &SetupFinder::save);
   connect(places_, &QListWidget::currentRowChanged, this, [this] { showFound(); });
-  SetupFinder::refresh();
 }
 
 // The servers of one machine are found one by one, and are one link.
@@ -86,7 +97,7 @@ void SetupFinder::use() {
 void SetupFinder::save() {
   const auto saved = desk_.save(draft_.profile(), draft_.name());
   note_->setTone(saved ? Tone::Normal : Tone::Onset);
-  note_->setText(saved ? tr("Saved: %1").arg(saved.value()) : QString::fromStdString(saved.error().line()));
+  note_->setText(saved ? tr("Saved: %1").arg(saved.value()) : sayError(saved.error()));
   note_->setVisible(true);
 }
 
@@ -99,15 +110,15 @@ void SetupFinder::showFound() {
 
 void SetupFinder::showTest() {
   const LinkTest& test = desk_.linkTest();
-  QStringList lines;
+  std::vector<StepLine> lines;
   for (const LinkTest::Step& step : test.steps) {
-    lines << QStringLiteral("%1  %2: %3")
-                 .arg(step.good ? QStringLiteral("✓") : QStringLiteral("✗"), sayCore(step.what.toStdString()),
-                      sayCore(step.said.toStdString()));
+    lines.push_back(
+        {QStringLiteral("%1  %2: %3")
+             .arg(step.good ? QStringLiteral("✓") : QStringLiteral("✗"), sayCore(step.what.toStdString()), step.said),
+         step.good ? Tone::Normal : Tone::Onset});
   }
-  if (test.state == LinkTest::State::Runs) lines << QStringLiteral("…");
-  steps_->setTone(test.state == LinkTest::State::Bad ? Tone::Onset : Tone::Normal);
-  steps_->setText(lines.join(u'\n'));
+  if (test.state == LinkTest::State::Runs) lines.push_back({QStringLiteral("…")});
+  steps_->display(lines);
 }
 
 void SetupFinder::refresh() {

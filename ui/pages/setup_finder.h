@@ -8,6 +8,8 @@ class QListWidget;
 
 namespace stillcut::ui {
 
+class StepList;
+
 class SetupFinder : public SetupTab {
   Q_OBJECT
  public:
@@ -19,6 +21,8 @@ class SetupFinder : public SetupTab {
   void paintEvent(QPaintEvent*) override {}  // a part of another tab's surface
 
  private:
+  void layOut();
+  void connectAll();
   void use();
   void save();
   void showFound();
@@ -27,7 +31,8 @@ class SetupFinder : public SetupTab {
   QLineEdit* hosts_;
   TouchButton *find_, *use_, *test_, *save_;
   QListWidget* places_;
-  TextLabel *note_, *steps_;
+  TextLabel* note_;
+  StepList* steps_;
 };
 
 }  // namespace stillcut::ui

@@ -21,7 +21,11 @@ SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(des
     line->addWidget(new TextLabel({type_size::kValue, false, true, true}, tr("There is nothing to set up here.")));
     return;
   }
-  draft_.open(desk->draft(), desk->profileInForce());
+  if (const auto begun = desk->keptDraft()) {
+    draft_.open(*begun, {});
+  } else {
+    draft_.open(desk->draft(), desk->profileInForce());
+  }
   tabs_ = {new SetupGuide(*desk, draft_), new SetupMachine(*desk, draft_),   new SetupSensors(*desk, draft_),
            new SetupTools(*desk, draft_), new SetupRecording(*desk, draft_), new SetupProfile(*desk, draft_)};
   const struct {
@@ -48,6 +52,8 @@ SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(des
   line->addWidget(stack_, 1);
   connect(&draft_, &SetupDraft::changed, this, [this] {
     for (SetupTab* tab : tabs_) tab->refresh();
+    desk_->keepDraft(draft_.profile());
+    emit stateChanged();
   });
   showTab(0);
 }
@@ -55,6 +61,7 @@ SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(des
 void SetupPage::showTab(int tab) {
   stack_->setCurrentIndex(tab);
   for (std::size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setChecked(static_cast<int>(k) == tab);
+  emit stateChanged();
 }
 
 void SetupPage::see(const Picture&) {
@@ -63,16 +70,20 @@ void SetupPage::see(const Picture&) {
 }
 
 void SetupPage::display(const Picture& picture) {
-  if (desk_ != nullptr) tabs_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
+  if (desk_ == nullptr) return;
+  draft_.setUnits(picture.units);
+  tabs_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
 }
 
 void SetupPage::keep(QSettings& settings) const {
   settings.setValue(QStringLiteral("tab"), stack_->currentIndex());
+  settings.setValue(QStringLiteral("draft"), draft_.name());
 }
 
 void SetupPage::restore(const QSettings& settings) {
   const int tab = settings.value(QStringLiteral("tab"), 0).toInt();
   if (tab >= 0 && tab < static_cast<int>(tabs_.size())) showTab(tab);
+  if (desk_ != nullptr && desk_->keptDraft()) draft_.setName(settings.value(QStringLiteral("draft")).toString());
 }
 
 void SetupPage::applyTheme(const Theme& theme) {

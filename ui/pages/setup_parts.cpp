@@ -14,6 +14,7 @@
 #include "ui/pages/setup_finder.h"
 #include "ui/pages/setup_sensor_trial.h"
 #include "ui/plots/level_spectrum.h"
+#include "ui/widgets/painting.h"
 #include "ui/widgets/settings_form.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
@@ -44,7 +45,8 @@ QScrollArea* scrolled(QWidget* content) {
 QStringList clockLines(const std::vector<JoinedClock>& clocks) {
   QStringList lines;
   for (const JoinedClock& clock : clocks) {
-    lines << say("Joined device, %1 channels: %2 by this computer's clock, aligned within %3 µs")
+    lines << say("Joined device, %1 channels: %2 by this computer's clock, times steady within %3 µs, beside any "
+                 "constant delay of its wire")
                  .arg(clock.channels)
                  .arg(frequency(clock.rate, Hertz(clock.rate.value * 1e-5)), significant(1e6 * clock.residual.value));
   }
@@ -67,7 +69,8 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       form_(new SettingsForm),
       name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
       speed_(makeEdit(tr("Programmed speed in rpm"), QStringLiteral("machine-speed"))),
-      feed_(makeEdit(tr("Programmed feed in mm per minute"), QStringLiteral("machine-feed"))),
+      feed_(makeEdit(tr("Programmed feed"), QStringLiteral("machine-feed"))),
+      feedLabel_(new TextLabel({type_size::kBody})),
       finder_(new SetupFinder(desk, draft)),
       allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
                             QStringLiteral("machine-auto"))) {
@@ -79,7 +82,7 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   names->addWidget(name_, 2);
   names->addWidget(new TextLabel({type_size::kBody}, tr("Speed, rpm")));
   names->addWidget(speed_, 1);
-  names->addWidget(new TextLabel({type_size::kBody}, tr("Feed, mm/min")));
+  names->addWidget(feedLabel_);
   names->addWidget(feed_, 1);
   whole->addLayout(names);
   whole->addLayout(columns, 1);
@@ -114,7 +117,9 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   connect(speed_, &QLineEdit::editingFinished, this,
           [this] { draft_.edit([this](config::Profile& p) { p.cut.nominalSpeed = Rpm(typed(speed_)); }); });
   connect(feed_, &QLineEdit::editingFinished, this, [this] {
-    draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = MetresPerSecond(typed(feed_) / 60e3); });
+    if (!feed_->isModified()) return;  // what is shown is rounded
+    draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = feedFrom(typed(feed_), draft_.units()); });
+    feed_->setModified(false);
   });
   connect(allowAuto_, &TouchButton::clicked, this,
           [this] { draft_.edit([this](config::Profile& p) { p.allowAuto = allowAuto_->isChecked(); }); });
@@ -136,7 +141,11 @@ void SetupMachine::refresh() {
   };
   put(name_, QString::fromStdString(profile.cut.machine));
   put(speed_, profile.cut.nominalSpeed.value > 0.0 ? number(profile.cut.nominalSpeed.value) : QString());
-  put(feed_, profile.cut.nominalFeed.value > 0.0 ? number(profile.cut.nominalFeed.value * 60e3) : QString());
+  const UnitSystem units = draft_.units();
+  const QString feed = number(feedIn(profile.cut.nominalFeed, units), units == UnitSystem::Inch ? 1 : 0);
+  put(feed_, profile.cut.nominalFeed.value > 0.0 ? feed : QString());
+  feedLabel_->setText(tr("Feed, %1").arg(feedUnit(units)));
+  feed_->setAccessibleName(tr("Programmed feed in %1").arg(feedUnit(units)));
 }
 
 SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
@@ -155,19 +164,21 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
   left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
-  auto* choices = new QHBoxLayout;
+  auto* choices = new QGridLayout;
+  constexpr int kInARow = 4;
   for (const PartOption& option : desk.sources()) {
     TouchButton* button = makeButton(option.id.toUpper(), sayCore(option.description.toStdString()),
                                      QStringLiteral("source-") + option.id);
     button->setCheckable(true);
+    const int place = static_cast<int>(sources_.size());
     sources_.push_back(button);
-    choices->addWidget(button);
+    choices->addWidget(button, place / kInARow, place % kInARow);
     connect(button, &TouchButton::clicked, this, [this, id = option.id] {
       draft_.setSource(id);
       refresh();
     });
   }
-  choices->addStretch(1);
+  choices->setColumnStretch(kInARow, 1);
   left->addLayout(choices);
   left->addWidget(about_);
   left->addWidget(scrolled(form_), 2);
@@ -177,6 +188,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   table_->setAccessibleName(tr("Channels"));
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(ChannelModel::Quantity, QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::AllEditTriggers);
   left->addWidget(table_, 3);
   auto* buttons = new QHBoxLayout;
@@ -202,6 +214,7 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   connect(listen_, &TouchButton::clicked, this, [this] {
     heardFresh_ = {};
     if (listen_->isChecked()) {
+      listened_ = draft_.profile().source;
       desk_.listen(draft_.profile(), draft_.name());
     } else {
       desk_.stopListening();
@@ -218,6 +231,8 @@ void SetupSensors::refresh() {
     button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));
   }
   listen_->setEnabled(!profile.source.id.empty());
+  const bool another = profile.source.id != listened_.id || profile.source.settings != listened_.settings;
+  if (another && desk_.heard().state != Heard::State::Off) desk_.stopListening();
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
                                             : described(desk_.sources(), profile.source.id));
   form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
@@ -264,7 +279,7 @@ void SetupSensors::applyTheme(const Theme& theme) {
   SetupTab::applyTheme(theme);
   table_->setFont(theme.font(type_size::kBody));
   table_->horizontalHeader()->setFont(theme.font(type_size::kLabel));
-  table_->verticalHeader()->setDefaultSectionSize(theme.px(46));
+  table_->verticalHeader()->setDefaultSectionSize(touchHeight(theme, this));
 }
 
 }  // namespace stillcut::ui

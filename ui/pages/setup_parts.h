@@ -26,6 +26,7 @@ class SetupMachine : public SetupTab {
   TextLabel* about_;
   SettingsForm* form_;
   QLineEdit *name_, *speed_, *feed_;
+  TextLabel* feedLabel_;
   SetupFinder* finder_;
   TouchButton* allowAuto_;
 };
@@ -47,6 +48,7 @@ class SetupSensors : public SetupTab {
   std::vector<TouchButton*> sources_;
   TextLabel *about_, *whose_, *state_, *findings_, *levels_;
   TouchButton* listen_;
+  config::PartChoice listened_;  // what was chosen then
   Freshness heardFresh_;
   SettingsForm* form_;
   ChannelModel channels_;

@@ -6,24 +6,25 @@
 #include <QListWidget>
 
 #include "ui/models/say.h"
+#include "ui/widgets/step_list.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
 namespace {
 
-QString stepText(const TrialStep& step) {
+StepLine lineOf(const TrialStep& step) {
   const QString names[] = {say("settings"), say("device"), say("samples"), say("link"), say("machine")};
   const QString name = names[static_cast<std::size_t>(step.what)];
   switch (step.state) {
     case TrialStep::State::Waits:
-      return QStringLiteral("○  ") + name;
+      return {QStringLiteral("○  ") + name, Tone::Faint};
     case TrialStep::State::Runs:
-      return QStringLiteral("…  ") + name;
+      return {QStringLiteral("…  ") + name};
     case TrialStep::State::Good:
-      return QStringLiteral("✓  ") + name + (step.detail.isEmpty() ? QString() : QStringLiteral(": ") + step.detail);
+      return {QStringLiteral("✓  ") + name + (step.detail.isEmpty() ? QString() : QStringLiteral(": ") + step.detail)};
     case TrialStep::State::Bad:
-      return QStringLiteral("✗  ") + name + QStringLiteral(": ") + step.detail;
+      return {QStringLiteral("✗  ") + name + QStringLiteral(": ") + step.detail, Tone::Onset};
   }
   return {};
 }
@@ -34,7 +35,7 @@ SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     : SetupTab(desk, draft, parent),
       name_(makeEdit(tr("Name of the profile"), QStringLiteral("profile-name"))),
       known_(new QListWidget),
-      trial_(new TextLabel({type_size::kBody, false, false, true})),
+      trial_(new StepList),
       note_(new TextLabel({type_size::kBody, true, false, true})),
       force_(new TextLabel({type_size::kBody, false, true, true})),
       try_(makeButton(tr("TRY OUT"), tr("Try out step by step; nothing is commanded"), QStringLiteral("profile-try"))),
@@ -93,7 +94,7 @@ SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     if (profile) draft_.open(*profile, name);
     tell(profile ? Status(Done{}) : Status(profile.error()), tr("Loaded: %1").arg(name));
   });
-  refresh();
+  SetupProfile::refresh();
 }
 
 void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const std::vector<PartOption>& options,
@@ -106,6 +107,7 @@ void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const st
     TouchButton* button = makeButton(sayCore(option.description.toStdString()),
                                      sayCore(option.description.toStdString()), prefix + option.id);
     button->setCheckable(true);
+    button->setTwoLines(true);
     const int place = static_cast<int>(buttons.size());
     grid->addWidget(button, place / kColumns, place % kColumns);
     buttons.push_back(button);
@@ -117,7 +119,7 @@ void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const st
 
 void SetupProfile::tell(const Status& status, const QString& done) {
   note_->setTone(status ? Tone::Normal : Tone::Onset);
-  note_->setText(status ? done : QString::fromStdString(status.error().line()));
+  note_->setText(status ? done : sayError(status.error()));
 }
 
 void SetupProfile::refresh() {
@@ -140,15 +142,10 @@ void SetupProfile::refresh() {
 }
 
 void SetupProfile::showTrial() {
-  QStringList lines;
-  bool bad = false;
-  for (const TrialStep& step : desk_.trial()) {
-    lines.push_back(stepText(step));
-    bad = bad || step.state == TrialStep::State::Bad;
-  }
-  trial_->setTone(bad ? Tone::Onset : Tone::Normal);
-  trial_->setText(lines.isEmpty() ? tr("Try it out first: each step says what was found. Nothing is commanded.")
-                                  : lines.join(u'\n'));
+  std::vector<StepLine> lines;
+  for (const TrialStep& step : desk_.trial()) lines.push_back(lineOf(step));
+  if (lines.empty()) lines.push_back({tr("Try it out first: each step says what was found. Nothing is commanded.")});
+  trial_->display(lines);
 }
 
 void SetupProfile::applyTheme(const Theme& theme) {

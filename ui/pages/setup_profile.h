@@ -8,6 +8,8 @@ class QListWidget;
 
 namespace stillcut::ui {
 
+class StepList;
+
 class SetupProfile : public SetupTab {
   Q_OBJECT
  public:
@@ -24,7 +26,8 @@ class SetupProfile : public SetupTab {
   QLineEdit* name_;
   QListWidget* known_;
   std::vector<TouchButton*> detectors_, strategies_;
-  TextLabel *trial_, *note_, *force_;
+  StepList* trial_;
+  TextLabel *note_, *force_;
   TouchButton *try_, *save_, *start_, *load_;
 };
 

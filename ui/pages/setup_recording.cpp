@@ -135,7 +135,7 @@ void SetupRecording::setParam(const config::ParamDecl& decl, const QString& text
       set = p.params.set(catalog_, decl.key, number.toStdString(), shown(decl.label).toStdString());
     }
   });
-  problem_->setText(set ? QString() : QString::fromStdString(set.error().line()));
+  problem_->setText(set ? QString() : sayError(set.error()));
 }
 
 void SetupRecording::refresh() {

@@ -33,7 +33,8 @@ SetupSensorTrial::SetupSensorTrial(SetupDesk& desk, SetupDraft& draft, std::func
   tone->addWidget(calibrate_);
   column->addLayout(tone);
   auto* axis = new QHBoxLayout;
-  axis->addWidget(new TextLabel(TextLabel::Look{type_size::kBody}, tr("Is it this sensor that lies along its axis?")),
+  axis->addWidget(new TextLabel(TextLabel::Look{type_size::kBody, false, false, true},
+                                tr("Is it this sensor that lies along its axis?")),
                   1);
   axis->addWidget(knock_);
   column->addLayout(axis);

@@ -4,6 +4,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "ui/models/say.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
@@ -34,7 +35,7 @@ void SetupTab::applyTheme(const Theme& theme) {
   theme_ = theme;
   for (QLineEdit* edit : edits_) {
     edit->setFont(theme.font(type_size::kBody));
-    edit->setFixedHeight(std::max(theme.px(46), pixelsFor(kTouchMm, this)));
+    edit->setFixedHeight(touchHeight(theme, this));
   }
   if (layout() == nullptr) return;
   layout()->setContentsMargins(theme.px(20), theme.px(14), theme.px(20), theme.px(14));
@@ -78,7 +79,7 @@ SetupGuide::SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   connect(show, &TouchButton::clicked, this, [this] {
     const Status begun = desk_.startDemonstration();
     note_->setTone(begun ? Tone::Normal : Tone::Onset);
-    note_->setText(begun ? QString() : QString::fromStdString(begun.error().line()));
+    note_->setText(begun ? QString() : sayError(begun.error()));
     if (begun) emit started();
   });
   refresh();

@@ -5,10 +5,13 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QPlainTextEdit>
+#include <QTextDocument>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "ui/models/format.h"
+#include "ui/models/say.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 
@@ -31,7 +34,7 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       name_(makeEdit(tr("Tool"), QStringLiteral("tool-name"))),
       holder_(makeEdit(tr("Holder and stick-out"), QStringLiteral("tool-holder"))),
       teeth_(makeEdit(tr("Teeth"), QStringLiteral("tool-teeth"))),
-      diameter_(makeEdit(tr("Diameter, mm"), QStringLiteral("tool-diameter"))),
+      diameter_(makeEdit(tr("Diameter"), QStringLiteral("tool-diameter"))),
       pitch_(makeEdit(tr("Pitch angles, degrees"), QStringLiteral("tool-pitch"))),
       modes_(makeEdit(tr("File of its modes"), QStringLiteral("tool-modes"))),
       limit_(makeEdit(tr("Highest speed, rpm"), QStringLiteral("tool-limit"))),
@@ -41,6 +44,7 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       save_(makeButton(tr("KEEP"), tr("Keep this tool"), QStringLiteral("tool-save"))),
       use_(makeButton(tr("USE IT"), tr("Use this tool for the profile"), QStringLiteral("tool-use"))),
       remove_(makeButton(tr("REMOVE"), tr("Remove this tool"), QStringLiteral("tool-remove"))),
+      putBack_(makeButton(tr("PUT IT BACK"), tr("Put the removed tool back"), QStringLiteral("tool-put-back"))),
       here_(makeButton(tr("CHATTERED HERE"), tr("Note that it chatters now"), QStringLiteral("tool-chattered"))) {
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
@@ -53,12 +57,16 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   left->addWidget(list_, 1);
   left->addWidget(add);
+  left->addWidget(putBack_);
+  putBack_->hide();
   auto* right = new QVBoxLayout;
   auto* fields = new QGridLayout;
   int row = 0;
   for (QLineEdit* edit : {name_, holder_, teeth_, diameter_, pitch_, modes_, limit_}) {
     const int column = row % 2 * 2;
-    fields->addWidget(new TextLabel(TextLabel::Look{type_size::kBody}, edit->accessibleName()), row / 2, column);
+    auto* label = new TextLabel(TextLabel::Look{type_size::kBody}, edit->accessibleName());
+    if (edit == diameter_) diameterLabel_ = label;
+    fields->addWidget(label, row / 2, column);
     fields->addWidget(edit, row / 2, column + 1);
     ++row;
   }
@@ -81,7 +89,10 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   columns->addLayout(right, 68);
 
   connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& index) { showTool(index.row()); });
+          [this](const QModelIndex& index, const QModelIndex& before) {
+            if (edited() && tools_.tool(before.row()) != nullptr) typed_[before.row()] = typedOver(before.row());
+            showTool(index.row());
+          });
   connect(add, &TouchButton::clicked, this, [this] {
     ToolEntry tool;
     tool.name = tr("New tool");
@@ -90,43 +101,106 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     name_->selectAll();
   });
   connect(save_, &TouchButton::clicked, this, [this] {
-    tools_.put(list_->currentIndex().row(), typed());
+    if (!pitchFits()) return;
+    take(typed());
     keep(tr("Kept"));
   });
   connect(use_, &TouchButton::clicked, this, [this] {
-    tools_.put(list_->currentIndex().row(), typed());
-    draft_.useTool(typed());
+    if (!pitchFits()) return;
+    const ToolEntry tool = typed();
+    take(tool);
+    draft_.useTool(tool);
     keep(tr("The profile uses it now"));
   });
   connect(remove_, &TouchButton::clicked, this, [this] {
-    tools_.remove(list_->currentIndex().row());
+    const int chosen = list_->currentIndex().row();
+    showTool(chosen);  // what was typed of it goes with it
+    removed_ = {chosen, *tools_.tool(chosen)};
+    tools_.remove(chosen);
+    moveTyped(chosen, -1);
+    putBack_->show();
     keep(tr("Removed"));
+  });
+  connect(putBack_, &TouchButton::clicked, this, [this] {
+    moveTyped(removed_.first, 1);
+    tools_.insert(removed_.first, removed_.second);
+    list_->setCurrentIndex(tools_.index(removed_.first));
+    putBack_->hide();
+    keep(tr("It is back"));
   });
   connect(here_, &TouchButton::clicked, this, &SetupTools::noteChatter);
   if (auto known = desk_.tools(); known) {
     tools_.show(std::move(known).value());
   } else {
     note_->setTone(Tone::Onset);
-    note_->setText(QString::fromStdString(known.error().line()));
+    note_->setText(sayError(known.error()));
   }
   list_->setCurrentIndex(tools_.index(0));
+  showUnits();
+}
+
+void SetupTools::refresh() {
+  if (tools_.units() != draft_.units()) showUnits();
+}
+
+void SetupTools::showUnits() {
+  tools_.setUnits(draft_.units());
+  const QString label = tr("Diameter, %1").arg(lengthUnit(draft_.units()));
+  diameterLabel_->setText(label);
+  diameter_->setAccessibleName(label);
   showTool(list_->currentIndex().row());
 }
 
-void SetupTools::refresh() {}
+bool SetupTools::edited() const {
+  const QLineEdit* edits[] = {name_, holder_, teeth_, diameter_, pitch_, modes_, limit_};
+  return notes_->document()->isModified() ||
+         std::any_of(std::begin(edits), std::end(edits), [](const QLineEdit* edit) { return edit->isModified(); });
+}
+
+void SetupTools::take(const ToolEntry& tool) {
+  const int row = list_->currentIndex().row();
+  tools_.put(row, tool);
+  typed_.erase(row);
+}
+
+// The rows from `from` on have moved.
+void SetupTools::moveTyped(int from, int by) {
+  std::map<int, ToolEntry> moved;
+  for (auto& [row, tool] : typed_) {
+    if (by < 0 && row == from) continue;
+    moved[row >= from ? row + by : row] = std::move(tool);
+  }
+  typed_ = std::move(moved);
+}
 
 ToolEntry SetupTools::typed() const {
-  const ToolEntry* before = tools_.tool(list_->currentIndex().row());
+  return typedOver(list_->currentIndex().row());
+}
+
+ToolEntry SetupTools::typedOver(int row) const {
+  const ToolEntry* before = tools_.tool(row);
   ToolEntry tool = before != nullptr ? *before : ToolEntry();
+  const UnitSystem units = tools_.units();
   tool.name = name_->text().trimmed().isEmpty() ? tool.name : name_->text().trimmed();
   tool.holder = holder_->text().trimmed();
   tool.teeth = std::clamp(static_cast<int>(numberIn(teeth_, tool.teeth)), 1, 64);
-  tool.diameter_mm = std::clamp(numberIn(diameter_, tool.diameter_mm), 0.05, 1000.0);
+  if (diameter_->isModified()) {  // what is shown is rounded
+    const Metres typed = lengthFrom(numberIn(diameter_, lengthIn(Metres(tool.diameter_mm * 1e-3), units)), units);
+    tool.diameter_mm = std::clamp(1e3 * typed.value, 0.05, 1000.0);
+  }
   tool.pitch = pitch_->text().trimmed();
   tool.modes = modes_->text().trimmed();
-  tool.highestSpeed_rpm = std::min(numberIn(limit_, 0.0), 200000.0);
+  tool.highestSpeed_rpm =
+      std::min(numberIn(limit_, limit_->text().trimmed().isEmpty() ? 0.0 : tool.highestSpeed_rpm), 200000.0);
   tool.notes = notes_->toPlainText();
   return tool;
+}
+
+bool SetupTools::pitchFits() {
+  if (pitchAngles(typed())) return true;
+  note_->setTone(Tone::Onset);
+  note_->setText(tr("Not kept: the pitch needs one angle per tooth, 360 degrees together"));
+  return false;
 }
 
 void SetupTools::showTool(int row) {
@@ -135,11 +209,14 @@ void SetupTools::showTool(int row) {
   notes_->setEnabled(tool != nullptr);
   for (TouchButton* button : {save_, use_, remove_}) button->setEnabled(tool != nullptr);
   here_->setEnabled(tool != nullptr && alarming_);
-  const ToolEntry shown = tool != nullptr ? *tool : ToolEntry();
+  const auto unkept = typed_.find(row);
+  const ToolEntry shown = unkept != typed_.end() ? unkept->second : tool != nullptr ? *tool : ToolEntry();
   name_->setText(shown.name);
   holder_->setText(shown.holder);
   teeth_->setText(tool != nullptr ? QString::number(shown.teeth) : QString());
-  diameter_->setText(tool != nullptr ? QString::number(shown.diameter_mm, 'g', 5) : QString());
+  diameter_->setText(tool != nullptr
+                         ? QString::number(lengthIn(Metres(shown.diameter_mm * 1e-3), tools_.units()), 'g', 5)
+                         : QString());
   pitch_->setText(shown.pitch);
   modes_->setText(shown.modes);
   limit_->setText(shown.highestSpeed_rpm > 0.0 ? QString::number(shown.highestSpeed_rpm, 'f', 0) : QString());
@@ -151,15 +228,17 @@ void SetupTools::showTool(int row) {
     lines.push_back(tr("Chattered at %1 rpm, %2 Hz  %3").arg(number(c.speed_rpm), number(c.frequency_hz), c.note));
   }
   chattered_->setText(lines.join(u'\n'));
-  if (tool == nullptr) note_->setText(tr("No tools yet: begin with NEW TOOL"));
+  note_->setTone(Tone::Normal);
+  note_->setText(tool == nullptr          ? tr("No tools yet: begin with NEW TOOL")
+                 : unkept != typed_.end() ? tr("Not kept yet")
+                                          : QString());
 }
 
 void SetupTools::keep(const QString& done) {
   const Status saved = desk_.saveTools(tools_.tools());
+  showTool(list_->currentIndex().row());
   note_->setTone(saved ? Tone::Normal : Tone::Onset);
-  note_->setText(saved ? done : QString::fromStdString(saved.error().line()));
-  const int row = list_->currentIndex().row();
-  if (tools_.tool(row) != nullptr) showTool(row);
+  if (!saved || !tools_.tools().empty()) note_->setText(saved ? done : sayError(saved.error()));
 }
 
 void SetupTools::display(const Picture& picture) {
@@ -174,7 +253,7 @@ void SetupTools::display(const Picture& picture) {
 void SetupTools::noteChatter() {
   ToolEntry tool = typed();
   tool.chattered.push_back(now_);
-  tools_.put(list_->currentIndex().row(), tool);
+  take(tool);
   keep(tr("Noted"));
 }
 

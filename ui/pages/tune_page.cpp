@@ -23,8 +23,6 @@
 namespace stillcut::ui {
 namespace {
 
-constexpr int kInputsPerTick = 4;  // as many as one block takes
-
 TouchButton* tool(const QString& caption, const char* name, QWidget* parent) {
   auto* button = new TouchButton(caption, TouchButton::Look::Plain, parent);
   button->setObjectName(QLatin1String(name));
@@ -40,12 +38,7 @@ TunePage::TunePage(Tuning* tuning, std::function<ActiveDesk*()> active, QWidget*
       theme_(makeTheme(ThemeKind::Light, 1.0)),
       active_(new ActiveView(std::move(active))) {
   build();
-  connect(&desk_, &TuneDesk::changed, this, [this] {
-    for (ParamRow* row : rows_) row->refresh();
-    rules_->refresh(nullptr);
-    refreshTools();
-  });
-  connect(&desk_.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
+  work(none_);
   openRun();
 }
 
@@ -59,8 +52,10 @@ void TunePage::build() {
   list_->setResizeMode(QListView::Adjust);
   list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // names are broken to the width that stays
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this,
-          [this](const QModelIndex& index) { showPart(parts_.part(index.row())); });
+  connect(list_->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex& index) {
+    showPart(parts_.part(index.row()));
+    emit stateChanged();
+  });
 
   auto* middle = new QVBoxLayout;
   middle->addWidget(makeToolbar());
@@ -77,7 +72,7 @@ void TunePage::build() {
   rowsLayout_ = new QVBoxLayout(rowsBox_);
   rowsLayout_->setContentsMargins(0, 0, 0, 0);
   rowsLayout_->setSpacing(0);
-  rules_ = new RuleEditor(desk_);
+  rules_ = new RuleEditor(none_);
   rowsLayout_->addWidget(active_);
   rowsLayout_->addWidget(rules_);
   rowsBefore_ = rowsLayout_->count();
@@ -105,13 +100,13 @@ QWidget* TunePage::makeToolbar() {
   undo_->setKey(QKeySequence::Undo);
   redo_->setKey(QKeySequence(Qt::CTRL | Qt::Key_Y));
   save_->setKey(QKeySequence::Save);
-  connect(undo_, &TouchButton::clicked, &desk_.undoStack(), &QUndoStack::undo);
-  connect(redo_, &TouchButton::clicked, &desk_.undoStack(), &QUndoStack::redo);
+  connect(undo_, &TouchButton::clicked, this, [this] { desk_->undoStack().undo(); });
+  connect(redo_, &TouchButton::clicked, this, [this] { desk_->undoStack().redo(); });
   connect(start_, &TouchButton::clicked, this, [this] {
-    if (params_.part() != nullptr) desk_.resetToStart(openParams());
+    if (params_.part() != nullptr) desk_->resetToStart(openParams());
   });
   connect(reset_, &TouchButton::clicked, this, [this] {
-    if (params_.part() != nullptr) desk_.resetToDefaults(openParams());
+    if (params_.part() != nullptr) desk_->resetToDefaults(openParams());
   });
   connect(save_, &TouchButton::clicked, this, &TunePage::save);
   for (TouchButton* button : {undo_, redo_, start_, reset_, save_}) tools_->addWidget(button);
@@ -137,14 +132,14 @@ QWidget* TunePage::makeSide() {
   useA_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
   useB_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
   connect(useA_, &TouchButton::clicked, this, [this] {
-    desk_.use(TuneDesk::A);
+    desk_->use(TuneDesk::A);
     refreshTools();
   });
   connect(useB_, &TouchButton::clicked, this, [this] {
-    desk_.use(TuneDesk::B);
+    desk_->use(TuneDesk::B);
     refreshTools();
   });
-  connect(copy_, &TouchButton::clicked, &desk_, &TuneDesk::copyToOther);
+  connect(copy_, &TouchButton::clicked, this, [this] { desk_->copyToOther(); });
   sides_ = new QHBoxLayout;
   for (TouchButton* button : {useA_, useB_, copy_}) sides_->addWidget(button);
   differs_ = new TextLabel({type_size::kLabel, false, true, true});
@@ -165,9 +160,23 @@ QWidget* TunePage::makeSide() {
   return sidePanel_;
 }
 
+void TunePage::work(TuneDesk& desk) {
+  desk_->disconnect(this);
+  desk_->undoStack().disconnect(this);
+  desk_ = &desk;
+  params_.work(desk);
+  rules_->work(desk);
+  connect(&desk, &TuneDesk::changed, this, [this] {
+    for (ParamRow* row : rows_) row->refresh();
+    rules_->refresh(nullptr);
+    refreshTools();
+  });
+  connect(&desk.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
+}
+
 void TunePage::openRun() {
+  const QString before = params_.part() != nullptr ? params_.part()->id : QString();
   showPart(nullptr);
-  tally_.reset();
   if (tuning_ == nullptr) {
     title_->setText(tr("Nothing to tune: this session has no methods of its own"));
     refreshTools();
@@ -175,8 +184,8 @@ void TunePage::openRun() {
   }
   run_ = tuning_->tuningRun();
   parts_.show(tuning_->tunableParts());
-  desk_.open(tuning_->startValues());
-  list_->setCurrentIndex(parts_.index(0));
+  work(tuning_->desk());
+  list_->setCurrentIndex(parts_.index(std::max(parts_.rowOf(before), 0)));
   refreshTools();
 }
 
@@ -199,7 +208,7 @@ void TunePage::showPart(const TunablePart* part) {
   source_->setText(part != nullptr ? part->source : QString());
   source_->setVisible(!source_->text().isEmpty());
   for (int k = 0; k < params_.rowCount(); ++k) {
-    auto* row = new ParamRow(params_, desk_, k);
+    auto* row = new ParamRow(params_, *desk_, k);
     row->applyTheme(theme_);
     for (QWidget* child : row->findChildren<QWidget*>()) {
       if (auto* themed = dynamic_cast<Themed*>(child)) themed->applyTheme(theme_);
@@ -214,14 +223,14 @@ void TunePage::showPart(const TunablePart* part) {
 
 void TunePage::refreshTools() {
   const bool any = tuning_ != nullptr;
-  undo_->setEnabled(desk_.undoStack().canUndo());
-  redo_->setEnabled(desk_.undoStack().canRedo());
+  undo_->setEnabled(desk_->undoStack().canUndo());
+  redo_->setEnabled(desk_->undoStack().canRedo());
   for (TouchButton* button : {reset_, start_, save_, useA_, useB_}) button->setEnabled(any);
-  useA_->setChecked(desk_.side() == TuneDesk::A);
-  useB_->setChecked(desk_.side() == TuneDesk::B);
-  const auto differences = desk_.differences();
+  useA_->setChecked(desk_->side() == TuneDesk::A);
+  useB_->setChecked(desk_->side() == TuneDesk::B);
+  const auto differences = desk_->differences();
   copy_->setEnabled(any && !differences.empty());
-  copy_->setText(desk_.side() == TuneDesk::A ? tr("B = A") : tr("A = B"));
+  copy_->setText(desk_->side() == TuneDesk::A ? tr("B = A") : tr("A = B"));
   differs_->setText(differences.empty() ? tr("Both sides are alike. Take B, change something, and go to and fro.")
                                         : tr("Values that differ: %1").arg(differences.size()));
 }
@@ -230,8 +239,7 @@ void TunePage::see(const Picture& picture) {
   if (tuning_ == nullptr) return;
   if (tuning_->tuningRun() != run_) openRun();
   if (picture.snapshot == nullptr) return;
-  tally_.see(*picture.snapshot, static_cast<std::size_t>(desk_.side()));
-  for (const OperatorInput& input : desk_.take(kInputsPerTick)) emit asked(input);
+  desk_->tally().see(*picture.snapshot, static_cast<std::size_t>(desk_->side()));
 }
 
 void TunePage::display(const Picture& picture) {
@@ -243,8 +251,8 @@ void TunePage::display(const Picture& picture) {
   if (running && part != nullptr && part->running && rules_->isVisible()) rules_->refresh(tuning_->rulesNow());
   if (active_->isVisible()) active_->display();
   showLive(picture);
-  tallyA_->setText(QStringLiteral("A: ") + tallyText(tally_.side(0)));
-  tallyB_->setText(QStringLiteral("B: ") + tallyText(tally_.side(1)));
+  tallyA_->setText(QStringLiteral("A: ") + tallyText(desk_->tally().side(0)));
+  tallyB_->setText(QStringLiteral("B: ") + tallyText(desk_->tally().side(1)));
 }
 
 void TunePage::showLive(const Picture& picture) {
@@ -252,6 +260,12 @@ void TunePage::showLive(const Picture& picture) {
   live_->setTone(Tone::Normal);
   if (part == nullptr || picture.snapshot == nullptr) {
     live_->setText(tr("Nothing yet"));
+    numbers_->clear();
+    return;
+  }
+  if (picture.stale) {
+    live_->setTone(Tone::Onset);
+    live_->setText(tr("The picture is stale: nothing new for %1").arg(duration(picture.age)));
     numbers_->clear();
     return;
   }
@@ -280,10 +294,9 @@ void TunePage::showLive(const Picture& picture) {
 }
 
 void TunePage::save() {
-  const Result<QString> kept = tuning_->saveValues(desk_.values());
+  const Result<QString> kept = tuning_->saveValues(desk_->values());
   note_->setTone(kept ? Tone::Normal : Tone::Onset);
-  note_->setText(kept ? tr("Kept in %1").arg(kept.value())
-                      : tr("Not kept: %1").arg(QString::fromStdString(kept.error().line())));
+  note_->setText(kept ? tr("Kept in %1").arg(kept.value()) : tr("Not kept: %1").arg(sayError(kept.error())));
 }
 
 void TunePage::keep(QSettings& settings) const {

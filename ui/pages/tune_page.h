@@ -5,7 +5,6 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/compare_tally.h"
 #include "ui/models/param_model.h"
 #include "ui/models/tune_desk.h"
 #include "ui/models/tuning.h"
@@ -39,13 +38,14 @@ class TunePage : public Page {
   void keep(QSettings& settings) const override;
   void restore(const QSettings& settings) override;
 
-  TuneDesk& desk() { return desk_; }
+  TuneDesk& desk() { return *desk_; }
 
  private:
   void build();
   QWidget* makeToolbar();
   QWidget* makeSide();
   void openRun();
+  void work(TuneDesk& desk);
   void showPart(const TunablePart* part);
   std::vector<const config::ParamDecl*> openParams() const;
   void refreshTools();
@@ -53,10 +53,10 @@ class TunePage : public Page {
   void save();
 
   Tuning* tuning_;
-  TuneDesk desk_;
-  ParamModel params_{desk_};
+  TuneDesk none_;            // where there is nothing to tune
+  TuneDesk* desk_ = &none_;  // of the run that is shown
+  ParamModel params_{none_};
   PartModel parts_;
-  CompareTally tally_;
   Theme theme_;
   std::uint32_t run_ = 0;
 

@@ -5,23 +5,20 @@
 #include <cmath>
 
 #include "ui/models/format.h"
+#include "ui/models/spectrum_view.h"
 #include "ui/plots/axis_painter.h"
+#include "ui/plots/level_key.h"
 #include "ui/plots/waterfall.h"
 
 namespace stillcut::ui {
-namespace {
-
-constexpr int kMostWaterfallLines = 36;
-
-}  // namespace
-
 HistoryMap::HistoryMap(AnalyseView& view, QWidget* parent) : TimePlot(view, tr("SPECTROGRAM"), parent) {
   setToolTip(tr("Drag: move. Wheel: zoom. Ctrl and drag: zoom to a stretch. Click: cursor A, with Shift B."));
 }
 
-void HistoryMap::display(const RunHistory* history, int teeth) {
+void HistoryMap::display(const RunHistory* history, int teeth, const QString& unit) {
   history_ = history;
   teeth_ = teeth;
+  unit_ = unit;
   if (history_ == nullptr) return;
   const auto& columns = history_->columns();
   auto fresh = columns.end();
@@ -43,10 +40,28 @@ QSize HistoryMap::minimumSizeHint() const {
   return {theme().px(420), theme().px(150)};
 }
 
-Hertz HistoryMap::frequencyAt(double y) const {
-  const QRect plot = plotRect();
+bool HistoryMap::waterfall() const {
+  return view().options().form == SpectrogramForm::Waterfall;
+}
+
+WaterfallStack HistoryMap::stack() const {
+  return {*history_, view(), plotRect(), [this](float level_dB) { return placeOf(level_dB); }};
+}
+
+Hertz HistoryMap::frequencyAt(double share) const {
   const AnalyseOptions& o = view().options();
-  return o.low + (o.high - o.low) * ((plot.bottom() + 1 - y) / std::max(plot.height(), 1));
+  return std::max(o.low + (o.high - o.low) * share, Hertz());
+}
+
+double HistoryMap::shareAcross(double x) const {
+  const QRect plot = plotRect();
+  return (x - plot.left()) / std::max(plot.width(), 1);
+}
+
+// In the waterfall, of the newest spectrum.
+double HistoryMap::xOfFrequency(Hertz f, const QRect& plot) const {
+  const AnalyseOptions& o = view().options();
+  return plot.left() + (f - o.low) / (o.high - o.low) * plot.width();
 }
 
 double HistoryMap::yOf(Hertz f, const QRect& plot) const {
@@ -60,44 +75,83 @@ double HistoryMap::placeOf(float level_dB) const {
   return std::clamp(std::pow(10.0, (static_cast<double>(level_dB) - range_.high()) / 20.0), 0.0, 1.0);
 }
 
+// In the waterfall frequency lies along the lower axis and time up the stack.
+void HistoryMap::panRight(double share) {
+  if (!waterfall()) return TimePlot::panRight(share);
+  const AnalyseOptions& o = view().options();
+  view().panFrequency((o.high - o.low) * -share);
+}
+
+void HistoryMap::zoomRight(double factor, double x) {
+  if (!waterfall()) return TimePlot::zoomRight(factor, x);
+  view().zoomFrequency(factor, frequencyAt(shareAcross(x)));
+}
+
+void HistoryMap::showBetween(double left, double right) {
+  if (!waterfall()) return TimePlot::showBetween(left, right);
+  view().showFrequencies(frequencyAt(shareAcross(left)), frequencyAt(shareAcross(right)));
+}
+
 void HistoryMap::panUp(double share) {
   const AnalyseOptions& o = view().options();
-  view().panFrequency((o.high - o.low) * share);
+  if (!waterfall()) return view().panFrequency((o.high - o.low) * share);
+  if (shown()) view().pan(stack().moveBy(share));
 }
 
 void HistoryMap::zoomUp(double factor, double y) {
-  view().zoomFrequency(factor, std::max(frequencyAt(y), Hertz()));
+  const QRect plot = plotRect();
+  if (!waterfall()) {
+    return view().zoomFrequency(factor, frequencyAt((plot.bottom() + 1 - y) / std::max(plot.height(), 1)));
+  }
+  if (shown()) view().zoomTime(factor, stack().timeAt(y));
 }
 
 void HistoryMap::clicked(const QPointF& at, Qt::KeyboardModifiers modifiers) {
-  if (view().options().form == SpectrogramForm::HeatMap) {
-    TimePlot::clicked(at, modifiers);
-    return;
-  }
-  const QRect plot = plotRect();
-  const AnalyseOptions& o = view().options();
-  view().setHarmonic(o.low + (o.high - o.low) * ((at.x() - plot.left()) / std::max(plot.width(), 1)));
+  if (!waterfall()) return TimePlot::clicked(at, modifiers);
+  if (!shown()) return;
+  view().setCursor(modifiers & Qt::ShiftModifier ? AnalyseView::B : AnalyseView::A, stack().under(at).time);
+}
+
+// The stack draws its own: a cursor is a spectrum in it.
+void HistoryMap::drawCursors(QPainter& p, const QRect& plot) const {
+  if (!waterfall()) TimePlot::drawCursors(p, plot);
 }
 
 void HistoryMap::drawPlot(QPainter& p, const QRect& plot) {
   const AnalyseOptions& o = view().options();
-  if (history_ == nullptr || history_->columns().empty()) {
+  if (!shown()) {
     p.setFont(theme().font(type_size::kValue));
     p.setPen(theme().colors.text);
     p.drawText(plot, Qt::AlignCenter, tr("Waiting for the first samples"));
     return;
   }
-  if (o.form == SpectrogramForm::Waterfall) {
-    drawWaterfall(p, plot);
-    return;
-  }
-  drawHeat(p, plot);
-  drawHoles(p, plot);
   const bool order = o.axis == FrequencyAxis::Order;
   const SpectrumColumn& newest = history_->columns().back();
   const double per = order && newest.spindle.value > 0 ? 1.0 / newest.spindle.value : 1.0;
-  drawLeftAxis(p, plot, {o.low.value * per, o.high.value * per}, order ? tr("order") : QStringLiteral("Hz"), theme());
-  drawMarks(p, plot);
+  const AxisRange range{o.low.value * per, o.high.value * per};
+  const QString unit = order ? tr("order") : QStringLiteral("Hz");
+  if (waterfall()) {
+    stack().draw(p, theme());
+    drawBottomAxis(p, plot, range, unit, theme());
+  } else {
+    drawHeat(p, plot);
+    drawHoles(p, plot);
+    drawLeftAxis(p, plot, range, unit, theme());
+    drawChatter(p, plot);
+  }
+  drawTeeth(p, plot);
+  drawHarmonics(p, plot);
+  drawKey(p, plot);
+}
+
+void HistoryMap::drawKey(QPainter& p, const QRect& plot) const {
+  const QRect row(plot.left(), 0, plot.width(), plot.top());
+  const LevelKeyKind kind = waterfall() ? LevelKeyKind::Ramp : LevelKeyKind::Colors;
+  if (view().options().level == LevelScale::Linear) {
+    drawLevelKey(p, row, kind, number(0), join(significant(amplitudeOf(range_.high())), rmsUnit(unit_)), theme());
+  } else {
+    drawLevelKey(p, row, kind, number(range_.low()), join(number(range_.high()), decibelUnit(unit_)), theme());
+  }
 }
 
 void HistoryMap::drawHeat(QPainter& p, const QRect& plot) {
@@ -128,80 +182,56 @@ void HistoryMap::drawHoles(QPainter& p, const QRect& plot) const {
   p.restore();
 }
 
-// Ticks of the newest tooth passing at the right edge, and the chatter frequency as it went.
-void HistoryMap::drawMarks(QPainter& p, const QRect& plot) const {
-  const auto& columns = history_->columns();
-  const SpectrumColumn& newest = columns.back();
-  p.save();
-  p.setClipRect(plot.adjusted(0, 0, theme().px(10), 0));
-  if (teeth_ > 0 && newest.spindle.value > 0) {
-    p.setPen(QPen(theme().colors.text, theme().px(1.4)));
-    const Hertz passing = newest.spindle * static_cast<double>(teeth_);
-    for (int k = 1; passing * static_cast<double>(k) < view().options().high; ++k) {
-      const double y = yOf(passing * static_cast<double>(k), plot);
-      p.drawLine(QPointF(plot.right() + 2, y), QPointF(plot.right() + theme().px(8), y));
+// Of the newest spectrum, as thin ticks outside the plot, at the end of the frequency axis that it is at.
+void HistoryMap::drawTeeth(QPainter& p, const QRect& plot) const {
+  const Hertz passing = history_->columns().back().spindle * static_cast<double>(teeth_);
+  if (!(passing.value > 0.0)) return;
+  p.setPen(QPen(theme().colors.text, theme().px(1.4)));
+  for (int k = 1; passing * static_cast<double>(k) < view().options().high; ++k) {
+    const Hertz f = passing * static_cast<double>(k);
+    if (f < view().options().low) continue;
+    if (waterfall()) {
+      p.drawLine(QPointF(xOfFrequency(f, plot), plot.top() - theme().px(6)),
+                 QPointF(xOfFrequency(f, plot), plot.top()));
+    } else {
+      p.drawLine(QPointF(plot.right() + 2, yOf(f, plot)), QPointF(plot.right() + theme().px(8), yOf(f, plot)));
     }
   }
+}
+
+// As it went; on the order axis each mark is stretched as its column is.
+void HistoryMap::drawChatter(QPainter& p, const QRect& plot) const {
+  const auto& columns = history_->columns();
+  const bool order = view().options().axis == FrequencyAxis::Order;
+  p.save();
   p.setClipRect(plot);
   p.setRenderHint(QPainter::Antialiasing, false);
   const int dot = theme().px(2);
   int lastX = plot.left() - 1;
   for (const SpectrumColumn& c : columns) {
     if (!(c.chatter.value > 0) || c.time < view().from()) continue;
-    const int x = static_cast<int>(xOf(c.time)), y = static_cast<int>(yOf(c.chatter, plot));
+    const Hertz shown = c.chatter * waterfallStretch(order, c.spindle, columns.back().spindle);
+    const int x = static_cast<int>(xOf(c.time)), y = static_cast<int>(yOf(shown, plot));
     if (x < lastX + 2 * dot) continue;
     lastX = x;
     p.fillRect(QRect(x, y - dot / 2, dot, dot), Qt::white);
   }
-  if (const auto f = view().harmonic()) {
-    p.setPen(QPen(theme().colors.onset, theme().px(1), Qt::DashLine));
-    for (int k = 1; k <= 20 && *f * static_cast<double>(k) < view().options().high; ++k) {
-      const double y = yOf(*f * static_cast<double>(k), plot);
-      p.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-    }
-  }
   p.restore();
 }
 
-// Spectra one behind the other, the newest in front; the one under cursor A is the accent.
-void HistoryMap::drawWaterfall(QPainter& p, const QRect& plot) const {
-  const AnalyseOptions& o = view().options();
-  const bool orders = o.axis == FrequencyAxis::Order;
-  const Hertz newest = history_->columns().back().spindle;
-  WaterfallScale scale{o.low, o.high, history_->spectrumTop().value / kSpectrumBins, 1.0};
-  const double rise = plot.height() * 0.62, peak = plot.height() * 0.34;
-  const SpectrumColumn* marked =
-      view().cursor(AnalyseView::A) ? history_->columnAt(*view().cursor(AnalyseView::A)) : nullptr;
-  p.save();
-  p.setClipRect(plot);
-  for (int k = 0; k < kMostWaterfallLines; ++k) {
-    const double back = 1.0 - static_cast<double>(k) / (kMostWaterfallLines - 1);  // 1: oldest
-    const Instant t = view().to() - toDuration(o.span * back);
-    const SpectrumColumn* c = history_->columnAt(t);
-    if (c == nullptr || std::abs(secondsBetween(c->time, t).value) > 0.6 * o.span.value / kMostWaterfallLines + 0.05)
-      continue;
-    const double base = plot.bottom() - 2 - rise * back;
-    scale.stretch = waterfallStretch(orders, c->spindle, newest);
-    QPolygonF line;
-    line << QPointF(plot.left(), base);
-    for (int b = scale.first(); b <= scale.last(); ++b) {
-      const double x = plot.left() + std::clamp(scale.shareOf(b), 0.0, 1.0) * plot.width();
-      line << QPointF(x, base - peak * placeOf(c->level_dB[static_cast<std::size_t>(b)]));
+void HistoryMap::drawHarmonics(QPainter& p, const QRect& plot) const {
+  const auto harmonic = view().harmonic();
+  if (!harmonic || !(harmonic->value > 0.0)) return;
+  p.setPen(QPen(theme().colors.onset, theme().px(1), Qt::DashLine));
+  for (int k = 1; k <= 20 && *harmonic * static_cast<double>(k) < view().options().high; ++k) {
+    const Hertz f = *harmonic * static_cast<double>(k);
+    if (f < view().options().low) continue;
+    if (waterfall()) {
+      p.drawLine(QPointF(xOfFrequency(f, plot), plot.top()), QPointF(xOfFrequency(f, plot), plot.bottom()));
+    } else {
+      p.drawLine(QPointF(plot.left(), yOf(f, plot)), QPointF(plot.right(), yOf(f, plot)));
     }
-    line << QPointF(plot.right() + 1, base);
-    const bool accent = c == marked;
-    const bool chatter = c->chatter.value > 0;
-    p.setBrush(theme().colors.track);
-    p.setPen(QPen(accent    ? theme().colors.advice
-                  : chatter ? theme().colors.chatterText
-                            : theme().colors.text,
-                  accent ? 2.5 : 1.0));
-    p.drawPolygon(line);
   }
-  p.restore();
-  const double per = orders && newest.value > 0 ? 1.0 / newest.value : 1.0;
-  drawBottomAxis(p, plot, {o.low.value * per, o.high.value * per}, orders ? tr("order") : QStringLiteral("Hz"),
-                 theme());
 }
 
 }  // namespace stillcut::ui

@@ -1,15 +1,17 @@
 #include "ui/plots/lobe_chart.h"
 
 #include <QAreaSeries>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QGraphicsLayout>
 #include <QKeyEvent>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QScatterSeries>
-#include <QValueAxis>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "ui/models/format.h"
 #include "ui/plots/nice_ticks.h"
@@ -18,29 +20,43 @@ namespace stillcut::ui {
 namespace {
 
 constexpr double kInch = 0.0254;
+// Of what stands around the working point, before scaling: each leaves the one inside it in sight.
+constexpr double kArmFrom = 8.0, kArmTo = 15.0, kRing = 20.0;
+constexpr double kLegend = 26.0;  // height of the row above the plot
 
-QImage triangleMarker(int size, const QColor& color) {
+// Points of a regular shape of this many corners, one of them or an edge up.
+QPolygonF shape(const QPointF& centre, double radius, int corners) {
+  QPolygonF out;
+  const double turn = corners == 3 ? 0.0 : kTwoPi / (2.0 * corners);
+  for (int k = 0; k < corners; ++k) {
+    const double angle = kTwoPi * k / corners + turn;
+    out << centre + QPointF(radius * std::sin(angle), -radius * std::cos(angle));
+  }
+  return out;
+}
+
+QImage marker(int size, int corners, const QColor& color) {
   QImage image(size, size, QImage::Format_ARGB32_Premultiplied);
   image.fill(Qt::transparent);
   QPainter p(&image);
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(Qt::NoPen);
   p.setBrush(color);
-  p.drawPolygon(QPolygonF{{size / 2.0, 0.0}, {double(size), double(size)}, {0.0, double(size)}});
+  p.drawPolygon(shape({size / 2.0, size / 2.0}, size / 2.0, corners));
   return image;
 }
 
-// A new range with round numbers. The old distance of ticks must not meet the new range: Qt would lay out every one.
-void setRound(QValueAxis& axis, double from, double to, int most) {
-  axis.setTickType(QValueAxis::TicksFixed);
+// A new range with labels at round numbers, written as everywhere else.
+void setRound(QCategoryAxis& axis, double from, double to, int most) {
+  for (const QString& label : axis.categoriesLabels()) axis.remove(label);
   axis.setRange(from, to);
+  axis.setStartValue(from);
   const std::vector<double> ticks = niceTicks(from, to, most);
-  if (ticks.size() < 2) return;
-  const double step = ticks[1] - ticks[0];
-  axis.setTickAnchor(ticks[0]);
-  axis.setTickInterval(step);
-  axis.setLabelFormat(QStringLiteral("%.%1f").arg(decimalsFor(step)));
-  axis.setTickType(QValueAxis::TicksDynamic);
+  const int decimals = ticks.size() > 1 ? decimalsFor(ticks[1] - ticks[0]) : 0;
+  constexpr double kEdge = 0.03;  // a label there would be cut off
+  for (const double tick : ticks) {
+    if (tick <= to - kEdge * (to - from)) axis.append(number(tick, decimals), tick);
+  }
 }
 
 }  // namespace
@@ -48,18 +64,20 @@ void setRound(QValueAxis& axis, double from, double to, int most) {
 LobeChart::LobeChart(QWidget* parent)
     : QChartView(parent),
       theme_(makeTheme(ThemeKind::Light, 1.0)),
-      speed_(new QValueAxis(this)),
-      depth_(new QValueAxis(this)),
+      speed_(new QCategoryAxis(this)),
+      depth_(new QCategoryAxis(this)),
       limit_(new QLineSeries(this)),
       floor_(new QLineSeries(this)),
       quiet_(new QAreaSeries(limit_, floor_)),
       trail_(new QLineSeries(this)),
       metStable_(new QScatterSeries(this)),
-      metUnstable_(new QScatterSeries(this)) {
+      metOnset_(new QScatterSeries(this)),
+      metChatter_(new QScatterSeries(this)) {
   setRenderHint(QPainter::Antialiasing);
   setFocusPolicy(Qt::StrongFocus);
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("Stability diagram"));
+  for (QCategoryAxis* axis : {speed_, depth_}) axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
   setToolTip(tr("Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?"));
   chart()->legend()->hide();
   chart()->setMargins({0, 0, 0, 0});
@@ -68,7 +86,7 @@ LobeChart::LobeChart(QWidget* parent)
   chart()->addAxis(speed_, Qt::AlignBottom);
   chart()->addAxis(depth_, Qt::AlignLeft);
   for (QAbstractSeries* series :
-       std::initializer_list<QAbstractSeries*>{quiet_, limit_, trail_, metStable_, metUnstable_}) {
+       std::initializer_list<QAbstractSeries*>{quiet_, limit_, trail_, metStable_, metOnset_, metChatter_}) {
     chart()->addSeries(series);
     series->attachAxis(speed_);
     series->attachAxis(depth_);
@@ -121,17 +139,18 @@ void LobeChart::setDiagram(const LobeDiagram* diagram, const LobeFrame& frame) {
 }
 
 void LobeChart::setWork(std::optional<SpeedDepth> now, const std::vector<MetPoint>& met) {
-  QList<QPointF> trail, stable, unstable;
+  QList<QPointF> trail, stable, onset, chatter;
   for (const MetPoint& point : met) {
     const QPointF at(point.speed.value, shown(point.depth));
     trail << at;
-    (point.unstable ? unstable : stable) << at;
+    (point.state == CutState::Chatter ? chatter : point.state == CutState::Onset ? onset : stable) << at;
   }
   if (now) trail << QPointF(now->speed.value, shown(now->depth));
   if (trail == trail_->points()) return;  // a chart is dear to draw
   trail_->replace(trail);
   metStable_->replace(stable);
-  metUnstable_->replace(unstable);
+  metOnset_->replace(onset);
+  metChatter_->replace(chatter);
   now_ = now;
   viewport()->update();
 }
@@ -162,7 +181,7 @@ void LobeChart::applyTheme(const Theme& theme) {
   chart()->setBackgroundBrush(c.panel);
   chart()->setPlotAreaBackgroundBrush(c.track);
   chart()->setPlotAreaBackgroundVisible(true);
-  for (QValueAxis* axis : {speed_, depth_}) {
+  for (QCategoryAxis* axis : {speed_, depth_}) {
     axis->setLabelsColor(c.secondary);
     axis->setLabelsFont(theme.font(type_size::kTick));
     axis->setTitleFont(theme.font(type_size::kLabel, true));
@@ -179,10 +198,15 @@ void LobeChart::applyTheme(const Theme& theme) {
   metStable_->setMarkerSize(size);
   metStable_->setBrush(Qt::NoBrush);
   metStable_->setPen(QPen(c.text, theme.px(1.5)));
-  metUnstable_->setMarkerShape(QScatterSeries::MarkerShapeRectangle);
-  metUnstable_->setMarkerSize(size);
-  metUnstable_->setPen(Qt::NoPen);
-  metUnstable_->setBrush(QBrush(triangleMarker(size, theme.back(Tone::Chatter))));
+  const auto shaped = [size](QScatterSeries& series, int corners, const QColor& color) {
+    series.setMarkerShape(QScatterSeries::MarkerShapeRectangle);
+    series.setMarkerSize(size);
+    series.setPen(Qt::NoPen);
+    series.setBrush(QBrush(marker(size, corners, color)));
+  };
+  shaped(*metOnset_, 3, theme.back(Tone::Onset));
+  shaped(*metChatter_, 8, theme.back(Tone::Chatter));
+  chart()->setMargins({0, theme.px(kLegend), 0, 0});
   viewport()->update();
 }
 
@@ -190,45 +214,136 @@ QSize LobeChart::minimumSizeHint() const {
   return {theme_.px(480), theme_.px(300)};
 }
 
-// The working point as a cross, the advice as an arrow from it, the handle as a ring.
 void LobeChart::drawForeground(QPainter* p, const QRectF&) {
   p->save();
   p->setRenderHint(QPainter::Antialiasing);
+  p->save();
   p->setClipRect(chart()->plotArea());
-  // Quiet again above the limit: as the quiet ground below it, with an edge of its own.
-  p->setPen(Qt::NoPen);
+  drawIslands(*p);
+  drawRing(*p, onChart(handle_));
+  if (now_) {
+    drawNow(*p, onChart(*now_));
+    if (advice_) drawAdvice(*p, onChart(*now_));
+  }
+  p->restore();
+  drawLegend(*p);
+  p->restore();
+}
+
+// Quiet again above the limit: as the quiet ground below it, with an edge of its own.
+void LobeChart::drawIslands(QPainter& p) const {
   for (const Island& island : islands_) {
     const QRectF box(onChart({island.left, island.span.to}), onChart({island.right, island.span.from}));
-    p->fillRect(box, theme_.colors.panel);
-    p->fillRect(QRectF(box.left(), box.top(), box.width(), theme_.px(1.5)), theme_.colors.text);
-    p->fillRect(QRectF(box.left(), box.bottom() - theme_.px(1.5), box.width(), theme_.px(1.5)), theme_.colors.text);
+    p.fillRect(box, theme_.colors.panel);
+    p.fillRect(QRectF(box.left(), box.top(), box.width(), theme_.px(1.5)), theme_.colors.text);
+    p.fillRect(QRectF(box.left(), box.bottom() - theme_.px(1.5), box.width(), theme_.px(1.5)), theme_.colors.text);
   }
-  const double arm = theme_.px(11);
-  if (now_) {
-    const QPointF at = onChart(*now_);
-    p->setPen(QPen(theme_.colors.text, theme_.px(3)));
-    p->drawLine(at - QPointF(arm, 0), at + QPointF(arm, 0));
-    p->drawLine(at - QPointF(0, arm), at + QPointF(0, arm));
-    if (advice_) {
-      const QPointF to = onChart({*advice_, now_->depth});
-      const double way = to.x() < at.x() ? 1.0 : -1.0, head = theme_.px(14);
-      p->setPen(QPen(theme_.colors.advice, theme_.px(4)));
-      p->drawLine(at, to + QPointF(way * head * 0.8, 0));
-      p->setPen(Qt::NoPen);
-      p->setBrush(theme_.colors.advice);
-      p->drawPolygon(QPolygonF{to, to + QPointF(way * head, -head * 0.6), to + QPointF(way * head, head * 0.6)});
-      p->setFont(theme_.font(type_size::kLabel, true));
-      p->setPen(theme_.colors.advice);
-      p->drawText(to + QPointF(-theme_.px(40), -theme_.px(14)), join(number(advice_->value), QStringLiteral("rpm")));
-    }
+}
+
+// Four arms around the place: what was met there stays in sight between them, and all of it inside the ring.
+void LobeChart::drawNow(QPainter& p, const QPointF& at) const {
+  p.setPen(QPen(theme_.colors.text, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
+  const double from = theme_.px(kArmFrom), to = theme_.px(kArmTo);
+  for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
+    p.drawLine(at + way * from, at + way * to);
+}
+
+void LobeChart::drawRing(QPainter& p, const QPointF& at) const {
+  const double radius = theme_.px(kRing);
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(theme_.colors.panel, theme_.px(6)));
+  p.drawEllipse(at, radius, radius);
+  p.setPen(QPen(theme_.colors.text, theme_.px(3)));
+  p.drawEllipse(at, radius, radius);
+}
+
+// Above what it starts from and with a stem down to where it leads; however short the move, the arrow is not.
+void LobeChart::drawAdvice(QPainter& p, const QPointF& at) const {
+  const double target = onChart({*advice_, now_->depth}).x();
+  if (std::abs(target - at.x()) < theme_.px(3)) return;  // it is there
+  const QRectF plot = chart()->plotArea();
+  const double lift = theme_.px(kRing + 14), head = theme_.px(14);
+  const double y = at.y() - lift > plot.top() + theme_.px(24) ? at.y() - lift : at.y() + lift;
+  const double back = target < at.x() ? 1.0 : -1.0;
+  const double length = std::max(std::abs(target - at.x()), 3.0 * head);
+  const QPointF tip(target, y);
+  p.setPen(QPen(theme_.colors.advice, theme_.px(1.5), Qt::DashLine));
+  p.drawLine(tip, QPointF(target, at.y()));
+  p.setPen(QPen(theme_.colors.advice, theme_.px(4), Qt::SolidLine, Qt::FlatCap));
+  p.drawLine(tip + QPointF(back * length, 0), tip + QPointF(back * head * 0.8, 0));
+  p.setPen(Qt::NoPen);
+  p.setBrush(theme_.colors.advice);
+  p.drawPolygon(QPolygonF{tip, tip + QPointF(back * head, -head * 0.6), tip + QPointF(back * head, head * 0.6)});
+  p.setFont(theme_.font(type_size::kLabel, true));
+  p.setPen(theme_.colors.advice);
+  const QString text = join(number(advice_->value), QStringLiteral("rpm"));
+  const double wide = p.fontMetrics().horizontalAdvance(text);
+  const double left = std::clamp(target - wide / 2.0, plot.left() + 2.0, plot.right() - wide - 2.0);
+  p.drawText(QPointF(left, y + (y < at.y() ? -theme_.px(12) : theme_.px(12) + p.fontMetrics().ascent())), text);
+}
+
+// Every sign with its word, in one row above the plot.
+void LobeChart::drawLegend(QPainter& p) {
+  const ThemeColors& c = theme_.colors;
+  struct Entry {
+    QString text;
+    std::function<void(const QPointF&)> draw;
+  };
+  const double r = theme_.px(6);
+  const auto solid = [&](int corners, const QColor& color) {
+    return [&p, r, corners, color](const QPointF& at) {
+      p.setPen(Qt::NoPen);
+      p.setBrush(color);
+      p.drawPolygon(shape(at, r, corners));
+    };
+  };
+  const auto circle = [&](double radius, double pen) {
+    return [this, &p, radius, pen](const QPointF& at) {
+      p.setPen(QPen(theme_.colors.text, theme_.px(pen)));
+      p.setBrush(Qt::NoBrush);
+      p.drawEllipse(at, radius, radius);
+    };
+  };
+  const std::array<Entry, 6> entries{
+      {{tr("now"),
+        [&](const QPointF& at) {
+          p.setPen(QPen(c.text, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
+          p.drawLine(at - QPointF(r, 0), at + QPointF(r, 0));
+          p.drawLine(at - QPointF(0, r), at + QPointF(0, r));
+        }},
+       {tr("advised"),
+        [&](const QPointF& at) {
+          p.setPen(QPen(c.advice, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
+          p.drawLine(at - QPointF(r, 0), at);
+          p.setPen(Qt::NoPen);
+          p.setBrush(c.advice);
+          p.drawPolygon(QPolygonF{at + QPointF(r, 0), at + QPointF(-1, -r), at + QPointF(-1, r)});
+        }},
+       {tr("what if"), circle(r, 2.5)},
+       {tr("was stable"), circle(theme_.px(4.5), 1.5)},
+       {tr("onset"), solid(3, theme_.back(Tone::Onset))},
+       {tr("chatter"), solid(8, theme_.back(Tone::Chatter))}}};
+  const QRectF plot = chart()->plotArea();
+  const double sign = 2.0 * r + theme_.px(5), apart = theme_.px(14);
+  double needed = 0.0;
+  QFont font = theme_.font(type_size::kTick);
+  for (int halves = static_cast<int>(2.0 * type_size::kTick); halves >= 18; --halves) {
+    font = theme_.font(0.5 * halves);
+    needed = -apart;
+    for (const Entry& entry : entries) needed += sign + QFontMetricsF(font).horizontalAdvance(entry.text) + apart;
+    if (needed <= plot.width()) break;
   }
-  const QPointF ring = onChart(handle_);
-  p->setBrush(Qt::NoBrush);
-  p->setPen(QPen(theme_.colors.panel, theme_.px(6)));
-  p->drawEllipse(ring, theme_.px(14), theme_.px(14));
-  p->setPen(QPen(theme_.colors.text, theme_.px(3)));
-  p->drawEllipse(ring, theme_.px(14), theme_.px(14));
-  p->restore();
+  clipped_ = needed > plot.width();
+  double x = plot.left();
+  const double y = plot.top() - theme_.px(kLegend) / 2.0;
+  p.setFont(font);
+  const QFontMetricsF metrics(font);
+  for (const Entry& entry : entries) {
+    entry.draw({x + r, y});
+    p.setPen(c.secondary);
+    p.drawText(QPointF(x + sign, y + metrics.capHeight() / 2.0), entry.text);
+    x += sign + metrics.horizontalAdvance(entry.text) + apart;
+  }
 }
 
 void LobeChart::moveHandle(SpeedDepth to) {

@@ -11,7 +11,7 @@
 class QAreaSeries;
 class QLineSeries;
 class QScatterSeries;
-class QValueAxis;
+class QCategoryAxis;
 
 namespace stillcut::ui {
 
@@ -38,6 +38,7 @@ class LobeChart : public QChartView, public Themed {
   QPoint place(SpeedDepth point) const;
 
   void applyTheme(const Theme& theme) override;
+  bool clipped() const override { return clipped_; }
   QSize minimumSizeHint() const override;
 
  signals:
@@ -56,18 +57,24 @@ class LobeChart : public QChartView, public Themed {
   void moveHandle(SpeedDepth to);
   void moveHandleTo(const QPoint& at);
   QPointF onChart(SpeedDepth point) const;
+  void drawIslands(QPainter& p) const;
+  void drawNow(QPainter& p, const QPointF& at) const;
+  void drawAdvice(QPainter& p, const QPointF& at) const;
+  void drawRing(QPainter& p, const QPointF& at) const;
+  void drawLegend(QPainter& p);
   void showFrame();
 
   Theme theme_;
   UnitSystem units_ = UnitSystem::Metric;
-  QValueAxis* speed_;
-  QValueAxis* depth_;
+  QCategoryAxis* speed_;
+  QCategoryAxis* depth_;
   QLineSeries* limit_;
   QLineSeries* floor_;
   QAreaSeries* quiet_;
   QLineSeries* trail_;
   QScatterSeries* metStable_;
-  QScatterSeries* metUnstable_;
+  QScatterSeries* metOnset_;
+  QScatterSeries* metChatter_;
   LobeFrame frame_;
   struct Island {
     Rpm left{}, right{};
@@ -78,6 +85,7 @@ class LobeChart : public QChartView, public Themed {
   std::optional<Rpm> advice_;
   SpeedDepth handle_;
   bool dragging_ = false;
+  bool clipped_ = false;
 };
 
 }  // namespace stillcut::ui

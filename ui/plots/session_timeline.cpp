@@ -1,5 +1,6 @@
 #include "ui/plots/session_timeline.h"
 
+#include <QFileInfo>
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -7,11 +8,14 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/models/session_models.h"
 #include "ui/plots/nice_ticks.h"
+#include "ui/plots/recording_curve.h"
 
 namespace stillcut::ui {
 namespace {
@@ -21,10 +25,6 @@ constexpr double kAxis = 24;
 constexpr double kRow = 22;
 constexpr double kDrag = 6;         // pixels below which a press is a click
 constexpr double kLeastView = 0.2;  // s
-
-bool alarming(const SummaryPoint& point) {
-  return point.valid && (point.state == CutState::Onset || point.state == CutState::Chatter);
-}
 
 }  // namespace
 
@@ -37,7 +37,7 @@ SessionTimeline::SessionTimeline(QWidget* parent) : QWidget(parent), theme_(make
 void SessionTimeline::setSummary(std::shared_ptr<const SessionSummary> summary) {
   if (summary == summary_) return;
   const bool same = summary && summary_ && summary->file == summary_->file;
-  const bool all = viewFrom_ <= 0.0 && viewTo_ >= length();
+  const bool all = viewFrom_ <= 0.0 && viewTo_ >= axisEnd();
   summary_ = std::move(summary);
   recorded_.clear();
   tracks_.clear();
@@ -45,18 +45,24 @@ void SessionTimeline::setSummary(std::shared_ptr<const SessionSummary> summary) 
   if (!same) from_ = to_ = 0.0;
   if (!same || all) {
     viewFrom_ = 0.0;
-    viewTo_ = length();
+    viewTo_ = axisEnd();
   }
-  if (summary_) {
-    const auto& curve = summary_->curve;
-    for (std::size_t k = 0; k < curve.size(); ++k) {
-      if (!alarming(curve[k])) continue;
-      const Seconds step(curve.size() > 1 ? curve[1].time.value - curve[0].time.value : 0.1);
-      if (k == 0 || !alarming(curve[k - 1])) recorded_.push_back({curve[k].time, curve[k].time});
-      recorded_.back().end = curve[k].time + step;
-    }
-  }
+  if (summary_) recorded_ = recordedAlarms(*summary_);
   update();
+}
+
+void SessionTimeline::setBeside(std::shared_ptr<const SessionSummary> beside) {
+  if (beside == beside_) return;
+  beside_ = std::move(beside);
+  besideAlarms_ = beside_ ? recordedAlarms(*beside_) : std::vector<AlarmSpan>{};
+  viewFrom_ = 0.0;
+  viewTo_ = axisEnd();
+  updateGeometry();
+  update();
+}
+
+bool SessionTimeline::besideShown() const {
+  return beside_ && summary_ && beside_->file != summary_->file;
 }
 
 void SessionTimeline::setTracks(const std::vector<DetectorTrack>& tracks) {
@@ -93,6 +99,10 @@ double SessionTimeline::length() const {
   return summary_ ? std::max(summary_->length.value, 1e-3) : 1.0;
 }
 
+double SessionTimeline::axisEnd() const {
+  return besideShown() ? std::max(length(), beside_->length.value) : length();
+}
+
 QRectF SessionTimeline::plot() const {
   return QRectF(rect()).adjusted(theme_.px(kNames), theme_.px(6), -theme_.px(34), -theme_.px(kAxis));
 }
@@ -108,9 +118,9 @@ double SessionTimeline::timeAt(double x) const {
 }
 
 void SessionTimeline::zoom(double factor, double around) {
-  const double width = std::clamp((viewTo_ - viewFrom_) * factor, std::min(kLeastView, length()), length());
+  const double width = std::clamp((viewTo_ - viewFrom_) * factor, std::min(kLeastView, axisEnd()), axisEnd());
   const double share = (around - viewFrom_) / std::max(viewTo_ - viewFrom_, 1e-9);
-  viewFrom_ = std::clamp(around - share * width, 0.0, length() - width);
+  viewFrom_ = std::clamp(around - share * width, 0.0, axisEnd() - width);
   viewTo_ = viewFrom_ + width;
   update();
 }
@@ -188,13 +198,46 @@ QSize SessionTimeline::sizeHint() const {
 }
 
 QSize SessionTimeline::minimumSizeHint() const {
-  const double rows = 2.0 + static_cast<double>(tracks_.size());
+  const double rows = 2.0 + static_cast<double>(tracks_.size()) + (besideShown() ? 1.0 : 0.0);
   return {theme_.px(320), theme_.px(60 + kRow * rows + kAxis)};
 }
 
+double SessionTimeline::scaleTop() const {
+  return std::max(loudest(*summary_), besideShown() ? loudest(*beside_) : 0.0);
+}
+
+// The other recording over this one, from its first sample on, in the same scale.
+void SessionTimeline::paintBeside(QPainter& p, const QRectF& box) const {
+  const double top = scaleTop();
+  if (!(top > 0.0)) return;
+  QPolygonF line;
+  for (const SummaryPoint& point : beside_->curve)
+    line << QPointF(xOf(point.time.value), box.bottom() - point.vibration / top * (box.height() - 2));
+  p.setPen(QPen(theme_.colors.advice, theme_.px(1.5), Qt::DashLine));
+  p.setBrush(Qt::NoBrush);
+  p.drawPolyline(line);
+}
+
+// Which half of a detector's row is which, in the corner below the names.
+void SessionTimeline::paintLegend(QPainter& p, const QRectF& box) {
+  const std::array<std::pair<QString, QColor>, 2> entries{
+      {{tr("before"), theme_.colors.fill}, {tr("after"), theme_.colors.onset}}};
+  const double half = box.height() / 2.0, square = theme_.px(10);
+  p.setFont(theme_.font(type_size::kTick - 3));
+  clipped_ = false;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const auto& [text, color] = entries[k];
+    const QRectF row(box.left(), box.top() + half * static_cast<double>(k), box.width(), half);
+    p.fillRect(QRectF(row.right() - square, row.center().y() - square / 4, square, square / 2), color);
+    const QRectF room = row.adjusted(0, 0, -square - theme_.px(4), 0);
+    clipped_ = clipped_ || QFontMetricsF(p.font()).horizontalAdvance(text) > room.width();
+    p.setPen(theme_.colors.secondary);
+    p.drawText(room, Qt::AlignVCenter | Qt::AlignRight, text);
+  }
+}
+
 void SessionTimeline::paintCurve(QPainter& p, const QRectF& box) const {
-  double top = 0.0;
-  for (const SummaryPoint& point : summary_->curve) top = std::max(top, point.vibration);
+  const double top = scaleTop();
   if (!(top > 0.0)) return;
   QPainterPath path;
   path.moveTo(xOf(0.0), box.bottom());
@@ -205,9 +248,18 @@ void SessionTimeline::paintCurve(QPainter& p, const QRectF& box) const {
   p.setPen(Qt::NoPen);
   p.setBrush(theme_.colors.fill);
   p.drawPath(path);
-  for (const SummaryPoint& point : summary_->curve) {
-    if (!point.gap) continue;
-    p.fillRect(QRectF(xOf(point.time.value), box.top(), 2, box.height()), theme_.colors.gap);
+  // The points of a session lie a step apart, further only where samples are missing: from the end of the step before
+  // to the begin of the next one nothing is known for certain.
+  const auto& curve = summary_->curve;
+  double step = length();
+  for (std::size_t k = 1; k < curve.size(); ++k) {
+    step = std::min(step, curve[k].time.value - curve[k - 1].time.value);
+  }
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    if (!curve[k].gap) continue;
+    const double from = k > 0 ? curve[k - 1].time.value + 0.5 * step : 0.0;
+    const double to = k + 1 < curve.size() ? curve[k + 1].time.value - 0.5 * step : length();
+    p.fillRect(QRectF(xOf(from), box.top(), std::max(2.0, xOf(to) - xOf(from)), box.height()), theme_.colors.gap);
   }
 }
 
@@ -267,7 +319,7 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
   }
   const QRectF box = plot();
   const double row = theme_.px(kRow);
-  const double bands = (1.0 + static_cast<double>(tracks_.size())) * row;
+  const double bands = (1.0 + (besideShown() ? 1.0 : 0.0) + static_cast<double>(tracks_.size())) * row;
   const QRectF curve(box.left(), box.top(), box.width(), std::max(box.height() - bands - theme_.px(6), 10.0));
   p.save();
   p.setClipRect(box.adjusted(-1, 0, 1, 1));
@@ -279,8 +331,13 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
         wash);
   }
   paintCurve(p, curve);
+  if (besideShown()) paintBeside(p, curve);
   double y = curve.bottom() + theme_.px(6);
   paintBand(p, QRectF(box.left(), y, box.width(), row - theme_.px(6)), recorded_, theme_.colors.chatter);
+  if (besideShown()) {
+    y += row;
+    paintBand(p, QRectF(box.left(), y, box.width(), row - theme_.px(6)), besideAlarms_, theme_.colors.advice);
+  }
   for (const DetectorTrack& track : tracks_) {
     y += row;
     const double half = (row - theme_.px(6)) / 2.0;
@@ -301,13 +358,24 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
     p.drawText(place, Qt::AlignVCenter | Qt::AlignRight, fitted);
   };
   name(curve.top(), curve.height(), tr("vibration"));
+  if (const double top = scaleTop(); top > 0.0 && curve.height() > theme_.px(54)) {
+    name(curve.top(), theme_.px(18), join(significant(top), vibrationUnit(*summary_)));
+    name(curve.bottom() - theme_.px(18), theme_.px(18), QStringLiteral("0"));
+  }
   y = curve.bottom() + theme_.px(6);
   name(y, row - theme_.px(6), tr("as recorded"));
+  if (besideShown()) {
+    y += row;
+    name(y, row - theme_.px(6), QFileInfo(QString::fromStdString(beside_->file)).completeBaseName());
+  }
   for (const DetectorTrack& track : tracks_) {
     y += row;
     name(y, row - theme_.px(6), track.detector);
   }
   paintAxis(p, box);
+  if (std::ranges::any_of(tracks_, &DetectorTrack::compared)) {
+    paintLegend(p, {double(theme_.px(4)), box.bottom(), double(theme_.px(kNames - 10)), double(theme_.px(kAxis))});
+  }
   if (hasFocus()) {
     p.setPen(QPen(theme_.colors.advice, theme_.px(2)));
     p.setBrush(Qt::NoBrush);

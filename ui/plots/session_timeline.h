@@ -25,6 +25,9 @@ class SessionTimeline : public QWidget, public Themed {
 
   // What more is told of the same file leaves the picture and the selected span where they are.
   void setSummary(std::shared_ptr<const SessionSummary> summary);
+  // Another recording on the same axis, both from their first sample; null: none. Not drawn beside itself.
+  void setBeside(std::shared_ptr<const SessionSummary> beside);
+  bool besideShown() const;
   void setTracks(const std::vector<DetectorTrack>& tracks);
   void setMarks(std::vector<Mark> marks);
   void setReplay(const ReplayState& state);
@@ -36,6 +39,7 @@ class SessionTimeline : public QWidget, public Themed {
   void select(Seconds from, Seconds to);
 
   void applyTheme(const Theme& theme) override;
+  bool clipped() const override { return clipped_; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -53,23 +57,29 @@ class SessionTimeline : public QWidget, public Themed {
 
  private:
   double length() const;
+  double axisEnd() const;
+  double scaleTop() const;
   QRectF plot() const;
   double xOf(double seconds) const;
   double timeAt(double x) const;
   void zoom(double factor, double around);
   void paintCurve(QPainter& p, const QRectF& box) const;
+  void paintBeside(QPainter& p, const QRectF& box) const;
+  void paintLegend(QPainter& p, const QRectF& box);
   void paintBand(QPainter& p, const QRectF& box, const std::vector<AlarmSpan>& spans, const QColor& color) const;
   void paintMarks(QPainter& p, const QRectF& box) const;
   void paintAxis(QPainter& p, const QRectF& box) const;
 
   Theme theme_;
   std::shared_ptr<const SessionSummary> summary_;
-  std::vector<AlarmSpan> recorded_;
+  std::shared_ptr<const SessionSummary> beside_;
+  std::vector<AlarmSpan> recorded_, besideAlarms_;
   std::vector<DetectorTrack> tracks_;
   std::vector<Mark> marks_;
   ReplayState replay_;
   double viewFrom_ = 0.0, viewTo_ = 0.0;
   double from_ = 0.0, to_ = 0.0;
+  bool clipped_ = false;
   double pressed_ = -1.0;  // x where the button went down; below 0: it is up
 };
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "ui/models/format.h"
-#include "ui/plots/colormap.h"
+#include "ui/plots/level_key.h"
 #include "ui/plots/nice_ticks.h"
 
 namespace stillcut::ui {
@@ -81,7 +81,7 @@ void SpectrogramWidget::applyTheme(const Theme& theme) {
 }
 
 QSize SpectrogramWidget::minimumSizeHint() const {
-  return {theme_.px(360), theme_.px(150)};
+  return {theme_.px(360), theme_.px(104)};
 }
 
 QSize SpectrogramWidget::sizeHint() const {
@@ -161,17 +161,9 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   // The palette with its two ends.
   const QString low = number(image_.range().low());
   const QString high = join(number(image_.range().high()), unit_.isEmpty() ? tr("dB") : tr("dB re 1 %1").arg(unit_));
+  const QRect key(0, 0, width() - theme_.px(16), line.height());
+  const int x = drawLevelKey(p, key, LevelKeyKind::Colors, low, high, theme_), gap = theme_.px(8);
   const QFontMetrics metrics = p.fontMetrics();
-  const int barWidth = theme_.px(110), barHeight = theme_.px(10), gap = theme_.px(8);
-  int x = width() - theme_.px(16) - metrics.horizontalAdvance(high);
-  p.drawText(x, (line.height() + metrics.ascent() - metrics.descent()) / 2, high);
-  x -= gap + barWidth;
-  QLinearGradient gradient(x, 0, x + barWidth, 0);
-  for (int i = 0; i <= 16; ++i)
-    gradient.setColorAt(i / 16.0, QColor::fromRgb(viridis()[static_cast<std::size_t>(i * 255 / 16)]));
-  p.fillRect(QRect(x, (line.height() - barHeight) / 2, barWidth, barHeight), gradient);
-  x -= gap + metrics.horizontalAdvance(low);
-  p.drawText(x, (line.height() + metrics.ascent() - metrics.descent()) / 2, low);
 
   const QString signal = tr("%1, last 10 s").arg(signal_);
   const QRect room(titleEnd, 0, x - gap - titleEnd, line.height());

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double kStep_dB = 10.0;
 
-double amplitude(double level_dB) {
-  return std::pow(10.0, level_dB / 20.0);
-}
-
 }  // namespace
 
 SpectrumPlot::SpectrumPlot(AnalyseView& view, QWidget* parent)
@@ -78,7 +74,7 @@ double SpectrumPlot::xOf(Hertz f) const {
 }
 
 AxisRange SpectrumPlot::levels() const {
-  if (view_.options().level == LevelScale::Linear) return {0.0, amplitude(high_dB_)};
+  if (view_.options().level == LevelScale::Linear) return {0.0, amplitudeOf(high_dB_)};
   return {low_dB_, high_dB_};
 }
 
@@ -92,7 +88,7 @@ void SpectrumPlot::drawCurve(QPainter& p, const Levels& level_dB, const QPen& pe
     const double x = xOf(Hertz((b + 0.5) * width));
     if (x < plot.left() - 20 || x > plot.right() + 20) continue;
     const double level = level_dB[static_cast<std::size_t>(b)];
-    const double place = std::isfinite(level) ? range.place(linear ? amplitude(level) : level) : 0.0;
+    const double place = std::isfinite(level) ? range.place(linear ? amplitudeOf(level) : level) : 0.0;
     line << QPointF(x, plot.bottom() + 1 - std::clamp(place, -0.05, 1.05) * plot.height());
   }
   // Lines of one pixel are drawn directly, thicker ones as polygons at ten times the price: thick is two thin ones.
@@ -100,6 +96,12 @@ void SpectrumPlot::drawCurve(QPainter& p, const Levels& level_dB, const QPen& pe
   p.setBrush(Qt::NoBrush);
   p.drawPolyline(line);
   if (pen.style() == Qt::SolidLine) p.drawPolyline(line.translated(0.0, 1.0));
+}
+
+void SpectrumPlot::setStale(bool stale) {
+  if (stale == stale_) return;
+  stale_ = stale;
+  update();
 }
 
 void SpectrumPlot::paintEvent(QPaintEvent*) {
@@ -110,10 +112,18 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (plot.width() < 40 || plot.height() < 20) return;
   p.setPen(theme_.colors.secondary);
   p.setFont(theme_.font(type_size::kLabel, true));
+  const bool old = stale_ && !spectrum_.atCursor;
   const QString title = !spectrum_.known     ? tr("SPECTRUM")
                         : spectrum_.atCursor ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
+                        : old                ? tr("SPECTRUM, STALE: nothing new arrives")
                                              : tr("SPECTRUM, NEWEST");
+  if (old) p.setPen(theme_.colors.onsetText);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
+  const QString unit =
+      view_.options().level == LevelScale::Linear ? rmsUnit(spectrum_.unit) : decibelUnit(spectrum_.unit);
+  p.setFont(theme_.font(type_size::kLabel));
+  if (spectrum_.known)
+    p.drawText(QRect(0, 0, plot.right() + 1, theme_.px(26)), Qt::AlignVCenter | Qt::AlignRight, unit);
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.text);
   p.drawText(QRect(theme_.px(12), theme_.px(22), width() - theme_.px(24), theme_.px(20)),
@@ -128,6 +138,7 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (spectrum_.known) {
     p.save();
     p.setClipRect(plot);
+    if (old) p.setOpacity(0.4);
     if (reference_) drawCurve(p, *reference_, QPen(theme_.colors.advice, 1, Qt::DashLine));
     if (spectrum_.hold) drawCurve(p, *spectrum_.hold, QPen(theme_.colors.faint, 1));
     drawCurve(p, spectrum_.level_dB, QPen(theme_.colors.text, 1));

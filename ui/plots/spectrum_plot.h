@@ -18,6 +18,8 @@ class SpectrumPlot : public QWidget, public Themed {
   explicit SpectrumPlot(AnalyseView& view, QWidget* parent = nullptr);
 
   void display(const SpectrumView& spectrum);
+  // The newest one is old.
+  void setStale(bool stale);
   // What the spectrum on show becomes the reference; again: none.
   void toggleReference();
   bool hasReference() const { return reference_.has_value(); }
@@ -50,6 +52,7 @@ class SpectrumPlot : public QWidget, public Themed {
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool dragged_ = false;
+  bool stale_ = false;
 };
 
 }  // namespace stillcut::ui

@@ -20,7 +20,7 @@ constexpr double kDragFrom = 6.0;  // px: a touch that moves less is a click
 
 QString clockText(qint64 wallMs, int decimals) {
   const QDateTime time = QDateTime::fromMSecsSinceEpoch(wallMs);
-  const QString whole = time.toString(QStringLiteral("HH:mm:ss"));
+  QString whole = time.toString(QStringLiteral("HH:mm:ss"));
   if (decimals < 1) return whole;
   return whole + u'.' + QStringLiteral("%1").arg(time.time().msec(), 3, 10, QChar(u'0')).left(decimals);
 }
@@ -53,7 +53,7 @@ void TimePlot::applyTheme(const Theme& theme) {
 }
 
 QRect TimePlot::plotRect() const {
-  return rect().adjusted(theme_.px(74), theme_.px(26), -theme_.px(14), timesShown_ ? -theme_.px(26) : -theme_.px(6));
+  return rect().adjusted(theme_.px(74), theme_.px(26), -theme_.px(46), lowerAxis() ? -theme_.px(26) : -theme_.px(6));
 }
 
 Instant TimePlot::timeAt(double x) const {
@@ -75,12 +75,22 @@ void TimePlot::paintEvent(QPaintEvent*) {
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title_);
+  const int after = theme_.px(12 + 14) + p.fontMetrics().horizontalAdvance(title_);
+  p.setFont(theme_.font(type_size::kTick));
+  if (p.fontMetrics().horizontalAdvance(legend_) < width() - after - theme_.px(12)) {
+    p.drawText(QRect(after, 0, width() - after, theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, legend_);
+  }
   p.fillRect(plot, theme_.colors.track);
   if (stale_) p.setOpacity(0.4);
   drawPlot(p, plot);
   p.setOpacity(1.0);
   drawTimes(p, plot);
   drawCursors(p, plot);
+  if (boxing_ && pressed_) {
+    QColor wash = theme_.colors.advice;
+    wash.setAlpha(60);
+    p.fillRect(QRectF(QPointF(pressed_->x(), plot.top()), QPointF(last_.x(), plot.bottom() + 1)).normalized(), wash);
+  }
   if (stale_) {
     p.setFont(theme_.font(type_size::kValue, true));
     p.setPen(theme_.colors.text);
@@ -130,9 +140,29 @@ void TimePlot::drawCursors(QPainter& p, const QRect& plot) const {
     p.setPen(theme_.colors.panel);
     p.drawText(flag, Qt::AlignCenter, c == AnalyseView::A ? QStringLiteral("A") : QStringLiteral("B"));
   }
-  if (!boxing_ || !pressed_) return;
-  p.fillRect(QRectF(QPointF(pressed_->x(), plot.top()), QPointF(last_.x(), plot.bottom() + 1)).normalized(),
-             QColor(theme_.colors.advice.red(), theme_.colors.advice.green(), theme_.colors.advice.blue(), 60));
+}
+
+void TimePlot::drawReading(QPainter& p, const QRectF& row, Instant t, const QString& text) const {
+  p.setFont(theme_.font(type_size::kTick, true));
+  const double wide = p.fontMetrics().horizontalAdvance(text) + theme_.px(6), x = xOf(t);
+  const double apart = theme_.px(10);  // beside the flag, where the row is at its height
+  const double left = x + apart + wide < row.right() ? x + apart : x - apart - wide;
+  const QRectF patch(left, row.top(), wide, std::min<double>(row.height(), theme_.px(17)));
+  p.fillRect(patch, theme_.colors.panel);
+  p.setPen(theme_.colors.text);
+  p.drawText(patch, Qt::AlignCenter, text);
+}
+
+void TimePlot::panRight(double share) {
+  view_.pan(view_.options().span * -share);
+}
+
+void TimePlot::zoomRight(double factor, double x) {
+  view_.zoomTime(factor, timeAt(x));
+}
+
+void TimePlot::showBetween(double left, double right) {
+  view_.showTimes(timeAt(left), timeAt(right));
 }
 
 void TimePlot::wheelEvent(QWheelEvent* event) {
@@ -142,7 +172,7 @@ void TimePlot::wheelEvent(QWheelEvent* event) {
   if (second) {
     zoomUp(factor, event->position().y());
   } else {
-    view_.zoomTime(factor, timeAt(event->position().x()));
+    zoomRight(factor, event->position().x());
   }
   event->accept();
 }
@@ -165,7 +195,7 @@ void TimePlot::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   const QRect plot = plotRect();
-  if (std::abs(by.x()) > 0) view_.pan(view_.options().span * (-by.x() / std::max(plot.width(), 1)));
+  if (std::abs(by.x()) > 0) panRight(by.x() / std::max(plot.width(), 1));
   if (std::abs(by.y()) > 0) panUp(by.y() / std::max(plot.height(), 1));
 }
 
@@ -177,7 +207,7 @@ void TimePlot::mouseReleaseEvent(QMouseEvent* event) {
   boxing_ = false;
   if (box) {
     const double one = from.x(), other = event->position().x();
-    view_.showTimes(timeAt(std::min(one, other)), timeAt(std::max(one, other)));
+    showBetween(std::min(one, other), std::max(one, other));
   } else if (!dragged_ && plotRect().contains(event->position().toPoint())) {
     clicked(event->position(), event->modifiers());
   }
@@ -196,18 +226,18 @@ void TimePlot::keyPressEvent(QKeyEvent* event) {
   const Instant middle = view_.to() - toDuration(view_.options().span * 0.5);
   switch (event->key()) {
     case Qt::Key_Left:
-      return view_.pan(view_.options().span * -0.1);
+      return panRight(0.1);
     case Qt::Key_Right:
-      return view_.pan(view_.options().span * 0.1);
+      return panRight(-0.1);
     case Qt::Key_Up:
       return panUp(0.1);
     case Qt::Key_Down:
       return panUp(-0.1);
     case Qt::Key_Plus:
     case Qt::Key_Equal:
-      return view_.zoomTime(kWheelStep, middle);
+      return zoomRight(kWheelStep, plotRect().center().x());
     case Qt::Key_Minus:
-      return view_.zoomTime(1.0 / kWheelStep, middle);
+      return zoomRight(1.0 / kWheelStep, plotRect().center().x());
     case Qt::Key_PageUp:
       return zoomUp(1.0 / kWheelStep, plotRect().bottom());
     case Qt::Key_PageDown:

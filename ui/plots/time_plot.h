@@ -23,6 +23,8 @@ class TimePlot : public QWidget, public Themed {
   void setClock(std::function<qint64(Instant)> wallMs) { wallMs_ = std::move(wallMs); }
   // Only the lowest of several plots carries the time.
   void setTimesShown(bool shown);
+  // How it is read, beside the title where there is room.
+  void setLegend(const QString& legend) { legend_ = legend; }
   void setStale(bool stale);
 
   QRect plotRect() const;
@@ -34,10 +36,20 @@ class TimePlot : public QWidget, public Themed {
  protected:
   // What is special to the plot; times and cursors are drawn by this class.
   virtual void drawPlot(QPainter& p, const QRect& plot) = 0;
-  // A wheel or a drag across it, where the plot has a second axis; `share` of its height, upwards.
+  // Time lies along the lower axis, unless a plot says otherwise. A drag of `share` of the plot's width to the right;
+  // the wheel at x; a stretch drawn over.
+  virtual void panRight(double share);
+  virtual void zoomRight(double factor, double x);
+  virtual void showBetween(double left, double right);
+  // The same across it, where the plot has a second axis; `share` of its height, upwards.
   virtual void panUp(double share) { static_cast<void>(share); }
   virtual void zoomUp(double factor, double y) { static_cast<void>(factor), static_cast<void>(y); }
   virtual void clicked(const QPointF& at, Qt::KeyboardModifiers modifiers);
+  virtual void drawCursors(QPainter& p, const QRect& plot) const;
+  // What is read at a cursor, beside its line at the top of `row`.
+  void drawReading(QPainter& p, const QRectF& row, Instant t, const QString& text) const;
+  // Whether there are numbers below the plot.
+  virtual bool lowerAxis() const { return timesShown_; }
 
   const Theme& theme() const { return theme_; }
   AnalyseView& view() const { return view_; }
@@ -52,10 +64,9 @@ class TimePlot : public QWidget, public Themed {
 
  private:
   void drawTimes(QPainter& p, const QRect& plot) const;
-  void drawCursors(QPainter& p, const QRect& plot) const;
 
   AnalyseView& view_;
-  QString title_;
+  QString title_, legend_;
   Theme theme_;
   std::function<qint64(Instant)> wallMs_;
   bool timesShown_ = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/models/format.h"
 #include "ui/plots/axis_painter.h"
 
 namespace stillcut::ui {
@@ -73,6 +74,15 @@ void TracePlot::drawPlot(QPainter& p, const QRect& plot) {
   }
   p.restore();
   drawLeftAxis(p, plot, {-full, full}, unit_, theme());
+  const QRectF header(plot.left(), plot.top() - theme().px(17), plot.width(), theme().px(17));  // hides no sample
+  for (const AnalyseView::Cursor c : {AnalyseView::A, AnalyseView::B}) {
+    const auto t = view().cursor(c);
+    const int at = t ? static_cast<int>(xOf(*t)) - plot.left() : -1;
+    if (at < 0 || at >= static_cast<int>(extents.size()) || !extents[static_cast<std::size_t>(at)].present) continue;
+    const Extent& e = extents[static_cast<std::size_t>(at)];
+    const double most = std::max(std::abs(static_cast<double>(e.low)), std::abs(static_cast<double>(e.high)));
+    drawReading(p, header, *t, tr("peak %1").arg(join(significant(most), unit_)));
+  }
 }
 
 }  // namespace stillcut::ui

@@ -4,6 +4,9 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "ui/models/format.h"
 
 namespace stillcut::ui {
 namespace {
@@ -30,21 +33,32 @@ QColor colorOf(const TrackPoint& point, const Theme& theme) {
   return theme.colors.fill;
 }
 
+// A ratio has a scale of one; what grows beyond has as much as it needs.
+double fullScale(const std::deque<TrackPoint>& track) {
+  double full = 1.0;
+  for (const TrackPoint& point : track) {
+    if (point.valid && std::isfinite(point.indicator))
+      full = std::max(full, std::abs(static_cast<double>(point.indicator)));
+  }
+  return full;
+}
+
 }  // namespace
 
 TrackPlot::TrackPlot(AnalyseView& view, QWidget* parent) : TimePlot(view, tr("DETECTORS"), parent) {
+  setLegend(tr("low: stable, half: onset, full: chatter; line: first indicator"));
   setToolTip(tr("Low: stable. Half: onset. Full: chatter. Hatched: no verdict. The line is the first indicator."));
 }
 
-void TrackPlot::display(const RunHistory* history, const QStringList& names, int inCharge) {
+void TrackPlot::display(const RunHistory* history, std::vector<Row> rows, int inCharge) {
   history_ = history;
-  names_ = names;
+  rows_ = std::move(rows);
   inCharge_ = inCharge;
   update();
 }
 
 QSize TrackPlot::minimumSizeHint() const {
-  return {theme().px(420), theme().px(static_cast<double>(60 + 26 * std::max<qsizetype>(names_.size(), 1)))};
+  return {theme().px(420), theme().px(static_cast<double>(60 + 26 * std::max<std::size_t>(rows_.size(), 1)))};
 }
 
 void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
@@ -56,10 +70,14 @@ void TrackPlot::drawPlot(QPainter& p, const QRect& plot) {
     const QRectF row(plot.left(), plot.top() + height * static_cast<double>(k) + gap / 2, plot.width(), height - gap);
     p.save();
     p.setClipRect(row);
-    drawTrack(p, row, tracks[k]);
+    const double full = fullScale(tracks[k]);
+    const Row about = k < rows_.size() ? rows_[k] : Row();
+    drawTrack(p, row, tracks[k], full);
     p.restore();
+    drawScale(p, row, full, about.limit);
+    drawReadings(p, row, tracks[k]);
     p.setPen(theme().colors.text);
-    const QString name = names_.value(static_cast<qsizetype>(k));
+    const QString& name = about.name;
     const double room = theme().px(68);
     p.setFont(fitting(name, static_cast<int>(k) == inCharge_, room));
     p.drawText(QRectF(plot.left() - room - theme().px(4), row.top(), room, row.height()),
@@ -72,8 +90,8 @@ QFont TrackPlot::fitting(const QString& name, bool bold, double room) {
   const QStringList words = name.split(u' ');
   QFont font;
   double widest = 0.0;
-  for (double size = type_size::kTick; size > 9.0; size -= 0.5) {
-    font = theme().font(size, bold);
+  for (int halves = static_cast<int>(2.0 * type_size::kTick); halves > 18; --halves) {
+    font = theme().font(0.5 * halves, bold);
     widest = 0.0;
     for (const QString& word : words) widest = std::max(widest, QFontMetricsF(font).horizontalAdvance(word));
     if (widest <= room) break;
@@ -82,27 +100,32 @@ QFont TrackPlot::fitting(const QString& name, bool bold, double room) {
   return font;
 }
 
-void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const {
+void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track, double full) const {
   if (track.empty()) return;
-  double largest = 1.0;
-  for (const TrackPoint& point : track) {
-    if (point.valid && std::isfinite(point.indicator))
-      largest = std::max(largest, std::abs(static_cast<double>(point.indicator)));
-  }
   const auto first = std::lower_bound(track.begin(), track.end(), view().from(),
                                       [](const TrackPoint& point, Instant t) { return point.time < t; });
-  QPolygonF curve;
+  std::vector<QPolygonF> curves(1);  // one between two gaps
   p.setRenderHint(QPainter::Antialiasing, false);
   for (auto it = first == track.begin() ? first : first - 1; it != track.end() && it->time <= view().to();) {
     const TrackPoint& begin = *it;
     const double left = xOf(begin.time);
+    if (begin.afterGap && it != track.begin()) {
+      const double since = xOf((it - 1)->time);
+      p.fillRect(QRectF(since, row.top(), left - since, row.height()), theme().colors.gap);
+      if (!curves.back().isEmpty()) curves.emplace_back();
+    }
     // One rectangle for a whole run of the same state; of the curve one point for each pixel.
-    for (; it != track.end() && it->time <= view().to() && it->valid == begin.valid && it->state == begin.state; ++it) {
+    const auto same = [&](const TrackPoint& t) {
+      return t.time <= view().to() && t.valid == begin.valid && t.state == begin.state && (&t == &begin || !t.afterGap);
+    };
+    for (; it != track.end() && same(*it); ++it) {
+      QPolygonF& curve = curves.back();
       const double x = xOf(it->time);
       const bool shown = it->valid && std::isfinite(it->indicator) && (curve.isEmpty() || x > curve.last().x() + 1.0);
-      if (shown) curve << QPointF(x, row.bottom() - row.height() * std::abs(it->indicator) / largest);
+      if (shown) curve << QPointF(x, row.bottom() - row.height() * std::abs(it->indicator) / full);
     }
-    const double right = it != track.end() ? xOf(it->time) : xOf(track.back().time) + 1.0;
+    const bool goesOn = it != track.end() && !it->afterGap;
+    const double right = goesOn ? xOf(it->time) : xOf((it - 1)->time) + 1.0;
     if (begin.valid) {
       const double high = row.height() * heightOf(begin);
       p.fillRect(QRectF(left, row.bottom() - high, right - left, high), colorOf(begin, theme()));
@@ -113,8 +136,41 @@ void TrackPlot::drawTrack(QPainter& p, const QRectF& row, const std::deque<Track
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(theme().colors.text, 1));  // thin lines are drawn directly, thick ones as polygons: see SpectrumPlot
   p.setBrush(Qt::NoBrush);
-  p.drawPolyline(curve);
-  p.drawPolyline(curve.translated(0.0, 1.0));
+  for (const QPolygonF& curve : curves) {
+    p.drawPolyline(curve);
+    p.drawPolyline(curve.translated(0.0, 1.0));
+  }
+}
+
+// Beside the row: its upper end, and the limit where there is one, as a line across.
+void TrackPlot::drawScale(QPainter& p, const QRectF& row, double full, double limit) const {
+  p.setFont(theme().font(type_size::kTick));
+  const QFontMetrics metrics = p.fontMetrics();
+  const double left = row.right() + theme().px(6), high = metrics.capHeight();
+  p.setPen(theme().colors.secondary);
+  p.drawLine(QPointF(row.right() + 1, row.top() + 0.5), QPointF(row.right() + theme().px(5), row.top() + 0.5));
+  p.drawText(QPointF(left, row.top() + high), significant(full));
+  if (!std::isfinite(limit) || limit > full) return;
+  const double y = row.bottom() - row.height() * limit / full;
+  p.setPen(QPen(theme().colors.onsetText, 1, Qt::DashLine));
+  p.drawLine(QPointF(row.left(), y), QPointF(row.right() + theme().px(5), y));
+  p.setPen(theme().colors.onsetText);
+  if (y - row.top() > high + theme().px(3))
+    p.drawText(QPointF(left, std::min(y + high / 2, row.bottom())), significant(limit));
+}
+
+// The indicator at each cursor, beside its line.
+void TrackPlot::drawReadings(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const {
+  for (const AnalyseView::Cursor c : {AnalyseView::A, AnalyseView::B}) {
+    const auto t = view().cursor(c);
+    if (!t || *t < view().from() || *t > view().to()) continue;
+    const auto after = std::upper_bound(track.begin(), track.end(), *t,
+                                        [](Instant at, const TrackPoint& point) { return at < point.time; });
+    if (after == track.begin()) continue;
+    const TrackPoint& point = *(after - 1);
+    const QString text = number(point.valid ? static_cast<double>(point.indicator) : std::nan(""), 2);
+    drawReading(p, row, *t, text);
+  }
 }
 
 }  // namespace stillcut::ui

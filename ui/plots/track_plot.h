@@ -1,8 +1,10 @@
 // What every detector said over time, one row each, side by side: the state as a step (and a colour), the first
-// indicator as a curve. GUI thread.
+// indicator as a curve with its scale and its limit, and its value at the cursors. GUI thread.
 #pragma once
 
-#include <QStringList>
+#include <QString>
+#include <limits>
+#include <vector>
 
 #include "ui/models/run_history.h"
 #include "ui/plots/time_plot.h"
@@ -14,8 +16,12 @@ class TrackPlot : public TimePlot {
  public:
   explicit TrackPlot(AnalyseView& view, QWidget* parent = nullptr);
 
-  // Names in the order of the tracks; `inCharge` is set in bold.
-  void display(const RunHistory* history, const QStringList& names, int inCharge);
+  struct Row {
+    QString name;
+    double limit = std::numeric_limits<double>::quiet_NaN();  // of the first indicator; not a number: none
+  };
+  // Rows in the order of the tracks; `inCharge` is set in bold.
+  void display(const RunHistory* history, std::vector<Row> rows, int inCharge);
   bool clipped() const override { return clipped_; }
   QSize minimumSizeHint() const override;
 
@@ -24,10 +30,12 @@ class TrackPlot : public TimePlot {
 
  private:
   QFont fitting(const QString& name, bool bold, double room);
-  void drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const;
+  void drawTrack(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track, double full) const;
+  void drawScale(QPainter& p, const QRectF& row, double full, double limit) const;
+  void drawReadings(QPainter& p, const QRectF& row, const std::deque<TrackPoint>& track) const;
 
   const RunHistory* history_ = nullptr;
-  QStringList names_;
+  std::vector<Row> rows_;
   int inCharge_ = 0;
   bool clipped_ = false;
 };

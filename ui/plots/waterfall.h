@@ -15,7 +15,7 @@ struct WaterfallScale {
   double stretch = 1.0;   // of this spectrum's frequencies
 
   // Along the axis, 0 .. 1 between its ends.
-  double shareOf(int bin) const { return (bin * binWidth * stretch - low.value) / (high.value - low.value); }
+  double shareOf(double bin) const { return (bin * binWidth * stretch - low.value) / (high.value - low.value); }
   int first() const { return clamped(std::floor(low.value / (binWidth * stretch))); }
   int last() const { return std::max(first() + 1, clamped(std::ceil(high.value / (binWidth * stretch)))); }
 

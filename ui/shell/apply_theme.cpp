@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ui/models/themed.h"
+#include "ui/widgets/painting.h"
 
 static void loadStyleResource() {
   Q_INIT_RESOURCE(style);  // a static library's resources are not registered by themselves
@@ -16,7 +17,7 @@ static void loadStyleResource() {
 namespace stillcut::ui {
 namespace {
 
-QString styleSheet(const Theme& theme) {
+QString styleSheet(const Theme& theme, int touch) {
   loadStyleResource();
   QFile file(QStringLiteral(":/style/stillcut.qss"));
   if (!file.open(QIODevice::ReadOnly)) return {};
@@ -33,7 +34,7 @@ QString styleSheet(const Theme& theme) {
       {QStringLiteral("@advice"), theme.colors.advice.name()},
       {QStringLiteral("@body"), QStringLiteral("%1px").arg(theme.px(type_size::kBody))},
       {QStringLiteral("@fill"), theme.colors.fill.name()},
-      {QStringLiteral("@touch"), QStringLiteral("%1px").arg(theme.px(46))},
+      {QStringLiteral("@touch"), QStringLiteral("%1px").arg(touch)},
       {QStringLiteral("@bar"), QStringLiteral("%1px").arg(theme.px(18))},
       {QStringLiteral("@label"), QStringLiteral("%1px").arg(theme.px(type_size::kLabel))}};
   for (const auto& [name, value] : values) sheet.replace(name, value);
@@ -58,7 +59,7 @@ QPalette paletteOf(const ThemeColors& c) {
 
 void applyTheme(QWidget& window, const Theme& theme) {
   window.setPalette(paletteOf(theme.colors));
-  window.setStyleSheet(styleSheet(theme));
+  window.setStyleSheet(styleSheet(theme, touchHeight(theme, &window)));
   if (auto* self = dynamic_cast<Themed*>(&window)) self->applyTheme(theme);
   const QList<QWidget*> children = window.findChildren<QWidget*>();
   for (QWidget* child : children) {

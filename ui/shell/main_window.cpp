@@ -1,6 +1,7 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -17,6 +18,32 @@
 #include "ui/widgets/status_strip.h"
 
 namespace stillcut::ui {
+namespace {
+
+constexpr qint64 kKeepEveryMs = 1000;  // a dragged slider is not a write each
+
+// A scroll area gives wrapped texts all the height they would like; a page makes do with its window as long as it can.
+class PageLayout : public QVBoxLayout {
+ public:
+  explicit PageLayout(QWidget* parent) : QVBoxLayout(parent) { setContentsMargins(0, 0, 0, 0); }
+  bool hasHeightForWidth() const override { return false; }
+};
+
+// On a screen too low for a page in buttons of 12 mm the page scrolls: what commands the machine never leaves the
+// screen.
+QScrollArea* scrolled(QWidget* page) {
+  auto* area = new QScrollArea;
+  area->setObjectName(QStringLiteral("scroll"));
+  area->setFrameShape(QFrame::NoFrame);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidgetResizable(true);
+  auto* whole = new QWidget;
+  (new PageLayout(whole))->addWidget(page);
+  area->setWidget(whole);
+  return area;
+}
+
+}  // namespace
 
 MainWindow::MainWindow(SessionFacade& session, std::optional<ThemeKind> theme, std::optional<Language> language)
     : session_(session),
@@ -55,7 +82,8 @@ void MainWindow::build() {
   connect(new QShortcut(Qt::Key_F1, centre), &QShortcut::activated, this, &MainWindow::toggleManual);
   connect(new QShortcut(Qt::Key_F12, centre), &QShortcut::activated, this, &MainWindow::nextTheme);
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
-  connect(command_, &CommandBar::asked, this, &MainWindow::ask);
+  connect(command_, &CommandBar::asked, this,
+          [this](const OperatorInput& input) { session_.send(input, generation_); });
   retheme();
 }
 
@@ -68,16 +96,18 @@ void MainWindow::addPages() {
     page->setFocusPolicy(Qt::ClickFocus);
     const QString title = pageTitle(entry);
     if (page->accessibleName().isEmpty()) page->setAccessibleName(title);
-    const int index = stack_->addWidget(page);
+    const int index = stack_->addWidget(scrolled(page));
     pages_.push_back(page);
     const QKeySequence key(static_cast<int>(Qt::CTRL) | (static_cast<int>(Qt::Key_0) + entry.number));
     header_->addPage(title, key, QStringLiteral("page-") + QLatin1String(entry.id));
     connect(new QShortcut(key, centralWidget()), &QShortcut::activated, this, [this, index] { showPage(index); });
     connect(page, &Page::pageAsked, this, qOverload<const QString&>(&MainWindow::showPage));
-    connect(page, &Page::asked, this, &MainWindow::ask);
+    connect(page, &Page::stateChanged, this, [this] { stateChanged_ = true; });
+    connect(page, &Page::asked, this, [this](const OperatorInput& input) { session_.send(input, generation_); });
   }
   state_.restore(pages_);
   showPage(0);
+  stateChanged_ = false;
 }
 
 void MainWindow::meetSession() {
@@ -86,12 +116,6 @@ void MainWindow::meetSession() {
   history_.clear();
   signal_.prepare(session_.info().setup);
   for (Page* page : pages_) page->restart();
-}
-
-// Back to what was programmed is: nothing of Stillcut acts, also not through the table.
-void MainWindow::ask(const OperatorInput& input) {
-  session_.send(input);
-  if (input.action == OperatorAction::BackToProgrammed && session_.active() != nullptr) session_.active()->stop();
 }
 
 void MainWindow::restorePlace() {
@@ -114,36 +138,49 @@ bool MainWindow::offerGuide() {
 }
 
 void MainWindow::tick(qint64 nowMs) {
-  if (session_.generation() != generation_) meetSession();
   const Snapshot* snapshot = session_.pull();
+  if (session_.generation() != generation_) meetSession();
+  const bool replay = session_.replayShown();
+  const Snapshot* live = replay ? session_.live() : snapshot;
   freshness_.see(snapshot, nowMs);
+  liveFreshness_.see(live, nowMs);
   if (snapshot != nullptr) history_.see(*snapshot);
-  if (snapshot != nullptr && snapshot->running && !state_.guideSeen()) state_.setGuideSeen();
+  if (live != nullptr && live->running && !state_.guideSeen()) state_.setGuideSeen();
   session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
   ActiveDesk* table = session_.active();
   if (table != nullptr) table->poll();
-  const Picture picture{&session_.info(),
-                        snapshot,
-                        freshness_.age(),
-                        snapshot && freshness_.stale(),
-                        nowMs,
-                        session_.recorder(),
-                        session_.link(),
-                        look_.units,
-                        &history_,
-                        &signal_,
-                        table != nullptr ? table->pull() : nullptr};
+  Picture picture{&session_.info(),
+                  snapshot,
+                  freshness_.age(),
+                  snapshot && freshness_.stale(),
+                  nowMs,
+                  session_.recorder(),
+                  session_.link(),
+                  look_.units,
+                  &history_,
+                  &signal_,
+                  table != nullptr ? table->pull() : nullptr,
+                  replay};
   for (Page* page : pages_) page->see(picture);
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
+  // What commands, and what tells how the machine fares, is of the machine whatever the pages show.
+  picture.info = &session_.liveInfo();
+  picture.snapshot = live;
+  picture.age = liveFreshness_.age();
+  picture.stale = live != nullptr && liveFreshness_.stale();
   command_->display(makeCommandView(picture), nowMs);
   strip_->display(makeStrip(picture));
+  nowMs_ = nowMs;
+  if (stateChanged_ && nowMs - keptMs_ >= kKeepEveryMs) keepState();
 }
 
 void MainWindow::showPage(int index) {
   manual_->hide();
   stack_->setCurrentIndex(index);
-  stack_->currentWidget()->setFocus();
+  pages_[static_cast<std::size_t>(index)]->setFocus();
   header_->setCurrentPage(index);
+  stateChanged_ = true;
+  command_->setTellsVerdict(index != 0);
 }
 
 void MainWindow::showPage(const QString& id) {
@@ -152,7 +189,7 @@ void MainWindow::showPage(const QString& id) {
 }
 
 QString MainWindow::currentPage() const {
-  return stack_->currentWidget()->objectName();
+  return pages_[static_cast<std::size_t>(stack_->currentIndex())]->objectName();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -162,11 +199,18 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   if (std::abs(scaleForSize(width(), height()) - scale_) > 1e-9) retheme();
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
-  timer_.stop();
+// Nobody closes the window of a machine whose main switch is turned.
+void MainWindow::keepState() {
+  stateChanged_ = false;
+  keptMs_ = nowMs_;
   state_.setGeometry(saveGeometry());
   state_.setPage(currentPage());
   state_.keep(pages_);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  timer_.stop();
+  keepState();
   emit closed();
   event->accept();
 }
@@ -213,7 +257,7 @@ void MainWindow::setLook(const DisplayChoice& look) {
   }
   speaker_.speak(look.language);
   const QString page = currentPage();
-  state_.keep(pages_);
+  keepState();
   pages_.clear();
   build();
   showPage(page);

@@ -64,20 +64,22 @@ class MainWindow : public QMainWindow {
   void addPages();
   void showPage(int index);
   void meetSession();
-  void ask(const OperatorInput& input);
   void nextTheme();
   void toggleManual();
   void toggleDisplayPanel();
   void setLook(const DisplayChoice& look);
   void retheme();
+  void keepState();
 
   SessionFacade& session_;
   WindowState state_;
   DisplayChoice look_;
   Speaker speaker_;
   double scale_ = 0.0;
+  bool stateChanged_ = false;  // something that outlives a restart is not on the disk yet
+  qint64 nowMs_ = 0, keptMs_ = 0;
   std::uint32_t generation_ = 0;
-  Freshness freshness_;
+  Freshness freshness_, liveFreshness_;  // of what the pages show, and of the machine's own cut
   RunHistory history_;
   SignalHistory signal_;
   QTimer timer_;

@@ -20,6 +20,7 @@ namespace stillcut::ui {
 namespace {
 
 constexpr int kPartLevel = 2;  // "## Operate"
+const QString kManual = QStringLiteral("/manual/");
 
 // As a link names a heading: "Back to 100 %" is #back-to-100-.
 QString anchorOf(const QString& heading) {
@@ -119,9 +120,9 @@ QString ManualPanel::headingOnTop() const {
 // A chapter that this language has is taken from it, whatever language the link was written in.
 void ManualPanel::follow(const QUrl& link) {
   const QUrl whole = text_->source().resolved(link);
-  const QString file = whole.path().section(u'/', -1);
-  if (!file.endsWith(QStringLiteral(".md"))) return;
-  QUrl chapter = chapterUrl(file.chopped(3), language_);
+  const QString file = whole.path();
+  if (!file.startsWith(kManual) || !file.endsWith(QStringLiteral(".md"))) return;
+  const QUrl chapter = chapterUrl(file.mid(kManual.size()).chopped(3), language_);
   if (chapter.isEmpty()) return;
   text_->setSource(chapter);
   if (!whole.hasFragment()) return;

@@ -22,20 +22,26 @@ class SessionFacade {
  public:
   virtual ~SessionFacade() = default;
 
-  // Constant while generation() is.
+  // Of what the pages show: the cut, or a replay in its place. Constant while generation() is.
   virtual const SessionInfo& info() const = 0;
   // Counts what has been opened: another number means another cut, replay or machine, with another info(), whose
   // pictures have nothing to do with those before.
   virtual std::uint32_t generation() const { return 0; }
-  // The newest snapshot, or null before the first. Immutable and valid until the next pull().
+  // The newest snapshot of what the pages show, or null before the first. Immutable and valid until the next pull().
   virtual const Snapshot* pull() = 0;
+  // While a replay is shown, the machine's own cut as of the last pull(): what commands shows it and acts on it.
+  virtual bool replayShown() const { return false; }
+  virtual const SessionInfo& liveInfo() const { return info(); }
+  virtual const Snapshot* live() { return pull(); }
   // The samples that came since the last call, in device units (info().setup.channels has the scales), in order. A
   // screen that is late loses some, which their stamps tell.
   virtual void readSignal(const std::function<void(const SampleBlock&)>& sink) { static_cast<void>(sink); }
   // Which channel the spectrogram of the snapshots is of, from the next block on.
   virtual void showChannel(int channel) { static_cast<void>(channel); }
-  // Queued to the worker, acts at its next block; what came of it shows in the snapshot.
-  virtual void send(const OperatorInput& input) = 0;
+  // Queued to the worker, acts at its next block; what came of it shows in the snapshot. BackToProgrammed lets the
+  // active work-holder go as well. `seen`: the generation() that was on the screen when it was touched. Advice and
+  // alarms are answered only of the machine's cut, and only of the one that was seen; anything else is let fall.
+  virtual void send(const OperatorInput& input, std::uint32_t seen) = 0;
   virtual RecorderStatus recorder() const = 0;
   virtual LinkStatus link() const = 0;
   // Null: the modes of the cut are not known.

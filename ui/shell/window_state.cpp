@@ -94,6 +94,7 @@ void WindowState::keep(std::span<Page* const> pages) {
     page->keep(*settings_);
     settings_->endGroup();
   }
+  settings_->sync();
 }
 
 }  // namespace stillcut::ui

@@ -5,6 +5,7 @@
 
 #include "ui/widgets/painting.h"
 #include "ui/widgets/touch_button.h"
+#include "ui/widgets/verdict_shape.h"
 
 namespace stillcut::ui {
 namespace {
@@ -21,7 +22,8 @@ CommandBar::CommandBar(QWidget* parent)
                  new TouchButton(tr("ADVISE"), TouchButton::Look::Plain, this),
                  new TouchButton(tr("AUTO"), TouchButton::Look::Plain, this)},
       hold_(new TouchButton(tr("HOLD"), TouchButton::Look::Plain, this)),
-      back_(new TouchButton(tr("BACK TO 100 %"), TouchButton::Look::Plain, this)) {
+      back_(new TouchButton(tr("BACK TO 100 %"), TouchButton::Look::Plain, this)),
+      accept_(new TouchButton(tr("ACCEPT"), TouchButton::Look::Advice, this)) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Authority"));
   const std::array<Qt::Key, 3> keys{Qt::Key_F2, Qt::Key_F3, Qt::Key_F4};
@@ -47,7 +49,13 @@ CommandBar::CommandBar(QWidget* parent)
     withdrawQuestion();
     emit asked({OperatorAction::BackToProgrammed, Authority::Off});
   });
-  for (TouchButton* button : {authority_[0], authority_[1], authority_[2], hold_, back_}) button->setBaseHeight(66);
+  accept_->setObjectName(QStringLiteral("accept-here"));
+  accept_->setKey(Qt::Key_F5);
+  connect(accept_, &TouchButton::clicked, this, [this] {
+    emit asked({OperatorAction::Accept, Authority::Off, view_.adviceNumber});
+  });
+  for (TouchButton* button : {authority_[0], authority_[1], authority_[2], hold_, back_, accept_})
+    button->setBaseHeight(66);
   showButtons();
 }
 
@@ -57,7 +65,7 @@ void CommandBar::display(const CommandView& view, qint64 nowMs) {
   if (view == view_) return;
   view_ = view;
   if (view.authority == Authority::Auto || !view.autoAllowed) withdrawQuestion();
-  setAccessibleDescription(view.inCommand + u' ' + view.since);
+  setAccessibleDescription(view.inCommand + u' ' + view.since + u' ' + view.verdict.spoken());
   showButtons();
   update();
 }
@@ -72,7 +80,15 @@ void CommandBar::showButtons() {
   authority_[2]->setHint(view_.autoNeedsSecondTouch ? tr("F4, no watchdog") : QStringLiteral("F4"));
   hold_->setChecked(view_.held);
   hold_->setText(view_.held ? tr("END HOLD") : tr("HOLD"));
+  accept_->setVisible(tellsVerdict_ && !view_.advice.isEmpty());
+  accept_->setHint(QStringLiteral("F5, %1").arg(view_.advice));
   back_->setHint(view_.moved.isEmpty() ? QStringLiteral("Esc") : tr("Esc, now %1").arg(view_.moved));
+}
+
+void CommandBar::setTellsVerdict(bool tells) {
+  tellsVerdict_ = tells;
+  showButtons();
+  update();
 }
 
 void CommandBar::touchAuthority(Authority authority) {
@@ -80,7 +96,9 @@ void CommandBar::touchAuthority(Authority authority) {
     touchAuto();
   } else {
     withdrawQuestion();
-    if (authority != view_.authority) emit asked({OperatorAction::SetAuthority, authority});
+    // Off is sent whatever is shown: the picture may be older than the machine.
+    if (authority == Authority::Off || authority != view_.authority)
+      emit asked({OperatorAction::SetAuthority, authority});
   }
   showButtons();
 }
@@ -132,6 +150,7 @@ void CommandBar::placeButtons() {
   const int backWidth = theme_.px(232), holdWidth = theme_.px(146);
   back_->setGeometry(width() - pad - backWidth, top, backWidth, high);
   hold_->setGeometry(width() - pad - backWidth - gap - holdWidth, top, holdWidth, high);
+  accept_->setGeometry(hold_->x() - gap - holdWidth, top, holdWidth, high);
 }
 
 void CommandBar::paintEvent(QPaintEvent*) {
@@ -140,16 +159,35 @@ void CommandBar::paintEvent(QPaintEvent*) {
   p.drawLine(0, 0, width(), 0);
   TextPainter text(p, theme_);
   const double left = authority_[2]->geometry().right() + theme_.px(22);
-  const double room = hold_->x() - theme_.px(14) - left;
+  const double room = (accept_->isHidden() ? hold_ : accept_)->x() - theme_.px(14) - left;
   const bool asking = askedMs_ >= 0;
   const QString first = asking ? tr("This machine has no watchdog") : view_.inCommand;
   const QString second = asking ? tr("if Stillcut dies, its overrides stay") : view_.since;
   const QColor color = asking ? theme_.colors.onsetText : theme_.colors.text;
   const double half = height() / 2.0, high = theme_.px(28);
+  if (tellsVerdict_ && !asking) {
+    paintVerdict(text, p, QRectF(left, half - high, room, high));
+    text.centred(QRectF(left, half, room, high), first,
+                 {type_size::kLabel, false, theme_.colors.secondary, Qt::AlignLeft, 0.7});
+    clipped_ = text.clipped();
+    return;
+  }
   text.centred(QRectF(left, half - high, room, high), first, {type_size::kBody, true, color, Qt::AlignLeft, 0.8});
   text.centred(QRectF(left, half, room, high), second,
                {type_size::kBody, false, theme_.colors.secondary, Qt::AlignLeft, 0.8});
   clipped_ = text.clipped();
+}
+
+void CommandBar::paintVerdict(TextPainter& text, QPainter& p, const QRectF& box) const {
+  const VerdictView& verdict = view_.verdict;
+  const double side = box.height() * 0.8;
+  p.setRenderHint(QPainter::Antialiasing);
+  drawVerdictShape(p, QRectF(box.left(), box.center().y() - side / 2.0, side, side), verdict.shape, theme_,
+                   theme_.onPanel(verdict.tone), theme_.colors.window);
+  const QString words =
+      verdict.frequency.isEmpty() ? verdict.word : verdict.word + QStringLiteral("  ") + verdict.frequency;
+  text.centred(box.adjusted(side + theme_.px(8), 0, 0, 0), words,
+               {type_size::kButton, true, theme_.onPanel(verdict.tone), Qt::AlignLeft, 0.6});
 }
 
 }  // namespace stillcut::ui

@@ -10,6 +10,7 @@
 
 namespace stillcut::ui {
 
+class TextPainter;
 class TouchButton;
 
 class CommandBar : public QWidget, public Themed {
@@ -19,6 +20,9 @@ class CommandBar : public QWidget, public Themed {
 
   // `nowMs`: the screen's own clock; the question for a second touch is withdrawn after a few seconds.
   void display(const CommandView& view, qint64 nowMs);
+  // On pages that show neither verdict nor advice, the bar does: no alarm and no question goes unseen.
+  void setTellsVerdict(bool tells);
+  const CommandView& view() const { return view_; }
   bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
@@ -38,14 +42,17 @@ class CommandBar : public QWidget, public Themed {
   void withdrawQuestion();
   void showButtons();
   void placeButtons();
+  void paintVerdict(TextPainter& text, QPainter& p, const QRectF& box) const;
 
   Theme theme_;
   CommandView view_;
   std::array<TouchButton*, 3> authority_;
   TouchButton* hold_;
   TouchButton* back_;
+  TouchButton* accept_;  // of an advice that waits, where the page has no button for it
   qint64 nowMs_ = 0;
   qint64 askedMs_ = -1;  // when the second touch was asked for; -1: not asking
+  bool tellsVerdict_ = false;
   bool clipped_ = false;
 };
 

@@ -15,6 +15,10 @@ int pixelsFor(double mm, const QWidget* widget) {
   return static_cast<int>(std::ceil(mm / 25.4 * physical));
 }
 
+int touchHeight(const Theme& theme, const QWidget* widget, double base) {
+  return std::max(theme.px(base), pixelsFor(kTouchMm, widget));
+}
+
 void drawPanel(QPainter& p, const QRectF& rect, const Theme& theme, const QColor& back) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing);

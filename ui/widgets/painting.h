@@ -12,6 +12,8 @@ namespace stillcut::ui {
 
 // At least this many pixels for `mm` on the screen of `widget`, as far as the screen tells its size truly.
 int pixelsFor(double mm, const QWidget* widget);
+// Of what is touched: `base` before scaling, and no less than a finger in a glove needs.
+int touchHeight(const Theme& theme, const QWidget* widget, double base = 46);
 inline constexpr double kTouchMm = 12.0;
 inline constexpr double kTouchGapMm = 3.0;
 

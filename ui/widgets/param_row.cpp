@@ -172,7 +172,7 @@ void ParamRow::applyTheme(const Theme& theme) {
   controls_->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
   if (edit_ != nullptr) {
     edit_->setFont(theme.font(type_size::kBody));
-    edit_->setFixedSize(theme.px(132), std::max(theme.px(46), pixelsFor(kTouchMm, this)));
+    edit_->setFixedSize(theme.px(132), touchHeight(theme, this));
   }
   update();
 }

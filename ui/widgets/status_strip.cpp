@@ -38,7 +38,7 @@ void StatusStrip::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   TextPainter text(p, theme_);
-  const double pad = theme_.px(16), gap = theme_.px(7), between = theme_.px(18);
+  const double pad = theme_.px(16), gap = theme_.px(7), between = theme_.px(14);
   const QFontMetricsF plain(theme_.font(type_size::kLabel)), bold(theme_.font(type_size::kLabel, true));
   std::vector<double> labels, values;
   double used = 0.0;

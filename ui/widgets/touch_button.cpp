@@ -4,10 +4,30 @@
 #include <QPainter>
 #include <QShortcut>
 #include <algorithm>
+#include <utility>
 
 #include "ui/widgets/painting.h"
 
 namespace stillcut::ui {
+namespace {
+
+constexpr double kTwoLineSize = 15;  // two lines of it fit a target of 12 mm
+
+// Broken at the space that leaves the longer line shortest.
+std::pair<QString, QString> halves(const QString& caption, const QFontMetricsF& metrics) {
+  std::pair<QString, QString> best{caption, {}};
+  double narrowest = metrics.horizontalAdvance(caption);
+  for (qsizetype at = caption.indexOf(u' '); at > 0; at = caption.indexOf(u' ', at + 1)) {
+    const QString first = caption.left(at), second = caption.mid(at + 1);
+    const double width = std::max(metrics.horizontalAdvance(first), metrics.horizontalAdvance(second));
+    if (width >= narrowest) continue;
+    narrowest = width;
+    best = {first, second};
+  }
+  return best;
+}
+
+}  // namespace
 
 TouchButton::TouchButton(const QString& caption, Look look, QWidget* parent)
     : QAbstractButton(parent), theme_(makeTheme(ThemeKind::Light, 1.0)), look_(look) {
@@ -45,6 +65,12 @@ void TouchButton::setCheckedTone(Tone tone) {
   update();
 }
 
+void TouchButton::setTwoLines(bool on) {
+  twoLines_ = on;
+  updateGeometry();
+  update();
+}
+
 void TouchButton::setBaseHeight(double base) {
   baseHeight_ = base;
   updateGeometry();
@@ -56,11 +82,18 @@ void TouchButton::applyTheme(const Theme& theme) {
   update();
 }
 
+double TouchButton::captionWidth() const {
+  if (!twoLines_) return QFontMetricsF(theme_.font(type_size::kButton, true)).horizontalAdvance(text());
+  const QFontMetricsF metrics(theme_.font(kTwoLineSize, true));
+  const auto [first, second] = halves(text(), metrics);
+  return std::max(metrics.horizontalAdvance(first), metrics.horizontalAdvance(second));
+}
+
 QSize TouchButton::sizeHint() const {
-  const QFontMetricsF caption(theme_.font(type_size::kButton, true));
   const QFontMetricsF small(theme_.font(type_size::kTick));
-  const double width = std::max(caption.horizontalAdvance(text()), small.horizontalAdvance(hint_)) +
-                       theme_.px(look_ == Look::Tab ? 22 : 40);
+  const double width = std::max(captionWidth(), small.horizontalAdvance(hint_)) + theme_.px(look_ == Look::Tab ? 22
+                                                                                            : twoLines_        ? 24
+                                                                                                               : 40);
   const int touch = pixelsFor(kTouchMm, this);
   return {std::max(static_cast<int>(width), touch), std::max(theme_.px(baseHeight_), touch)};
 }
@@ -92,7 +125,9 @@ void TouchButton::paintEvent(QPaintEvent*) {
   if (isDown()) look.back = look.back.lightnessF() > 0.5 ? look.back.darker(115) : look.back.lighter(140);
   const double radius = theme_.px(6);
   const double line = look_ == Look::Tab ? 1.0 : theme_.px(1.5);
-  p.setPen(QPen(look.border, line));
+  // Where every edge is white, what cannot be touched has a broken one.
+  const bool broken = !isEnabled() && theme_.kind == ThemeKind::HighContrast;
+  p.setPen(QPen(look.border, line, broken ? Qt::DashLine : Qt::SolidLine));
   p.setBrush(look.back);
   p.drawRoundedRect(QRectF(rect()).adjusted(line / 2, line / 2, -line / 2, -line / 2), radius, radius);
   if (hasFocus()) {
@@ -104,6 +139,17 @@ void TouchButton::paintEvent(QPaintEvent*) {
   const QString caption = asking_ ? askCaption_ : this->text();
   const QString small = asking_ ? askHint_ : hint_;
   const QRectF inner = QRectF(rect()).adjusted(theme_.px(8), 0, -theme_.px(8), 0);
+  if (twoLines_) {
+    const TextStyle style{kTwoLineSize, true, look.front, Qt::AlignHCenter, 0.75};
+    const QFontMetricsF metrics(theme_.font(kTwoLineSize, true));
+    const bool oneLine = metrics.horizontalAdvance(caption) <= inner.width();
+    const auto [first, second] = oneLine ? std::pair(caption, QString()) : halves(caption, metrics);
+    const double apart = second.isEmpty() ? 0.0 : metrics.height() * 0.5;
+    text.centred(inner.translated(0, -apart), first, style);
+    text.centred(inner.translated(0, apart), second, style);
+    clipped_ = text.clipped();
+    return;
+  }
   const double lift = small.isEmpty() ? 0.0 : height() * 0.14;
   text.centred(inner.translated(0, -lift), caption, {type_size::kButton, true, look.front, Qt::AlignHCenter, 0.75});
   text.centred(inner.translated(0, height() * 0.24), small,

@@ -25,6 +25,8 @@ class TouchButton : public QAbstractButton, public Themed {
   // The tone a checked button has.
   void setCheckedTone(Tone tone);
   void setBaseHeight(double base);
+  // A caption of several words may take two lines, in a smaller type.
+  void setTwoLines(bool on);
   bool clipped() const override { return clipped_; }
 
   void applyTheme(const Theme& theme) override;
@@ -39,6 +41,7 @@ class TouchButton : public QAbstractButton, public Themed {
     QColor back, front, border;
   };
   Paint paint() const;
+  double captionWidth() const;
 
   Theme theme_;
   Look look_;
@@ -46,6 +49,7 @@ class TouchButton : public QAbstractButton, public Themed {
   Tone checkedTone_ = Tone::Normal;
   double baseHeight_ = 58;
   bool asking_ = false;
+  bool twoLines_ = false;
   bool clipped_ = false;
 };
 

@@ -34,7 +34,7 @@ void ValueSlider::applyTheme(const Theme& theme) {
 }
 
 QSize ValueSlider::sizeHint() const {
-  return {theme_.px(180), std::max(theme_.px(46), pixelsFor(kTouchMm, this))};
+  return {theme_.px(180), touchHeight(theme_, this)};
 }
 
 QSize ValueSlider::minimumSizeHint() const {

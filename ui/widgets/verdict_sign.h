@@ -26,8 +26,6 @@ class VerdictSign : public QWidget, public Themed {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void drawShape(QPainter& p, const QRectF& box) const;
-
   Theme theme_;
   VerdictView view_;
   bool clipped_ = false;

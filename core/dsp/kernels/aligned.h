@@ -1,4 +1,4 @@
-// Values that begin where the widest register's loads do not cross a cache line.
+// Values that begin where the widest register's loads do not cross a cache line. Any thread.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // The loop of a HarmonicRun, with something to be done with every rest while the next one is on its way.
-// Only for files compiled once per instruction set; see kernels.h.
+// Only for files compiled once per instruction set; see kernels.h. Real-time; one thread for each state.
 #pragma once
 
 #include "core/dsp/kernels/lanes.h"
@@ -35,6 +35,45 @@ STILLCUT_INLINE void inRegisters(const HarmonicRun& run, const Then& then) {
   for (std::size_t g = 0; g < kGroups; ++g) {
     store(run.re + g * kLanes, re[g]);
     store(run.im + g * kLanes, im[g]);
+  }
+}
+
+// Two signals whose harmonics turn alike.
+template <std::size_t kGroups>
+STILLCUT_INLINE void pairInRegisters(const HarmonicRun& first, const HarmonicRun& second) {
+  const HarmonicRun* const runs[2] = {&first, &second};
+  Lanes re[2][kGroups];
+  Lanes im[2][kGroups];
+  for (std::size_t n = 0; n < 2; ++n) {
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      re[n][g] = load(runs[n]->re + g * kLanes);
+      im[n][g] = load(runs[n]->im + g * kLanes);
+    }
+  }
+  for (std::size_t k = 0; k < first.frames; ++k) {
+    Lanes step[2];
+    for (std::size_t n = 0; n < 2; ++n) {
+      Lanes sum = re[n][0];
+      for (std::size_t g = 1; g < kGroups; ++g) sum = sum + re[n][g];
+      const double rest = runs[n]->x[k] - total(sum);
+      runs[n]->rest[k] = rest * runs[n]->after;
+      step[n] = all(runs[n]->gain * rest);
+    }
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      const Lanes c = load(first.turnRe + g * kLanes);
+      const Lanes s = load(first.turnIm + g * kLanes);
+      for (std::size_t n = 0; n < 2; ++n) {
+        const Lanes r = re[n][g] + step[n];
+        re[n][g] = r * c - im[n][g] * s;
+        im[n][g] = r * s + im[n][g] * c;
+      }
+    }
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    for (std::size_t g = 0; g < kGroups; ++g) {
+      store(runs[n]->re + g * kLanes, re[n][g]);
+      store(runs[n]->im + g * kLanes, im[n][g]);
+    }
   }
 }
 

@@ -29,6 +29,29 @@ void harmonics(const HarmonicRun& run) noexcept {
   harmonicLoop(run, [](double) {});
 }
 
+void harmonicPair(const HarmonicRun& first, const HarmonicRun& second) noexcept {
+  if constexpr (kParts == 1) {
+    switch (first.lanes / kLanes) {
+      case 1:
+        return pairInRegisters<1>(first, second);
+      case 2:
+        return pairInRegisters<2>(first, second);
+      case 3:
+        return pairInRegisters<3>(first, second);
+      case 4:
+        return pairInRegisters<4>(first, second);
+      case 5:
+        return pairInRegisters<5>(first, second);
+      case 6:
+        return pairInRegisters<6>(first, second);
+      default:
+        break;
+    }
+  }
+  harmonics(first);
+  harmonics(second);
+}
+
 double weightedPower(const double* re, const double* im, const double* weight, std::size_t lanes) noexcept {
   Lanes sum = all(0.0);
   for (std::size_t n = 0; n < lanes; n += kLanes) {

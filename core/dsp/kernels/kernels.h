@@ -37,6 +37,16 @@ struct HarmonicRun {
   double after = 1.0;
 };
 
+// Two signals through recursive filters of second order in a row (transposed direct form II), each through its own.
+struct CascadeRun {
+  const double* in[2] = {};
+  double* out[2] = {};  // may be the same as in
+  std::size_t frames = 0;
+  std::size_t sections = 0;
+  const double* coefficients[2] = {};  // b0, b1, b2, a1, a2 of each section
+  double* state[2] = {};               // two of each section
+};
+
 // The same harmonics with their whole covariance (Caliskan 2018 eq. 16-22, R = 1), which all channels share. In the
 // frame that turns with the spindle the states stand still and the regressors h = (cos, sin) turn.
 struct CovarianceRun {
@@ -128,6 +138,16 @@ struct TurnRun {
   std::size_t frames = 0;
   double* difference = nullptr;
   double* news = nullptr;  // may be null
+};
+
+// The transform of 2 n real numbers from that of the n complex ones that they make, even ones re and odd ones im:
+// X_k = (Z_k + Z*_(n-k)) / 2 - j e^(-j pi k / n) (Z_k - Z*_(n-k)) / 2. All interleaved.
+struct UnfoldRun {
+  const double* folded = nullptr;  // n
+  const double* turnRe = nullptr;  // e^(-j pi k / n) / 2, k = 0 .. n / 2 and kLanes more
+  const double* turnIm = nullptr;
+  std::size_t n = 0;
+  double* out = nullptr;  // n + 1
 };
 
 // Auto and cross spectra of two transforms (interleaved re, im), and their coherence.
@@ -226,6 +246,18 @@ struct LineRun {
   double* yIm = nullptr;
 };
 
+// What a signal holds of one line under a periodic Hann window: sum hann(n) x(n) line^n.
+struct HannRun {
+  const double* x = nullptr;
+  std::size_t frames = 0;
+  double lineRe = 1.0;  // unit numbers: turn per frame of the line (against its own sense), of the window
+  double lineIm = 0.0;
+  double windowRe = 1.0;
+  double windowIm = 0.0;
+  double re = 0.0;  // the sum
+  double im = 0.0;
+};
+
 struct Kernels {
   InstructionSet set = InstructionSet::Baseline;
   // turn^1 .. turn^n of the unit number (c, s).
@@ -234,6 +266,9 @@ struct Kernels {
   void (*turn)(double* re, double* im, const double* turnRe, const double* turnIm,
                std::size_t lanes) noexcept = nullptr;
   void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
+  // The same for two signals whose harmonics turn alike, frame by frame side by side: neither waits for the other.
+  void (*harmonicPair)(const HarmonicRun&, const HarmonicRun&) noexcept = nullptr;
+  void (*cascade)(const CascadeRun&) noexcept = nullptr;
   void (*covariance)(const CovarianceRun&) noexcept = nullptr;
   // ph = P h from the kept blocks
   void (*covarianceTimes)(const CovarianceRun&) noexcept = nullptr;
@@ -242,10 +277,13 @@ struct Kernels {
   // out = a b
   void (*multiply)(const double* a, const double* b, double* out, std::size_t n) noexcept = nullptr;
   double (*sum)(const double* x, std::size_t n) noexcept = nullptr;
+  // 0 where none is larger
+  double (*largest)(const double* x, std::size_t n) noexcept = nullptr;
   // out += scale a
   void (*addScaled)(double scale, const double* a, double* out, std::size_t n) noexcept = nullptr;
   // |z|^2 of n complex numbers, interleaved
   void (*squares)(const double* z, double* out, std::size_t n) noexcept = nullptr;
+  void (*unfold)(const UnfoldRun&) noexcept = nullptr;
   void (*maskHarmonics)(const MaskRun&) noexcept = nullptr;
   void (*scanLines)(LineScan&) noexcept = nullptr;
   void (*scanCross)(CrossScan&) noexcept = nullptr;
@@ -269,6 +307,7 @@ struct Kernels {
                       std::size_t taps) noexcept = nullptr;
   void (*filterPair)(PairRun&) noexcept = nullptr;
   void (*lineSums)(const LineRun&) noexcept = nullptr;
+  void (*demodulate)(HannRun&) noexcept = nullptr;
 };
 
 }  // namespace stillcut::dsp::kernels

@@ -1,6 +1,7 @@
 // Lanes: eight doubles, as however many vector registers the instruction set of this file needs for them. Every
 // operation is done lane by lane, so the set decides the speed and not the result.
 // Only for the files of this folder that are compiled once per set; see kernels.h for their rules.
+// Real-time, any thread.
 #pragma once
 
 #include <cstddef>
@@ -140,6 +141,36 @@ STILLCUT_INLINE ComplexLanes loadComplex(const double* p) {
 #endif
   };
   return {each([&](std::size_t i) { return halves(i, false); }), each([&](std::size_t i) { return halves(i, true); })};
+}
+
+STILLCUT_INLINE void storeComplex(double* p, ComplexLanes z) {
+  for (std::size_t i = 0; i < kParts; ++i) {
+    const Native re = z.re.part[i];
+    const Native im = z.im.part[i];
+#if STILLCUT_NATIVE == 8
+    storeNative(p + 2 * i * kNative, __builtin_shufflevector(re, im, 0, 8, 1, 9, 2, 10, 3, 11));
+    storeNative(p + (2 * i + 1) * kNative, __builtin_shufflevector(re, im, 4, 12, 5, 13, 6, 14, 7, 15));
+#elif STILLCUT_NATIVE == 4
+    storeNative(p + 2 * i * kNative, __builtin_shufflevector(re, im, 0, 4, 1, 5));
+    storeNative(p + (2 * i + 1) * kNative, __builtin_shufflevector(re, im, 2, 6, 3, 7));
+#else
+    storeNative(p + 2 * i * kNative, __builtin_shufflevector(re, im, 0, 2));
+    storeNative(p + (2 * i + 1) * kNative, __builtin_shufflevector(re, im, 1, 3));
+#endif
+  }
+}
+
+STILLCUT_INLINE Lanes reversed(Lanes a) {
+  return each([&](std::size_t i) {
+    const Native n = a.part[kParts - 1 - i];
+#if STILLCUT_NATIVE == 8
+    return __builtin_shufflevector(n, n, 7, 6, 5, 4, 3, 2, 1, 0);
+#elif STILLCUT_NATIVE == 4
+    return __builtin_shufflevector(n, n, 3, 2, 1, 0);
+#else
+    return __builtin_shufflevector(n, n, 1, 0);
+#endif
+  });
 }
 
 // ((l0 + l4) + (l2 + l6)) + ((l1 + l5) + (l3 + l7)), whatever the registers.

@@ -121,12 +121,68 @@ double sum(const double* x, std::size_t n) noexcept {
   return all;
 }
 
+double largest(const double* x, std::size_t n) noexcept {
+  Lanes most = all(0.0);
+  std::size_t i = 0;
+  for (; i + kLanes <= n; i += kLanes) {
+    const Lanes now = load(x + i);
+    most = pick(most < now, now, most);
+  }
+  double lanes[kLanes];
+  store(lanes, most);
+  double top = 0.0;
+  for (const double one : lanes) top = top < one ? one : top;
+  for (; i < n; ++i) top = top < x[i] ? x[i] : top;
+  return top;
+}
+
 void addScaled(double scale, const double* __restrict a, double* __restrict out, std::size_t n) noexcept {
   for (std::size_t i = 0; i < n; ++i) out[i] += scale * a[i];
 }
 
 void squares(const double* __restrict z, double* __restrict out, std::size_t n) noexcept {
   for (std::size_t i = 0; i < n; ++i) out[i] = z[2 * i] * z[2 * i] + z[2 * i + 1] * z[2 * i + 1];
+}
+
+void unfold(const UnfoldRun& run) noexcept {
+  const double* z = run.folded;
+  run.out[0] = z[0] + z[1];
+  run.out[1] = 0.0;
+  run.out[2 * run.n] = z[0] - z[1];
+  run.out[2 * run.n + 1] = 0.0;
+  std::size_t k = 1;
+  const Lanes half = all(0.5);
+  // Up to the middle from both ends; the last ones may go past each other.
+  for (; 2 * k <= run.n && k + kLanes <= run.n; k += kLanes) {
+    const std::size_t mirror = run.n - k - (kLanes - 1);
+    const ComplexLanes low = loadComplex(z + 2 * k);
+    const ComplexLanes up = loadComplex(z + 2 * mirror);
+    const ComplexLanes high{reversed(up.re), reversed(up.im)};
+    const Lanes c = load(run.turnRe + k);
+    const Lanes s = load(run.turnIm + k);
+    const Lanes evenRe = half * (low.re + high.re);
+    const Lanes evenIm = half * (low.im - high.im);
+    const Lanes oddRe = low.im + high.im;
+    const Lanes oddIm = high.re - low.re;
+    const Lanes re = c * oddRe - s * oddIm;
+    const Lanes im = c * oddIm + s * oddRe;
+    storeComplex(run.out + 2 * mirror, {reversed(evenRe - re), reversed(im - evenIm)});
+    storeComplex(run.out + 2 * k, {evenRe + re, evenIm + im});
+  }
+  for (; 2 * k <= run.n; ++k) {
+    const double* low = z + 2 * k;
+    const double* high = z + 2 * (run.n - k);
+    const double evenRe = 0.5 * (low[0] + high[0]);
+    const double evenIm = 0.5 * (low[1] - high[1]);
+    const double oddRe = low[1] + high[1];
+    const double oddIm = high[0] - low[0];
+    const double re = run.turnRe[k] * oddRe - run.turnIm[k] * oddIm;
+    const double im = run.turnRe[k] * oddIm + run.turnIm[k] * oddRe;
+    run.out[2 * (run.n - k)] = evenRe - re;
+    run.out[2 * (run.n - k) + 1] = im - evenIm;
+    run.out[2 * k] = evenRe + re;
+    run.out[2 * k + 1] = evenIm + im;
+  }
 }
 
 void maskHarmonics(const MaskRun& run) noexcept {

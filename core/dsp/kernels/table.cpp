@@ -7,6 +7,8 @@ void fill(Kernels& k) noexcept {
   k.powers = powers;
   k.turn = turn;
   k.harmonics = harmonics;
+  k.harmonicPair = harmonicPair;
+  k.cascade = cascade;
   k.weightedPower = weightedPower;
   k.covariance = covariance;
   k.covarianceTimes = covarianceTimes;
@@ -14,8 +16,10 @@ void fill(Kernels& k) noexcept {
   k.turns = turns;
   k.multiply = multiply;
   k.sum = sum;
+  k.largest = largest;
   k.addScaled = addScaled;
   k.squares = squares;
+  k.unfold = unfold;
   k.maskHarmonics = maskHarmonics;
   k.scanLines = scanLines;
   k.scanCross = scanCross;
@@ -31,6 +35,7 @@ void fill(Kernels& k) noexcept {
   k.newTapSteer = newTapSteer;
   k.filterPair = filterPair;
   k.lineSums = lineSums;
+  k.demodulate = demodulate;
 }
 
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

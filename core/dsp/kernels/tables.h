@@ -1,4 +1,4 @@
-// The tables that choose.cpp chooses from, one per instruction set the program was built with.
+// The tables that choose.cpp chooses from, one per instruction set the program was built with. Constant: any thread.
 #pragma once
 
 #include "core/dsp/kernels/kernels.h"

@@ -100,4 +100,39 @@ void lineSums(const LineRun& run) noexcept {
   }
 }
 
+// Lanes of time.
+void demodulate(HannRun& run) noexcept {
+  double lineRe[kLanes + 1] = {1.0};
+  double lineIm[kLanes + 1] = {0.0};
+  double windowRe[kLanes + 1] = {1.0};
+  double windowIm[kLanes + 1] = {0.0};
+  powers(run.lineRe, run.lineIm, kLanes, lineRe + 1, lineIm + 1);
+  powers(run.windowRe, run.windowIm, kLanes, windowRe + 1, windowIm + 1);
+  const Lanes turnRe = all(lineRe[kLanes]), turnIm = all(lineIm[kLanes]);
+  const Lanes stepRe = all(windowRe[kLanes]), stepIm = all(windowIm[kLanes]);
+  Lanes re = load(lineRe), im = load(lineIm);
+  Lanes rise = load(windowRe), side = load(windowIm);
+  Lanes sumRe = all(0.0), sumIm = all(0.0);
+  const auto take = [&](const double* x) {
+    const Lanes v = load(x) * (all(0.5) - all(0.5) * rise);
+    sumRe = sumRe + v * re;
+    sumIm = sumIm + v * im;
+    const Lanes nextRe = re * turnRe - im * turnIm;
+    im = re * turnIm + im * turnRe;
+    re = nextRe;
+    const Lanes nextRise = rise * stepRe - side * stepIm;
+    side = rise * stepIm + side * stepRe;
+    rise = nextRise;
+  };
+  std::size_t k = 0;
+  for (; k + kLanes <= run.frames; k += kLanes) take(run.x + k);
+  if (k < run.frames) {
+    double last[kLanes] = {};
+    for (std::size_t i = 0; k + i < run.frames; ++i) last[i] = run.x[k + i];
+    take(last);
+  }
+  run.re = total(sumRe);
+  run.im = total(sumIm);
+}
+
 }  // namespace stillcut::dsp::kernels::STILLCUT_SET

@@ -27,14 +27,16 @@ STILLCUT_INLINE double delayedOne(const double* newest, const double* taps) {
 }  // namespace
 
 void turns(const TurnRun& run) noexcept {
-  std::size_t f = 0;
-  for (; f + kLanes <= run.frames; f += kLanes) {
+  const auto eight = [&run](std::size_t f) {
     const Lanes now = load(run.now + f);
     const Lanes one = delayed(run.one + f, run.oneTaps);
     const Lanes two = delayed(run.two + f, run.twoTaps);
     store(run.difference + f, all(kDifferenceScale) * ((now - all(2.0) * one) + two));
     if (run.news != nullptr) store(run.news + f, all(kNewsScale) * (now - all(0.5) * (one + two)));
-  }
+  };
+  std::size_t f = 0;
+  for (; f + kLanes <= run.frames; f += kLanes) eight(f);
+  if (f < run.frames && f > 0) return eight(run.frames - kLanes);  // some of them once more, to the same bits
   for (; f < run.frames; ++f) {
     const double now = run.now[f];
     const double one = delayedOne(run.one + f, run.oneTaps);

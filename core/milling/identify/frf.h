@@ -1,5 +1,5 @@
 // A measured frequency response function: response over force at one pair of points.
-// Units: SI throughout; compliance m/N, mobility (m/s)/N, accelerance (m/s^2)/N.
+// Units: SI throughout; compliance m/N, mobility (m/s)/N, accelerance (m/s^2)/N. Plain values: any thread.
 #pragma once
 
 #include <complex>

@@ -1,4 +1,4 @@
-// Finding and judging the hits in a hammer record; used by analyseHammer().
+// Finding and judging the hits in a hammer record; used by analyseHammer(). Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include "core/milling/identify/hammer.h"

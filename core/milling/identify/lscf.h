@@ -4,6 +4,7 @@
 // IMAC 2003 (common-denominator form, one response); the band is mapped onto nine tenths of the unit circle, which
 // keeps the normal equations well conditioned for any band, and the lowest denominator coefficient is the one fixed,
 // which makes the poles of noise unstable in the mean, so that damping tells them apart (Cauberghe 2004, section 5.3).
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Which part of a compliance measurement to fit when nobody says.
+// Which part of a compliance measurement to fit when nobody says. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include "core/base/result.h"

@@ -1,4 +1,4 @@
-// The part of a frequency response a modal fit works on.
+// The part of a frequency response a modal fit works on. Plain values: any thread.
 #pragma once
 
 #include <Eigen/Core>

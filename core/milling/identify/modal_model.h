@@ -4,7 +4,7 @@
 // the pair of complex conjugate residues A/(s - p) + A*/(s - p*); b_r = 0 is the real mode of classical theory with
 // modal stiffness 1 / a_r. (Ewins, Modal Testing, 2nd ed., section 4.4.) For given poles the model is linear in a, b,
 // c; poles are refined by variable projection (Golub and Pereyra 1973) with Kaufman's Jacobian and Levenberg-Marquardt
-// steps in ln f and ln z, which keeps both positive.
+// steps in ln f and ln z, which keeps both positive. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <vector>

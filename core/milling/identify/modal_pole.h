@@ -1,4 +1,4 @@
-// What a modal fit looks for first: where a mode lies and how it decays.
+// What a modal fit looks for first: where a mode lies and how it decays. Plain values: any thread.
 #pragma once
 
 namespace stillcut::identify {

@@ -1,4 +1,5 @@
 // Unit labels of measured functions, as files carry them: what quantity, and the factor to SI.
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <optional>

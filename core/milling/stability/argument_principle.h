@@ -1,6 +1,6 @@
 // The change of arg f along an arc of a circle about 0, by adaptive bisection; what every count of multipliers here
 // rests on. Counting on |mu| = r: a function analytic outside with f ~ mu^n at infinity has
-// n - (turns of arg f along the whole circle) zeros outside.
+// n - (turns of arg f along the whole circle) zeros outside. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <algorithm>

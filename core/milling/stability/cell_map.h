@@ -1,6 +1,7 @@
 // One period of the semi-discretized cut at one speed and depth: u_(i+1) = P_i u_i + R0_i x_(i-k) + R1_i x_(i-k+1).
 // When the meter stops, what is computed is NaN.
 // N is the number of states (2 or 4 at compile time, otherwise Eigen::Dynamic), A that of the axes x has (1 or 2).
+// Thread: one, with its WorkMeter; not real-time.
 #pragma once
 
 #include <Eigen/Dense>

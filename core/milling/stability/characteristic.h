@@ -2,6 +2,7 @@
 // circle give a Taylor expansion that converges geometrically inside; in mu f is a polynomial of degree `states`.
 // Building one costs a few dozen transition matrices; afterwards f and its derivatives cost well under a microsecond,
 // for every depth and every multiplier whose s = w (1 - 1/mu) lies in the disc.
+// Thread: one, with its WorkMeter; not real-time.
 #pragma once
 
 #include <complex>

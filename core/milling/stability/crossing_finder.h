@@ -1,7 +1,7 @@
 // Every point (theta, w) of a rectangle where mu = exp(i theta) is a Floquet multiplier: det(Psi(w (1 - 1/mu)) - mu) =
 // 0, two real equations for two real unknowns. No depth is scanned: the rectangle is split until in every cell either a
 // second-order Taylor bound excludes a zero or the map is one-to-one and Newton decides. So islands and lenses cannot
-// be stepped over, however thin.
+// be stepped over, however thin. Thread: one, with its WorkMeter; not real-time.
 #pragma once
 
 #include <optional>

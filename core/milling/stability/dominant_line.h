@@ -1,5 +1,5 @@
 // The chatter frequency of a motion exp(i theta t/tau) p(t), p periodic with the tooth period tau: its largest Fourier
-// line.
+// line. Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <complex>

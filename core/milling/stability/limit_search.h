@@ -1,5 +1,6 @@
 // The work of ExactLobes at one speed: bands of depth, panels of (theta, depth) small enough for one expansion,
 // verification by the argument principle, refinement on the accurate transition matrix.
+// Thread: one, with its WorkMeter; not real-time.
 #pragma once
 
 #include <optional>

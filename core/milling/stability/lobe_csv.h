@@ -1,6 +1,7 @@
 // Limits as the table `stillcut-cli lobes --out` writes:
 // speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz. A speed without a limit has crossing 0, an empty
 // depth and the kind "none" when the whole depth was searched, "unknown" when not (LobeSweep::complete).
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <string>

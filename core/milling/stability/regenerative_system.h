@@ -6,6 +6,7 @@
 //   H = [ (K_t c + K_r s) s, (K_t c + K_r s) c ; (K_r c - K_t s) s, (K_r c - K_t s) c ]
 // so that H(phi) = steady + cosine cos(2 phi) + sine sin(2 phi) wherever the same teeth cut.
 // Where all modes move along one direction the problem is projected on it and `axes` is 1.
+// Pure: any thread; set-up, not real-time.
 #pragma once
 
 #include <array>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdio>
 #include <numbers>
 
 namespace stillcut::milling {
@@ -59,15 +58,13 @@ Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& 
 ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
   const double share = cuttingShare(lobes_.system());
-  char text[240];
-  std::snprintf(text, sizeof text,
-                share < 0.75
-                    ? "zeroth order averages the force although a tooth cuts only %.0f %% of the time: limits can "
-                      "be far too high, flip lobes and islands are missing; use the exact method"
-                    : "zeroth order averages the force (a tooth cuts %.0f %% of the time): expect errors of "
-                      "tens of percent between the lobes; the exact method has none",
-                100.0 * share);
-  warning_ = text;
+  const std::string percent = std::to_string(std::lround(100.0 * share));
+  warning_ = share < 0.75 ? "zeroth order averages the force although a tooth cuts only " + percent +
+                                " % of the time: limits can be far too high, flip lobes and islands are missing; use "
+                                "the exact method"
+                          : "zeroth order averages the force (a tooth cuts " + percent +
+                                " % of the time): expect errors of tens of percent between the lobes; the exact method "
+                                "has none";
 }
 
 ZerothOrder::BorderPoint ZerothOrder::at(double omega, double period, int branch) const {

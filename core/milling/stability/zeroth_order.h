@@ -3,6 +3,7 @@
 //   det(I + s H0 G(i omega)) = 0,  so  s = -1/eigenvalue(H0 G),  w = |s|^2/(2 Re s),  exp(-i omega tau) = 1 - s/w.
 // Fast, and wrong where the cut is interrupted: it knows no flip lobes and no islands, and at low immersion it can
 // allow more than twice the true depth. Every result carries that warning.
+// Constant once made: any thread; not real-time.
 #pragma once
 
 #include <stop_token>

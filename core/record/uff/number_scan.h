@@ -1,5 +1,5 @@
 // One number from text as instruments write it: three-digit exponents, Fortran's D exponent or an exponent without its
-// letter ("1.5-103"), and fields that touch ("-1.0E-003-2.0E-003"). Independent of the locale.
+// letter ("1.5-103"), and fields that touch ("-1.0E-003-2.0E-003"). Independent of the locale. Pure: any thread.
 #pragma once
 
 #include <optional>

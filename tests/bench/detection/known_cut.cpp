@@ -95,15 +95,54 @@ void takeDoubling(KnownCut& cut, const SimulationOrder& order) {
   }
 }
 
+// Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together.
+double linePart(const KnownCut& cut, double hz, double from, double turns) {
+  const auto first = static_cast<std::size_t>(from * cut.recording.rate);
+  const auto span = static_cast<std::size_t>(turns * 60.0 / cut.rpm * cut.recording.rate);
+  double line = 0.0;
+  double all = 0.0;
+  for (const auto& x : cut.recording.channels) {
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < span && first + i < x.size(); ++i) {
+      const double u = std::sin(0.5 * kTwoPi * (static_cast<double>(i) + 0.5) / static_cast<double>(span));
+      const double value = static_cast<double>(x[first + i]);
+      sum += u * u * value * std::polar(1.0, -kTwoPi * hz / cut.recording.rate * static_cast<double>(i));
+      all += value * value;
+    }
+    line += std::norm(sum) * 8.0 / static_cast<double>(span);
+  }
+  return all > 0.0 ? line / all : 0.0;
+}
+
+// With runout a cut beyond its limit may settle on a spindle harmonic without ever showing the line at which the
+// linearised cut grows; then the harmonic that has grown most out of the stable cut is what there is.
+void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
+  constexpr double kTurns = 16.0;
+  constexpr double kThere = 1e-3;  // of the power: a twentieth of what the line has at an amplitude of 20 %
+  if (!(cut.chatterHz > 0.0) || linePart(cut, cut.chatterHz, cut.at20, kTurns) > kThere) return;
+  double most = 0.0;
+  for (int n = 1; n < 8 * cut.teeth; ++n) {
+    if (n % cut.teeth == 0) continue;
+    const double hz = n * cut.rpm / 60.0;
+    const double grown = linePart(cut, hz, cut.at20, kTurns) - linePart(cut, hz, order.quietFrom, kTurns);
+    if (grown <= most) continue;
+    most = grown;
+    cut.chatterHz = hz;
+    cut.kind = 2 * (n % cut.teeth) == cut.teeth ? ChatterKind::Flip : ChatterKind::Hopf;
+  }
+}
+
 void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
   const milling::ChatterOnset onset = truth.onset();
   cut.at1 = onset.at1;
   cut.at20 = onset.at20;
   cut.chatterHz = truth.chatterFrequency().value;
   cut.kind = truth.kind();
+  takeLockedLine(cut, order);
   if (!order.recovers) return;
+  const Hertz chatter = truth.chatterFrequency();
   for (const auto& entry : truth.log()) {
-    if (static_cast<double>(entry.time) > cut.at20 && truth.ratioAt(entry, Hertz(cut.chatterHz)) > 0.2) {
+    if (static_cast<double>(entry.time) > cut.at20 && truth.ratioAt(entry, chatter) > 0.2) {
       cut.lastAbove = static_cast<double>(entry.time);
     }
   }

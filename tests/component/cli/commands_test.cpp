@@ -92,6 +92,16 @@ TEST_F(Commands, DevicesListsSourcesAndLinks) {
   const std::string list = run({"devices"});
   EXPECT_THAT(list, testing::ContainsRegex("sources\n  simulated +[A-Z]"));
   EXPECT_THAT(list, testing::ContainsRegex("links\n  simulated +[A-Z]"));
+  for (const char* kind : {"audio-class", "Comedi", "industrial I/O", "serial ports", "a loss of less than 30 ms"}) {
+    EXPECT_THAT(list, testing::HasSubstr(kind));
+  }
+}
+
+TEST_F(Commands, DevicesSaysWhereNoIndustrialIoAnswers) {
+  const Outcome absent = runCli(folder_ / "", {"devices", "--iio", "ip:127.0.0.2"});
+  if (absent.exitCode == 0) GTEST_SKIP() << "this build has no libiio";
+  EXPECT_EQ(absent.exitCode, 3);
+  EXPECT_THAT(absent.err, testing::StartsWith("stillcut-cli: 'uri' = 'ip:127.0.0.2': does not answer"));
 }
 
 TEST_F(Commands, DevicesTriesALinkStepByStep) {

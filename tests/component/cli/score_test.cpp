@@ -59,6 +59,22 @@ TEST(Score, AFolderIsHeldAgainstItsTableOfTruth) {
   EXPECT_THAT(table.out, HasSubstr("unknown.wav: no truth"));
 }
 
+// As spreadsheets save it: with a byte order mark, and parted by semicolons.
+TEST(Score, ATableOfTruthIsReadOrRefusedAndNeverPassedOver) {
+  const record::TempFolder folder;
+  writeSound(folder / "CUT.WAV", {cutSignal(false)});
+  folder.file("TRUTH.csv",
+              "\xEF\xBB\xBF"
+              "file,t0_s,t1_s,label\nCUT.WAV,0.4,2.0,Stable\n");
+  const Outcome marked = runCli(folder / "", {"score", ".", "--json"});
+  ASSERT_EQ(marked.exitCode, 0) << marked.err;
+  EXPECT_EQ(json::parse(marked.out, nullptr, false)["files"].size(), 1U);
+  folder.file("TRUTH.csv", "file;t0_s;t1_s;label\nCUT.WAV;0.4;2.0;stable\n");
+  const Outcome parted = runCli(folder / "", {"score", ".", "--json"});
+  EXPECT_EQ(parted.exitCode, 2);
+  EXPECT_THAT(parted.err, HasSubstr("TRUTH.csv:1: has no column 'file'"));
+}
+
 TEST(Score, AChangedThresholdIsSaidInWords) {
   const record::TempFolder folder;
   writeMarked(folder);

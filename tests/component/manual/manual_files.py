@@ -82,7 +82,9 @@ def write(folder, name, text):
 
 
 def lay_out(top, programs, folder):
-    """What every page finds: the source tree as the README sees it, but for a shorter demonstration, and recordings."""
+    """What every page finds: the source tree as the README sees it, but for a shorter demonstration, and recordings.
+
+    The manual's own names (scenarios/demo.toml) are not laid out: the programs find them, as for one who installed them."""
     def copy(name, *others):
         for other in others:
             shutil.copy(os.path.join(folder, name), os.path.join(folder, other))
@@ -95,7 +97,6 @@ def lay_out(top, programs, folder):
     os.makedirs(os.path.join(folder, "FOLDER"))
     os.symlink(programs, os.path.join(folder, "build/release/app"))
     os.symlink(os.path.join(top, "tests"), os.path.join(folder, "tests"))
-    os.symlink("resources/scenarios", os.path.join(folder, "scenarios"))
     shutil.copytree(os.path.join(top, "resources"), os.path.join(folder, "resources"),
                     ignore=shutil.ignore_patterns("pictures", "icons"))
     write(folder, "resources/scenarios/demo.toml", short_demo(top))
@@ -107,9 +108,10 @@ def lay_out(top, programs, folder):
     tone(os.path.join(folder, "tone.wav"))
     write(folder, "knocks.csv", knocks())
     write(folder, "mine.toml", "[energy-ratio]\nchatter = 0.3\n")
-    copy("scenarios/air-cut.toml", "S.toml")
+    copy("resources/scenarios/air-cut.toml", "S.toml")
+    copy("resources/manual/read_session.py", "read_session.py")
     copy("resources/profiles/simulated.toml", "P.toml", "PROFILE.toml")
-    program("simulate", "scenarios/demo.toml", "--out", "cut.h5")
+    program("simulate", "resources/scenarios/demo.toml", "--out", "cut.h5")
     program("convert", "cut.h5", "cut.wav")
     copy("cut.h5", "IN", "FILE", "FILE.h5", "FOLDER/cut.h5")
     copy("cut.wav", "phone.wav")
@@ -125,4 +127,4 @@ def add_page(folder, page):
     for name in ("P.toml", "PROFILE.toml"):
         with open(os.path.join(folder, name), encoding="utf-8") as file:
             text = file.read()
-        write(folder, name, text.replace("../scenarios/demo.toml", "S.toml"))
+        write(folder, name, text.replace("scenarios/demo.toml", "S.toml"))

@@ -116,6 +116,19 @@ TEST(Profile, NamesTheModelOfItsCut) {
   EXPECT_NE(profileText(*p, catalog()).find("model = \"cut.toml\"\ndepth_mm = 1.5\n"), std::string::npos);
 }
 
+TEST(Profile, KeepsThePitchOfItsToolWhereItIsUneven) {
+  std::string content(kMill3);
+  content.insert(content.find("teeth = 4"), "pitch_deg = [85.5, 94.5, 85.5, 94.5]\n");
+  const Result<Profile> p = parseProfile(content, "p.toml", catalog(), kKnown);
+  ASSERT_TRUE(p.ok()) << p.error().line();
+  EXPECT_EQ(p->pitch, (std::vector<double>{85.5, 94.5, 85.5, 94.5}));
+  const Result<Profile> again = parseProfile(profileText(*p, catalog()), "p.toml", catalog(), kKnown);
+  ASSERT_TRUE(again.ok()) << again.error().line();
+  EXPECT_EQ(again->pitch, p->pitch);
+  content.replace(content.find("85.5, 94.5, 85.5, 94.5"), 22, "90, 90, 90, 90");
+  EXPECT_TRUE(parseProfile(content, "p.toml", catalog(), kKnown)->pitch.empty()) << "as if nothing had been said";
+}
+
 TEST(Profile, TheLeastProfileIsCautious) {
   const Result<Profile> p = parseProfile("version = 1\nmachine = \"M\"\n", "p.toml", catalog(), kKnown);
   ASSERT_TRUE(p.ok()) << p.error().line();
@@ -131,8 +144,10 @@ TEST(ProfileErrors, AreOneLineWithFileLineAndCause) {
   EXPECT_EQ(lineWith("teeth = 4", "teeth = 0"), "p.toml:5: 'tool.teeth' is out of range: 0 (allowed: 1 to 64)");
   EXPECT_EQ(lineWith("8800", "0"), "p.toml:8: 'cut.speed_rpm' is out of range: 0 (allowed: 1 to 200000)");
   EXPECT_EQ(lineWith("8800", "nan"), "p.toml:8: 'cut.speed_rpm' is not a finite number");
-  EXPECT_EQ(lineWith("feed_mm_min", "model = \"cut.toml\"\nfeed_mm_min"),
-            "p.toml:9: 'cut.model' cannot be used without depth_mm (which speeds are stable depends on the depth)");
+  EXPECT_EQ(lineWith("teeth = 4", "teeth = 4\npitch_deg = [100, 80, 180]"),
+            "p.toml:6: 'tool.pitch_deg' needs one angle per tooth");
+  EXPECT_EQ(lineWith("teeth = 4", "teeth = 4\npitch_deg = [100, 80, 100, 90]"),
+            "p.toml:6: 'tool.pitch_deg' does not go once around (angles above zero, 360 degrees together)");
   EXPECT_EQ(lineWith("98.0665", "0"), "p.toml:13: 'channels.scale' is zero (SI units per device unit)");
   EXPECT_EQ(lineWith("\"sound\"", "\"loud\"").substr(0, 45), "p.toml:17: 'channels.quantity' is unknown: 'l");
   EXPECT_EQ(lineWith("fallback = \"spectral\"", "fallback = \"spektral\""),

@@ -189,6 +189,22 @@ TEST(MinimumSearch, ALevelThatDriftsWithTheDepthDoesNotHideTheMinimum) {
   EXPECT_NEAR(search.trying().value, 33000.0, 360.0);
 }
 
+TEST(MinimumSearch, EndsAStepAwayFromANeighbourThatChattered) {
+  MinimumSearch search;
+  search.start(Rpm(9900.0), Rpm(10000.0));
+  const config::SpeedRange reach{Rpm(9000.0), Rpm(11000.0)};
+  for (int i = 0; i < 5000 && search.state() != MinimumSearch::State::Done; ++i) {
+    if (search.trying() < Rpm(9750.0)) {
+      EXPECT_TRUE(search.chattered());
+    } else {
+      search.advance({0.01, search.trying().value, search.trying(), reach});  // less the slower
+    }
+  }
+  ASSERT_EQ(search.state(), MinimumSearch::State::Done);
+  EXPECT_NEAR(search.best().value, 9800.0, 1e-6);
+  EXPECT_NEAR(search.trying().value, 9900.0, 1e-6);
+}
+
 TEST(MinimumSearch, StaysInReach) {
   MinimumSearch search;
   MinimumSearch::Options options;

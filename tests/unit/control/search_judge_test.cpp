@@ -300,6 +300,30 @@ TEST_F(Judge, StandingStillAsLoudAsBeforeTheMoveIsChatter) {
   EXPECT_TRUE(judge_.confirmed());
 }
 
+// Chatter can lock on an order of the spindle that is none of the teeth's.
+TEST_F(Judge, FullChatterLouderThanBeforeOnASpindleOrderIsChatter) {
+  hear(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
+  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 10.0);
+  hear(alarm(Hertz(8.0 * 140.0), 0.9), 2.0, true, 20.0);
+  EXPECT_FALSE(judge_.confirmed());
+  judge_.forget();
+  hear(alarm(Hertz(7.0 * 140.0), 0.9), 2.0, true, 20.0);
+  EXPECT_TRUE(judge_.confirmed());
+}
+
+// A detector that has learned its floor while it chattered calls it stable; what does not repeat tells.
+TEST_F(Judge, ChatterThatNobodyTellsAfterAMoveIsHeardAllTheSame) {
+  hear(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
+  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
+  hear(alarm(Hertz(0.0), 0.01, CutState::Stable), 3.0, true, 20.0);
+  EXPECT_FALSE(judge_.confirmed()) << "a resonance repeats, however loud";
+  hear(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.8, true, 20.0);
+  EXPECT_FALSE(judge_.confirmed()) << "it may be dying";
+  hear(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.4, true, 20.0);
+  EXPECT_TRUE(judge_.confirmed());
+  EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
+}
+
 TEST_F(Judge, NumbersThatAreNoneChangeNothing) {
   hear(alarm(Hertz(937.0), 0.3), 0.2);
   judge_.hear(alarm(Hertz(937.0), std::nan("")), Seconds(std::nan("")), {Hertz(140.0), 4, false}, std::nan(""));

@@ -55,7 +55,7 @@ TEST(AxisKnock, TheSensorThatMovesFirstLiesAlongTheBlow) {
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->knocks, 4);
   EXPECT_EQ(heard->loudest, 0U);
-  EXPECT_NE(knockSentence(*heard, channels).find("4 knocks along x: 'front' heard most"), std::string::npos);
+  EXPECT_NE(text(knockSentence(*heard, channels)).find("4 knocks along x: 'front' heard most"), std::string::npos);
   std::vector<ChannelInfo> now = channels;
   applyKnocks(*heard, now);
   EXPECT_EQ(now[0].axis, "x");
@@ -67,7 +67,7 @@ TEST(AxisKnock, ExchangedAxesAreFoundAndSetRight) {
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->loudest, 0U);
   EXPECT_GT(heard->lead, 6.0);
-  EXPECT_NE(knockSentence(*heard, channels).find("'side' and 'front' are exchanged"), std::string::npos);
+  EXPECT_NE(text(knockSentence(*heard, channels)).find("'side' and 'front' are exchanged"), std::string::npos);
   applyKnocks(*heard, channels);
   EXPECT_EQ(channels[0].axis, "x");
   EXPECT_EQ(channels[1].axis, "y");

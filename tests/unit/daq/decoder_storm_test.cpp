@@ -134,6 +134,36 @@ TEST(BinaryStorm, NoiseAloneIsNoFrame) {
   EXPECT_EQ(decode(decoder, sound, random).size(), 2U * static_cast<unsigned>(f.instants));
 }
 
+// Without a checksum the next sync word tells that a frame is whole: bytes that were dropped put nothing wrong among
+// the samples, and without a counter each such place is a gap of unknown length.
+TEST(BinaryStorm, WithoutAChecksumDroppedBytesAreGapsAndNoSamples) {
+  std::mt19937 random(17);
+  for (const int counterBytes : {0, 2}) {
+    FrameFormat f = formatOf(0);
+    f.checksum = Checksum::None;
+    f.counterBytes = counterBytes;
+    f.instants = 2;
+    BinaryFrames decoder(f);
+    std::string bytes;
+    for (unsigned n = 0; n < 2000; ++n) {
+      std::string one = frame(f, n);
+      if (n % 100 == 50) one.erase(random() % one.size(), 1 + random() % 3);
+      bytes += one;
+    }
+    long last = -1;
+    int gaps = 0;
+    for (const Instant3& one : decode(decoder, bytes, random)) {
+      const long instant = whichOf(one);
+      ASSERT_GT(instant, last);
+      EXPECT_EQ(one.lost > 0, last >= 0 && instant != last + 1) << instant;
+      gaps += one.lost > 0 ? 1 : 0;
+      last = instant;
+    }
+    EXPECT_EQ(gaps, 20);
+    EXPECT_EQ(decoder.damaged(), 20U);
+  }
+}
+
 TEST(BinaryStorm, ResetForgetsHalfAFrameAndItsCounter) {
   std::mt19937 random(3);
   const FrameFormat f = formatOf(0);

@@ -1,6 +1,7 @@
 // Devices whose crystals differ, each sampling the same world: what comes out is one instant of it on every channel.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -8,6 +9,7 @@
 #include "core/daq/clock_aligner.h"
 #include "core/daq/joined_source.h"
 #include "core/daq/registry.h"
+#include "core/model/device_doubt.h"
 
 namespace stillcut::daq {
 namespace {
@@ -34,6 +36,7 @@ class Device final : public DaqSource {
       end = static_cast<double>(frame_ + kFrames) / actual_;
       block.flags = kBlockGap;
     }
+    if (end < uncheckedUntil) block.flags |= kBlockUnchecked;
     if (leads_) now_->store(end);
     while (!leads_ && end > now_->load() + 0.05 && !stopped_) std::this_thread::yield();
     if (stopped_) return false;
@@ -44,8 +47,8 @@ class Device final : public DaqSource {
     // Stamped with what a smoothed clock leaves of a transport's jitter.
     block.firstSample = toInstant(static_cast<double>(frame_) / actual_ + jitter_(engine_));
     for (int f = 0; f < kFrames; ++f, ++frame_) {
-      block.samples[static_cast<std::size_t>(f)] =
-          static_cast<float>(world(frequency_, static_cast<double>(frame_) / actual_));
+      const double value = world(frequency_, static_cast<double>(frame_ - frame_ % repeated) / actual_);
+      block.samples[static_cast<std::size_t>(f)] = offset + static_cast<float>(std::clamp(gain * value, -limit, limit));
     }
     return true;
   }
@@ -56,6 +59,10 @@ class Device final : public DaqSource {
   static Instant toInstant(double t) { return instantFromNs(1'000'000'000) + toDuration(Seconds(t)); }
 
   double awayFrom = 0.0, awayTo = 0.0;
+  double uncheckedUntil = 0.0;
+  double gain = 1.0, limit = 1e3;
+  float offset = 0.0F;
+  long repeated = 1;  // frames in a row that are one sample
 
  private:
   static constexpr int kFrames = 240;
@@ -154,6 +161,70 @@ TEST_F(Joined, WhatASlowerRateCannotHoldDoesNotFoldBack) {
     for (const float v : block_.channel(1)) loudest = std::max(loudest, std::abs(static_cast<double>(v)));
   }
   EXPECT_LT(loudest, 0.01);
+}
+
+// A sensor check that sees only what comes out has to find what it would find in the device itself.
+TEST_F(Joined, WhatStandsStillComesOutBitByBit) {
+  make(Hertz(44100.0), -60.0, 0.0);
+  second_->offset = 0.3217F;  // and no tone
+  for (int i = 0; i < 300; ++i) {
+    ASSERT_TRUE(source_->read(block_));
+    for (const float v : block_.channel(1)) ASSERT_EQ(v, 0.3217F);
+  }
+}
+
+TEST_F(Joined, AWaveformThatIsCutFlatIsClippedAndNoOther) {
+  for (const bool cut : {true, false}) {
+    now_->store(0.0);
+    make(Hertz(44100.0), -60.0, 700.0);
+    second_->gain = 2.0;
+    if (cut) second_->limit = 1.0;
+    int clipped = 0;
+    for (int i = 0; i < 200; ++i) {
+      ASSERT_TRUE(source_->read(block_));
+      if (i >= 100) clipped += block_.has(kBlockClipped) ? 1 : 0;
+    }
+    EXPECT_EQ(clipped, cut ? 100 : 0);
+  }
+}
+
+// In what comes out neither shows any more: it is at the other's rate, and interpolated.
+TEST_F(Joined, AWrongRateAndRepeatedValuesOfTheOtherAreSaid) {
+  struct Case {
+    double ppm;
+    long repeated;
+    bool said;
+  };
+  for (const Case& c : {Case{200.0, 1, false}, Case{20'000.0, 1, true}, Case{-9'000.0, 1, true}, Case{0.0, 2, true}}) {
+    now_->store(0.0);
+    make(Hertz(44100.0), c.ppm, 700.0);
+    second_->repeated = c.repeated;
+    int said = 0;
+    for (int i = 0; i < 600; ++i) {
+      ASSERT_TRUE(source_->read(block_));
+      if (i >= 400) said += block_.has(kBlockOtherRate) ? 1 : 0;
+    }
+    EXPECT_EQ(said, c.said ? 200 : 0) << c.ppm << " " << c.repeated;
+    if (c.said) {
+      EXPECT_EQ(otherRateChannel(block_), 1);
+    }
+  }
+}
+
+// It is as new as the newest of its devices.
+TEST_F(Joined, ItsRateIsUncheckedWhileOneOfThemIs) {
+  make(Hertz(44100.0), 0.0, 700.0);
+  second_->uncheckedUntil = 1.5;
+  int late = 0;
+  for (int i = 0; i < 600; ++i) {
+    ASSERT_TRUE(source_->read(block_));
+    const double t = secondsBetween(Device::toInstant(0.0), block_.firstSample).value;
+    if (t < 1.3) {
+      EXPECT_TRUE(block_.has(kBlockUnchecked)) << t;
+    }
+    late += t > 2.8 && block_.has(kBlockUnchecked) ? 1 : 0;
+  }
+  EXPECT_EQ(late, 0);
 }
 
 TEST_F(Joined, WhileOneIsAwayAllIsAGapOfThatLength) {

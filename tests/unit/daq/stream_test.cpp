@@ -9,6 +9,7 @@
 #include "core/daq/sample_clock.h"
 #include "core/daq/stream_source.h"
 #include "core/daq/text_lines.h"
+#include "core/model/device_doubt.h"
 
 namespace stillcut::daq {
 namespace {
@@ -149,7 +150,7 @@ TEST(BinaryFrames, KnowEverySampleAndChecksum) {
     BinaryFrames decoder(f);
     float value = 0.0F;
     std::uint64_t lost = 0;
-    decoder.feed("S" + bytes);
+    decoder.feed("S" + bytes + "S");
     ASSERT_TRUE(decoder.take({&value, 1}, lost));
     EXPECT_EQ(value, -2.0F) << static_cast<int>(kind);
   }
@@ -204,7 +205,7 @@ TEST_F(StreamSourceTest, DeliversEverySampleOnceWithTimesOfTheClock) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     ASSERT_TRUE(source->read(block_));
     EXPECT_EQ(block_.sequence, k);
-    EXPECT_EQ(block_.flags, 0U);
+    EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
     ASSERT_EQ(block_.frames, 40);
     if (k == 0) expected = block_.channel(0)[0];
     for (const float v : block_.channel(0)) ASSERT_EQ(v, expected++);
@@ -216,6 +217,25 @@ TEST_F(StreamSourceTest, DeliversEverySampleOnceWithTimesOfTheClock) {
   source->stop();
   EXPECT_FALSE(source->read(block_));
   EXPECT_EQ(source->fault(), "");
+}
+
+// Many boards start anew when their port is opened, and say nothing until they have: the wire is opened once.
+TEST_F(StreamSourceTest, WaitsForABoardThatStartsWhenItIsOpened) {
+  for (const double boot : {0.0, 2.6, 5.0}) {
+    auto device = this->device();
+    const Instant plugged = clock_.now();
+    auto source = make([this, device, plugged, boot](std::size_t n) {
+      return secondsBetween(plugged, clock_.now()).value < boot ? std::string() : device(n);
+    });
+    EXPECT_TRUE(source->open()) << boot;
+    clock_.set(clock_.now() + std::chrono::milliseconds(300));
+    for (int k = 0; k < 50; ++k) {
+      ASSERT_TRUE(source->read(block_));
+      EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+    }
+    EXPECT_EQ(wire_->connects, 1) << boot;
+    EXPECT_NEAR(secondsBetween(block_.end(), clock_.now()).value, 0.0, 1e-3);
+  }
 }
 
 TEST_F(StreamSourceTest, ComesBackAHundredTimesAndSaysWhatIsMissing) {
@@ -242,7 +262,9 @@ TEST_F(StreamSourceTest, ComesBackAHundredTimesAndSaysWhatIsMissing) {
 
 TEST_F(StreamSourceTest, ALostFrameIsAGapOfItsLength) {
   auto source = make(device());
-  ASSERT_TRUE(source->open());
+  const auto format = source->open();
+  ASSERT_TRUE(format);
+  EXPECT_EQ(format->doubt, "");  // it counts
   ASSERT_TRUE(source->read(block_));
   number_ += 25;
   std::uint64_t lost = 0;
@@ -265,7 +287,7 @@ TEST_F(StreamSourceTest, WhatIsWrongIsOneLine) {
   });
   opened = wrong->open();
   ASSERT_FALSE(opened);
-  EXPECT_NE(opened.error().line().find("no sample of 2 channels"), std::string::npos);
+  EXPECT_NE(opened.error().line().find("no sample of the [[channels]]"), std::string::npos);
   auto absent = make({});
   wire_->there = false;
   opened = absent->open();

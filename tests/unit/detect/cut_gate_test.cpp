@@ -57,6 +57,35 @@ TEST_P(CutGateBlocks, DigitalSilenceIsNoFloorThatAnythingExceeds) {
   EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
 }
 
+// Noise in a narrow band dips by more than an exit's 3 dB; what then grows past all that was there has not left.
+TEST_P(CutGateBlocks, WhatGrowsAfterADipIsInTheCut) {
+  Gate g;
+  g.run(1.0, 2.0, GetParam());
+  g.run(100.0, 2.0, GetParam());
+  ASSERT_EQ(g.gate.phase(), CutPhase::Steady);
+  const auto dip = g.run(5.0, 0.1, GetParam());
+  ASSERT_EQ(dip.back(), CutPhase::Exit);
+  double steady = 0.0;
+  for (double level = 200.0; level < 1e5; level *= std::exp(GetParam() / 0.08)) {
+    if (g.run(level, GetParam(), GetParam()).back() == CutPhase::Steady) steady += GetParam();
+  }
+  EXPECT_GT(steady, 0.2);
+}
+
+// A recording begins with the tool in the material, shaken by its first bite. Chatter that comes and is cured later is
+// louder than the cut as well; what is left then is the cut and no air.
+TEST_P(CutGateBlocks, ACutThatNoAirWasHeardBeforeIsNotAirOnceItsChatterIsCured) {
+  Gate g;
+  g.gate.setForced(true);
+  g.run(3000.0, 0.1, GetParam());
+  g.run(100.0, 2.0, GetParam());
+  ASSERT_TRUE(g.gate.inCut());
+  g.run(1000.0, 0.5, GetParam());
+  const auto cured = g.run(90.0, 2.0, GetParam());
+  EXPECT_EQ(std::find(cured.begin(), cured.end(), CutPhase::Air), cured.end());
+  EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
+}
+
 INSTANTIATE_TEST_SUITE_P(Lengths, CutGateBlocks, ::testing::Values(0.001, 0.01, 0.05, 0.1));
 
 }  // namespace

@@ -184,6 +184,7 @@ TEST(LinePhase, FindsALineAmongItsSideLinesAndNoneInNoise) {
   constexpr double kLineRate = 10000.0;
   constexpr double kSpindle = 105.0;
   constexpr double kLine = 806.0;
+  const auto kernels = dsp::kernels::bestKernels();
   std::mt19937 engine(5);
   std::normal_distribution<double> normal;
   std::vector<double> line(static_cast<std::size_t>(3.2 * kLineRate / kSpindle));
@@ -195,16 +196,18 @@ TEST(LinePhase, FindsALineAmongItsSideLinesAndNoneInNoise) {
     noise[k] = normal(engine);
   }
   for (const double rough : {kLine - 40.0, kLine, kLine + 40.0}) {
-    const Hertz found = linePhaseFrequency(line, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate));
+    const Hertz found = linePhaseFrequency(line, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate), kernels);
     EXPECT_NEAR(found.value, kLine, 0.002 * kLine) << rough;
   }
   int none = 0;
   for (double rough = 400.0; rough < 4000.0; rough += 100.0) {
-    const Hertz found = linePhaseFrequency(noise, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate));
+    const Hertz found = linePhaseFrequency(noise, Hertz(rough), Hertz(kSpindle), Hertz(kLineRate), kernels);
     none += found.value > 0.0 ? 0 : 1;
   }
   EXPECT_GE(none, 30);
-  EXPECT_EQ(linePhaseFrequency(std::span(line).first(200), Hertz(kLine), Hertz(kSpindle), Hertz(kLineRate)).value, 0.0);
+  EXPECT_EQ(
+      linePhaseFrequency(std::span(line).first(200), Hertz(kLine), Hertz(kSpindle), Hertz(kLineRate), kernels).value,
+      0.0);
 }
 
 TEST(Parametric, UnstableRootsAreReflectedAndTheirFrequencyKept) {

@@ -1,15 +1,14 @@
-// The detector's parts, one at a time: energy separation, turn difference, onset test, line finder, input check.
+// The detector's parts, one at a time: energy separation, turn difference, onset test, line finder.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <complex>
-#include <limits>
 #include <random>
 
+#include "core/detect/energy_growth.h"
 #include "core/detect/energy_separation.h"
-#include "core/detect/input_check.h"
 #include "core/detect/line_finder.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/turn_difference.h"
@@ -115,6 +114,50 @@ TEST(OnsetTest, NothingBelowTheResolutionIsGrowth) {
   EXPECT_FALSE(test.alarm());
 }
 
+// A channel on which all is calm for thirty turns of 10 ms; then unrepeated(turns since) [power] beside the floor. What
+// `seen` says of it, hop by hop, for four turns.
+template <class Unrepeated, class Seen>
+void goesOn(const Unrepeated& unrepeated, const Seen& seen) {
+  constexpr double kFloor = 2e-4;
+  EnergyGrowth growth;
+  growth.prepare({1e-4, 12.0}, TurnDifference::kNewsArrival);
+  growth.setSpindle(Hertz(100.0));
+  constexpr int kCalm = 30 * kHopsPerTurn;
+  for (int hop = 0; hop < kCalm + 4 * kHopsPerTurn; ++hop) {
+    const double turns = (hop - kCalm + 0.5) / kHopsPerTurn;
+    const std::array<double, 1> all{1.0};
+    const std::array<double, 1> changed{std::sqrt(kFloor + (turns > 0.0 ? unrepeated(turns) : 0.0))};
+    growth.add(all, changed);
+    growth.endHop(kHopsPerTurn, Seconds(0.01 / kHopsPerTurn));
+    growth.test(kHopsPerTurn, true);
+    if (turns > 0.0) seen(growth, turns);
+  }
+}
+
+// From one instant on a forced vibration changes by the same in each turn, its energy does not: a ramp of the width of
+// cut begins. Against the mean of two turns ago that is a slope, then less of one, then a level (turn_difference.h).
+TEST(EnergyGrowth, AForcedVibrationThatBeginsToChangeDoesNotRise) {
+  for (const double perTurn : {0.05, 0.1, 0.2}) {
+    const auto news = [&](double t) { return perTurn * (t < 1.0 ? t : t < 2.0 ? 0.5 * (t + 1.0) : 1.5); };
+    goesOn([&](double t) { return news(t) * news(t); },
+           [&](const EnergyGrowth& g, double t) { EXPECT_FALSE(g.rising()) << perTurn << " a turn, turn " << t; });
+    const auto bump = [&](double t) { return perTurn * (t < 1.0 ? t : t < 2.0 ? 2.0 - t : 0.0); };
+    goesOn([&](double t) { return bump(t) * bump(t); },
+           [&](const EnergyGrowth& g, double t) {
+             EXPECT_FALSE(t > 2.0 && t < 3.0 && g.steadyGrowth()) << perTurn << " a turn, turn " << t;
+           });
+  }
+}
+
+TEST(EnergyGrowth, ExponentialGrowthRises) {
+  for (const double constant : {0.5, 0.8, 1.2}) {  // turns
+    bool rose = false;
+    goesOn([&](double t) { return 1e-4 * std::expm1(2.0 * t / constant); },
+           [&](const EnergyGrowth& g, double) { rose = rose || (g.rising() && g.steadyGrowth()); });
+    EXPECT_TRUE(rose) << constant;
+  }
+}
+
 TEST(LineFinder, FindsALineAndItsPurity) {
   LineFinder lines;
   lines.prepare(1, 2048, Hertz(kRate));
@@ -176,42 +219,6 @@ TEST(LineFinder, ReadsBetweenTheBinsWhatAPlainTransformSaysThere) {
     EXPECT_NEAR(weak.power / strong.power, at(weak.frequency) / at(strong.frequency), 0.02 * weak.power / strong.power)
         << hertz;
   }
-}
-
-class InputCheckTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    CutSetup setup;
-    setup.rate = Hertz(1000.0);
-    setup.channels.resize(1);
-    check_.prepare(setup);
-    block_.allocate(1, 100);
-    block_.frames = 100;
-    for (int k = 0; k < 100; ++k)
-      block_.channel(0)[static_cast<std::size_t>(k)] = std::sin(0.3F * static_cast<float>(k));
-  }
-  InputCheck check_;
-  SampleBlock block_;
-};
-
-TEST_F(InputCheckTest, GoodInputPasses) {
-  EXPECT_EQ(check_.check(block_).code, ReasonCode::None);
-}
-
-TEST_F(InputCheckTest, NotFiniteDeadAndClippedAreRefused) {
-  SampleBlock bad = block_;
-  bad.channel(0)[50] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputNotFinite);
-  check_.reset();
-  for (float& v : bad.channel(0)) v = 0.25F;
-  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputDead);
-  check_.reset();
-  for (std::size_t k = 0; k < 100; ++k) bad.channel(0)[k] = std::clamp(3.0F * block_.channel(0)[k], -1.0F, 1.0F);
-  check_.check(bad);
-  EXPECT_EQ(check_.check(bad).code, ReasonCode::InputClipped);
-  check_.reset();
-  block_.flags = kBlockClipped;
-  EXPECT_EQ(check_.check(block_).code, ReasonCode::InputClipped);
 }
 
 }  // namespace

@@ -55,13 +55,15 @@ class SensorCheckTest : public ::testing::Test {
   };
 
   // clock: seconds by the stamps for each second of samples.
-  static Run run(const Samples& samples, double spindle = kSpindle, int blockFrames = 256, double clock = 1.0) {
+  static Run run(const Samples& samples, double spindle = kSpindle, int blockFrames = 256, double clock = 1.0,
+                 SensorQuantity second = SensorQuantity::Acceleration,
+                 SensorQuantity first = SensorQuantity::Acceleration) {
     CutSetup setup;
     setup.rate = Hertz(kRate);
     setup.blockFrames = blockFrames;
     setup.teeth = 4;
     setup.nominalSpeed = toRpm(Hertz(spindle));
-    setup.channels = {{"x", SensorQuantity::Acceleration, 1.0, "x"}, {"y", SensorQuantity::Acceleration, 1.0, "y"}};
+    setup.channels = {{"x", first, 1.0, "x"}, {"y", second, 1.0, "y"}};
     config::ParamSet params;
     Conditioner conditioner;
     conditioner.prepare(setup, params);
@@ -175,6 +177,44 @@ TEST_F(SensorCheckTest, ACableThatBreaksInTheCutIsNoEndOfTheCut) {
   EXPECT_TRUE(run(ended).faults.empty());
 }
 
+// One accelerometer beside a sensor of another kind: a structure rings on when the tool has left, a cable does not.
+TEST_F(SensorCheckTest, ALoneSensorThatFallsSilentAtOnceHasLostItsCable) {
+  const auto ended = [](double ring) {
+    Samples samples = cut(6.0);
+    std::mt19937 engine(8);
+    std::normal_distribution<float> noise(0.0F, 0.01F);
+    for (std::size_t f = frame(kFaultBegins); f < samples[0].size(); ++f) {
+      const double t = static_cast<double>(f) / kRate - kFaultBegins;
+      const double rings = ring > 0.0 ? std::exp(-t / ring) : 0.0;
+      samples[0][f] = static_cast<float>(rings) * samples[0][f] + noise(engine);
+      samples[1][f] = 0.0F;
+    }
+    return run(samples, kSpindle, 256, 1.0, SensorQuantity::SpindleSpeed);
+  };
+  const Run broken = ended(0.0);
+  expectFound(broken, ReasonCode::InputSilent, 0.9);
+  EXPECT_GT(broken.last(), 5.9);
+  // Modes of 2 kHz with 5 %, and of 300 Hz with 3 %.
+  for (const double ring : {1.0 / (0.05 * kTwoPi * 2000.0), 1.0 / (0.03 * kTwoPi * 300.0)}) {
+    EXPECT_EQ(ended(ring).first(ReasonCode::InputSilent), -1.0) << ring;
+  }
+}
+
+TEST_F(SensorCheckTest, AForceOrASpeedMayRestButNoForceStandsStillInACutOfOthers) {
+  Samples still = cut(4.0);
+  for (float& v : still[1]) v = 6000.0F;
+  const auto with = [&](SensorQuantity second, SensorQuantity first) {
+    return run(still, kSpindle, 256, 1.0, second, first);
+  };
+  for (const auto q : {SensorQuantity::SpindleSpeed, SensorQuantity::Force, SensorQuantity::Current}) {
+    EXPECT_TRUE(with(q, SensorQuantity::Acceleration).faults.empty());
+  }
+  const Run dead = with(SensorQuantity::Force, SensorQuantity::Force);
+  EXPECT_GT(dead.first(ReasonCode::InputDead), kCutBegins);
+  EXPECT_LT(dead.first(ReasonCode::InputDead), kCutBegins + 1.0);
+  EXPECT_GT(dead.last(), 3.9);
+}
+
 TEST_F(SensorCheckTest, ALostBiasIsAnOffsetAndGravityIsNot) {
   expectFound(faulty(0, [](float x, std::size_t) { return x + 100.0F; }), ReasonCode::InputOffset, 0.8);
   EXPECT_TRUE(faulty(0, [](float x, std::size_t) { return x + 9.81F; }).faults.empty());
@@ -213,6 +253,25 @@ TEST_F(SensorCheckTest, LoudNoiseIsNoCut) {
   std::mt19937 engine(6);
   std::normal_distribution<float> noise(0.0F, 1.0F);
   expectFound(faulty(0, [&](float, std::size_t) { return noise(engine); }), ReasonCode::InputNoise, 0.8);
+  // Through the filter of an audio converter.
+  constexpr int kTaps = 97;
+  constexpr double kEnd = 0.907;  // of half the rate
+  std::vector<float> taps(kTaps);
+  for (int k = 0; k < kTaps; ++k) {
+    const double n = k - (kTaps - 1) / 2;
+    const double window = 0.42 + 0.5 * std::cos(kTwoPi * n / kTaps) + 0.08 * std::cos(2.0 * kTwoPi * n / kTaps);
+    const double sinc = n == 0.0 ? kEnd : std::sin(0.5 * kTwoPi * kEnd * n) / (0.5 * kTwoPi * n);
+    taps[static_cast<std::size_t>(k)] = static_cast<float>(window * sinc);
+  }
+  std::vector<float> heard(kTaps, 0.0F);
+  expectFound(faulty(0,
+                     [&](float, std::size_t f) {
+                       heard[f % kTaps] = noise(engine);
+                       float sum = 0.0F;
+                       for (std::size_t k = 0; k < kTaps; ++k) sum += taps[k] * heard[(f + kTaps - k) % kTaps];
+                       return sum;
+                     }),
+              ReasonCode::InputNoise, 0.8);
 }
 
 TEST_F(SensorCheckTest, OneAxisTwiceIsFound) {

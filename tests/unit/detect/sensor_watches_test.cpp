@@ -8,8 +8,8 @@
 
 #include "core/detect/hum_watch.h"
 #include "core/detect/pair_watch.h"
-#include "core/detect/rate_watch.h"
 #include "core/detect/turn_marks.h"
+#include "core/dsp/rate_watch.h"
 
 namespace stillcut::detect {
 namespace {
@@ -68,6 +68,22 @@ TEST(HumWatch, ALineBesideTheMainsIsNotTheMains) {
 TEST(HumWatch, ASpindleThatTurnsWithTheMainsIsNotHeldAgainstTheSensor) {
   EXPECT_LT(humIn(tones({{50.0, 1.0}, {100.0, 0.5}}), 5.0, 25600.0, Hertz(50.0)), 1e-20);
   EXPECT_LT(humIn(tones({{50.0, 1.0}}), 5.0, 25600.0, Hertz(25.0)), 1e-20);
+}
+
+TEST(HumWatch, HowTheStreamIsCutMakesNoDifference) {
+  const auto tone = tones({{50.0, 1.0}, {730.0, 3.0}});
+  std::vector<double> x;
+  for (int n = 0; n < 3 * 25600; ++n) x.push_back(tone(n / 25600.0));
+  const auto heard = [&x](std::size_t block) {
+    HumWatch watch;
+    watch.prepare(Hertz(25600.0));
+    for (std::size_t f = 0; f < x.size(); f += block) {
+      watch.push(std::span<const double>(x).subspan(f, std::min(block, x.size() - f)), Hertz(141.7));
+    }
+    return std::pair(watch.part(), watch.meanSquare());
+  };
+  EXPECT_GT(heard(1).first, 0.0);
+  for (const std::size_t block : {7UL, 256UL, 10000UL}) EXPECT_EQ(heard(block), heard(1)) << block;
 }
 
 TEST(HumWatch, NoiseHasNone) {
@@ -132,6 +148,24 @@ TEST(PairWatch, TwoSensorsOfOneMotionEachHaveTheirNoise) {
   EXPECT_EQ(watch.twinOf(1), -1);
 }
 
+// Whole numbers: y is x times a gain, rounded. Two sensors that each flicker by a step are not.
+TEST(PairWatch, ADoubledInputIsFoundThroughTheRoundingOfWholeNumbers) {
+  for (const bool own : {false, true}) {
+    for (const float gain : {1.0F, 0.7F, -0.33F}) {
+      std::mt19937 random(6);
+      std::normal_distribution<float> noise;
+      PairWatch watch;
+      watch.prepare(channelsOf({{"x", kAcceleration}, {"y", kAcceleration}}));
+      float last = 0.0F;
+      feed(watch, 2, [&](int c, int n) {
+        if (c == 0) last = std::round(2000.0F * std::sin(0.3F * static_cast<float>(n)) + 300.0F * noise(random));
+        return c == 0 ? last : std::round(gain * last + (own ? noise(random) : 0.0F));
+      });
+      EXPECT_EQ(watch.twinOf(1), own ? -1 : 0) << gain;
+    }
+  }
+}
+
 TEST(PairWatch, OnlyDifferentAxesOfOneQuantityAreCompared) {
   for (const auto& setup : {channelsOf({{"x", kAcceleration}, {"x", kAcceleration}}),
                             channelsOf({{"x", kAcceleration}, {"y", SensorQuantity::Force}}),
@@ -158,10 +192,10 @@ TEST(PairWatch, EveryPairHasItsTurn) {
 }
 
 // Blocks stamped as by a device whose true rate differs from what was told, with jitter of the clock.
-RateWatch watched(double told, double trueRate, double jitter, double seconds, int gapAt = -1) {
+dsp::RateWatch watched(double told, double trueRate, double jitter, double seconds, int gapAt = -1) {
   std::mt19937 random(5);
   std::normal_distribution<double> noise(0.0, jitter);
-  RateWatch watch;
+  dsp::RateWatch watch;
   watch.prepare(Hertz(told));
   SampleBlock block;
   block.frames = 256;
@@ -179,24 +213,103 @@ RateWatch watched(double told, double trueRate, double jitter, double seconds, i
 TEST(RateWatch, FindsTheTrueRate) {
   for (double off : {-0.03, -0.001, 0.0, 0.002, 0.05}) {
     const double rate = 25600.0 * (1.0 + off);
-    const RateWatch watch = watched(25600.0, rate, 1e-4, 5.0);
+    const dsp::RateWatch watch = watched(25600.0, rate, 1e-4, 5.0);
     EXPECT_NEAR(watch.rate().value / rate, 1.0, 1e-4) << off;
     EXPECT_EQ(watch.wrong(), std::abs(off) > 0.005) << off;
   }
 }
 
-TEST(RateWatch, ItsDoubtIsTheScatterOfTheLine) {
-  const RateWatch watch = watched(25600.0, 25600.0, 2e-3, 5.0);
-  EXPECT_LT(std::abs(watch.rate().value - 25600.0), 5.0 * watch.sd().value);
+constexpr double kLag = 1e-3;  // s, by which a transport may have wandered
+
+TEST(RateWatch, ItsDoubtIsTheScatterOfTheLineAndAWanderOfTheTransport) {
+  const dsp::RateWatch watch = watched(25600.0, 25600.0, 2e-3, 5.0);
+  EXPECT_LT(std::abs(watch.rate().value - 25600.0), 3.0 * watch.sd().value);
   // Of a slope through 500 stamps over 5 s: jitter / sqrt(n T^2 / 12).
-  EXPECT_NEAR(watch.sd().value, 25600.0 * 2e-3 / std::sqrt(500.0 * 25.0 / 12.0), 0.2);
-  EXPECT_LT(watched(25600.0, 25600.0, 2e-5, 5.0).sd().value, 0.1 * watch.sd().value);
+  EXPECT_NEAR(watch.sd().value - 25600.0 * kLag / 5.0, 25600.0 * 2e-3 / std::sqrt(500.0 * 25.0 / 12.0), 0.3);
+  EXPECT_NEAR(watched(25600.0, 25600.0, 2e-5, 5.0).sd().value, 25600.0 * kLag / 5.0, 0.1);
+}
+
+// Stamps that were filtered err alike for a while: the line through them scatters less than it is wrong.
+TEST(RateWatch, ItsDoubtHoldsForFilteredStamps) {
+  std::mt19937 random(11);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  constexpr double kAlike = 0.98;  // half a second
+  double squares = 0.0;
+  double doubt = 0.0;
+  constexpr int kTimes = 40;
+  for (int time = 0; time < kTimes; ++time) {
+    dsp::RateWatch watch;
+    watch.prepare(Hertz(8000.0));
+    SampleBlock block;
+    block.frames = 80;
+    double error = noise(random);
+    for (int i = 0; i < 1000; ++i) {
+      block.firstSample = Instant{} + toDuration(Seconds(1.0 + 0.01 * i + 5e-3 * error));
+      watch.push(block);
+      error = kAlike * error + std::sqrt(1.0 - kAlike * kAlike) * noise(random);
+    }
+    const double off = watch.rate().value - 8000.0;
+    EXPECT_LT(std::abs(off), 3.0 * watch.sd().value) << time;
+    squares += off * off / kTimes;
+    doubt += (watch.sd().value - 8000.0 * kLag / 10.0) / kTimes;
+  }
+  EXPECT_NEAR(doubt / std::sqrt(squares), 1.0, 0.35);
+}
+
+TEST(RateWatch, ForgetsSoThatARateThatChangesAfterAnHourIsFound) {
+  for (const double off : {-0.025, 0.008}) {
+    dsp::RateWatch watch;
+    watch.prepare(Hertz(8000.0));
+    SampleBlock block;
+    block.frames = 800;
+    double at = 0.0;
+    for (int i = 0; i < 36000; ++i, at += 0.1) {
+      block.firstSample = Instant{} + toDuration(Seconds(at));
+      watch.push(block);
+      ASSERT_FALSE(watch.wrong());
+    }
+    int blocks = 0;
+    for (; !watch.wrong() && blocks < 1000; ++blocks, at += 0.1 / (1.0 + off)) {
+      block.firstSample = Instant{} + toDuration(Seconds(at));
+      watch.push(block);
+    }
+    EXPECT_LT(blocks, 150) << off;
+  }
+}
+
+// Each gap begins a new line, and all have one slope: a rate is found through gaps that leave no second without one.
+TEST(RateWatch, GapsDoNotHideAWrongRate) {
+  for (const double real : {7200.0, 8000.0}) {
+    dsp::RateWatch watch;
+    watch.prepare(Hertz(8000.0));
+    SampleBlock block;
+    block.frames = 80;
+    double at = 0.0;
+    for (int i = 0; i < 1000; ++i, at += 80.0 / real) {
+      block.flags = i % 30 == 29 ? kBlockGap : 0U;
+      if (i % 30 == 29) at += 0.123;
+      block.firstSample = Instant{} + toDuration(Seconds(at));
+      watch.push(block);
+    }
+    EXPECT_NEAR(watch.rate().value, real, 1.0);
+    EXPECT_EQ(watch.wrong(), real < 8000.0);
+  }
+}
+
+TEST(RateWatch, StampsThatStandStillAreAWrongRateAndNotAnInfiniteOne) {
+  dsp::RateWatch watch;
+  watch.prepare(Hertz(8000.0));
+  SampleBlock block;
+  block.frames = 80;
+  for (int i = 0; i < 200; ++i) watch.push(block);
+  EXPECT_TRUE(std::isfinite(watch.rate().value));
+  EXPECT_TRUE(watch.wrong());
 }
 
 TEST(RateWatch, ASecondIsNeededAndAGapBeginsAnew) {
   EXPECT_EQ(watched(25600.0, 25600.0, 0.0, 0.9).rate().value, 0.0);
   // A gap of a second in the midst is no slower rate.
-  const RateWatch watch = watched(25600.0, 25600.0, 0.0, 6.0, 200);
+  const dsp::RateWatch watch = watched(25600.0, 25600.0, 0.0, 6.0, 200);
   EXPECT_NEAR(watch.rate().value, 25600.0, 0.01);
   EXPECT_FALSE(watch.wrong());
 }

@@ -157,6 +157,40 @@ TEST(TrueSpeed, IsHeldThroughFullChatter) {
   EXPECT_GT(r.alarmTimeIn(2.2, 4.0), 0.95 * 1.8);
 }
 
+// At full immersion tooth passings nearly cancel, and runout on a mode is all there is. What chatter beside that order
+// leaks into the tooth passings must not carry the spindle off until the chatter lies on an order. Near it (0.045
+// orders) no share grows and no line stands between the orders: the order is louder and turns.
+TEST(TrueSpeed, IsNotCarriedOffByChatterBesideWeakToothPassings) {
+  constexpr double kSpindle = 13.33;
+  for (const double offset : {0.11, 0.045}) {
+    std::mt19937 engine(4);
+    std::normal_distribution<double> normal;
+    Recording r;
+    r.rate = 4096.0;
+    r.channels.assign(1, {});
+    for (int k = 0; k < 16 * 4096; ++k) {
+      const double t = k / r.rate;
+      const double angle = kTwoPi * kSpindle * t;
+      double x = (t < 1.0 ? 0.1 : 0.3) * normal(engine);
+      if (t > 1.0) {
+        for (int h = 4; h <= 32; h += 4) x += 0.1 * std::cos(h * angle + h);
+        x += std::cos(15.0 * angle);
+      }
+      const double growing = 0.05 * std::exp((t - 7.0) / 0.4);
+      if (t > 7.0) x += std::min(30.0, growing) * std::sin((15.0 + offset) * angle);
+      r.channels[0].push_back(static_cast<float>(x));
+    }
+    RunOptions o;
+    o.teeth = 4;
+    o.rpm = 60.0 * kSpindle;
+    const RunResult result = run(r, o);
+    EXPECT_NEAR(result.verdicts.back().spindle.value, kSpindle, 1e-3 * kSpindle) << offset;
+    EXPECT_GT(result.alarmTimeIn(12.0, 16.0), 3.9) << offset;
+    EXPECT_NEAR(result.verdicts.back().frequency.value, (15.0 + offset) * kSpindle, 5e-3 * 15.0 * kSpindle) << offset;
+    EXPECT_LT(result.alarmTimeIn(0.0, 7.0), 0.01) << offset;
+  }
+}
+
 // An operator turns the override down in the cut, and no machine says so.
 TEST(TrueSpeed, IsFollowedThroughAChangeThatNobodyTells) {
   for (const double by : {-0.13, 0.08}) {

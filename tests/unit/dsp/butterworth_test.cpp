@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/dsp/kernels/choose.h"
 
 namespace stillcut::dsp {
 namespace {
@@ -73,6 +77,30 @@ TEST(Retune, TheTimeDomainFollowsTheResponseAndTheStateSurvives) {
     if (n > 12000) worst = std::max(worst, std::abs(y));
   }
   EXPECT_NEAR(worst, std::abs(filter.response(Hertz(f), kRate)), 0.01);
+}
+
+TEST(Stretches, SeveralSignalsAtOnceAreEachOfThemSampleBySample) {
+  constexpr std::size_t kFrames = 400;
+  for (const int order : {1, 2, 5, 10, 16}) {
+    for (const std::size_t signals : {1U, 2U, 3U}) {
+      Butterworth prototype;
+      prototype.lowPass(order, Hertz(3000.0), kRate);
+      std::vector<Butterworth> alone(signals, prototype);
+      std::vector<double> x;
+      for (std::size_t k = 0; k < signals * kFrames; ++k) x.push_back(std::sin(0.01 * static_cast<double>(k * k)));
+      for (const kernels::InstructionSet set : kernels::availableSets()) {
+        std::vector<Butterworth> together = alone;
+        std::vector<double> y = x;
+        const auto stride = static_cast<std::ptrdiff_t>(kFrames);
+        for (const auto& [from, frames] : {std::pair{0U, 257U}, {257U, 143U}}) {
+          Butterworth::process(together, y.data() + from, stride, y.data() + from, stride, frames,
+                               kernels::kernelsOf(set));
+        }
+        std::vector<Butterworth> plain = alone;
+        for (std::size_t k = 0; k < x.size(); ++k) ASSERT_EQ(y[k], plain[k / kFrames].process(x[k])) << order;
+      }
+    }
+  }
 }
 
 }  // namespace

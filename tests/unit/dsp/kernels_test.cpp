@@ -4,36 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "core/dsp/butterworth.h"
-#include "core/dsp/kernels/choose.h"
+#include "tests/unit/dsp/every_set.h"
 
 namespace stillcut::dsp::kernels {
 namespace {
-
-using Values = std::vector<double>;
-
-Values noise(std::size_t n, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::normal_distribution<double> normal;
-  Values x(n);
-  for (double& v : x) v = normal(engine);
-  return x;
-}
-
-// What `work` makes with each set; all the same.
-template <class Work>
-Values sameWithEverySet(const Work& work) {
-  Values baseline = work(kernelsOf(InstructionSet::Baseline));
-  for (const InstructionSet set : availableSets()) {
-    EXPECT_EQ(kernelsOf(set).set, set);
-    EXPECT_EQ(work(kernelsOf(set)), baseline) << nameOf(set);
-  }
-  return baseline;
-}
 
 struct Harmonics {
   explicit Harmonics(std::size_t lanes) : re(lanes), im(lanes), c(lanes), s(lanes) {}
@@ -68,6 +47,73 @@ TEST(Kernels, HarmonicsAreTheRecursionWrittenOut) {
     double power = 0.0;
     for (std::size_t n = 0; n < count; ++n) power += std::cos(kStep * static_cast<double>(n + 1)) * std::norm(q[n]);
     EXPECT_NEAR(rest.back(), power, 1e-11);
+  }
+}
+
+TEST(Kernels, TwoSignalsSideBySideAreEachOfThemAlone) {
+  for (const std::size_t count : {5U, 24U, 48U, 53U}) {
+    const std::size_t lanes = wholeLanes(count);
+    const Values x[2] = {noise(301, 7), noise(301, 8)};
+    const auto both = [&](const Kernels& k, bool paired) {
+      Harmonics h[2] = {Harmonics(lanes), Harmonics(lanes)};
+      k.powers(std::cos(0.03), std::sin(0.03), count, h[0].c.data(), h[0].s.data());
+      Values out(2 * x[0].size());
+      HarmonicRun runs[2];
+      for (std::size_t n = 0; n < 2; ++n) {
+        runs[n] = {x[n].data(),    out.data() + n * x[n].size(),
+                   x[n].size(),    lanes,
+                   h[n].re.data(), h[n].im.data(),
+                   h[0].c.data(),  h[0].s.data(),
+                   0.004,          0.9};
+      }
+      if (paired) {
+        k.harmonicPair(runs[0], runs[1]);
+      } else {
+        for (const HarmonicRun& run : runs) k.harmonics(run);
+      }
+      for (const Harmonics& state : h) out.insert(out.end(), state.im.begin(), state.im.end());
+      return out;
+    };
+    EXPECT_EQ(sameWithEverySet([&](const Kernels& k) { return both(k, true); }),
+              sameWithEverySet([&](const Kernels& k) { return both(k, false); }));
+  }
+}
+
+TEST(Kernels, ARealTransformIsUnfoldedAlikeByEverySet) {
+  // That it is the right one: tests/unit/dsp/transform_test.cpp.
+  for (const std::size_t n : {1U, 2U, 9U, 15U, 16U, 64U, 105U}) {
+    const Values folded = noise(2 * n, 10);
+    Values re, im;
+    for (std::size_t k = 0; k <= n / 2 + kLanes; ++k) {
+      const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(n);
+      re.push_back(0.5 * std::cos(angle));
+      im.push_back(-0.5 * std::sin(angle));
+    }
+    const Values all = sameWithEverySet([&](const Kernels& k) {
+      Values out(2 * n + 2);
+      k.unfold({folded.data(), re.data(), im.data(), n, out.data()});
+      return out;
+    });
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t m = (n - k) % n;
+      const std::complex<double> z(folded[2 * k], folded[2 * k + 1]);
+      const std::complex<double> mirror(folded[2 * m], -folded[2 * m + 1]);
+      const std::complex<double> turn =
+          std::polar(1.0, -std::numbers::pi * static_cast<double>(k) / static_cast<double>(n));
+      const std::complex<double> x = 0.5 * (z + mirror) - std::complex<double>(0.0, 0.5) * turn * (z - mirror);
+      EXPECT_NEAR(all[2 * k], x.real(), 1e-12) << n << " " << k;
+      EXPECT_NEAR(all[2 * k + 1], x.imag(), 1e-12) << n << " " << k;
+    }
+  }
+}
+
+TEST(Kernels, TheLargestIsFoundWhereverItStands) {
+  for (const std::size_t count : {1U, 7U, 8U, 100U}) {
+    for (std::size_t place = 0; place < count; ++place) {
+      Values x = noise(count, 9);
+      x[place] = 100.0;
+      EXPECT_EQ(sameWithEverySet([&](const Kernels& k) { return Values{k.largest(x.data(), count)}; })[0], 100.0);
+    }
   }
 }
 
@@ -278,95 +324,6 @@ TEST(Kernels, SeparationGivesAmplitudeAndAngleAndKeepsWhatItCannotTell) {
     EXPECT_NEAR(all[m], told ? kPower : 77.0, 1e-9) << m;
     // 1 - cos loses digits where the angle is small.
     EXPECT_NEAR(all[kBands + m], told ? 2.0 * angles[m] : 77.0, 1e-12) << m;
-  }
-}
-
-TEST(Kernels, SumsAndStepsOfAdaptiveFiltersAreThoseWrittenOut) {
-  for (const std::size_t taps : {1U, 8U, 16U, 35U, 40U, 512U}) {
-    const std::size_t n = wholeLanes(taps);
-    const Values a = noise(n, 1);
-    const Values b = noise(n, 2);
-    const Values all = sameWithEverySet([&](const Kernels& k) {
-      Values out = a;
-      k.tapSteer(out.data(), 0.99, -0.3, b.data(), taps);
-      out.push_back(k.tapSum(a.data(), b.data(), n));
-      return out;
-    });
-    const Values split = sameWithEverySet([&](const Kernels& k) {
-      Values older = b;
-      older[0] = 1e300;  // the newest is given apart
-      Values out = a;
-      k.newTapSteer(out.data(), 0.99, -0.3, b[0], &older[1], taps);
-      out.push_back(k.newTapSum(a.data(), b[0], &older[1], n));
-      return out;
-    });
-    for (std::size_t k = 0; k <= n; ++k) EXPECT_NEAR(split[k], all[k], 1e-12) << k;
-    double sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      EXPECT_NEAR(all[k], k < taps ? 0.99 * a[k] - 0.3 * b[k] : 0.0, 1e-15) << k;
-      sum += a[k] * b[k];
-    }
-    EXPECT_NEAR(all[n], sum, 1e-12) << n;
-  }
-}
-
-TEST(Kernels, APairOfSignalsGoesThroughOneRecursiveFilter) {
-  constexpr std::size_t kSamples = 100;
-  for (const std::size_t taps : {8U, 40U, 512U}) {
-    Values a = noise(taps, 1), b = noise(taps, 2);
-    for (double& v : b) v /= static_cast<double>(8 * taps);  // stable
-    const std::array<Values, 2> in{noise(kSamples, 3), noise(kSamples, 4)};
-    const Values all = sameWithEverySet([&](const Kernels& k) {
-      std::array<Values, 2> states;
-      PairRun run{.forward = a.data(), .backward = b.data(), .taps = taps};
-      for (std::size_t i = 0; i < 2; ++i) {
-        states[i].assign(taps + kLanes, 0.0);
-        run.state[i] = states[i].data();
-      }
-      Values out;
-      for (std::size_t n = 0; n < kSamples; ++n) {
-        run.in[0] = in[0][n], run.in[1] = in[1][n];
-        k.filterPair(run);
-        out.insert(out.end(), {run.out[0], run.out[1]});
-      }
-      return out;
-    });
-    // The equation written out: r(n + 1) = sum a_k x(n - k) + sum b_k r(n - k).
-    for (std::size_t i = 0; i < 2; ++i) {
-      Values r;
-      for (std::size_t n = 0; n < kSamples; ++n) {
-        double sum = 0.0;
-        for (std::size_t t = 0; t < std::min(taps, n + 1); ++t) sum += a[t] * in[i][n - t];
-        for (std::size_t t = 0; t < std::min(taps, n); ++t) sum += b[t] * r[n - 1 - t];
-        r.push_back(sum);
-        ASSERT_NEAR(all[2 * n + i], sum, 1e-10) << taps << " " << n;
-      }
-    }
-  }
-}
-
-TEST(Kernels, LinesAreHeardAsTheirFourierSums) {
-  constexpr std::size_t kFrames = 100, kLines = 16;
-  const Values x = noise(kFrames, 1), y = noise(kFrames, 2);
-  const Values all = sameWithEverySet([&](const Kernels& k) {
-    Values re(kLines, 1.0), im(kLines, 0.0), turnRe, turnIm;
-    for (std::size_t l = 0; l < kLines; ++l) {
-      turnRe.push_back(std::cos(0.1 * static_cast<double>(l)));
-      turnIm.push_back(std::sin(0.1 * static_cast<double>(l)));
-    }
-    Values sums(4 * kLines, 0.0);
-    k.lineSums({x.data(), y.data(), kFrames, kLines, re.data(), im.data(), turnRe.data(), turnIm.data(), sums.data(),
-                &sums[kLines], &sums[2 * kLines], &sums[3 * kLines]});
-    return sums;
-  });
-  for (std::size_t l = 0; l < kLines; ++l) {
-    double re = 0.0, im = 0.0;
-    for (std::size_t n = 0; n < kFrames; ++n) {
-      re += x[n] * std::cos(0.1 * static_cast<double>(l * n));
-      im += y[n] * std::sin(0.1 * static_cast<double>(l * n));
-    }
-    EXPECT_NEAR(all[l], re, 1e-10);
-    EXPECT_NEAR(all[3 * kLines + l], im, 1e-10);
   }
 }
 

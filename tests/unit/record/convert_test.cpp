@@ -10,6 +10,7 @@
 
 #include "core/record/gap_list.h"
 #include "core/record/open_recording.h"
+#include "core/record/session_reader.h"
 #include "core/record/session_writer.h"
 #include "tests/unit/record/step_samples.h"
 #include "tests/unit/record/temp_folder.h"
@@ -86,6 +87,53 @@ TEST(Convert, ASessionBecomesATable) {
   ASSERT_EQ(block.frames, step.input.block.frames);
   EXPECT_FLOAT_EQ(block.channel(1)[3],
                   static_cast<float>(step.input.block.channel(1)[3] * exampleSetup().channels[1].scale));
+}
+
+TEST(Convert, ATableOfALiveSessionBeginsAtZeroAndOneOfASpanWhereTheSpanDoes) {
+  const TempFolder folder;
+  const std::string from = folder / "in.h5";
+  auto writer = SessionWriter::create(from, {exampleSetup(), "", "0.1.0", false});
+  ASSERT_TRUE(writer.ok());
+  StepRecord step = exampleStep(1);
+  for (int i = 0; i < 8; ++i) {
+    step.input.block.frames = 64;
+    step.input.block.flags = 0;
+    step.input.block.lostFrames = 0;
+    step.input.block.rate = exampleSetup().rate;
+    step.input.block.firstSample =
+        instantFromNs(86'045'000'000'000) + toDuration(Seconds(i * 64 / exampleSetup().rate.value));
+    ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  }
+  ASSERT_TRUE((*writer)->close().ok());
+  const auto firstTime = [&](const TimeSpan& span) {
+    const std::string to = folder / "out.csv";
+    const Status converted = convertRecording(from, to, {}, span);
+    EXPECT_TRUE(converted.ok()) << converted.error().line();
+    std::ifstream in(to);
+    std::string line;
+    std::getline(in, line);
+    std::getline(in, line);
+    return std::stod(line);
+  };
+  EXPECT_NEAR(firstTime({}), 0.0, 1e-9);
+  TimeSpan span;
+  span.from = Seconds(320.0 / exampleSetup().rate.value);
+  EXPECT_NEAR(firstTime(span), span.from->value, 1e-6);
+}
+
+TEST(Convert, NoSessionIsReplaced) {
+  const TempFolder folder;
+  const std::string session = folder / "cut.h5";
+  auto writer = SessionWriter::create(session, {exampleSetup(), "", "0.1.0", false});
+  ASSERT_TRUE(writer.ok());
+  const StepRecord step = exampleStep(1);
+  ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+  ASSERT_TRUE((*writer)->close().ok());
+  const std::string other = folder.file("other.csv", "Time (s),ax (g)\n0,1\n0.001,2\n0.002,3\n");
+  const Status converted = convertRecording(other, session);
+  ASSERT_FALSE(converted.ok());
+  EXPECT_THAT(converted.error().line(), testing::HasSubstr("is not replaced"));
+  EXPECT_TRUE(countSession(session).ok());
 }
 
 TEST(Convert, WhatFailsLeavesNothingBehind) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <random>
 #include <string>
@@ -27,6 +28,9 @@ struct WhatIsLeft {
 };
 // Reads `path` to its end and compares bit by bit.
 WhatIsLeft look(const std::string& path);
+
+// Does it in a child without root's leave to write everywhere; gives what the child gives.
+int asAnybody(const std::function<int()>& act);
 
 // Passes everything on, and remembers it: what a power loss leaves can be made up for every moment.
 class RememberingDisk final : public Disk {

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,6 +11,7 @@
 #include <semaphore>
 
 #include "core/record/describe_recording.h"
+#include "core/record/hdf5_file.h"
 #include "core/record/journaled_file.h"
 #include "core/record/open_recording.h"
 #include "core/record/recorder.h"
@@ -115,7 +115,9 @@ TEST(NeverLost, AMarkerAddedWhileThePowerGoesIsThereOrNotAndNothingElseChanges) 
   const auto count = readMarkers(path);
   ASSERT_TRUE(count.ok());
   // The journal of that change, made again, with the file in every state between.
-  JournalContent journal{1, after.size(), {{0, after}}};
+  std::vector<std::byte> place = before;
+  place.resize(after.size());
+  const JournalContent journal{1, before.size(), {{0, after, place}}, after.size()};
   const std::vector<std::byte> bytes = encodeJournal(journal);
   for (std::size_t part = 0; part <= 8; ++part) {
     std::vector<std::byte> torn = after;
@@ -134,28 +136,91 @@ TEST(NeverLost, AMarkerAddedWhileThePowerGoesIsThereOrNotAndNothingElseChanges) 
 TEST(NeverLost, AJournalThatIsTornOrBelongsToAnotherFileIsLeftAlone) {
   const TempFolder folder;
   const std::string path = folder.file("cut.h5", std::string(100, 'a'));
-  std::vector<std::byte> journal = encodeJournal({1, 100, {{10, std::vector<std::byte>(5, std::byte{'b'})}}});
-  const auto put = [&](std::size_t size) {
+  const auto five = [](char letter) { return std::vector<std::byte>(5, static_cast<std::byte>(letter)); };
+  const auto recover = [&path] { return recoverFromJournal(path, [] { return Status(Done{}); }); };
+  const std::vector<std::byte> journal = encodeJournal({1, 100, {{10, five('b'), five('a')}}, 100});
+  const auto put = [&](const std::vector<std::byte>& bytes, std::size_t size) {
     std::ofstream(journalPath(path), std::ios::binary)
-        .write(reinterpret_cast<const char*>(journal.data()), static_cast<long>(size));
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<long>(size));
   };
   for (const std::size_t size : {std::size_t{0}, std::size_t{40}, std::size_t{64}, journal.size() - 1}) {
-    put(size);
-    ASSERT_TRUE(recoverFromJournal(path).ok());
+    put(journal, size);
+    ASSERT_TRUE(recover().ok());
     EXPECT_EQ(contentOf(path)[10], std::byte{'a'});
   }
-  journal[70] ^= std::byte{1};
-  put(journal.size());
-  ASSERT_TRUE(recoverFromJournal(path).ok());
+  std::vector<std::byte> bent = journal;
+  bent[70] ^= std::byte{1};
+  put(bent, bent.size());
+  ASSERT_TRUE(recover().ok());
   EXPECT_EQ(contentOf(path)[10], std::byte{'a'});
-  journal = encodeJournal({1, 101, {{10, std::vector<std::byte>(5, std::byte{'b'})}}});
-  put(journal.size());
-  ASSERT_TRUE(recoverFromJournal(path).ok());
-  EXPECT_EQ(contentOf(path)[10], std::byte{'a'}) << "the file is shorter than when the journal was made";
-  journal = encodeJournal({1, 100, {{10, std::vector<std::byte>(5, std::byte{'b'})}}});
-  put(journal.size());
-  ASSERT_TRUE(recoverFromJournal(path).ok());
+  const std::vector<std::byte> longer = encodeJournal({1, 101, {{10, five('b'), five('a')}}, 101});
+  const std::vector<std::byte> other = encodeJournal({1, 100, {{10, five('b'), five('c')}}, 100});
+  for (const auto& foreign : {longer, other}) {
+    put(foreign, foreign.size());
+    ASSERT_TRUE(recover().ok());
+    EXPECT_EQ(recover().value(), Recovery::AnothersJournal);
+    EXPECT_EQ(contentOf(path)[10], std::byte{'a'});
+    EXPECT_EQ(contentOf(journalPath(path)), foreign) << "it may fit the file it was made for";
+  }
+  put(journal, journal.size());
+  EXPECT_FALSE(recoverFromJournal(path, [] { return Status(Error{"cut.h5", "is cut short", ""}); }).ok());
+  EXPECT_EQ(contentOf(path)[10], std::byte{'a'}) << "what would not be whole is not begun";
+  ASSERT_TRUE(recover().ok());
+  EXPECT_EQ(recover().value(), Recovery::Recovered) << "done twice as well";
   EXPECT_EQ(contentOf(path)[10], std::byte{'b'});
+}
+
+// h5clear -s, and then a data set of one's own: the journal that is left beside it must not undo that.
+TEST(NeverLost, AStaleJournalChangesNothingInAFileThatWasClearedOrReplacedSince) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  ASSERT_GT(recordUntilKilled(path, 900), 0);
+  ASSERT_TRUE(std::filesystem::exists(journalPath(path)));
+  const std::vector<std::byte> journal = contentOf(journalPath(path));
+  {
+    const Hdf5Id access(H5Pcreate(H5P_FILE_ACCESS));
+    const hbool_t yes = 1;
+    ASSERT_GE(H5Pset(access.get(), "clear_status_flags", &yes), 0);
+    ASSERT_GE(H5Pset(access.get(), "skip_eof_check", &yes), 0);
+    const Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
+    ASSERT_TRUE(static_cast<bool>(file));
+    const Hdf5Id mine(H5Gcreate2(file.get(), "my_analysis", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+    ASSERT_TRUE(static_cast<bool>(mine));
+  }
+  const auto expectUntouched = [&] {
+    const std::vector<std::byte> before = contentOf(path);
+    EXPECT_GT(look(path).steps, 0);
+    EXPECT_TRUE(describeRecording(path).ok());
+    (void)repairSession(path).ok();
+    EXPECT_FALSE(addMarker(path, {0, {}, {}, "note", "Ada", "", 0}).ok()) << "its journal would take this one's place";
+    EXPECT_TRUE(contentOf(path) == before);
+    EXPECT_TRUE(contentOf(journalPath(path)) == journal);
+  };
+  expectUntouched();
+  for (const int steps : {50, 1500}) {  // another session over the name, shorter and longer
+    const std::string other = folder / "other.h5";
+    {
+      auto writer = SessionWriter::create(other, exampleHeader());
+      ASSERT_TRUE(writer.ok());
+      for (int i = 0; i < steps; ++i) {
+        const StepRecord step = exampleStep(i);
+        ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+      }
+    }
+    std::filesystem::rename(other, path);
+    expectUntouched();
+  }
+  // A session that was cut off as well, whose own journal was not copied along. Earlier than the first: the same steps
+  // cut off at the same place are the same bytes, and that journal would be right for both.
+  const std::string cutOff = folder / "cutoff.h5";
+  ASSERT_GT(recordUntilKilled(cutOff, 300), 0);
+  std::filesystem::rename(cutOff, path);
+  const std::vector<std::byte> before = contentOf(path);
+  EXPECT_GT(look(path).steps, 0);
+  EXPECT_FALSE(repairSession(path).ok());
+  EXPECT_TRUE(contentOf(path) == before);
+  std::filesystem::remove(journalPath(path));
+  EXPECT_TRUE(repairSession(path).ok());
 }
 
 TEST(NeverLost, TwoWritersOfOneFileAreRefused) {
@@ -276,19 +341,6 @@ TEST(NeverLost, ASlowDiskNeverHoldsUpTheWorkerAndTheGapIsInTheFile) {
   }
   EXPECT_EQ(steps, taken);
   EXPECT_EQ(lost, static_cast<std::uint64_t>(refused * block.frames));
-}
-
-// Does it in a child without root's leave to write everywhere; gives what the child gives.
-int asAnybody(const std::function<int()>& act) {
-  const pid_t child = fork();
-  if (child == 0) {
-    constexpr uid_t kNobody = 65534;
-    const bool mayNot = geteuid() != 0 || (setgid(kNobody) == 0 && setuid(kNobody) == 0);
-    _exit(mayNot ? act() : 99);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 // A share for reading, or a disc: what is there is read, nothing is changed, and what cannot be done is one line.

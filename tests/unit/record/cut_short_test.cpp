@@ -114,8 +114,11 @@ TEST(CutShort, AnotherProgramsFileIsNotRepaired) {
   expectRefusedAndUntouched(folder.file("part.h5", content.substr(0, content.size() - 1000)));
 
   // The journal of a session that had this name before.
-  const std::vector<std::byte> left =
-      encodeJournal({1, content.size(), {{content.size() - 8, std::vector<std::byte>(8, std::byte{'b'})}}});
+  const std::vector<std::byte> left = encodeJournal(
+      {1,
+       content.size(),
+       {{content.size() - 8, std::vector<std::byte>(8, std::byte{'b'}), std::vector<std::byte>(8, std::byte{0})}},
+       content.size()});
   folder.file("other.h5.journal", std::string(reinterpret_cast<const char*>(left.data()), left.size()));
   expectRefusedAndUntouched(path);
 }

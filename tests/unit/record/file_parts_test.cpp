@@ -6,12 +6,14 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "core/record/journal.h"
+#include "core/record/journaled_file.h"
 #include "core/record/line_reader.h"
 #include "core/record/part_file.h"
 #include "core/record/uff/byte_window.h"
@@ -24,11 +26,14 @@ JournalContent randomContent(std::mt19937& random, unsigned most) {
   JournalContent content;
   content.commit = random();
   content.fileSize = 1000 + random() % 100000;
+  content.sizeAfter = random();
   for (auto n = random() % most; n > 0; --n) {
     Overwrite o;
     o.offset = random() % 1000;
     o.bytes.resize(1 + random() % 60);
     for (std::byte& b : o.bytes) b = static_cast<std::byte>(random() % 256);
+    o.before.resize(o.bytes.size());
+    for (std::byte& b : o.before) b = static_cast<std::byte>(random() % 256);
     content.overwrites.push_back(o);
   }
   return content;
@@ -42,10 +47,12 @@ TEST(Journal, GivesBackWhatWasPutIn) {
     ASSERT_TRUE(back.has_value());
     EXPECT_EQ(back->commit, content.commit);
     EXPECT_EQ(back->fileSize, content.fileSize);
+    EXPECT_EQ(back->sizeAfter, content.sizeAfter);
     ASSERT_EQ(back->overwrites.size(), content.overwrites.size());
     for (std::size_t i = 0; i < content.overwrites.size(); ++i) {
       EXPECT_EQ(back->overwrites[i].offset, content.overwrites[i].offset);
       EXPECT_EQ(back->overwrites[i].bytes, content.overwrites[i].bytes);
+      EXPECT_EQ(back->overwrites[i].before, content.overwrites[i].before);
     }
   }
 }
@@ -55,7 +62,7 @@ TEST(Journal, TornAnywhereItIsAsGoodAsNone) {
   std::mt19937 random(2);
   for (int trial = 0; trial < 20; ++trial) {
     JournalContent content = randomContent(random, 5);
-    content.overwrites.push_back({7, {std::byte{1}, std::byte{2}}});
+    content.overwrites.push_back({7, {std::byte{1}, std::byte{2}}, {std::byte{3}, std::byte{4}}});
     const std::vector<std::byte> whole = encodeJournal(content);
     for (std::size_t n = 0; n < whole.size(); ++n) {
       EXPECT_FALSE(decodeJournal(std::span(whole).first(n)).has_value()) << n << " of " << whole.size();
@@ -66,7 +73,7 @@ TEST(Journal, TornAnywhereItIsAsGoodAsNone) {
 TEST(Journal, OneTurnedBitIsNoticed) {
   std::mt19937 random(3);
   JournalContent content = randomContent(random, 4);
-  content.overwrites.push_back({3, {std::byte{9}}});
+  content.overwrites.push_back({3, {std::byte{9}}, {std::byte{8}}});
   const std::vector<std::byte> whole = encodeJournal(content);
   for (std::size_t i = 0; i < whole.size(); ++i) {
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -77,9 +84,11 @@ TEST(Journal, OneTurnedBitIsNoticed) {
       // Only bytes that carry nothing may turn unnoticed.
       EXPECT_EQ(back->commit, content.commit) << i;
       EXPECT_EQ(back->fileSize, content.fileSize) << i;
+      EXPECT_EQ(back->sizeAfter, content.sizeAfter) << i;
       ASSERT_EQ(back->overwrites.size(), content.overwrites.size()) << i;
       for (std::size_t k = 0; k < content.overwrites.size(); ++k) {
         EXPECT_EQ(back->overwrites[k].bytes, content.overwrites[k].bytes) << i;
+        EXPECT_EQ(back->overwrites[k].before, content.overwrites[k].before) << i;
         EXPECT_EQ(back->overwrites[k].offset, content.overwrites[k].offset) << i;
       }
     }
@@ -94,6 +103,29 @@ TEST(Journal, HostileBytesAreNone) {
     EXPECT_FALSE(decodeJournal(bytes).has_value());
   }
   EXPECT_EQ(journalPath("a/cut.h5"), "a/cut.h5.journal");
+}
+
+// Journals of the format before this one, without the bytes as they were.
+TEST(Journal, OfTheFirstFormatCompletesAFileThatIsStillMarkedAndNoOther) {
+  const std::vector<unsigned char> first{
+      0x53, 0x43, 0x54, 0x4A, 0x52, 0x4E, 0x4C, 0x31, 1, 0, 0, 0,  0, 0, 0, 0, 100, 0,  0, 0,    0,
+      0,    0,    0,    1,    0,    0,    0,    0,    0, 0, 0, 17, 0, 0, 0, 0, 0,   0,  0, 0x5C, 0x26,
+      0xC2, 0xD1, 0x8D, 0xAB, 0x83, 0xD5, 0,    0,    0, 0, 0, 0,  0, 0, 0, 0, 0,   0,  0, 0,    0,
+      0,    60,   0,    0,    0,    0,    0,    0,    0, 1, 0, 0,  0, 0, 0, 0, 0,   'b'};
+  for (const char flags : {'\5', '\0'}) {
+    const TempFolder folder;
+    std::string content("\x89HDF\r\n\x1a\n\3\10\10", 11);
+    content += flags;
+    content.resize(100, 'a');
+    const std::string path = folder.file("cut.h5", content);
+    folder.file("cut.h5.journal", std::string(first.begin(), first.end()));
+    const auto recovered = recoverFromJournal(path, [] { return Status(Done{}); });
+    ASSERT_TRUE(recovered.ok());
+    EXPECT_EQ(recovered.value(), flags != 0 ? Recovery::Recovered : Recovery::AnothersJournal);
+    std::ifstream in(path, std::ios::binary);
+    const std::string now{std::istreambuf_iterator<char>(in), {}};
+    EXPECT_EQ(now[60], flags != 0 ? 'b' : 'a');
+  }
 }
 
 class LineReading : public testing::Test {

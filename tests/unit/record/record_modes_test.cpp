@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 
@@ -262,10 +263,9 @@ TEST(SessionFolder, RetentionDeletesTheOldestAndNeverWhatIsMarked) {
   plan.keepFor = Seconds(90.0 * kDay);
   plan.keepBytes = 1ULL << 40U;
   auto deleted = applyRetention(folder / "", plan, now);
-  ASSERT_TRUE(deleted.ok()) << deleted.error().line();
-  ASSERT_EQ(deleted->size(), 1U);
-  EXPECT_EQ(deleted.value()[0].file, old);
-  EXPECT_EQ(deleted.value()[0].why, "older than 90 days");
+  ASSERT_EQ(deleted.size(), 1U);
+  EXPECT_EQ(deleted[0].file, old);
+  EXPECT_EQ(deleted[0].why, "older than 90 days");
   EXPECT_FALSE(std::filesystem::exists(old));
 
   const std::uint64_t all = std::filesystem::file_size(middle) + std::filesystem::file_size(fresh) +
@@ -273,21 +273,17 @@ TEST(SessionFolder, RetentionDeletesTheOldestAndNeverWhatIsMarked) {
                             std::filesystem::file_size(other);
   plan.keepBytes = all - 1;
   deleted = applyRetention(folder / "", plan, now);
-  ASSERT_TRUE(deleted.ok());
-  ASSERT_EQ(deleted->size(), 1U);
-  EXPECT_EQ(deleted.value()[0].file, middle) << "the oldest that nobody has marked";
+  ASSERT_EQ(deleted.size(), 1U);
+  EXPECT_EQ(deleted[0].file, middle) << "the oldest that nobody has marked";
   plan.keepBytes = 1;
   deleted = applyRetention(folder / "", plan, now);
-  ASSERT_TRUE(deleted.ok());
   for (const std::string& kept : {marked, alive, other}) EXPECT_TRUE(std::filesystem::exists(kept)) << kept;
   EXPECT_FALSE(std::filesystem::exists(fresh));
 }
 
-std::vector<std::string> filesOf(const Result<std::vector<Deleted>>& deleted) {
+std::vector<std::string> filesOf(const std::vector<Deleted>& deleted) {
   std::vector<std::string> files;
-  EXPECT_TRUE(deleted.ok());
-  if (!deleted) return files;
-  for (const Deleted& d : *deleted) files.push_back(d.file);
+  for (const Deleted& d : deleted) files.push_back(d.file);
   return files;
 }
 
@@ -324,6 +320,58 @@ TEST(SessionFolder, AHistoryOfFeaturesDeletesItsOwnAndNoFullRecordingSooner) {
   const std::string oldFeatures = session(folder, "oldFeatures.h5", 95 * 24 * kHour, now, featuresOnly);
   EXPECT_THAT(filesOf(applyRetention(folder / "", plan, now)), testing::ElementsAre(old));
   EXPECT_TRUE(std::filesystem::exists(oldFeatures));
+}
+
+// One old file of somebody else's must not forbid every new recording, nor cost a newer one its place.
+TEST(SessionFolder, WhatCannotBeDeletedIsToldAndPassedOver) {
+  namespace fs = std::filesystem;
+  const TempFolder folder;
+  constexpr std::int64_t kDay = 24 * 3600;
+  const std::int64_t now = nowUtc();
+  fs::create_directory(folder / "locked");
+  const std::string locked = session(folder, "locked/old.h5", 500 * kDay, now);
+  const std::string old = session(folder, "old.h5", 400 * kDay, now);
+  const std::string fresh = session(folder, "fresh.h5", kDay, now);
+  fs::permissions(folder / "", fs::perms::all);
+  for (const std::string& file : {locked, old, fresh}) {
+    fs::permissions(file, fs::perms::all & ~(fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec));
+  }
+  fs::permissions(folder / "locked", fs::perms::owner_all | fs::perms::others_read | fs::perms::others_exec);
+  RecordPlan plan;
+  plan.keepFor = Seconds(90.0 * kDay);
+  plan.keepBytes = fs::file_size(fresh);
+  constexpr int kOutOfReach = 98;
+  const int wrong = asAnybody([&] {
+    if (access(old.c_str(), W_OK) != 0) return kOutOfReach;
+    const std::vector<Deleted> told = applyRetention(folder / "", plan, now);
+    if (told.size() != 2) return 1;
+    if (told[0].file != locked || told[0].problem.empty()) return 2;
+    if (told[1].file != old || !told[1].problem.empty()) return 3;
+    return newSessionPath(folder / "", "job", "tool", now) ? 0 : 4;
+  });
+  if (wrong == kOutOfReach) GTEST_SKIP() << "the folder for temporary files is not for everybody";
+  EXPECT_EQ(wrong, 0);
+  EXPECT_TRUE(fs::exists(locked));
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_TRUE(fs::exists(fresh));
+}
+
+TEST(SessionFolder, NoNameIsGivenTwiceAndNoSessionIsReplaced) {
+  const TempFolder folder;
+  const std::string cut = folder / "cut.h5";
+  EXPECT_EQ(freeSessionPath(cut), cut);
+  const std::string recorded = session(folder, "cut.h5", 0, nowUtc());
+  EXPECT_EQ(freeSessionPath(cut), folder / "cut-2.h5");
+  folder.file("cut-2.h5.journal", "");
+  EXPECT_EQ(freeSessionPath(cut), folder / "cut-3.h5") << "what was cut off has its journal";
+
+  EXPECT_TRUE(checkReplaceable(folder / "none.h5", MayReplace::NoSession).ok());
+  EXPECT_TRUE(checkReplaceable(folder.file("text.h5", "no session"), MayReplace::NoSession).ok());
+  EXPECT_FALSE(checkReplaceable(recorded, MayReplace::NoSession).ok());
+  EXPECT_TRUE(checkReplaceable(recorded, MayReplace::SimulatedSession).ok()) << "it can be run again";
+  EXPECT_FALSE(checkReplaceable(folder / "cut-2.h5", MayReplace::SimulatedSession).ok());
+  ASSERT_TRUE(addMarker(recorded, {0, {}, {}, "note", "Ada", "", 0}).ok());
+  EXPECT_FALSE(checkReplaceable(recorded, MayReplace::SimulatedSession).ok());
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <thread>
 
@@ -144,6 +145,32 @@ TEST(Recorder, ANearlyFullDiskStopsItLoudlyWithACleanFile) {
   EXPECT_TRUE((*reader)->format().closedCleanly);
 }
 
+TEST(Recorder, AFileThatIsDeletedOrMovedAwayStopsItLoudly) {
+  for (const bool moved : {true, false}) {
+    const TempFolder folder;
+    const std::string path = folder / "cut.h5";
+    auto recorder = Recorder::create(path, header());
+    ASSERT_TRUE(recorder.ok()) << recorder.error().line();
+    const StepRecord step = exampleStep(0);
+    ASSERT_TRUE((*recorder)->push(step.input, step.output));
+    ASSERT_TRUE((*recorder)->drain());
+    if (moved) {
+      std::filesystem::rename(path, folder / "moved.h5");
+    } else {
+      std::filesystem::remove(path);
+    }
+    for (int i = 1; i < 600 && !(*recorder)->stopped(); ++i) {
+      const StepRecord next = exampleStep(i);
+      if ((*recorder)->push(next.input, next.output)) (*recorder)->drain();
+    }
+    EXPECT_TRUE((*recorder)->stopped());
+    EXPECT_THAT((*recorder)->status().fault, HasSubstr("deleted or moved away"));
+    EXPECT_FALSE((*recorder)->finish().ok());
+    if (!moved) continue;
+    EXPECT_GT(stepsAsRecorded(folder / "moved.h5"), 0) << "what was written is closed, wherever it is";
+  }
+}
+
 TEST(Recorder, CannotStartWhereNothingCanBeWritten) {
   const TempFolder folder;
   EXPECT_FALSE(Recorder::create(folder / "no/folder/cut.h5", header()).ok());
@@ -176,6 +203,33 @@ TEST(DescribeRecording, TellsWhatASessionHolds) {
   EXPECT_THAT(json, HasSubstr("\"rate_hz\": 25600.0"));
   EXPECT_THAT(json, HasSubstr("\"configuration\": \"[cut]\\n\""));
   EXPECT_THAT(json, HasSubstr("\"steps\": 20"));
+}
+
+// A live session's clock does not begin with it.
+TEST(DescribeRecording, EventsAreTimedFromTheFirstSampleAsMarkersAre) {
+  const TempFolder folder;
+  const std::string path = folder / "cut.h5";
+  constexpr std::int64_t kBegin_ns = 86'045'000'000'000;
+  {
+    SessionWriterOptions options;
+    options.samples = false;
+    auto writer = SessionWriter::create(path, header(), options);
+    ASSERT_TRUE(writer.ok());
+    for (int i = 0; i < 3; ++i) {
+      StepRecord step = exampleStep(i);
+      step.input.block.firstSample = instantFromNs(kBegin_ns + i * 2'000'000'000LL);
+      step.output.eventCount = i == 2 ? 1 : 0;
+      step.output.events[0].time = instantFromNs(kBegin_ns + 1'250'000'000);
+      ASSERT_TRUE((*writer)->add(step.input, step.output).ok());
+    }
+    ASSERT_TRUE((*writer)->close().ok());
+  }
+  const auto description = describeRecording(path);
+  ASSERT_TRUE(description.ok()) << description.error().line();
+  EXPECT_THAT(toText(description.value()), HasSubstr("event        1.25 s: "));
+  EXPECT_THAT(toText(description.value()), HasSubstr("length       4 s")) << "of a history without samples";
+  EXPECT_THAT(toJson(description.value()), HasSubstr("\"t_s\": 1.25"));
+  EXPECT_THAT(toJson(description.value()), HasSubstr("\"length_s\": 4.0"));
 }
 
 TEST(DescribeRecording, TellsWhichColumnsOfATextAreChannels) {

@@ -22,10 +22,11 @@ using testing::HasSubstr;
 constexpr std::int64_t kMade = 1'700'000'000'000'000'000;  // 2023-11-14T22:13:20Z
 
 // Ten blocks of 2.5 ms from 1 s on, with these touches in block 4.
-std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions) {
+std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions,
+                    const std::string& operatorName = "Grace") {
   const std::string path = folder / "cut.h5";
   SessionHeader header = exampleHeader();
-  header.operatorName = "Grace";
+  header.operatorName = operatorName;
   auto writer = SessionWriter::create(path, header);
   EXPECT_TRUE(writer.ok());
   StepRecord step = exampleStep(0);
@@ -60,6 +61,21 @@ TEST(Markers, ATouchDuringTheCutIsKeptWithItsTimeAndItsAuthor) {
     EXPECT_EQ(toNs(markers.value()[i].begin), 1'012'500'000) << "the end of the block that was heard";
     EXPECT_GT(markers.value()[i].made_ns, kMade);
   }
+}
+
+// 22 letters of three bytes each are more than a marker has room for.
+TEST(Markers, ALongNameOfTheOperatorIsCutBetweenTwoLettersAndTheRecordingGoesOn) {
+  const TempFolder folder;
+  std::string name;
+  for (int i = 0; i < 22; ++i) name += "\xE9\x93\xA3";
+  const std::string path = touched(folder, {OperatorAction::FalseAlarm}, name);
+  const auto markers = readMarkers(path);
+  ASSERT_TRUE(markers.ok()) << markers.error().line();
+  ASSERT_EQ(markers->size(), 1U);
+  EXPECT_EQ(markers.value()[0].author, name.substr(0, 63));
+  const auto counts = countSession(path);
+  ASSERT_TRUE(counts.ok());
+  EXPECT_EQ(counts->steps, 10U) << "those after the touch as well";
 }
 
 TEST(Markers, SpansAndNotesAreAddedChangedAndRemovedAfterwards) {

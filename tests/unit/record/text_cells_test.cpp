@@ -65,6 +65,16 @@ TEST(TextCells, SplittingAndJoiningAreInverse) {
   }
 }
 
+TEST(TextCells, ADelimiterWithinQuotesPartsNothing) {
+  std::vector<std::string_view> cells;
+  splitCells("\"Time (s)\", \"Acc, X (g)\",3", ',', cells);
+  EXPECT_EQ(cells, (std::vector<std::string_view>{"Time (s)", "Acc, X (g)", "3"}));
+  splitCells("\"Time (s)\" \"Acc X (g)\"", ' ', cells);
+  EXPECT_EQ(cells, (std::vector<std::string_view>{"Time (s)", "Acc X (g)"}));
+  splitCells("\"never closed,2", ',', cells);
+  EXPECT_EQ(cells.size(), 2U);
+}
+
 TEST(TextCells, BlanksPartCellsHoweverMany) {
   std::vector<std::string_view> cells;
   splitCells("  1.5   2\t\t-3e4  ", ' ', cells);

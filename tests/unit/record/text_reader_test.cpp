@@ -245,6 +245,44 @@ TEST_F(TextRecording, SpindleSpeedIsAChannelOnlyWhenAskedFor) {
   EXPECT_EQ(reader->format().channels[0].info.name, "Spindle speed");
 }
 
+// As programs of Windows write it in western Europe.
+TEST_F(TextRecording, HeadersInLatin1KeepTheirUnits) {
+  const auto reader = open("t (s);dx (\xB5m);ax (mm/s\xB2)\n0;1;1\n0,001;2;2\n0,002;3;3\n");
+  ASSERT_TRUE(reader);
+  ASSERT_EQ(reader->format().channels.size(), 2U);
+  EXPECT_EQ(reader->format().channels[0].info.quantity, SensorQuantity::Displacement);
+  EXPECT_DOUBLE_EQ(reader->format().channels[0].info.scale, 1e-6);
+  EXPECT_EQ(reader->format().channels[1].info.quantity, SensorQuantity::Acceleration);
+  EXPECT_DOUBLE_EQ(reader->format().channels[1].info.scale, 1e-3);
+}
+
+TEST_F(TextRecording, TheUnitOfATimeMayStandAtTheEndOfItsName) {
+  for (const char* name : {"time_ms", "Time_ms", "t_ms", "Time ms"}) {
+    const auto reader = open(std::string(name) + ",ax\n0,1\n1,2\n2,3\n");
+    ASSERT_TRUE(reader) << name;
+    EXPECT_DOUBLE_EQ(reader->format().rate.value, 1000.0) << name;
+  }
+  EXPECT_DOUBLE_EQ(open("time_s,ax\n0,1\n0.01,2\n0.02,3\n")->format().rate.value, 100.0);
+}
+
+TEST_F(TextRecording, NamesInQuotesMayHoldTheDelimiter) {
+  const auto reader = open("\"Time (s)\",\"Acc, X (g)\"\n0,1\n0.001,2\n0.002,3\n");
+  ASSERT_TRUE(reader);
+  ASSERT_EQ(reader->format().channels.size(), 1U);
+  EXPECT_EQ(reader->format().channels[0].info.name, "Acc, X");
+  EXPECT_DOUBLE_EQ(reader->format().channels[0].info.scale, 9.80665);
+  EXPECT_THAT(refusal("Time (s),Acc, X (g)\n0,1\n0.001,2\n0.002,3\n"),
+              HasSubstr(":1: names 3 columns where the rows have 2"));
+}
+
+TEST_F(TextRecording, WhatCannotBeReadSaysWhatItIs) {
+  EXPECT_THAT(refusal(std::string_view("\xFF\xFEt\0,\0a\0\n\0", 10)), HasSubstr("is text in UTF-16"));
+  EXPECT_THAT(refusal("LabVIEW Measurement\t\nX_Columns\tOne\t\n***End_of_Header***\t\nDelta_X\t0.001\t\n"
+                      "***End_of_Header***\t\nX_Value\tAx\tComment\n0\t1\n0.001\t2\n0.002\t3\n\n"
+                      "Channels\t1\t\n***End_of_Header***\t\nX_Value\tAx\tComment\n0\t1\n"),
+              HasSubstr(":11: a second segment"));
+}
+
 TEST_F(TextRecording, EveryKindOfBadInputGivesOneLineWithItsPlace) {
   const std::string good = "t,a\n0,1\n1,2\n2,3\n";
   EXPECT_THAT(refusal(""), HasSubstr("empty"));

@@ -28,6 +28,54 @@ TEST(GateAdvice, AdviseAsksAndAcceptExecutesThatOneAdvice) {
   EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
 }
 
+// Accepted while something still kept the gate from moving.
+class AcceptedAdvice : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    h_.verdict.state = CutState::Chatter;
+    h_.authority(Authority::Advise);
+    h_.ask(9000, 900);
+    h_.run(0.2);
+    h_.machine.atSpeed = false;
+    h_.act(OperatorAction::Accept);
+    h_.run(0.5);
+    ASSERT_TRUE(h_.commands.empty());
+  }
+  GateHarness h_;
+};
+
+TEST_F(AcceptedAdvice, WaitsForTheMachine) {
+  h_.machine.atSpeed = true;
+  h_.run(1.0);
+  ASSERT_FALSE(h_.commands.empty());
+  EXPECT_NEAR(h_.lastCommand().speed.value, 0.9, 1e-9);
+}
+
+TEST_F(AcceptedAdvice, EndsWithTheProgrammedSpeedItWasGivenFor) {
+  h_.machine.programmedSpeed = h_.machine.actualSpeed = Rpm(3000.0);
+  h_.request.kind = RequestKind::None;
+  h_.machine.atSpeed = true;
+  h_.run(1.0);
+  EXPECT_TRUE(h_.commands.empty());
+  EXPECT_TRUE(h_.said(ReasonCode::AdviceChanged));
+}
+
+TEST_F(AcceptedAdvice, EndsWhenNobodyAsksForItAnyMore) {
+  h_.request.kind = RequestKind::None;
+  h_.machine.atSpeed = true;
+  h_.run(1.0);
+  EXPECT_TRUE(h_.commands.empty());
+}
+
+TEST_F(AcceptedAdvice, EndsWithTrouble) {
+  h_.verdict.valid = false;
+  h_.step();
+  h_.verdict.valid = true;
+  h_.machine.atSpeed = true;
+  h_.run(1.0);
+  EXPECT_TRUE(h_.commands.empty());
+}
+
 TEST(GateAdvice, RefusedAdviceIsNotRepeatedAndNothingMoves) {
   GateHarness h;
   h.authority(Authority::Advise);

@@ -1,9 +1,10 @@
 // A finding that stands once looks speak for it so many times more often than against it, and falls the same way.
+// Thread: worker; real-time.
 #pragma once
 
 #include <algorithm>
 
-namespace stillcut::detect {
+namespace stillcut::dsp {
 
 class Finding {
  public:
@@ -20,4 +21,4 @@ class Finding {
   bool stands_ = false;
 };
 
-}  // namespace stillcut::detect
+}  // namespace stillcut::dsp

@@ -1,0 +1,47 @@
+#include "app/cli/hearing_options.h"
+
+#include <cstdio>
+
+#include "app/cli/command.h"
+#include "app/compose/catalog.h"
+#include "app/compose/heard_samples.h"
+#include "app/compose/profile_rig.h"
+#include "app/io/wires.h"
+
+namespace stillcut::app {
+
+Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
+                    const std::string& whose) {
+  if (o.recording.empty() == o.profile.empty()) {
+    return Error{command, o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
+                 "name a RECORDING of the " + heard + ", or --profile of the machine " + whose};
+  }
+  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
+  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
+  return Done{};
+}
+
+Result<config::Profile> profileOf(const HearingOptions& o, const config::ParamCatalog& catalog) {
+  if (o.profile.empty()) return config::Profile{};
+  return config::loadProfile(o.profile, catalog, knownIds());
+}
+
+Result<daq::HeardSamples> hear(const HearingOptions& o, const config::Profile& profile,
+                               const record::ReadOptions& reading, int channel, SetUpFault& fault) {
+  const auto events = wireEvents();  // outlives the source and its wires
+  fault = SetUpFault::Input;
+  if (o.profile.empty()) return hearRecording(o.recording, reading);
+  return hearDevice(profile, o.profile, channel, Seconds(o.seconds), fault);
+}
+
+int saveProfileOf(const HearingOptions& o, const config::Profile& profile, const config::ParamCatalog& catalog) {
+  if (const Status saved = config::saveProfile(profile, catalog, o.profile); !saved) return fail(saved.error());
+  std::printf("saved in %s\n", o.profile.c_str());
+  return kExitDone;
+}
+
+int failWithoutChannels(const HearingOptions& o) {
+  return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
+}
+
+}  // namespace stillcut::app

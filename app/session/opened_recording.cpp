@@ -1,0 +1,64 @@
+#include "app/session/opened_recording.h"
+
+#include <utility>
+
+#include "app/compose/recording_rig.h"
+#include "app/compose/session_summary_builder.h"
+#include "core/detect/registry.h"
+#include "core/record/session_markers.h"
+#include "core/record/session_overview.h"
+
+namespace stillcut::app {
+namespace {
+
+Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayHand& hand, bool session) {
+  auto built = session ? buildReplayRig(path, hand) : [&] {
+    RecordingOptions options;
+    options.methods.detectors = {std::string(detect::kDefaultDetector)};
+    options.hand = hand;
+    return buildRecordingRig(path, options);
+  }();
+  if (!built) return built.error();
+  return std::move(built->rig);
+}
+
+// Imported files begin at 0.
+Result<Instant> beginOf(const std::string& path, bool session) {
+  if (!session) return Instant{};
+  const auto overview = record::SessionOverview::open(path);
+  if (!overview) return overview.error();
+  return (*overview)->begin();
+}
+
+}  // namespace
+
+Result<std::shared_ptr<OpenedRecording>> openRecording(const std::string& path, const Clock& clock,
+                                                       BackgroundTask::Progress& progress) {
+  auto summary = glimpseOf(path);
+  if (!summary) return summary.error();
+  const auto begin = beginOf(path, summary->session);
+  if (!begin) return begin.error();
+  if (progress.stopped()) return Error{path, "stopped", ""};
+  auto opened = openAgain(path, summary->session, clock);
+  if (!opened) return opened.error();
+  (*opened)->begin = *begin;
+  (*opened)->summary = std::make_shared<const SessionSummary>(std::move(summary).value());
+  return opened;
+}
+
+Result<std::shared_ptr<OpenedRecording>> openAgain(const std::string& path, bool session, const Clock& clock) {
+  auto opened = std::make_shared<OpenedRecording>();
+  opened->path = path;
+  opened->control->pause();
+  if (session) {
+    auto markers = record::readMarkers(path);
+    if (!markers) return markers.error();
+    opened->markers = std::move(markers).value();
+  }
+  auto rig = replayRig(path, {opened->control, &clock}, session);
+  if (!rig) return rig.error();
+  opened->rig = std::move(rig).value();
+  return opened;
+}
+
+}  // namespace stillcut::app
