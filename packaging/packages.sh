@@ -1,7 +1,7 @@
 # The Debian packages Stillcut needs, a function that installs those that are missing, and the way every script configures
 # a build folder. Sourced by app/run, tests/run and their kin; nothing else installs anything.
 
-build_packages="g++ cmake ninja-build pkg-config ccache mold libeigen3-dev libfftw3-dev libsndfile1-dev
+build_packages="g++ cmake ninja-build pkg-config ccache lld libeigen3-dev libfftw3-dev libsndfile1-dev
   libhdf5-dev libmatio-dev zlib1g-dev libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libcomedi-dev
   libasound2-dev libiio-dev"
 desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev qt6-svg-dev qt6-serialport-dev
@@ -15,7 +15,7 @@ peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-seri
 fuzz_packages="clang libclang-rt-14-dev"
 
 # What makes and checks the Debian package.
-package_packages="dpkg-dev help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
+package_packages="dpkg-dev lintian help2man librsvg2-bin desktop-file-utils appstream man-db mmdebstrap"
 
 # install_missing PACKAGE... : asks dpkg first, so that a second run costs nothing and needs no network.
 install_missing() {
