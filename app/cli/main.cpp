@@ -59,7 +59,7 @@ Error usageError(const CLI::App& app, const CLI::ParseError& wrong, std::string_
 int run(int argc, char** argv) {
   CLI::App app{"Stillcut tells chatter before it marks the part, and what to do about it."};
   app.set_version_flag(
-      "--version", [] { return versionText("stillcut-cli"); }, "Version, commit and libraries");
+      "--version", [] { return versionText("stillcut-cli", "CLI11 " CLI11_VERSION); }, "Version, commit and libraries");
   app.require_subcommand(1);
   int exitCode = kExitDone;
   addSimulate(app, exitCode);

@@ -1,15 +1,21 @@
 #include "app/compose/build_info.h"
 
 #include <fftw3.h>
+#include <gnu/libc-version.h>
 #include <hdf5.h>
 #include <matio.h>
 #include <sndfile.h>
 #include <toml++/toml.h>
+#include <zlib.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "app/io/device_libraries.h"
 #include "generated/commit.h"
 #include "generated/version.h"
 
@@ -47,17 +53,22 @@ std::string matioVersion() {
 }  // namespace
 
 std::string versionText(std::string_view program, std::string_view more) {
-  std::string text = std::string(program) + " " STILLCUT_VERSION " (commit " STILLCUT_COMMIT ")\n";
-  text += "FFTW " + numberIn(fftw_version) + "\n";
-  text += "HDF5 " + hdf5Version() + "\n";
-  text += "libsndfile " + numberIn(sf_version_string()) + "\n";
-  text += "matio " + matioVersion() + "\n";
-  text += "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) + "\n";
-  text += "toml++ " + dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH) + "\n";
-  text += "JSON for Modern C++ " +
-          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH);
-  if (!more.empty()) text.append("\n").append(more);
-  return text;
+  std::vector<std::string> libraries{
+      "FFTW " + numberIn(fftw_version),
+      "HDF5 " + hdf5Version(),
+      "libsndfile " + numberIn(sf_version_string()),
+      "matio " + matioVersion(),
+      std::string("zlib ") + zlibVersion(),
+      "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
+      "toml++ " + dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH),
+      "JSON for Modern C++ " +
+          dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)};
+  std::ranges::copy(deviceLibraries(), std::back_inserter(libraries));
+  if (!more.empty()) libraries.emplace_back(more);
+  libraries.push_back(std::string("glibc ") + ::gnu_get_libc_version());
+  std::string text = std::string(program) + " " STILLCUT_VERSION " (commit " STILLCUT_COMMIT ")";
+  for (const std::string& library : libraries) text += "\n" + library;
+  return text + "\ncompiled by " STILLCUT_COMPILER;
 }
 
 }  // namespace stillcut::app

@@ -7,7 +7,7 @@
 namespace stillcut::app {
 
 // Several lines: "PROGRAM VERSION (commit C)", then one line for each library: the version loaded, where the library
-// can tell, else the one compiled against. `more` are further lines (the desktop's Qt).
+// can tell, else the one compiled against; last the compiler. `more` is a library that this program alone has.
 std::string versionText(std::string_view program, std::string_view more = {});
 
 }  // namespace stillcut::app

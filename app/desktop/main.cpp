@@ -202,7 +202,7 @@ int run(int argc, char** argv) {
   const auto options = parse(QApplication::arguments());
   if (!options) return fail(options.error().line());
   if (options->version) {
-    std::puts(versionText("stillcut", std::string("Qt ") + qVersion()).c_str());
+    std::puts(versionText("stillcut").c_str());
     return 0;
   }
   if (options->report) {
