@@ -37,7 +37,10 @@ class Console {
   Seconds look() {
     const Snapshot* snapshot = rig_.read();
     if (snapshot == nullptr) return {};
-    if (!begun_) begin_ = snapshot->time;
+    if (!begun_) {
+      const double heard_s = static_cast<double>(snapshot->health.blocks) * snapshot->health.blockLength.value;
+      begin_ = snapshot->time - toDuration(Seconds{heard_s});
+    }
     begun_ = true;
     const std::uint64_t oldest = snapshot->eventCount > kEventsShown ? snapshot->eventCount - kEventsShown : 0;
     for (printed_ = std::max(printed_, oldest); printed_ < snapshot->eventCount; ++printed_) {
@@ -60,7 +63,7 @@ class Console {
   Rig& rig_;
   std::uint64_t printed_ = 0;
   bool begun_ = false;
-  Instant begin_{};  // time of the first snapshot
+  Instant begin_{};  // of the first block, as a recording counts
   bool recordingTold_ = false;
 };
 

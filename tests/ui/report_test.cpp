@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QFile>
 #include <QImage>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <cmath>
@@ -93,6 +94,17 @@ TEST(Report, IsAPdfThatGrowsWithWhatHappened) {
   for (int i = 0; i < 200; ++i) s.interventions.push_back(s.interventions.front());
   ASSERT_TRUE(writeReport(s, path).ok());
   EXPECT_GE(pagesOf(contentOf(path)), 6) << "forty rows a page";
+}
+
+TEST(Report, ItsNumbersCanBeSearchedAndCopied) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("cut.pdf"));
+  ASSERT_TRUE(writeReport(example(), path).ok());
+  QProcess reader;
+  reader.start(QStringLiteral("pdftotext"), {path, QStringLiteral("-")});
+  ASSERT_TRUE(reader.waitForFinished()) << "pdftotext (poppler-utils): " << qPrintable(reader.errorString());
+  const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+  EXPECT_TRUE(text.contains(QStringLiteral("T12 D12 Z4"))) << qPrintable(text);
 }
 
 TEST(Report, OfAnEmptyRecordingIsStillAReport) {

@@ -4,6 +4,8 @@ namespace stillcut::ui {
 
 QFont PageStyle::font(double size, bool bold) const {
   QFont font = theme_.font(size, bold);
+  // What comes with the program first: behind a family that is missing Qt writes digits that no reader can search for.
+  font.setFamilies({"DejaVu Sans", "Noto Sans CJK SC"});
   font.setHintingPreference(QFont::PreferNoHinting);
   return font;
 }
