@@ -8,7 +8,7 @@
 
 #include "app/compose/scenario_rig.h"
 #include "core/rt/wakeup.h"
-#include "tests/component/demo_cut.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::bench {
 namespace {

@@ -17,7 +17,7 @@
 #include "core/pipeline/step_loop.h"
 #include "core/record/recorder.h"
 #include "tests/bench/recorded_demo.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::bench {
 namespace {

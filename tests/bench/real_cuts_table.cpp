@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "tests/bench/real_cuts.h"
+#include "tests/support/real_cuts.h"
 
 namespace stillcut::bench {
 namespace {

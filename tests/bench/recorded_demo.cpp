@@ -7,7 +7,7 @@
 #include "core/detect/registry.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/step_loop.h"
-#include "tests/component/demo_cut.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::bench {
 namespace {

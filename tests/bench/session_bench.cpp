@@ -24,8 +24,8 @@
 #include "core/record/recorder.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_overview.h"
-#include "tests/component/demo_cut.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/demo_cut.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::bench {
 namespace {

@@ -10,7 +10,7 @@
 #include "app/compose/catalog.h"
 #include "app/compose/scenario_rig.h"
 #include "core/config/profile.h"
-#include "tests/component/demo_cut.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::app {
 namespace {

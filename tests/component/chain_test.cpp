@@ -9,7 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "tests/component/scripted_parts.h"
+#include "tests/support/scripted_parts.h"
 
 namespace stillcut::pipeline {
 namespace {

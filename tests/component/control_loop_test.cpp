@@ -9,9 +9,9 @@
 #include <tuple>
 
 #include "app/compose/known_lobes.h"
-#include "tests/component/demo_cut.h"
 #include "tests/support/closed_loop/loop_run.h"
 #include "tests/support/closed_loop/random_tool.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <dirent.h>
 #include <gtest/gtest.h>
 
-#include "tests/component/scripted_parts.h"
+#include "tests/support/scripted_parts.h"
 
 namespace stillcut::pipeline {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
-#include "tests/component/demo_cut.h"
-#include "tests/component/scripted_parts.h"
 #include "tests/support/closed_loop/loop_run.h"
+#include "tests/support/demo_cut.h"
+#include "tests/support/scripted_parts.h"
 
 namespace stillcut::test {
 namespace {

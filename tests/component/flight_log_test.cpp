@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::app {
 namespace {

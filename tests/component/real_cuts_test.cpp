@@ -3,7 +3,7 @@
 // what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters.
 #include <gtest/gtest.h>
 
-#include "tests/bench/real_cuts.h"
+#include "tests/support/real_cuts.h"
 
 namespace stillcut::bench {
 namespace {

@@ -13,9 +13,9 @@
 #include "core/detect/registry.h"
 #include "core/record/convert_recording.h"
 #include "core/record/wav_reader.h"
-#include "tests/component/demo_cut.h"
 #include "tests/component/same_bits.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/demo_cut.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {

@@ -16,9 +16,9 @@
 #include "core/cnc/simulated_machine.h"
 #include "core/daq/simulated_source.h"
 #include "core/record/open_recording.h"
-#include "tests/component/demo_cut.h"
 #include "tests/component/same_bits.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/demo_cut.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/component/scripted_parts.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/scripted_parts.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {

@@ -15,10 +15,10 @@
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/step_loop.h"
 #include "core/record/recorder.h"
-#include "tests/component/demo_cut.h"
-#include "tests/component/scripted_parts.h"
+#include "tests/support/demo_cut.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/scripted_parts.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::pipeline {
 namespace {

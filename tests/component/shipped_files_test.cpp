@@ -8,7 +8,7 @@
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {

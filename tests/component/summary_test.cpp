@@ -13,9 +13,9 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/compose/session_summary_builder.h"
-#include "tests/component/demo_cut.h"
-#include "tests/component/kept_features.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/demo_cut.h"
+#include "tests/support/kept_features.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {

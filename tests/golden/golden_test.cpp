@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "app/compose/scenario_rig.h"
-#include "tests/component/demo_cut.h"
 #include "tests/golden/trace.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::app {
 namespace {

@@ -11,8 +11,8 @@
 #include <memory>
 
 #include "core/cnc/cnc_link.h"
-#include "tests/protocol/bounded_wait.h"
 #include "tests/protocol/commands.h"
+#include "tests/support/bounded_wait.h"
 
 namespace stillcut::cnc::testing {
 

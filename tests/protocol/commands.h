@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::cnc::testing {
 

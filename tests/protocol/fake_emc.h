@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/cnc/line_splitter.h"
-#include "tests/protocol/scripted_wire.h"
+#include "tests/support/scripted_wire.h"
 
 namespace stillcut::cnc::testing {
 

@@ -16,10 +16,10 @@
 
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
-#include "tests/protocol/bounded_wait.h"
-#include "tests/protocol/child.h"
 #include "tests/protocol/commander.h"
-#include "tests/protocol/pty_grbl.h"
+#include "tests/support/bounded_wait.h"
+#include "tests/support/child.h"
+#include "tests/support/pty_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

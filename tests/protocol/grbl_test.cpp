@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "tests/protocol/commands.h"
-#include "tests/protocol/fake_grbl.h"
+#include "tests/support/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -16,9 +16,9 @@
 #include "core/cnc/modbus_link.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/fake_emc.h"
-#include "tests/protocol/fake_grbl.h"
 #include "tests/protocol/fake_hal.h"
 #include "tests/protocol/fake_plc.h"
+#include "tests/support/fake_grbl.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -12,9 +12,9 @@
 
 #include "app/io/wires.h"
 #include "core/cnc/registry.h"
-#include "tests/protocol/bounded_wait.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/linuxcnc_peer.h"
+#include "tests/support/bounded_wait.h"
 
 namespace stillcut::cnc::testing {
 

@@ -10,8 +10,8 @@
 
 #include "app/compose/rig.h"
 #include "core/daq/simulated_source.h"
-#include "tests/component/demo_cut.h"
 #include "tests/protocol/linuxcnc_bench.h"
+#include "tests/support/demo_cut.h"
 
 namespace stillcut::cnc {
 namespace {

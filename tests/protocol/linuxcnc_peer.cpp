@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "app/io/tcp_wire.h"
-#include "tests/protocol/bounded_wait.h"
+#include "tests/support/bounded_wait.h"
 
 namespace stillcut::cnc::testing {
 namespace fs = std::filesystem;

@@ -17,10 +17,10 @@
 
 #include "app/io/wires.h"
 #include "core/cnc/modbus_link.h"
-#include "tests/protocol/bounded_wait.h"
-#include "tests/protocol/child.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
+#include "tests/support/bounded_wait.h"
+#include "tests/support/child.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -13,10 +13,10 @@
 
 #include "app/io/wires.h"
 #include "core/cnc/modbus_link.h"
-#include "tests/protocol/bounded_wait.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/scripted_modbus.h"
+#include "tests/support/bounded_wait.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -19,8 +19,8 @@
 #include "app/io/iio_driver.h"
 #include "core/daq/binary_frames.h"
 #include "core/daq/registry.h"
-#include "tests/protocol/fake_iiod.h"
 #include "tests/protocol/source_request.h"
+#include "tests/support/fake_iiod.h"
 
 namespace stillcut::daq {
 namespace {

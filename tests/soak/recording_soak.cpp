@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/unit/record/crash_lab.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/crash_lab.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

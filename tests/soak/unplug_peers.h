@@ -21,7 +21,7 @@
 #include <thread>
 
 #include "core/daq/binary_frames.h"
-#include "tests/protocol/fake_iiod.h"
+#include "tests/support/fake_iiod.h"
 
 namespace stillcut::testing {
 

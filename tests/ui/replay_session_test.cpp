@@ -6,7 +6,7 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/session/session.h"
-#include "tests/component/demo_cut.h"
+#include "tests/support/demo_cut.h"
 #include "tests/ui/wait_for.h"
 
 namespace stillcut::app {

@@ -14,7 +14,7 @@
 #include "app/session/lobe_worker.h"
 #include "app/session/replay_desk.h"
 #include "core/record/session_markers.h"
-#include "tests/component/demo_cut.h"
+#include "tests/support/demo_cut.h"
 #include "tests/ui/wait_for.h"
 
 namespace stillcut::app {

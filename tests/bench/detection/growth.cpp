@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/milling/noise.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::bench {
 namespace {

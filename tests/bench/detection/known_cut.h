@@ -9,7 +9,7 @@
 #include "core/milling/scenario.h"
 #include "core/model/machine_state.h"
 #include "core/model/verdict.h"
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 namespace stillcut::bench {
 

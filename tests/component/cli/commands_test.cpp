@@ -10,7 +10,7 @@
 
 #include "tests/component/cli/made_files.h"
 #include "tests/component/cli/program.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/base/units.h"
 #include "tests/component/cli/program.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {

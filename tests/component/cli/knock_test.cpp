@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "tests/component/cli/program.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {

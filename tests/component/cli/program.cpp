@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 extern char** environ;
 

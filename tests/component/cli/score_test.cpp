@@ -11,8 +11,8 @@
 #include "core/record/session_reader.h"
 #include "tests/component/cli/made_files.h"
 #include "tests/component/cli/program.h"
-#include "tests/component/kept_features.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/kept_features.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {

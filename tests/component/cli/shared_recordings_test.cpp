@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/component/cli/program.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/cnc/registry.h"
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::cnc {
 namespace {

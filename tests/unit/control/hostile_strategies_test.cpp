@@ -6,9 +6,9 @@
 
 #include "core/control/registry.h"
 #include "core/safety/override_gate.h"
-#include "tests/unit/safety/allocation_count.h"
-#include "tests/unit/safety/gate_oracle.h"
-#include "tests/unit/safety/hostile_world.h"
+#include "tests/support/gate_oracle.h"
+#include "tests/support/hostile_world.h"
+#include "tests/support/path_counter.h"
 
 namespace stillcut::control {
 namespace {
@@ -46,10 +46,10 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
                            .vibration = level(100.0),
                            .coherence = level(1.0),
                            .energy = level(100.0)};
-    const long before = safety::testing::allocationCount();
+    const test::PathCounter counter;
     world.in.request = (*strategy)->decide(in);
     const safety::GateOutput out = gate.step(world.in);
-    allocations += safety::testing::allocationCount() - before;
+    allocations += counter.counts().allocations;
     if (!in.verdict.valid || !in.machine.valid) {
       ASSERT_NE(world.in.request.kind, RequestKind::Set);
     }
@@ -57,7 +57,7 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
     ASSERT_TRUE(breach.empty()) << "step " << i << ": " << breach;
     world.answered(out);
   }
-  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(allocations, 0U);
   if ((*strategy)->describe().id == "monitor") {
     EXPECT_EQ(oracle.sets, 0);
   } else {

@@ -8,7 +8,7 @@
 #include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 namespace stillcut::detect::testing {
 namespace {

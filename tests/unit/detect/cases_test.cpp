@@ -1,5 +1,5 @@
 // Simulated cuts with known truth: every channel alone and both, told speed right and 3 % off either way.
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 namespace stillcut::detect::testing {
 namespace {

@@ -1,7 +1,7 @@
 // Contracts of the chain: validity, gaps, no allocation on the sample path, the table of detectors.
 #include "core/detect/registry.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

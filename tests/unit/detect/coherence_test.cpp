@@ -4,7 +4,7 @@
 #include <random>
 
 #include "core/dsp/kernels/choose.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

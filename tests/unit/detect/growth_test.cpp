@@ -1,5 +1,5 @@
 // Exponential growth on a realistic stable signal, told speed 1 % wrong.
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

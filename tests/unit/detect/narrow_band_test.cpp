@@ -1,5 +1,5 @@
 // A stable cut whose rest is not white: a lightly damped mode shaken by noise. Its energy is exponentially distributed.
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

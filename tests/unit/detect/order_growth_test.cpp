@@ -1,5 +1,5 @@
 // Chatter on spindle harmonics: period doubling with even teeth, and a line beside a whole order.
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

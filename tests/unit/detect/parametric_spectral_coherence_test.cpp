@@ -3,7 +3,7 @@
 // contracts of the sample path.
 #include "core/detect/registry.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

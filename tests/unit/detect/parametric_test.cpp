@@ -6,7 +6,7 @@
 #include "core/detect/line_phase.h"
 #include "core/detect/parametric.h"
 #include "core/dsp/kernels/choose.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

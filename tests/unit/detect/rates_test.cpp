@@ -2,7 +2,7 @@
 // prepares, runs, allocates nothing, and says nothing that is not finite.
 #include "core/detect/registry.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

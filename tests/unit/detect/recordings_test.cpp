@@ -1,5 +1,5 @@
 // Real recordings (microphone at a face mill; TRUTH.csv beside them). Not part of the repository.
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 namespace stillcut::detect::testing {
 namespace {

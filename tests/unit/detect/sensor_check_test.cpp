@@ -7,7 +7,7 @@
 
 #include "core/detect/conditioner.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect {
 namespace {

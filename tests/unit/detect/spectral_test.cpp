@@ -5,7 +5,7 @@
 
 #include "core/detect/conditioner.h"
 #include "core/dsp/kernels/choose.h"
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

@@ -2,7 +2,7 @@
 // speed.
 #include <algorithm>
 
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

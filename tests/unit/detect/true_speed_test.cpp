@@ -2,7 +2,7 @@
 // the signal does not allow it; and chatter that fills the cut before any speed can be found.
 #include <random>
 
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 namespace {

@@ -8,8 +8,8 @@
 #include <deque>
 #include <optional>
 
-#include "tests/component/scripted_parts.h"
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
+#include "tests/support/scripted_parts.h"
 
 namespace stillcut::pipeline {
 namespace {

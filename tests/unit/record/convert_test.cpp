@@ -12,8 +12,8 @@
 #include "core/record/open_recording.h"
 #include "core/record/session_reader.h"
 #include "core/record/session_writer.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -17,9 +17,9 @@
 #include "core/record/recorder.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_reader.h"
-#include "tests/unit/record/crash_lab.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/crash_lab.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

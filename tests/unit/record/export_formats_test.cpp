@@ -15,9 +15,9 @@
 #include "core/record/session_markers.h"
 #include "core/record/session_writer.h"
 #include "core/record/uff/uff58.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/record/read_all.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -17,7 +17,7 @@
 #include "core/record/line_reader.h"
 #include "core/record/part_file.h"
 #include "core/record/uff/byte_window.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

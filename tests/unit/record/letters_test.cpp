@@ -10,8 +10,8 @@
 
 #include "core/record/convert_recording.h"
 #include "core/record/utf_text.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/record/read_all.h"
-#include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

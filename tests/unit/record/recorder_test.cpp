@@ -12,8 +12,8 @@
 #include "core/record/describe_recording.h"
 #include "core/record/open_recording.h"
 #include "tests/support/path_counter.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

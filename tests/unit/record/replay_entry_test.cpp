@@ -8,7 +8,7 @@
 
 #include "core/base/time.h"
 #include "core/daq/registry.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::daq {
 namespace {

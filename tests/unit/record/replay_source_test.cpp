@@ -10,9 +10,9 @@
 #include "core/record/open_recording.h"
 #include "core/record/session_writer.h"
 #include "core/record/wav_reader.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 #include "tests/support/virtual_clock.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::daq {
 namespace {

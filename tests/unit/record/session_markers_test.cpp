@@ -10,9 +10,9 @@
 #include "core/record/hdf5_file.h"
 #include "core/record/session_glance.h"
 #include "core/record/session_reader.h"
-#include "tests/unit/record/crash_lab.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/crash_lab.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

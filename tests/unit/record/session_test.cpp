@@ -16,8 +16,8 @@
 #include "core/record/session_reader.h"
 #include "core/record/session_rows.h"
 #include "core/record/session_writer.h"
-#include "tests/unit/record/step_samples.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/step_samples.h"
+#include "tests/support/temp_folder.h"
 
 #if defined(__SANITIZE_ADDRESS__)
 // HDF5 itself forgets some memory when it refuses a damaged file. The name is the sanitizer's.

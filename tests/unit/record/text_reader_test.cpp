@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/record/open_recording.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/record/uff/uff58.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/record/read_all.h"
-#include "tests/unit/record/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -12,7 +12,7 @@
 
 #include "core/record/open_recording.h"
 #include "core/record/wav_reader.h"
-#include "tests/unit/record/temp_folder.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -1,7 +1,7 @@
 // The gate and the person at the machine: what is asked, accepted, refused, granted.
 #include <gtest/gtest.h>
 
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::safety {
 namespace {

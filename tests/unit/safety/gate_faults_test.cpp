@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::safety {
 namespace {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "core/safety/override_gate.h"
-#include "tests/unit/safety/allocation_count.h"
-#include "tests/unit/safety/gate_oracle.h"
-#include "tests/unit/safety/hostile_world.h"
+#include "tests/support/gate_oracle.h"
+#include "tests/support/hostile_world.h"
+#include "tests/support/path_counter.h"
 
 namespace stillcut::safety {
 namespace {
@@ -20,7 +20,7 @@ TEST_P(GateHostile, AMillionStepsWithoutABreach) {
   OverrideGate gate;
   GateOracle oracle;
   std::uint64_t engagements = 0;
-  long allocations = 0;
+  std::uint64_t allocations = 0;
   for (long i = 0; i < kSteps; ++i) {
     if (i == 0 || world.chance(0.0003)) {
       const GateLimits limits = world.limits();
@@ -29,15 +29,15 @@ TEST_P(GateHostile, AMillionStepsWithoutABreach) {
     }
     world.advance();
     world.in.request = world.wildRequest();
-    const long before = testing::allocationCount();
+    const test::PathCounter counter;
     const GateOutput out = gate.step(world.in);
-    allocations += testing::allocationCount() - before;
+    allocations += counter.counts().allocations;
     const std::string breach = oracle.breach(world.in, out);
     ASSERT_TRUE(breach.empty()) << "step " << i << ": " << breach;
     world.answered(out);
     if (out.command) engagements = out.command->engagement();
   }
-  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(allocations, 0U);
   // The gate was really driven, not merely refusing everything.
   EXPECT_GT(oracle.sets, kSteps / 5);
   EXPECT_GT(engagements, 1000U);

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/safety/gate_harness.h"
+#include "tests/support/gate_harness.h"
 
 namespace stillcut::safety {
 namespace {

@@ -1,7 +1,7 @@
 // What the oracles are fed: simulated and real signals, through speed changes, as the conditioner hands them on.
 #pragma once
 
-#include "tests/unit/detect/signals.h"
+#include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <string>
 
-#include "tests/protocol/scripted_wire.h"
+#include "tests/support/scripted_wire.h"
 
 namespace stillcut::cnc::testing {
 

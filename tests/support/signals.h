@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 namespace stillcut::detect::testing {
 

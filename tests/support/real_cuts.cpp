@@ -1,4 +1,4 @@
-#include "tests/bench/real_cuts.h"
+#include "tests/support/real_cuts.h"
 
 #include <algorithm>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "tests/unit/detect/recording_runner.h"
+#include "tests/support/recording_runner.h"
 
 #include <sndfile.h>
 

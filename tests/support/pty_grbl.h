@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "core/base/time.h"
-#include "tests/protocol/fake_grbl.h"
+#include "tests/support/fake_grbl.h"
 
 namespace stillcut::cnc::testing {
 

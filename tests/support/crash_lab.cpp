@@ -1,4 +1,4 @@
-#include "tests/unit/record/crash_lab.h"
+#include "tests/support/crash_lab.h"
 
 #include <signal.h>
 #include <sys/mman.h>
@@ -13,7 +13,7 @@
 
 #include "core/record/journal.h"
 #include "core/record/open_recording.h"
-#include "tests/unit/record/step_samples.h"
+#include "tests/support/step_samples.h"
 
 namespace stillcut::record {
 namespace {

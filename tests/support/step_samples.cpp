@@ -1,4 +1,4 @@
-#include "tests/unit/record/step_samples.h"
+#include "tests/support/step_samples.h"
 
 #include <bit>
 #include <limits>
