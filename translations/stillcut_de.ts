@@ -1904,10 +1904,6 @@
         <translation>„%1“ ist kein Dateiname</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no quantity</source>
-        <translation>„%1“ ist keine Messgröße</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is none</source>
         <translation>„%1“ ist keine</translation>
     </message>
@@ -2318,10 +2314,6 @@
     <message>
         <source>above 0 and up to 1e6 rpm</source>
         <translation>über 0 und bis 1e6 rpm</translation>
-    </message>
-    <message>
-        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
-        <translation>acceleration, velocity, displacement, sound, force, current oder speed</translation>
     </message>
     <message>
         <source>active &apos;%1&apos;</source>

@@ -1903,10 +1903,6 @@
         <translation>'%1' is no name for a file</translation>
     </message>
     <message>
-        <source>'%1' is no quantity</source>
-        <translation>'%1' is no quantity</translation>
-    </message>
-    <message>
         <source>'%1' is none</source>
         <translation>'%1' is none</translation>
     </message>
@@ -2317,10 +2313,6 @@
     <message>
         <source>above 0 and up to 1e6 rpm</source>
         <translation>above 0 and up to 1e6 rpm</translation>
-    </message>
-    <message>
-        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
-        <translation>acceleration, velocity, displacement, sound, force, current or speed</translation>
     </message>
     <message>
         <source>active '%1'</source>

@@ -1904,10 +1904,6 @@
         <translation>&apos;%1&apos; 不能作文件名</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no quantity</source>
-        <translation>&apos;%1&apos; 不是测量量</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is none</source>
         <translation>&apos;%1&apos; 不是</translation>
     </message>
@@ -2318,10 +2314,6 @@
     <message>
         <source>above 0 and up to 1e6 rpm</source>
         <translation>大于 0 且不超过 1e6 rpm</translation>
-    </message>
-    <message>
-        <source>acceleration, velocity, displacement, sound, force, current or speed</source>
-        <translation>acceleration、velocity、displacement、sound、force、current 或 speed</translation>
     </message>
     <message>
         <source>active &apos;%1&apos;</source>

@@ -67,11 +67,9 @@ int run(const CalibrateOptions& o) {
 void addCalibrate(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand("calibrate", "Find a sensor's sensitivity with a calibrator's tone");
-  command->add_option("RECORDING", o->recording, "Recording of the tone; left out: the device of --profile is heard");
+  addHearing(*command, *o, "the tone");
   command->add_option("--level", o->level, "Level of the calibrator, rms: \"94 dB\", \"1 g\", 10")->required();
   command->add_option("--frequency", o->frequency, "Its frequency [Hz]")->capture_default_str();
-  command->add_option("--profile", o->profile, "Listen to the device of this profile (.toml)");
-  command->add_option("--seconds", o->seconds, "How long, from 2 to 60")->capture_default_str();
   command->add_flag("--save", o->save, "Set the channel of the profile right");
   o->reading.add(*command);
   command->callback([o, &exitCode] { exitCode = run(*o); });

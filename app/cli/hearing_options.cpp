@@ -10,6 +10,13 @@
 
 namespace stillcut::app {
 
+void addHearing(CLI::App& command, HearingOptions& o, const std::string& heard) {
+  command.add_option("RECORDING", o.recording,
+                     "Recording of " + heard + "; left out: the device of --profile is heard");
+  command.add_option("--profile", o.profile, "Listen to the device of this profile (.toml)");
+  command.add_option("--seconds", o.seconds, "How long, from 2 to 60")->capture_default_str();
+}
+
 Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
                     const std::string& whose) {
   if (o.recording.empty() == o.profile.empty()) {

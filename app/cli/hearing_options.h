@@ -3,6 +3,7 @@
 // Thread: main; hearing waits for the device.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <string>
 
 #include "app/compose/rig.h"
@@ -19,6 +20,8 @@ struct HearingOptions {
   bool save = false;  // in the profile
 };
 
+// RECORDING, --profile and --seconds; `heard`: "the tone".
+void addHearing(CLI::App& command, HearingOptions& o, const std::string& heard);
 // `heard`: "tone"; `whose`: the machine of the profile.
 Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
                     const std::string& whose);

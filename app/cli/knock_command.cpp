@@ -60,10 +60,8 @@ void addKnock(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<KnockOptions>();
   o->seconds = 8.0;  // time to walk up and knock
   CLI::App* command = app.add_subcommand("knock", "Find exchanged axes by knocking along one");
-  command->add_option("RECORDING", o->recording, "Recording of the knocks; left out: the device of --profile is heard");
+  addHearing(*command, *o, "the knocks");
   command->add_option("--along", o->along, "The channel along whose axis you knock, from 0")->capture_default_str();
-  command->add_option("--profile", o->profile, "Listen to the device of this profile (.toml)");
-  command->add_option("--seconds", o->seconds, "How long, from 2 to 60")->capture_default_str();
   command->add_flag("--save", o->save, "Exchange the axes in the profile where they are found exchanged");
   o->reading.add(*command);
   command->callback([o, &exitCode] { exitCode = run(*o); });

@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/config/nearest_word.h"
+#include "core/config/quantity_toml.h"
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
 
@@ -60,13 +61,7 @@ void readScale(const TomlTable& table, ChannelInfo& channel) {
 ChannelInfo channelFrom(const TomlTable& table) {
   ChannelInfo channel;
   channel.name = table.text("name");
-  const std::string quantity = table.text("quantity");
-  if (const auto known = sensorQuantityFromName(quantity)) {
-    channel.quantity = *known;
-  } else {
-    table.refuse("quantity", "is unknown: '" + quantity + "'",
-                 "choices: acceleration, velocity, displacement, sound, force, current, speed");
-  }
+  channel.quantity = readQuantity(table);
   readScale(table, channel);
   channel.axis = table.textOr("axis", "");
   channel.coupling = table.textOr("coupling", "");

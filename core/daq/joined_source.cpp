@@ -8,6 +8,7 @@
 #include "core/dsp/clip_watch.h"
 #include "core/dsp/rate_watch.h"
 #include "core/dsp/repeat_watch.h"
+#include "core/model/block_copy.h"
 #include "core/model/device_doubt.h"
 
 namespace stillcut::daq {
@@ -175,16 +176,11 @@ bool JoinedSource::read(SampleBlock& block) noexcept {
       missing_ += own_.lostFrames + static_cast<std::uint64_t>(own_.frames);
       continue;
     }
-    block.source = own_.source;
-    block.sequence = own_.sequence;
+    copyBlock(own_, block);
     block.firstSample = from;
-    block.rate = own_.rate;
-    block.frames = own_.frames;
-    block.flags = own_.flags;
     if (!std::exchange(handedOut_, true)) missing_ = 0;  // nothing was there before the first
     block.lostFrames = own_.lostFrames + missing_;
     if (std::exchange(missing_, 0) > 0) block.flags |= kBlockGap;
-    for (int c = 0; c < ownChannels_; ++c) std::ranges::copy(own_.channel(c), block.channel(c).begin());
     int channel = ownChannels_;
     const double step = 1.0 / own_.rate.value;
     for (auto& f : followers_) {

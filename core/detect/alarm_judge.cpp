@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/detect/blank_verdict.h"
 #include "core/dsp/order.h"
 
 namespace stillcut::detect {
@@ -69,19 +70,8 @@ ChatterKind AlarmJudge::kind(Hertz spindle) const noexcept {
 }
 
 Verdict AlarmJudge::verdict(const ConditionedBlock& block) const noexcept {
-  Verdict v;
-  v.time = block.end();
-  v.blockSequence = block.sequence;
-  v.phase = block.phase;
-  v.spindle = block.spindle;
-  v.valid = block.valid;
-  v.reason = block.reason;
-  if (!block.valid) return v;
-  if (block.phase != CutPhase::Air && !block.speedKnown()) {
-    v.valid = false;
-    v.reason = {ReasonCode::NoSpeed, {}};
-    return v;
-  }
+  Verdict v = blankVerdict(block);
+  if (!v.valid) return v;
   v.state = state_;
   v.severity = Ratio(severity_);
   v.frequency = frequency_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/detect/blank_verdict.h"
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {
@@ -185,17 +186,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
 }
 
 Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
-  Verdict v;
-  v.time = block.end();
-  v.blockSequence = block.sequence;
-  v.phase = block.phase;
-  v.spindle = block.spindle;
-  v.valid = block.valid;
-  v.reason = block.reason;
-  if (v.valid && block.phase != CutPhase::Air && !block.speedKnown()) {
-    v.valid = false;
-    v.reason = {ReasonCode::NoSpeed, {}};
-  }
+  Verdict v = blankVerdict(block);
   if (v.valid) judge_.fill(v, spindle_);
   return v;
 }

@@ -1,5 +1,6 @@
 // Scenarios as TOML. Keys carry their unit; what a key means stands in scenario.h and sensors.h.
 
+#include "core/config/quantity_toml.h"
 #include "core/config/toml_reader.h"
 #include "core/milling/model_toml.h"
 #include "core/milling/scenario.h"
@@ -113,13 +114,7 @@ OverrideSettings readOverrides(const TomlTable& t) {
 SensorSettings readSensor(const TomlTable& t) {
   SensorSettings s;
   s.name = t.text("name");
-  const std::string quantity = t.text("quantity");
-  if (const auto q = sensorQuantityFromName(quantity)) {
-    s.quantity = *q;
-  } else {
-    t.refuse("quantity", "'" + quantity + "' is no quantity",
-             "acceleration, velocity, displacement, sound, force, current or speed");
-  }
+  s.quantity = config::readQuantity(t);
   s.axis = t.textOr("axis", "");
   s.place = t.numbersOr("place", {});
   s.gain = t.numberOr("gain", 1.0);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/block_copy.h"
+
 namespace stillcut::pipeline {
 namespace {
 
@@ -23,14 +25,7 @@ void SignalTap::prepare(const CutSetup& setup) {
 void SignalTap::feed(const SampleBlock& block) noexcept {
   SampleBlock* slot = ring_ ? ring_->reserve() : nullptr;
   if (slot == nullptr || block.channels > slot->channels || block.frames > slot->capacityFrames) return;
-  slot->source = block.source;
-  slot->sequence = block.sequence;
-  slot->firstSample = block.firstSample;
-  slot->rate = block.rate;
-  slot->frames = block.frames;
-  slot->flags = block.flags;
-  slot->lostFrames = block.lostFrames;
-  for (int c = 0; c < block.channels; ++c) std::ranges::copy(block.channel(c), slot->channel(c).begin());
+  copyBlock(block, *slot);
   ring_->commit();
 }
 

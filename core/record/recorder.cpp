@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "core/model/block_copy.h"
+
 namespace stillcut::record {
 namespace {
 
@@ -17,21 +19,6 @@ constexpr std::chrono::milliseconds kToDiskEvery{500};
 std::size_t slotsFor(const CutSetup& setup, Seconds buffer) {
   const double steps = std::ceil(buffer.value * setup.rate.value / std::max(1, setup.blockFrames));
   return std::clamp(static_cast<std::size_t>(std::clamp(steps, 1.0, 1e6)), kFewestSlots, kMostSlots);
-}
-
-// Copies only what is used, into storage that is there already.
-void copyBlock(const SampleBlock& from, SampleBlock& to) noexcept {
-  to.source = from.source;
-  to.sequence = from.sequence;
-  to.firstSample = from.firstSample;
-  to.rate = from.rate;
-  to.frames = from.frames;
-  to.flags = from.flags;
-  to.lostFrames = from.lostFrames;
-  for (int c = 0; c < from.channels; ++c) {
-    const std::span<const float> samples = from.channel(c);
-    std::copy(samples.begin(), samples.end(), to.channel(c).begin());
-  }
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ std::optional<Holds> mayGo(const std::string& path) {
   Holds holds = Holds::Everything;
   {
     const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-    if (!opened || !readSessionFormat(opened->file.get(), path)) return std::nullopt;
+    if (!opened || !readSessionFormat(*opened, path)) return std::nullopt;
     if (readInteger(opened->file.get(), kFeaturesOnly).value_or(0) != 0) holds = Holds::FeaturesOnly;
   }
   const Result<std::vector<Marker>> markers = readMarkers(path);

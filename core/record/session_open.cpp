@@ -177,7 +177,8 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
   return opened;
 }
 
-Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path) {
+Result<RecordingFormat> readSessionFormat(const OpenedSession& opened, const std::string& path) {
+  const hid_t file = opened.file.get();
   if (readText(file, "format") != kSessionFormat) {
     return Error{path, kNoSession, ""};
   }
@@ -191,6 +192,7 @@ Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path) {
   if (!setup) return setup.error();
   RecordingFormat format;
   format.kind = "Stillcut session";
+  format.closedCleanly = opened.closedCleanly;
   format.configuration = readText(file, "configuration").value_or("");
   format.programVersion = readText(file, "program_version").value_or("");
   format.operatorName = readText(file, "operator").value_or("");

@@ -28,6 +28,6 @@ Result<Recovery> recoverSession(const std::string& path);
 // An error: a file that was not closed is no session, or cut short. Nothing is written.
 Status checkUnclosed(const std::string& path, bool journal);
 // Everything in the header, checked against nonsense. `frames` and `blocks` are left 0.
-Result<RecordingFormat> readSessionFormat(hid_t file, const std::string& path);
+Result<RecordingFormat> readSessionFormat(const OpenedSession& opened, const std::string& path);
 
 }  // namespace stillcut::record

@@ -67,12 +67,11 @@ Result<std::vector<MinMax>> SessionOverview::overview(int channel, Instant from,
 }
 
 Status SessionOverview::Impl::use(OpenedSession opened) {
-  journaled_ = std::move(opened.journaled);
-  file_ = std::move(opened.file);
-  Result<RecordingFormat> format = readSessionFormat(file_.get(), path_);
+  Result<RecordingFormat> format = readSessionFormat(opened, path_);
   if (!format) return format.error();
   format_ = std::move(*format);
-  format_.closedCleanly = opened.closedCleanly;
+  journaled_ = std::move(opened.journaled);
+  file_ = std::move(opened.file);
   for (int c = 0; c < static_cast<int>(format_.channels.size()); ++c) {
     Channel channel;
     if (!channel.samples.open(file_.get(), c)) return Error{path_, "the samples cannot be read", hdf5Cause()};

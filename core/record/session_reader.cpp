@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/block_copy.h"
 #include "core/record/session_layout.h"
 #include "core/record/session_open.h"
 #include "core/record/session_samples.h"
@@ -92,18 +93,7 @@ class SessionReader final : public RecordingReader {
     if (recorded.frames > block.capacityFrames || recorded.channels != block.channels) {
       return Error{path_ + ": step " + std::to_string(step_), "the block does not fit where it is read to", ""};
     }
-    for (int c = 0; c < recorded.channels; ++c) {
-      const std::span<const float> from = recorded.channel(c);
-      std::copy(from.begin(), from.end(),
-                block.samples.begin() + static_cast<std::ptrdiff_t>(c) * block.capacityFrames);
-    }
-    block.source = recorded.source;
-    block.sequence = recorded.sequence;
-    block.firstSample = recorded.firstSample;
-    block.rate = recorded.rate;
-    block.frames = recorded.frames;
-    block.flags = recorded.flags;
-    block.lostFrames = recorded.lostFrames;
+    copyBlock(recorded, block);
     ++step_;
     if (step_ == steps_) block.flags |= kBlockEnd;
     haveStep_ = true;
@@ -114,12 +104,11 @@ class SessionReader final : public RecordingReader {
   explicit SessionReader(std::string path) : path_(std::move(path)) {}
 
   Status use(OpenedSession opened, const ReadOptions& options) {
-    journaled_ = std::move(opened.journaled);
-    file_ = std::move(opened.file);
-    Result<RecordingFormat> format = readSessionFormat(file_.get(), path_);
+    Result<RecordingFormat> format = readSessionFormat(opened, path_);
     if (!format) return format.error();
     format_ = std::move(*format);
-    format_.closedCleanly = opened.closedCleanly;
+    journaled_ = std::move(opened.journaled);
+    file_ = std::move(opened.file);
     reasons_ = ReasonCodes(readText(file_.get(), "reason_codes").value_or(""));
     std::uint64_t frames = 0;
     picked_ = options.channels;

@@ -9,29 +9,19 @@
 #include "ui/plots/path_fit_plot.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
+#include "ui/widgets/tool_button.h"
 
 namespace stillcut::ui {
-namespace {
-
-TouchButton* button(const QString& caption, const QString& spoken, const char* name) {
-  auto* made = new TouchButton(caption);
-  made->setObjectName(QLatin1String(name));
-  made->setAccessibleName(spoken);
-  made->setBaseHeight(50);
-  return made;
-}
-
-}  // namespace
 
 ActiveView::ActiveView(FindDesk desk, QWidget* parent)
     : QWidget(parent),
       desk_(std::move(desk)),
       actions_(new QHBoxLayout),
       axes_(new QHBoxLayout),
-      identify_(button(tr("IDENTIFY"), tr("Identify the paths, with the tool out of the cut"), "active-identify")),
-      start_(button(tr("START"), tr("Start active control"), "active-start")),
-      stop_(button(tr("STOP"), tr("Stop active control"), "active-stop")),
+      identify_(
+          makeToolButton(tr("IDENTIFY"), tr("Identify the paths, with the tool out of the cut"), "active-identify")),
+      start_(makeToolButton(tr("START"), tr("Start active control"), "active-start")),
+      stop_(makeToolButton(tr("STOP"), tr("Stop active control"), "active-stop")),
       device_(new TextLabel({type_size::kBody, false, true, true})),
       problem_(new TextLabel({type_size::kBody, true, false, true})),
       state_(new TextLabel({type_size::kValue, true, false, true})),
@@ -42,8 +32,8 @@ ActiveView::ActiveView(FindDesk desk, QWidget* parent)
   column->setContentsMargins(0, 0, 0, 0);
   for (TouchButton* b : {identify_, start_, stop_}) actions_->addWidget(b);
   actions_->addStretch(1);
-  axisButtons_ = {button(QStringLiteral("X"), tr("Axis x"), "active-x"),
-                  button(QStringLiteral("Y"), tr("Axis y"), "active-y")};
+  axisButtons_ = {makeToolButton(QStringLiteral("X"), tr("Axis x"), "active-x"),
+                  makeToolButton(QStringLiteral("Y"), tr("Axis y"), "active-y")};
   for (int axis = 0; axis < kActiveAxes; ++axis) {
     TouchButton* b = axisButtons_[static_cast<std::size_t>(axis)];
     b->setCheckable(true);

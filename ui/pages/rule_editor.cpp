@@ -8,7 +8,7 @@
 #include "ui/plots/membership_plot.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
+#include "ui/widgets/tool_button.h"
 
 namespace stillcut::ui {
 namespace {
@@ -16,24 +16,16 @@ namespace {
 constexpr double kStep = 0.5;      // of one touch
 constexpr double kLearned = 0.05;  // less is not told
 
-TouchButton* button(const QString& caption, const QString& spoken, const char* name) {
-  auto* made = new TouchButton(caption);
-  made->setObjectName(QLatin1String(name));
-  made->setAccessibleName(spoken);
-  made->setBaseHeight(50);
-  return made;
-}
-
 }  // namespace
 
 RuleEditor::RuleEditor(TuneDesk& desk, QWidget* parent)
     : QWidget(parent),
       desk_(&desk),
       line_(new QHBoxLayout),
-      speedTable_(button(tr("SPEED"), tr("Rules of the speed"), "rules-speed")),
-      feedTable_(button(tr("FEED"), tr("Rules of the feed"), "rules-feed")),
-      less_(button(QStringLiteral("\u2212"), tr("Lower this rule"), "rule-less")),
-      more_(button(QStringLiteral("+"), tr("Raise this rule"), "rule-more")),
+      speedTable_(makeToolButton(tr("SPEED"), tr("Rules of the speed"), "rules-speed")),
+      feedTable_(makeToolButton(tr("FEED"), tr("Rules of the feed"), "rules-feed")),
+      less_(makeToolButton(QStringLiteral("\u2212"), tr("Lower this rule"), "rule-less")),
+      more_(makeToolButton(QStringLiteral("+"), tr("Raise this rule"), "rule-more")),
       grid_(new RuleGrid),
       sets_(new MembershipPlot),
       cell_(new TextLabel({type_size::kBody, true, false, true})),

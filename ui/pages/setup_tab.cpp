@@ -7,7 +7,7 @@
 #include "ui/models/say.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
+#include "ui/widgets/tool_button.h"
 
 namespace stillcut::ui {
 
@@ -15,11 +15,7 @@ SetupTab::SetupTab(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     : Panel(parent), desk_(desk), draft_(draft), theme_(makeTheme(ThemeKind::Light, 1.0)) {}
 
 TouchButton* SetupTab::makeButton(const QString& caption, const QString& spoken, const QString& name) {
-  auto* button = new TouchButton(caption);
-  button->setObjectName(name);
-  button->setAccessibleName(spoken);
-  button->setBaseHeight(50);
-  return button;
+  return makeToolButton(caption, spoken, name);
 }
 
 QLineEdit* SetupTab::makeEdit(const QString& spoken, const QString& name) {

@@ -1,10 +1,9 @@
 #include "ui/shell/display_panel.h"
 
 #include <QGridLayout>
-#include <QPainter>
 #include <algorithm>
 
-#include "ui/widgets/painting.h"
+#include "ui/shell/raised_panel.h"
 #include "ui/widgets/touch_button.h"
 
 namespace stillcut::ui {
@@ -70,10 +69,7 @@ QSize DisplayPanel::sizeHint() const {
 
 void DisplayPanel::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  drawPanel(p, rect(), theme_, theme_.colors.raised);
-  p.setPen(QPen(theme_.colors.secondary, 1.5));
-  p.setBrush(Qt::NoBrush);
-  p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme_.px(6), theme_.px(6));
+  drawRaised(p, rect(), theme_);
 }
 
 }  // namespace stillcut::ui

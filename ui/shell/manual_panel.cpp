@@ -2,14 +2,13 @@
 
 #include <QFile>
 #include <QHBoxLayout>
-#include <QPainter>
 #include <QScrollBar>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextTable>
 #include <algorithm>
 
-#include "ui/widgets/painting.h"
+#include "ui/shell/raised_panel.h"
 #include "ui/widgets/touch_button.h"
 
 static void loadManualResource() {
@@ -178,10 +177,7 @@ void ManualPanel::applyTheme(const Theme& theme) {
 
 void ManualPanel::paintEvent(QPaintEvent*) {
   QPainter p(this);
-  drawPanel(p, rect(), theme_, theme_.colors.raised);
-  p.setPen(QPen(theme_.colors.secondary, 1.5));
-  p.setBrush(Qt::NoBrush);
-  p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), theme_.px(6), theme_.px(6));
+  drawRaised(p, rect(), theme_);
 }
 
 }  // namespace stillcut::ui

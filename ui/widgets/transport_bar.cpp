@@ -7,7 +7,7 @@
 #include "ui/models/format.h"
 #include "ui/models/session_models.h"
 #include "ui/widgets/text_label.h"
-#include "ui/widgets/touch_button.h"
+#include "ui/widgets/tool_button.h"
 #include "ui/widgets/value_slider.h"
 
 namespace stillcut::ui {
@@ -18,10 +18,7 @@ constexpr double kUnpaced = 0.985;                   // of the slider: from here
 constexpr double kPaceStep = 0.04;
 
 TouchButton* makeButton(const QString& caption, const QString& spoken, const char* name, const QKeySequence& key) {
-  auto* button = new TouchButton(caption, TouchButton::Look::Plain);
-  button->setObjectName(QLatin1String(name));
-  button->setAccessibleName(spoken);
-  button->setBaseHeight(50);
+  TouchButton* button = makeToolButton(caption, spoken, name);
   button->setKey(key);
   button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   return button;

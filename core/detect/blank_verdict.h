@@ -1,0 +1,26 @@
+// What every detector says of a block before it judges anything. Thread: worker; real-time.
+#pragma once
+
+#include "core/detect/conditioned_block.h"
+#include "core/model/verdict.h"
+
+namespace stillcut::detect {
+
+// Whose block it is, when it ended, in which phase and at what speed; invalid with the block's reason, or in a cut
+// whose speed nobody knows. A valid one is still to be filled.
+inline Verdict blankVerdict(const ConditionedBlock& block) noexcept {
+  Verdict v;
+  v.time = block.end();
+  v.blockSequence = block.sequence;
+  v.phase = block.phase;
+  v.spindle = block.spindle;
+  v.valid = block.valid;
+  v.reason = block.reason;
+  if (v.valid && block.phase != CutPhase::Air && !block.speedKnown()) {
+    v.valid = false;
+    v.reason = {ReasonCode::NoSpeed, {}};
+  }
+  return v;
+}
+
+}  // namespace stillcut::detect
