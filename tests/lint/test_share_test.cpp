@@ -10,25 +10,14 @@
 #include <string>
 #include <string_view>
 
+#include "tests/lint/language.h"
+
 namespace stillcut::lint {
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr double kLeastShare = 1.0;
-
-enum class Language { None, Cpp, Script };
-
-Language languageOf(const fs::path& path) {
-  const fs::path kind = path.extension();
-  if (kind == ".h" || kind == ".cpp") return Language::Cpp;
-  if (kind == ".py") return Language::Script;
-  if (!kind.empty()) return Language::None;
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  return line.starts_with("#!") ? Language::Script : Language::None;
-}
 
 // Python's doc strings count as code: they are the scripts' help.
 int codeLines(std::istream& in, Language language) {
