@@ -50,8 +50,7 @@ class FxlmsController {
 
   // The disturbance as the model sees it, e + s^ * y: what the error would be without control.
   double disturbance() const noexcept { return disturbance_; }
-  // Power of the filtered reference and the largest step that is stable in the mean at it; 0 in silence.
-  double referencePower() const noexcept { return power_; }
+  // The largest step that is stable in the mean at the filtered reference's power; 0 in silence.
   double largestStep() const noexcept;
   const double* weights() const noexcept { return weights_.data(); }
   int taps() const noexcept { return options_.filter.taps; }

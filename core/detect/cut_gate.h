@@ -32,7 +32,6 @@ class CutGate {
 
   CutPhase phase() const noexcept { return phase_; }
   bool inCut() const noexcept { return phase_ != CutPhase::Air; }
-  Seconds sinceChange() const noexcept { return Seconds(sinceChange_); }
   bool airSeen() const noexcept { return airSeen_; }
   // Mean square of a channel in air; 0 until learned.
   double airFloor(int channel) const noexcept { return airSeen_ ? floor_[static_cast<std::size_t>(channel)] : 0.0; }

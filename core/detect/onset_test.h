@@ -46,7 +46,6 @@ class OnsetTest {
   double floor() const noexcept { return mean_; }
   double shape() const noexcept;
   double correlation() const noexcept;
-  double learnedTurns() const noexcept { return learnedTurns_; }
   // Mean of the energies that the floor was learned with.
   double floorEnergy() const noexcept { return meanEnergy_; }
   static constexpr double kLearnTurns = 8.0;

@@ -14,10 +14,6 @@ inline double orderOffset(Hertz f, Hertz spindle) {
   return order - std::round(order);
 }
 
-inline double wrapAngle(double a) {
-  a = std::fmod(a, kTwoPi);
-  return a < 0.0 ? a + kTwoPi : a;
-}
 // To -pi .. pi.
 inline double wrapPhase(double a) {
   return std::remainder(a, kTwoPi);

@@ -54,7 +54,6 @@ class SimulatedCut {
   Seconds time() const { return Seconds(cut_.time()); }
   Metres depth() const { return Metres(depth_); }
   bool cutting() const { return cutting_; }
-  std::uint64_t framesMade() const { return frames_; }
 
  private:
   void advanceTo(double seconds) noexcept;
@@ -89,7 +88,7 @@ class SimulatedCut {
   double beforeTime_ = 0.0, nowTime_ = 0.0;
 
   double modelSpeed_ = 0.0;  // [rad/s] the cut steps with
-  double programmedRpm_ = 0.0, feed_ = 0.0, depth_ = 0.0, immersion_ = 0.0;
+  double programmedRpm_ = 0.0, feed_ = 0.0, depth_ = 0.0;
   std::array<double, 2> random_{};           // [N]
   std::vector<WorkHolderAxis> holder_;       // none, or x and y
   std::array<double, 2> wanted_{}, push_{};  // [m]; [N] on its flexure at the last reading

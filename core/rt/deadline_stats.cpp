@@ -13,12 +13,6 @@ void DeadlineStats::record(Seconds taken) noexcept {
   if (taken.value > worst_.load(std::memory_order_relaxed)) worst_.store(taken.value, std::memory_order_relaxed);
 }
 
-void DeadlineStats::reset() noexcept {
-  for (auto& b : buckets_) b.store(0, std::memory_order_relaxed);
-  count_.store(0, std::memory_order_relaxed);
-  worst_.store(0.0, std::memory_order_relaxed);
-}
-
 Seconds DeadlineStats::quantile(double share) const noexcept {
   const std::uint64_t total = count();
   if (total == 0) return Seconds();

@@ -13,7 +13,6 @@ namespace stillcut::rt {
 class DeadlineStats {
  public:
   void record(Seconds taken) noexcept;
-  void reset() noexcept;
 
   std::uint64_t count() const noexcept { return count_.load(std::memory_order_relaxed); }
   Seconds worst() const noexcept { return Seconds(worst_.load(std::memory_order_relaxed)); }

@@ -207,16 +207,4 @@ Result<CuttingCoefficients> identifyCoefficients(const ForceTest& test) {
   return k;
 }
 
-std::array<double, 3> meanForceOnTool(const CuttingCoefficients& k, int teeth, double depth,
-                                      const milling::Engagement& engagement, double feedPerTooth) {
-  const Integrals i = integralsOf(engagement);
-  const double p = teeth * depth / kTwoPi;
-  const double f = feedPerTooth;
-  return {p * (f * (-k.tangential.value * i.sc - k.radial.value * i.ss) - k.tangentialEdge.value * i.c -
-               k.radialEdge.value * i.s),
-          p * (f * (k.tangential.value * i.ss - k.radial.value * i.sc) + k.tangentialEdge.value * i.s -
-               k.radialEdge.value * i.c),
-          p * (f * k.axial.value * i.s + k.axialEdge.value * i.angle)};
-}
-
 }  // namespace stillcut::identify

@@ -63,8 +63,4 @@ struct CuttingCoefficients {
 // Error: fewer than two feeds, values out of range, no choice of signs that makes the coefficients positive.
 Result<CuttingCoefficients> identifyCoefficients(const ForceTest& test);
 
-// What the formulas above give for known coefficients: force on the tool, [N].
-std::array<double, 3> meanForceOnTool(const CuttingCoefficients& k, int teeth, double depth,
-                                      const milling::Engagement& engagement, double feedPerTooth);
-
 }  // namespace stillcut::identify

@@ -107,11 +107,12 @@ class Adviser {
   SpeedAdvice advice_;
 };
 
-}  // namespace
-
+// Spindle speed at which the edge runs at `cuttingSpeed` [m/min].
 Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed) {
   return Rpm(cuttingSpeed / (std::numbers::pi * tool.diameter.value));
 }
+
+}  // namespace
 
 Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,
                                  const std::stop_token& stop) {

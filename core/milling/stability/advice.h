@@ -54,7 +54,4 @@ struct SpeedAdvice {
 Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,
                                  const std::stop_token& stop = {});
 
-// Spindle speed at which the tool's edge runs at `cuttingSpeed` [m/min].
-Rpm speedLimitOfTool(const Tool& tool, double cuttingSpeed);
-
 }  // namespace stillcut::milling

@@ -85,24 +85,6 @@ TEST(Coefficients, IntegratedForcesGiveThemBackForEveryImmersion) {
   }
 }
 
-TEST(Coefficients, ClosedFormsAgreeWithTheIntegral) {
-  for (const Engagement& e : {Engagement{1.0, Side::Up}, Engagement{0.3, Side::Down}}) {
-    const ForceTest test = testOf(e, {0.05e-3, 0.1e-3});
-    for (const MeanForce& m : test.means) {
-      const auto f = meanForceOnTool(truth(), 2, 3e-3, e, m.feedPerTooth);
-      for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(f[a], m.mean[a], 1e-4 * std::abs(m.mean[1]));
-    }
-  }
-}
-
-TEST(Coefficients, SlotFormulaOfTheTextbook) {
-  const auto f = meanForceOnTool(truth(), 2, 3e-3, {1.0, Side::Up}, 0.1e-3);
-  const double za = 2 * 3e-3;
-  EXPECT_NEAR(f[0], -za / 4 * 250e6 * 0.1e-3 - za / M_PI * 11e3, 1e-9);
-  EXPECT_NEAR(f[1], za / 4 * 700e6 * 0.1e-3 + za / M_PI * 14e3, 1e-9);
-  EXPECT_NEAR(f[2], za / M_PI * 150e6 * 0.1e-3 + za / 2 * 3e3, 1e-9);
-}
-
 TEST(Coefficients, SignsAreFoundInASlotHoweverTheSensorLies) {
   const ForceTest onTool = testOf({1.0, Side::Up}, {0.05e-3, 0.1e-3});
   for (int bits = 0; bits < 8; ++bits) {
