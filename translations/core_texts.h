@@ -438,7 +438,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "authority is off"),
     QT_TRANSLATE_NOOP("Reason", "advice only"),
     QT_TRANSLATE_NOOP("Reason", "the request was not a number"),
-    QT_TRANSLATE_NOOP("Reason", "asked for {0.2}, limits allow {1.2}"),
+    QT_TRANSLATE_NOOP("Reason", "asked for {0.0} %, the limits allow {1.0} %"),
     QT_TRANSLATE_NOOP("Reason", "the machine's state is {0.2} s old"),
     QT_TRANSLATE_NOOP("Reason", "the verdict is {0.2} s old"),
     QT_TRANSLATE_NOOP("Reason", "the machine is not running a program"),
@@ -479,4 +479,6 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "the strategy failed, monitoring only from now on"),
     QT_TRANSLATE_NOOP("Reason", "the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch"),
     QT_TRANSLATE_NOOP("Reason", "the tool left the cut after {0.2} s and {1.1} mm of feed in chatter"),
+    QT_TRANSLATE_NOOP("Reason", "the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %"),
+    QT_TRANSLATE_NOOP("Reason", "{0.0} lines more than there was room for, the most important were kept"),
 };

@@ -4784,8 +4784,8 @@
         <translation>die Anforderung war keine Zahl</translation>
     </message>
     <message>
-        <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation>verlangt {0.2}, die Grenzen erlauben {1.2}</translation>
+        <source>asked for {0.0} %, the limits allow {1.0} %</source>
+        <translation>verlangt {0.0} %, die Grenzen erlauben {1.0} %</translation>
     </message>
     <message>
         <source>the machine&apos;s state is {0.2} s old</source>
@@ -4946,6 +4946,14 @@
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
         <translation>das Werkzeug verließ den Schnitt nach {0.2} s und {1.1} mm Vorschub im Rattern</translation>
+    </message>
+    <message>
+        <source>the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %</source>
+        <translation>die Maschine oder ihr Programm hat den Override auf {0.0} % zurückgesetzt, Stillcut hatte {1.0} % eingestellt</translation>
+    </message>
+    <message>
+        <source>{0.0} lines more than there was room for, the most important were kept</source>
+        <translation>{0.0} Zeilen mehr als Platz war, die wichtigsten sind erhalten</translation>
     </message>
     <message>
         <source>channel {0.0} fell silent in the middle of the cut, look for a broken cable</source>

@@ -4783,10 +4783,6 @@
         <translation>the request was not a number</translation>
     </message>
     <message>
-        <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation>asked for {0.2}, limits allow {1.2}</translation>
-    </message>
-    <message>
         <source>the machine's state is {0.2} s old</source>
         <translation>the machine's state is {0.2} s old</translation>
     </message>
@@ -4985,6 +4981,18 @@
     <message>
         <source>channel {0.0} repeats its values, or comes at another rate than told</source>
         <translation>channel {0.0} repeats its values, or comes at another rate than told</translation>
+    </message>
+    <message>
+        <source>asked for {0.0} %, the limits allow {1.0} %</source>
+        <translation>asked for {0.0} %, the limits allow {1.0} %</translation>
+    </message>
+    <message>
+        <source>the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %</source>
+        <translation>the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %</translation>
+    </message>
+    <message>
+        <source>{0.0} lines more than there was room for, the most important were kept</source>
+        <translation>{0.0} lines more than there was room for, the most important were kept</translation>
     </message>
 </context>
 <context>

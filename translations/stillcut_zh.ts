@@ -4784,8 +4784,8 @@
         <translation>请求不是数值</translation>
     </message>
     <message>
-        <source>asked for {0.2}, limits allow {1.2}</source>
-        <translation>请求 {0.2}，限值允许 {1.2}</translation>
+        <source>asked for {0.0} %, the limits allow {1.0} %</source>
+        <translation>请求 {0.0} %，限值允许 {1.0} %</translation>
     </message>
     <message>
         <source>the machine&apos;s state is {0.2} s old</source>
@@ -4946,6 +4946,14 @@
     <message>
         <source>the tool left the cut after {0.2} s and {1.1} mm of feed in chatter</source>
         <translation>颤振 {0.2} s、进给 {1.1} mm 后刀具离开切削</translation>
+    </message>
+    <message>
+        <source>the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %</source>
+        <translation>机床或其程序把倍率恢复到 {0.0} %，Stillcut 此前设为 {1.0} %</translation>
+    </message>
+    <message>
+        <source>{0.0} lines more than there was room for, the most important were kept</source>
+        <translation>多出 {0.0} 行放不下，已保留最重要的</translation>
     </message>
     <message>
         <source>channel {0.0} fell silent in the middle of the cut, look for a broken cable</source>

@@ -20,6 +20,8 @@ struct LinkInfo {
   bool machineWatchdog = false;               // the machine itself restores 100 % when we fall silent
   Ratio lowestSpeed{1.0}, highestSpeed{1.0};  // what the machine's override can do
   Ratio lowestFeed{1.0}, highestFeed{1.0};
+  // Longest time between two readings of the same quantity while all is well: what "stale" is measured by.
+  Seconds period{};
 };
 
 class CncLink {

@@ -26,6 +26,9 @@ struct StrategyInput {
   Instant now{};  // end of the block the verdict is from
   Seconds dt{};   // measured time since the previous decision
   Verdict verdict;
+  // As read, but for operatorSpeed and operatorFeed: the knobs by which the gate divides what is asked for
+  // (OverrideGate::seenByWishes). While something of ours is in force they may differ from the newest read: a knob that
+  // is turned then scales what is in force, and a strategy that saw it turned would count it twice.
   MachineState machine;
   // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26), of whichever detector reports it, for the strategies that lower it;
   // negative: unknown, the verdict's severity stands in for it.

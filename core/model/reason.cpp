@@ -84,7 +84,7 @@ constexpr Row kRows[] = {
     {ReasonCode::AuthorityOff, "authority-off", "authority is off"},
     {ReasonCode::AdviceOnly, "advice-only", "advice only"},
     {ReasonCode::GateNotFinite, "gate-not-finite", "the request was not a number"},
-    {ReasonCode::GateLimited, "gate-limited", "asked for {0.2}, limits allow {1.2}"},
+    {ReasonCode::GateLimited, "gate-limited", "asked for {0.0} %, the limits allow {1.0} %"},
     {ReasonCode::GateStaleMachine, "gate-stale-machine", "the machine's state is {0.2} s old"},
     {ReasonCode::GateStaleVerdict, "gate-stale-verdict", "the verdict is {0.2} s old"},
     {ReasonCode::GateMachineNotReady, "gate-machine-not-ready", "the machine is not running a program"},
@@ -131,6 +131,9 @@ constexpr Row kRows[] = {
      "the advice has changed to {0.0} rpm and {1.0} mm/min, it needs another touch"},
     {ReasonCode::ChatterLeftCut, "chatter-left-cut",
      "the tool left the cut after {0.2} s and {1.1} mm of feed in chatter"},
+    {ReasonCode::GateOverrideReset, "gate-override-reset",
+     "the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %"},
+    {ReasonCode::EventsLost, "events-lost", "{0.0} lines more than there was room for, the most important were kept"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -61,7 +61,7 @@ enum class ReasonCode : std::uint16_t {
   AuthorityOff,          // -
   AdviceOnly,            // -
   GateNotFinite,         // -
-  GateLimited,           // wanted ratio, given ratio
+  GateLimited,           // wanted %, given %
   GateStaleMachine,      // age s
   GateStaleVerdict,      // age s
   GateMachineNotReady,   // -
@@ -103,6 +103,8 @@ enum class ReasonCode : std::uint16_t {
   StrategyFault,            // -: monitoring from now on
   AdviceChanged,            // rpm, feed mm/min: what was accepted is no longer what is advised
   ChatterLeftCut,           // seconds in chatter, mm of feed: the tool left the cut before it was quiet
+  GateOverrideReset,        // override read back %, ours until then %: somebody else's doing, not a lock
+  EventsLost,               // events of earlier steps that found no room
 };
 
 struct Reason {

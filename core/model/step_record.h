@@ -17,7 +17,7 @@
 namespace stillcut {
 
 inline constexpr int kMaxInputsPerStep = 4;
-inline constexpr int kMaxEventsPerStep = 8;
+inline constexpr int kMaxEventsPerStep = 16;
 
 struct StepInput {
   SampleBlock block;

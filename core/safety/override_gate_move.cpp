@@ -207,9 +207,9 @@ OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineSta
   w.factors.speed = speeds.clamp(speed);
   w.factors.feed = feeds.clamp(o.perTooth(feed, w.factors.speed));
   if (std::abs(w.factors.speed - speed) > limits_.deadband) {
-    w.limited = {ReasonCode::GateLimited, {speed, w.factors.speed}};
+    w.limited = {ReasonCode::GateLimited, {100.0 * speed, 100.0 * w.factors.speed}};
   } else if (r.claimsFeed && std::abs(w.factors.feed - feed) > limits_.deadband) {
-    w.limited = {ReasonCode::GateLimited, {feed, w.factors.feed}};
+    w.limited = {ReasonCode::GateLimited, {100.0 * feed, 100.0 * w.factors.feed}};
   }
   return w;
 }
