@@ -8,14 +8,14 @@
 namespace stillcut::pipeline {
 namespace {
 
-constexpr double kHeld_s = 0.5;
+constexpr double kHeld = 0.5;  // s
 
 }  // namespace
 
 void SignalTap::prepare(const CutSetup& setup) {
   ring_.reset();
   if (setup.blockFrames <= 0 || !(setup.rate.value > 0.0)) return;
-  const double blocks = std::ceil(kHeld_s * setup.rate.value / setup.blockFrames);
+  const double blocks = std::ceil(kHeld * setup.rate.value / setup.blockFrames);
   const auto channels = static_cast<int>(setup.channels.size());
   ring_ = std::make_unique<rt::SpscRing<SampleBlock>>(
       static_cast<std::size_t>(std::max(blocks, 8.0)),

@@ -18,6 +18,7 @@ DisplayPanel::DisplayPanel(QWidget* parent) : QWidget(parent), theme_(makeTheme(
   addRow<UnitSystem>(QStringLiteral("units"), {{UnitSystem::Metric, tr("METRIC")}, {UnitSystem::Inch, tr("INCH")}},
                      &DisplayChoice::units);
   std::vector<std::pair<Language, QString>> languages;
+  languages.reserve(std::size(kLanguages));
   for (const Language language : kLanguages) languages.emplace_back(language, nameOfItself(language));
   addRow<Language>(QStringLiteral("language"), languages, &DisplayChoice::language);
   hide();
