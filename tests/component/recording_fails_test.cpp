@@ -5,12 +5,9 @@
 #include <cerrno>
 #include <vector>
 
-#include "app/compose/rig.h"
-#include "core/cnc/simulated_machine.h"
-#include "core/daq/simulated_source.h"
 #include "core/record/open_recording.h"
+#include "tests/component/demo_rig.h"
 #include "tests/component/same_bits.h"
-#include "tests/support/demo_cut.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
@@ -37,12 +34,7 @@ struct Ran {
 };
 
 Ran run(const std::string& path, record::Disk* disk) {
-  const milling::Scenario cut = test::demoCut();
-  auto port = std::make_shared<milling::PlantPort>();
-  RigSpec spec;
-  spec.device = std::make_unique<daq::SimulatedSource>(cut, 0, port, daq::SimulatedPace{});
-  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
-  spec.setup = cut.cutSetup();
+  RigSpec spec = test::demoRig();
   spec.autoAllowed = true;
   spec.watched = true;
   auto rig = Rig::build(std::move(spec));

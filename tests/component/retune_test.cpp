@@ -11,14 +11,12 @@
 #include "app/compose/catalog.h"
 #include "app/compose/recording_rig.h"
 #include "app/compose/session_summary_builder.h"
-#include "core/cnc/simulated_machine.h"
 #include "core/control/registry.h"
-#include "core/daq/simulated_source.h"
 #include "core/detect/energy_ratio.h"
 #include "core/detect/registry.h"
 #include "core/record/open_recording.h"
+#include "tests/component/demo_rig.h"
 #include "tests/component/same_bits.h"
-#include "tests/support/demo_cut.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
@@ -28,12 +26,7 @@ using Outputs = std::vector<StepOutput>;
 using config::ParamDecl;
 
 RigSpec demoSpec(const Methods& methods, const config::ParamSet& params = {}) {
-  const milling::Scenario cut = test::demoCut();
-  auto port = std::make_shared<milling::PlantPort>();
-  RigSpec spec;
-  spec.device = std::make_unique<daq::SimulatedSource>(cut, 0, port, daq::SimulatedPace{});
-  spec.link = std::make_unique<cnc::SimulatedMachine>(cut, port);
-  spec.setup = cut.cutSetup();
+  RigSpec spec = test::demoRig();
   spec.methods = methods;
   spec.params = params;
   spec.deterministic = true;

@@ -12,6 +12,8 @@ using cnc::HalStanding;
 using cnc::testing::FakeWatchdog;
 
 constexpr int kFirst = 1, kSecond = 2;
+constexpr const char* kHold = "set 90 90 1 100 100";
+constexpr const char* kHome = "home 100 100";
 
 struct Bench {
   explicit Bench(std::chrono::milliseconds patience = std::chrono::milliseconds{30}) : watchdog(patience) {}
@@ -28,6 +30,13 @@ struct Bench {
       keeper.take(*cnc::readHalRequest(line), client, clock.now());
     }
   }
+  // The first holds, and the operator's switch takes it out.
+  void holdAndFall() {
+    run(1.5);
+    insist(kFirst, kHold, 0.1);
+    ASSERT_EQ(standing(kFirst), HalStanding::Held);
+    permit = false;
+  }
   HalStanding standing(int client) const { return keeper.report(client).standing; }
 
   test::VirtualClock clock{instantFromNs(1'000'000'000)};
@@ -36,9 +45,6 @@ struct Bench {
   KeeperPins pins;
   bool permit = true;
 };
-
-constexpr const char* kHold = "set 90 90 1 100 100";
-constexpr const char* kHome = "home 100 100";
 
 // What would be home later than the lease is no proof.
 TEST(OverrideKeeper, WatchdogThatIsTooSlowForTheLeaseIsNotTaken) {
@@ -69,10 +75,7 @@ TEST(OverrideKeeper, AProofThatWasSeenTooLateIsMeasuredAgain) {
 // Who fell and lives keeps the others out until it has let go: in the time of a tick, when the gate does.
 TEST(OverrideKeeper, OneThatHasFallenIsToldSoAndTheOthersWhoseTheyAre) {
   Bench b;
-  b.run(1.5);
-  b.insist(kFirst, kHold, 0.1);
-  ASSERT_EQ(b.standing(kFirst), HalStanding::Held);
-  b.permit = false;
+  b.holdAndFall();
   b.insist(kFirst, kHold, 0.3);
   EXPECT_EQ(b.standing(kFirst), HalStanding::Fallen);
   EXPECT_EQ(b.standing(kSecond), HalStanding::Taken);
@@ -87,9 +90,7 @@ TEST(OverrideKeeper, OneThatHasFallenIsToldSoAndTheOthersWhoseTheyAre) {
 // Its cable was pulled, so nobody hangs up: the lease ends a fall as it ends a hold.
 TEST(OverrideKeeper, OneThatFellAndDiedKeepsNobodyOut) {
   Bench b;
-  b.run(1.5);
-  b.insist(kFirst, kHold, 0.1);
-  b.permit = false;
+  b.holdAndFall();
   b.run(0.01);
   ASSERT_EQ(b.standing(kFirst), HalStanding::Fallen);
   b.permit = true;
@@ -102,9 +103,7 @@ TEST(OverrideKeeper, OneThatFellAndDiedKeepsNobodyOut) {
 // It was only held up: what it went on holding has ended, and it has to let go before it takes again.
 TEST(OverrideKeeper, OneThatFellAndComesBackHasToLetGoFirst) {
   Bench b;
-  b.run(1.5);
-  b.insist(kFirst, kHold, 0.1);
-  b.permit = false;
+  b.holdAndFall();
   b.run(0.2);
   b.permit = true;
   b.insist(kFirst, kHold, 0.2);

@@ -3,33 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/component/cli/in_folder.h"
 #include "tests/component/cli/made_files.h"
-#include "tests/component/cli/program.h"
-#include "tests/support/temp_folder.h"
 
 namespace stillcut::cli_test {
 namespace {
 
 using nlohmann::json;
 
-class Commands : public testing::Test {
- protected:
-  std::string run(const std::vector<std::string>& arguments) {
-    const Outcome outcome = runCli(folder_ / "", arguments);
-    EXPECT_EQ(outcome.exitCode, 0) << spelled(arguments) << "\n" << outcome.err;
-    return outcome.out;
-  }
-  std::string content(const std::string& name) {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  record::TempFolder folder_;
-};
+class Commands : public InFolder {};
 
 // Lines of the shared cases' own form: a cut, and a case for the lobes.
 constexpr const char* kMode =

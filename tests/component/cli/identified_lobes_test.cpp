@@ -5,14 +5,11 @@
 #include <complex>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/base/units.h"
-#include "tests/component/cli/program.h"
-#include "tests/support/temp_folder.h"
+#include "tests/component/cli/in_folder.h"
 
 namespace stillcut::cli_test {
 namespace {
@@ -28,17 +25,8 @@ constexpr const char* kTrueMode =
     "[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\ndirection = [1.0, 0.0]\n"
     "[[mode]]\nfrequency_hz = 1800.0\ndamping = 0.03\nstiffness_n_per_m = 8e6\ndirection = [1.0, 0.0]\n";
 
-class IdentifiedLobes : public testing::Test {
+class IdentifiedLobes : public InFolder {
  protected:
-  std::string run(const std::vector<std::string>& arguments) {
-    const Outcome outcome = runCli(folder_ / "", arguments);
-    EXPECT_EQ(outcome.exitCode, 0) << spelled(arguments) << "\n" << outcome.err;
-    return outcome.out;
-  }
-  std::string content(const std::string& name) {
-    std::ifstream in(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
   // The compliance of kTrueMode as a table.
   void writeTap(const std::string& name) {
     std::string text;
@@ -66,7 +54,6 @@ class IdentifiedLobes : public testing::Test {
     }
     return depths;
   }
-  record::TempFolder folder_;
 };
 
 TEST_F(IdentifiedLobes, ATapTestGivesTheLimitsOfTheStructureThatWasTapped) {

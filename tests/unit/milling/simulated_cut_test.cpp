@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/support/path_counter.h"
+#include "tests/unit/milling/small_cut.h"
 
 namespace stillcut::milling {
 namespace {
@@ -18,21 +19,7 @@ Instant at(double seconds) {
 
 // A short stable cut with two accelerometers.
 Scenario shortCut() {
-  Scenario s;
-  s.name = "short";
-  Mode x;
-  x.frequency = Hertz(900.0);
-  x.damping = 0.03;
-  x.stiffness = 8e6;
-  Mode y = x;
-  y.direction = {0.0, 1.0};
-  s.model.modes = {x, y};
-  s.model.tool.teeth = 3;
-  s.model.engagement = {0.5, Side::Down};
-  s.programme.speed = Rpm(9000.0);
-  s.programme.feedPerTooth = Metres(1e-4);
-  s.programme.duration = Seconds(1.0);
-  s.programme.depth = constantProfile(3e-4);
+  Scenario s = smallCut("short", Rpm(9000.0), Seconds(1.0), 3e-4);
   s.programme.randomForce = 1e-3;
   s.programme.unevenness = 7e-5;
   for (const char* axis : {"x", "y"}) {

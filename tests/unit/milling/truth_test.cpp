@@ -11,6 +11,7 @@
 
 #include "core/milling/case_json.h"
 #include "core/milling/simulated_cut.h"
+#include "tests/unit/milling/small_cut.h"
 
 namespace stillcut::milling {
 namespace {
@@ -94,21 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Shared, TruthTable,
                                            Stretch{"c7b_xu_800rpm", 3.3, 3.9, 0.48301, 0.1}));
 
 Scenario noisyCut(double depth) {
-  Scenario s;
-  s.name = "noisy";
-  Mode x;
-  x.frequency = Hertz(900.0);
-  x.damping = 0.03;
-  x.stiffness = 8e6;
-  Mode y = x;
-  y.direction = {0.0, 1.0};
-  s.model.modes = {x, y};
-  s.model.tool.teeth = 3;
-  s.model.engagement = {0.5, Side::Down};
-  s.programme.speed = Rpm(7500.0);
-  s.programme.feedPerTooth = Metres(1e-4);
-  s.programme.duration = Seconds(3.0);
-  s.programme.depth = constantProfile(depth);
+  Scenario s = smallCut("noisy", Rpm(7500.0), Seconds(3.0), depth);
   SensorSettings c;
   c.name = c.axis = "x";
   s.sensors = {c};

@@ -41,6 +41,19 @@ StepRecord quietStep(int number) {
   return step;
 }
 
+RecordPlan planAround(double before, double after) {
+  RecordPlan plan;
+  plan.before = Seconds(before);
+  plan.after = Seconds(after);
+  return plan;
+}
+
+// The only event of a step.
+void addEvent(StepRecord& step, std::uint64_t number, EventLevel level, ReasonCode why) {
+  step.output.eventCount = 1;
+  step.output.events[0] = {step.input.block.end(), number, level, {why, {}}};
+}
+
 NextPath numbered(const TempFolder& folder, int& files) {
   return [&folder, &files]() -> Result<std::string> { return folder / (std::to_string(files++) + ".h5"); };
 }
@@ -58,24 +71,20 @@ std::vector<std::uint64_t> sequencesOf(const std::string& path) {
 
 TEST(RecordModes, AroundEventsKeepsTheTimeBeforeAndAfterEachAndNothingElse) {
   const TempFolder folder;
-  RecordPlan plan;
-  plan.before = Seconds(0.5);
-  plan.after = Seconds(0.3);
+  const RecordPlan plan = planAround(0.5, 0.3);
   int files = 0;
   auto recorder = Recorder::create(aroundEvents(exampleHeader(), plan, numbered(folder, files), {}), exampleSetup());
   for (int i = 0; i < 1000; ++i) {
     StepRecord step = quietStep(i);
     if (i == 200 || i == 220) {  // the second while the first still counts
-      step.output.eventCount = 1;
-      step.output.events[0] = {step.input.block.end(), 1, EventLevel::Warning, {ReasonCode::ChatterBegan, {}}};
+      addEvent(step, 1, EventLevel::Warning, ReasonCode::ChatterBegan);
     }
     if (i == 600) {
       step.input.inputCount = 1;
       step.input.inputs[0] = {OperatorAction::HearChatter, Authority::Off};
     }
     if (i == 800) {  // an event that is none to keep
-      step.output.eventCount = 1;
-      step.output.events[0] = {step.input.block.end(), 2, EventLevel::Info, {ReasonCode::ChatterEnded, {}}};
+      addEvent(step, 2, EventLevel::Info, ReasonCode::ChatterEnded);
     }
     ASSERT_TRUE(recorder->push(step.input, step.output));
     ASSERT_TRUE(recorder->drain());
@@ -111,9 +120,7 @@ TEST(RecordModes, AroundEventsWaitsForTheDiskOnceForAllThatWasBefore) {
   CountingDisk disk;
   SessionWriterOptions options;
   options.disk = &disk;
-  RecordPlan plan;
-  plan.before = Seconds(30.0);
-  plan.after = Seconds(5.0);
+  const RecordPlan plan = planAround(30.0, 5.0);
   int files = 0;
   const auto sink = aroundEvents(exampleHeader(), plan, numbered(folder, files), options);
   sink->setPowerSafe();
@@ -138,9 +145,7 @@ TEST(RecordModes, AroundEventsWaitsForTheDiskOnceForAllThatWasBefore) {
 // An alarm that is longer than what is kept after it, beginning with its event; and one that was there before.
 TEST(RecordModes, AroundEventsGoesOnWhileAnAlarmLasts) {
   const TempFolder folder;
-  RecordPlan plan;
-  plan.before = Seconds(0.5);
-  plan.after = Seconds(0.3);
+  const RecordPlan plan = planAround(0.5, 0.3);
   int files = 0;
   const auto sink = aroundEvents(exampleHeader(), plan, numbered(folder, files), {});
   for (int i = 0; i < 600; ++i) {
@@ -150,10 +155,7 @@ TEST(RecordModes, AroundEventsGoesOnWhileAnAlarmLasts) {
       step.output.verdicts[0].state = CutState::Chatter;
       step.output.verdicts[0].valid = false;
     }
-    if (i == 100) {
-      step.output.eventCount = 1;
-      step.output.events[0] = {step.input.block.end(), 1, EventLevel::Warning, {ReasonCode::ChatterBegan, {}}};
-    }
+    if (i == 100) addEvent(step, 1, EventLevel::Warning, ReasonCode::ChatterBegan);
     ASSERT_TRUE(sink->add(step.input, step.output).ok());
   }
   ASSERT_TRUE(sink->close().ok());

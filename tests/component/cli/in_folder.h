@@ -1,0 +1,32 @@
+// A test in a folder of its own, where the program is run and what it wrote is read.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "tests/component/cli/program.h"
+#include "tests/support/temp_folder.h"
+
+namespace stillcut::cli_test {
+
+class InFolder : public testing::Test {
+ protected:
+  // Expects exit code 0 and gives what was printed.
+  std::string run(const std::vector<std::string>& arguments) {
+    const Outcome outcome = runCli(folder_ / "", arguments);
+    EXPECT_EQ(outcome.exitCode, 0) << spelled(arguments) << "\n" << outcome.err;
+    return outcome.out;
+  }
+  std::string content(const std::string& name) {
+    std::ifstream in(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+
+  record::TempFolder folder_;
+};
+
+}  // namespace stillcut::cli_test
