@@ -132,6 +132,44 @@ void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
   }
 }
 
+double meanSquare(const KnownCut& cut, double from, double seconds) {
+  double sum = 0.0;
+  for (const auto& x : cut.recording.channels) {
+    const double r = rms(x, cut.recording.rate, from, from + seconds);
+    sum += r * r;
+  }
+  return sum;
+}
+
+// A mode on a spindle order makes runout most of the vibration, chatter or not; it grows with the depth long before the
+// limit and stays as it is beyond. Where nothing in the vibration changes at the onset there was none to be seen, and
+// no truth to hold anybody to.
+void dropUnseenOnset(KnownCut& cut) {
+  constexpr double kTurns = 8.0;
+  constexpr double kSame = 0.05;  // in power: a ratio of 20 % adds 4 %, and is not the end of it
+  constexpr double kSoon = 0.1;   // s
+  const double orders = cut.chatterHz * 60.0 / cut.rpm;
+  if (!(cut.at20 > 0.0) || std::abs(orders - std::round(orders)) > 1e-3) return;
+  const double seconds = kTurns * 60.0 / cut.rpm;
+  const double before = meanSquare(cut, std::min(cut.at1, cut.at20) - kSoon - seconds, seconds);
+  const double after = meanSquare(cut, cut.at20 + kSoon, seconds);
+  if (before > 0.0 && std::abs(after / before - 1.0) < kSame) cut.at1 = cut.at20 = kNever;
+}
+
+void takeEarlierInstability(KnownCut& cut, const milling::ChatterTruth& truth) {
+  constexpr double kFlicker = 0.05;  // s: shorter ones, and shorter gaps, are none
+  auto& found = cut.unstableBefore;
+  for (const auto& entry : truth.log()) {
+    const auto time = static_cast<double>(entry.time);
+    if (!entry.unstable || time > cut.at1) continue;
+    if (found.empty() || time > found.back().second + kFlicker) found.emplace_back(time, time);
+    found.back().second = time;
+  }
+  std::erase_if(found, [&](const auto& stretch) {
+    return stretch.second - stretch.first < kFlicker || stretch.second > cut.at1 - kFlicker;
+  });
+}
+
 void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
   const milling::ChatterOnset onset = truth.onset();
   cut.at1 = onset.at1;
@@ -139,6 +177,8 @@ void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::Chatt
   cut.chatterHz = truth.chatterFrequency().value;
   cut.kind = truth.kind();
   takeLockedLine(cut, order);
+  dropUnseenOnset(cut);
+  takeEarlierInstability(cut, truth);
   if (!order.recovers) return;
   const Hertz chatter = truth.chatterFrequency();
   for (const auto& entry : truth.log()) {
@@ -208,6 +248,7 @@ KnownCut simulate(const SimulationOrder& order) {
   } else {
     takeTruth(cut, order, plant.truth());
   }
+  if (order.scenario.programme.speedOverTime.segments.empty()) cut.clean = cut.recording.channels;
   addNoise(cut, order);
   return cut;
 }

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/milling/scenario.h"
@@ -28,11 +29,15 @@ inline constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 struct KnownCut {
   std::string family, name;
   detect::testing::Recording recording;
+  std::vector<std::vector<float>> clean;  // the same before noise; empty: not known, or the spindle's speed changes
   SensorQuantity quantity = SensorQuantity::Acceleration;
   int teeth = 0;
   double rpm = 0.0;  // what a told speed without error says
   AlarmRule rule = AlarmRule::Silent;
-  double at1 = kNever, at20 = kNever;                             // s
+  double at1 = kNever, at20 = kNever;  // s
+  // s, s: where the linearised cut was unstable before that, and became stable again. An alarm there is neither early
+  // nor is its line the later chatter's.
+  std::vector<std::pair<double, double>> unstableBefore;
   double latest = kNever;                                         // s, Growth
   std::vector<double> toldErrors{-0.03, -0.02, 0.0, 0.02, 0.03};  // of the told speed, as ratios
   double chatterHz = 0.0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/bench/detection/frequency_now.h"
+
 namespace stillcut::bench {
 namespace {
 
@@ -62,12 +64,15 @@ Score score(const KnownCut& cut, const Trial& trial) {
   window.to += cut.blockFrames / cut.recording.rate;  // a verdict speaks of a whole block
   s.after1 = s.alarm - cut.at1;
   s.after20 = s.alarm - cut.at20;
+  s.before = std::any_of(cut.unstableBefore.begin(), cut.unstableBefore.end(),
+                         [&](const auto& stretch) { return s.alarm >= stretch.first && s.alarm <= stretch.second; });
+  if (s.before) return s;
   s.early = s.alarm < window.from;
   s.late = s.alarm > window.to;
   const Verdict& v = run.at(s.alarm + 0.05);
   s.kind = v.kind;
   s.kindWrong = v.kind != cut.kind;
-  s.frequencyError = cut.chatterHz > 0.0 ? v.frequency.value / cut.chatterHz - 1.0 : kNever;
+  s.frequencyError = cut.chatterHz > 0.0 ? v.frequency / frequencyAt(cut, sinceEpoch(v.time)) - 1.0 : kNever;
   s.frequencyOff = !(std::abs(s.frequencyError) <= kFrequencyBand);
   if (cut.lastAbove > 0.0) {
     double last = 0.0;

@@ -23,6 +23,7 @@ struct Score {
   double frequencyError = kNever;  // 50 ms after the alarm, as a ratio
   ChatterKind kind = ChatterKind::Unknown;
   double clearDelay = kNever;  // s, recovery
+  bool before = false;         // in an unstable stretch before the truth's onset
   bool early = false, late = false, missed = false, falseAlarm = false, frequencyOff = false, kindWrong = false,
        clearLate = false;
   bool timely() const { return !(early || late || missed || falseAlarm); }
