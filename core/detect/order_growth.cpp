@@ -8,8 +8,8 @@
 namespace stillcut::detect {
 namespace {
 
-// Of the other orders' energy: 7 % of their amplitude where the class is known to be chatter's, 20 % elsewhere.
-constexpr double kSmallest = 5e-3;
+// Of the other orders' energy: 3 % of their amplitude where the class is known to be chatter's, 20 % elsewhere.
+constexpr double kSmallest = 1e-3;
 constexpr double kSmallestBeside = 0.04;
 constexpr double kOtherSpeed = 5e-3;
 constexpr double kDriftTurns = 6.0;    // memory of the phase
