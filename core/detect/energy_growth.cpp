@@ -15,6 +15,7 @@ constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatt
 constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
 constexpr double kLeap = 6.0;            // energy of a hop above that and above all hops of a turn: scatter of noise
 constexpr int kNewLoadHops = 6 * kHopsPerTurn;  // what is left by then is not the leap but a new load
+constexpr double kStillGrows = 1.5;             // in energy
 constexpr double kBeyond = 2.0;                 // in energy, of what has grown over a leap
 constexpr double kBeating = 3.0;                // a line beats with the harmonics beside it
 constexpr int kHalfTurn = kHopsPerTurn / 2;
@@ -73,11 +74,23 @@ void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
 
 void EnergyGrowth::test(int windowHops, bool learn) noexcept {
   onset_.update(changed_, 1.0 / windowHops, learn, energy_);
+  watchStanding(learn);
   if (!(leap_ > 0.0) || leapt()) return;
   const bool calm = !onset_.alarm();
   const bool newLoad = learn && sinceLeap_ >= kNewLoadHops;
   if (newLoad && !calm) relearn();
   if (newLoad || calm) leap_ = 0.0;
+}
+
+void EnergyGrowth::watchStanding(bool unheard) noexcept {
+  if (!unheard || !onset_.alarm()) {
+    unheardTurns_ = unheardLevel_ = 0.0;
+  } else if (changed_ > kStillGrows * unheardLevel_) {
+    unheardTurns_ = 0.0;
+    unheardLevel_ = changed_;
+  } else {
+    unheardTurns_ += 1.0 / kHopsPerTurn;
+  }
 }
 
 double EnergyGrowth::changedIn(int from, int hops) const noexcept {

@@ -25,7 +25,10 @@ class EnergyGrowth {
   }
   // Forgets the levels, after a gap; what was learned stays.
   void restart() noexcept;
-  void relearn() noexcept { onset_.reset(); }
+  void relearn() noexcept {
+    onset_.reset();
+    unheardTurns_ = unheardLevel_ = 0.0;
+  }
   void setSpindle(Hertz spindle) noexcept { onset_.setSpindle(spindle); }
 
   // Some frames: the vibration and what is new in it.
@@ -36,6 +39,8 @@ class EnergyGrowth {
   void leapWith(const EnergyGrowth& other) noexcept;
   // Tests the level of the last hop; learn: the cut is steady and nobody alarms.
   void test(int windowHops, bool learn) noexcept;
+  // Grown, but not growing, for long, and nobody alarms: that is a new level, whose floor is to be learned.
+  bool standsStill() const noexcept { return unheardTurns_ > kNewLevelTurns; }
 
   // E_d / E_x of the newest window.
   double changed() const noexcept { return changed_; }
@@ -67,6 +72,7 @@ class EnergyGrowth {
   const Energies& ago(int hops) const noexcept {
     return hops_[static_cast<std::size_t>((newest_ - hops + kLevelHops) % kLevelHops)];
   }
+  void watchStanding(bool unheard) noexcept;
   double changedIn(int from, int hops) const noexcept;
   bool grows(int hops, double factor) const noexcept;
   bool steepens(int hops, double scatter) const noexcept;
@@ -74,8 +80,11 @@ class EnergyGrowth {
   bool leapt() const noexcept { return sinceLeap_ < kLeapHops; }
   bool explainsEnergy() const noexcept;
 
+  static constexpr double kNewLevelTurns = 24.0;
   double arrival_ = 1.0;
-  Energies sums_;  // this hop
+  double unheardTurns_ = 0.0;  // grown, and nobody alarms, to
+  double unheardLevel_ = 0.0;  // ... this
+  Energies sums_;              // this hop
   std::array<Energies, kLevelHops> hops_{};
   int newest_ = 0;
   double changed_ = 0.0;

@@ -170,6 +170,8 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     for (EnergyGrowth* g : {&s.growth, &s.news}) {
       if (test) g->test(windowHops_, judge_.state() == CutState::Stable);
     }
+    // The difference hears no steady change of the load; the news does.
+    if (s.news.standsStill()) s.news.relearn();
     s.orders.endHop(chain_, c);
     s.forced.endHop(chain_, c);
     // A load that leaps takes its own pattern of runout along.

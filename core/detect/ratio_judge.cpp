@@ -23,6 +23,8 @@ constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noi
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
 constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
+constexpr double kMostPassed = 0.25;   // difference over news of a line that needs the news to be heard in time
+constexpr double kLeastNews = 0.5;     // of what a line's news leaves of it in the difference
 constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 constexpr double kLeastBetween = 0.5;  // line over severity from which it is not on an order
 constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
@@ -72,7 +74,7 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   severity_ = joint_ = evidence_ = mostChanged_ = 0.0;
-  grown_ = growing_ = rising_ = forced_ = false;
+  grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
   learned_ = true;
   for (const RatioChannel& c : channels) {
@@ -89,6 +91,7 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
     // What is new also holds forced vibration that changes: for the fast only.
     rising_ = rising_ || ((c.growth.rising() || c.news.rising()) && c.growth.steadyGrowth() && c.news.steadyGrowth());
     grown_ = grown_ || c.news.onset().alarm();
+    newsGrowing_ = newsGrowing_ || (c.news.onset().grown() && c.news.steadyGrowth());
     double unrepeated = 0.0;
     double all = 0.0;
     for (const RatioChannel& other : channels) {
@@ -158,9 +161,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
-             (entry ||
-              (hop.levelTrend > kFalling &&
-               (rising_ || onOrder_ > 0.0 || (growing_ && lineStands(lines, hop) && lineCounts(hop.spindle)))))) {
+             (entry || (hop.levelTrend > kFalling && (rising_ || onOrder_ > 0.0 || lineGrows(channels, lines, hop))))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -205,6 +206,28 @@ bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
 bool RatioJudge::lineCounts(Hertz spindle) const noexcept {
   const double offset = dsp::orderOffset(line_.frequency, spindle);
   return mostChanged_ > kLeastLine * TurnDifference::differenceGain(offset);
+}
+
+// Of a line near a harmonic the difference passes little and the news much, but news is also what forced vibration
+// changes by. It is the line's where the difference holds as much of it, above its own noise, as that line leaves
+// there.
+bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle) const noexcept {
+  const double offset = dsp::orderOffset(line_.frequency, spindle);
+  const double gain = TurnDifference::differenceGain(offset);
+  const double passed = gain / TurnDifference::newsGain(offset);
+  if (passed > kMostPassed) return false;
+  return std::any_of(channels.begin(), channels.end(), [&](const RatioChannel& c) {
+    const double news = c.news.changed() - c.news.onset().floor();
+    const double difference = c.growth.changed() - c.growth.onset().floor();
+    return c.news.onset().grown() && c.news.steadyGrowth() && difference > kLeastLine * gain &&
+           difference > kLeastNews * passed * news;
+  });
+}
+
+// Growth above a learned floor, and a line that it is of.
+bool RatioJudge::lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+  if ((!growing_ && !newsGrowing_) || !lineStands(lines, hop)) return false;
+  return (growing_ && lineCounts(hop.spindle)) || (newsGrowing_ && lineIsNew(channels, hop.spindle));
 }
 
 void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {

@@ -68,6 +68,8 @@ class RatioJudge {
   bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop, bool high) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;
+  bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
+  bool lineIsNew(std::span<const RatioChannel> channels, Hertz spindle) const noexcept;
   void track(LineFinder& lines, const RatioHop& hop) noexcept;
   ChatterKind kind(Hertz spindle) const noexcept;
 
@@ -91,6 +93,7 @@ class RatioJudge {
   std::array<double, kMaxChannels> alarmEnergy_{};  // that does not repeat, of each channel, while an alarm lasts
   bool grown_ = false;                              // of any channel
   bool growing_ = false;                            // the difference of any, and neither a blow nor what is left of one
+  bool newsGrowing_ = false;                        // the same of the news
   bool forced_ = false;                             // most of the forced vibration is a resonance, in any channel
   bool rising_ = false;                             // ... so fast that no spectrum is waited for
   double onOrder_ = 0.0;   // where chatter on or near a spindle order stands, in orders; 0: none

@@ -98,4 +98,11 @@ double TurnDifference::differenceGain(double offset) noexcept {
   return chord * chord * chord * chord / 6.0;
 }
 
+double TurnDifference::newsGain(double offset) noexcept {
+  const double turn = 2.0 * std::numbers::pi * offset;
+  const double re = 1.0 - 0.5 * (std::cos(turn) + std::cos(2.0 * turn));
+  const double im = 0.5 * (std::sin(turn) + std::sin(2.0 * turn));
+  return (re * re + im * im) / 1.5;
+}
+
 }  // namespace stillcut::detect

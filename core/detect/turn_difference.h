@@ -36,6 +36,8 @@ class TurnDifference {
                std::ptrdiff_t outStride) noexcept;
   // Part of the power of a line `offset` orders from a harmonic that the difference passes.
   static double differenceGain(double offset) noexcept;
+  // ... and the news.
+  static double newsGain(double offset) noexcept;
   // ... that is passed in the line's first turn.
   static constexpr double kDifferenceArrival = 1.0 / 6.0;
   static constexpr double kNewsArrival = 1.0 / 1.5;

@@ -87,6 +87,47 @@ TEST(TurnDifference, PassesLinesBetweenTheOrdersWithItsStatedGain) {
   }
 }
 
+TEST(TurnDifference, ItsNewsPassesLinesWithItsStatedGain) {
+  constexpr double kSpindle = 100.0;
+  for (const double part : {0.05, 0.1, 0.25, 0.4, 0.5}) {
+    TurnDifference turns;
+    turns.prepare(1, Hertz(kRate), Hertz(50.0));
+    turns.setTurn(Hertz(kSpindle));
+    double sum = 0.0;
+    for (int k = 0; k < 12800; ++k) {
+      const double x = tone((5.0 + part) * kSpindle, k);
+      double d = 0.0;
+      double n = 0.0;
+      turns.process(&x, 1, 1, &d, &n, 1);
+      if (k >= 6400) sum += n * n;
+    }
+    EXPECT_NEAR(2.0 * sum / 6400.0, TurnDifference::newsGain(part), 0.02) << part;
+  }
+}
+
+TEST(EnergyGrowth, ALevelThatStandsIsNewsNoLongerGrowthIs) {
+  constexpr double kStep = 0.02;
+  bool stood = false;
+  const auto watch = [&](double perTurn) {
+    stood = false;
+    EnergyGrowth growth;
+    growth.prepare({1e-4, 12.0}, TurnDifference::kNewsArrival);
+    growth.setSpindle(Hertz(100.0));
+    for (int hop = 0; hop < 100 * kHopsPerTurn; ++hop) {
+      const double turns = static_cast<double>(hop) / kHopsPerTurn - 30.0;
+      const double level = turns < 0.0 ? 1e-3 : kStep * std::exp(perTurn * turns);
+      growth.add(std::array<double, 1>{1.0}, std::array<double, 1>{std::sqrt(level)});
+      growth.endHop(kHopsPerTurn, Seconds(0.01 / kHopsPerTurn));
+      growth.test(kHopsPerTurn, true);
+      stood = stood || growth.standsStill();
+    }
+  };
+  watch(0.0);
+  EXPECT_TRUE(stood);
+  watch(0.03);  // a slow growth: threefold in amplitude within seventy turns
+  EXPECT_FALSE(stood);
+}
+
 TEST(OnsetTest, StaysCalmOnItsOwnScatterAndSeesGrowth) {
   OnsetTest test;
   test.prepare({1e-4, 16.0});
