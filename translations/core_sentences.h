@@ -196,6 +196,7 @@ inline constexpr const char* kCoreSentences[] = {
     QT_TRANSLATE_NOOP("Core", "cannot be opened for %1"),
     QT_TRANSLATE_NOOP("Core", "cannot be opened: %1"),
     QT_TRANSLATE_NOOP("Core", "cannot be put in force here"),
+    QT_TRANSLATE_NOOP("Core", "cannot be read as TOML"),
     QT_TRANSLATE_NOOP("Core", "cannot be recorded"),
     QT_TRANSLATE_NOOP("Core", "cannot be written"),
     QT_TRANSLATE_NOOP("Core", "cannot identify while the table moves"),

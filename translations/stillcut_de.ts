@@ -4571,6 +4571,37 @@
         <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
         <translation>die nullte Ordnung mittelt die Kraft, obwohl ein Zahn nur %1 % der Zeit schneidet: Grenzen können viel zu hoch sein, Flip-Lobes und Inseln fehlen; die exakte Methode nehmen</translation>
     </message>
+    <message>
+        <source>cannot be read as TOML</source>
+        <translation>kann nicht als TOML gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>LobeMarks</name>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>was wäre wenn</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>war stabil</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>Rattern</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -5504,10 +5535,6 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
-    </message>
-    <message>
         <source>Authority</source>
         <translation>Befugnis</translation>
     </message>
@@ -5626,10 +5653,6 @@
     <message>
         <source>Speed [rpm]</source>
         <translation>Drehzahl [rpm]</translation>
-    </message>
-    <message>
-        <source>Feed [mm/min]</source>
-        <translation>Vorschub [mm/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -6327,6 +6350,14 @@
         <source>%1 rms</source>
         <translation>%1 eff.</translation>
     </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>Die Wiedergabe ist angehalten</translation>
+    </message>
+    <message>
+        <source>Feed [%1]</source>
+        <translation>Vorschub [%1]</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6621,10 +6652,6 @@
         <translation>Stabilitätsdiagramm</translation>
     </message>
     <message>
-        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation>Den Ring ziehen oder die Pfeiltasten benutzen: was wäre bei dieser Drehzahl und Tiefe?</translation>
-    </message>
-    <message>
         <source>spindle speed [rpm]</source>
         <translation>Drehzahl [rpm]</translation>
     </message>
@@ -6637,28 +6664,8 @@
         <translation>Schnitttiefe [mm]</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>jetzt</translation>
-    </message>
-    <message>
-        <source>advised</source>
-        <translation>Vorschlag</translation>
-    </message>
-    <message>
-        <source>what if</source>
-        <translation>was wäre wenn</translation>
-    </message>
-    <message>
-        <source>was stable</source>
-        <translation>war stabil</translation>
-    </message>
-    <message>
-        <source>onset</source>
-        <translation>Beginn</translation>
-    </message>
-    <message>
-        <source>chatter</source>
-        <translation>Rattern</translation>
+        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth? Two fingers, the wheel or plus and minus zoom, zero shows the whole.</source>
+        <translation>Den Ring ziehen oder mit den Pfeiltasten bewegen: was wäre, wenn der Schnitt mit dieser Drehzahl und Tiefe liefe? Zwei Finger, das Mausrad oder Plus und Minus vergrößern, Null zeigt das Ganze.</translation>
     </message>
 </context>
 <context>
@@ -6734,6 +6741,22 @@
     <message>
         <source>Nothing new arrives: the working point is not shown</source>
         <translation>Nichts Neues kommt an: Der Arbeitspunkt wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>The recording does not say which modes its tool has: there is no diagram of this cut. The machine&apos;s own comes back with its cut.</source>
+        <translation>Die Aufnahme sagt nicht, welche Moden ihr Werkzeug hat: von diesem Schnitt gibt es kein Diagramm. Das der Maschine kommt mit ihrem Schnitt zurück.</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>Die Wiedergabe ist angehalten</translation>
+    </message>
+    <message>
+        <source>The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown</source>
+        <translation>Die Schnitttiefe ist nicht bekannt: unter Aufbau, MASCHINE eintragen, dann wird der Arbeitspunkt gezeigt</translation>
+    </message>
+    <message>
+        <source>, depth of cut up to %1</source>
+        <translation>, Schnitttiefe bis %1</translation>
     </message>
 </context>
 <context>
@@ -7305,7 +7328,7 @@
         <translation>Diese Aufnahme gegen ihre Markierungen bewerten</translation>
     </message>
     <message>
-        <source>SCORE FOLDER</source>
+        <source>SCORE ALL</source>
         <translation>ORDNER</translation>
     </message>
     <message>
@@ -7529,8 +7552,8 @@
         <translation>SIMULIERTEN SCHNITT ZEIGEN</translation>
     </message>
     <message>
-        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
-        <translation>Oder diese Maschine Schritt für Schritt anschließen. Jeder Schritt sagt, was noch fehlt; nichts wird befohlen, bevor Automatik gewählt ist.</translation>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded while authority is Off.</source>
+        <translation>Oder diese Maschine Schritt für Schritt anschließen. Jeder Schritt sagt, was noch fehlt; nichts wird befohlen, solange AUS gewählt ist.</translation>
     </message>
     <message>
         <source>1  MACHINE</source>
@@ -7602,6 +7625,26 @@
     <message>
         <source>Programmed feed in %1</source>
         <translation>Programmierter Vorschub in %1</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Schnitttiefe</translation>
+    </message>
+    <message>
+        <source>The depth was not taken: it must be a number from %1 to %2, or nothing where it is not known</source>
+        <translation>Die Tiefe wurde nicht übernommen: nötig ist eine Zahl von %1 bis %2, oder nichts, wenn sie nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>Depth, %1</source>
+        <translation>Tiefe, %1</translation>
+    </message>
+    <message>
+        <source>Depth of cut in %1</source>
+        <translation>Schnitttiefe in %1</translation>
+    </message>
+    <message>
+        <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
+        <translation>Tiefster Schnitt des Programms, %1 bis %2; die Seite Stabilität zeigt den Schnitt in dieser Tiefe</translation>
     </message>
 </context>
 <context>
@@ -7803,6 +7846,10 @@
     <message>
         <source>Deleted because of the limits: %1, the last one %2</source>
         <translation>Wegen der Grenzen gelöscht: %1, zuletzt %2</translation>
+    </message>
+    <message>
+        <source>Too old or too large, but could not be deleted: %1. Free the room by hand: %2</source>
+        <translation>Zu alt oder zu groß, konnten aber nicht gelöscht werden: %1. Bitte von Hand Platz schaffen: %2</translation>
     </message>
 </context>
 <context>
@@ -8116,6 +8163,10 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, ANGEHALTEN</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8155,6 +8206,10 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>SPEKTRUM, VERALTET: nichts Neues</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, ANGEHALTEN</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8168,6 +8223,10 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>VERALTET: nichts Neues kommt an</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, ANGEHALTEN</translation>
     </message>
 </context>
 <context>
@@ -8362,6 +8421,10 @@
     <message>
         <source>The picture is stale: nothing new for %1</source>
         <translation>Das Bild ist veraltet: seit %1 nichts Neues</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>Die Wiedergabe ist angehalten</translation>
     </message>
 </context>
 <context>

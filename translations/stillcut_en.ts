@@ -4570,6 +4570,37 @@
         <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
         <translation>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</translation>
     </message>
+    <message>
+        <source>cannot be read as TOML</source>
+        <translation>cannot be read as TOML</translation>
+    </message>
+</context>
+<context>
+    <name>LobeMarks</name>
+    <message>
+        <source>now</source>
+        <translation>now</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>advised</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>what if</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>was stable</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>onset</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>chatter</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -5503,10 +5534,6 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
-    </message>
-    <message>
         <source>Authority</source>
         <translation>Authority</translation>
     </message>
@@ -5625,10 +5652,6 @@
     <message>
         <source>Speed [rpm]</source>
         <translation>Speed [rpm]</translation>
-    </message>
-    <message>
-        <source>Feed [mm/min]</source>
-        <translation>Feed [mm/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -6326,6 +6349,14 @@
         <source>%1 rms</source>
         <translation>%1 rms</translation>
     </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>The replay is paused</translation>
+    </message>
+    <message>
+        <source>Feed [%1]</source>
+        <translation>Feed [%1]</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6620,10 +6651,6 @@
         <translation>Stability diagram</translation>
     </message>
     <message>
-        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</translation>
-    </message>
-    <message>
         <source>spindle speed [rpm]</source>
         <translation>spindle speed [rpm]</translation>
     </message>
@@ -6636,28 +6663,8 @@
         <translation>depth of cut [mm]</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>now</translation>
-    </message>
-    <message>
-        <source>advised</source>
-        <translation>advised</translation>
-    </message>
-    <message>
-        <source>what if</source>
-        <translation>what if</translation>
-    </message>
-    <message>
-        <source>was stable</source>
-        <translation>was stable</translation>
-    </message>
-    <message>
-        <source>onset</source>
-        <translation>onset</translation>
-    </message>
-    <message>
-        <source>chatter</source>
-        <translation>chatter</translation>
+        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth? Two fingers, the wheel or plus and minus zoom, zero shows the whole.</source>
+        <translation>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth? Two fingers, the wheel or plus and minus zoom, zero shows the whole.</translation>
     </message>
 </context>
 <context>
@@ -6733,6 +6740,22 @@
     <message>
         <source>Nothing new arrives: the working point is not shown</source>
         <translation>Nothing new arrives: the working point is not shown</translation>
+    </message>
+    <message>
+        <source>The recording does not say which modes its tool has: there is no diagram of this cut. The machine's own comes back with its cut.</source>
+        <translation>The recording does not say which modes its tool has: there is no diagram of this cut. The machine's own comes back with its cut.</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>The replay is paused</translation>
+    </message>
+    <message>
+        <source>The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown</source>
+        <translation>The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown</translation>
+    </message>
+    <message>
+        <source>, depth of cut up to %1</source>
+        <translation>, depth of cut up to %1</translation>
     </message>
 </context>
 <context>
@@ -7304,8 +7327,8 @@
         <translation>Score this recording against its markers</translation>
     </message>
     <message>
-        <source>SCORE FOLDER</source>
-        <translation>SCORE FOLDER</translation>
+        <source>SCORE ALL</source>
+        <translation>SCORE ALL</translation>
     </message>
     <message>
         <source>Score the whole folder</source>
@@ -7528,8 +7551,8 @@
         <translation>SHOW ME A SIMULATED CUT</translation>
     </message>
     <message>
-        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
-        <translation>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</translation>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded while authority is Off.</source>
+        <translation>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded while authority is Off.</translation>
     </message>
     <message>
         <source>1  MACHINE</source>
@@ -7601,6 +7624,26 @@
     <message>
         <source>Programmed feed in %1</source>
         <translation>Programmed feed in %1</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>Depth of cut</translation>
+    </message>
+    <message>
+        <source>The depth was not taken: it must be a number from %1 to %2, or nothing where it is not known</source>
+        <translation>The depth was not taken: it must be a number from %1 to %2, or nothing where it is not known</translation>
+    </message>
+    <message>
+        <source>Depth, %1</source>
+        <translation>Depth, %1</translation>
+    </message>
+    <message>
+        <source>Depth of cut in %1</source>
+        <translation>Depth of cut in %1</translation>
+    </message>
+    <message>
+        <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
+        <translation>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</translation>
     </message>
 </context>
 <context>
@@ -7802,6 +7845,10 @@
     <message>
         <source>Deleted because of the limits: %1, the last one %2</source>
         <translation>Deleted because of the limits: %1, the last one %2</translation>
+    </message>
+    <message>
+        <source>Too old or too large, but could not be deleted: %1. Free the room by hand: %2</source>
+        <translation>Too old or too large, but could not be deleted: %1. Free the room by hand: %2</translation>
     </message>
 </context>
 <context>
@@ -8115,6 +8162,10 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, PAUSED</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8154,6 +8205,10 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>SPECTRUM, STALE: nothing new arrives</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, PAUSED</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8167,6 +8222,10 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>STALE: nothing new arrives</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, PAUSED</translation>
     </message>
 </context>
 <context>
@@ -8361,6 +8420,10 @@
     <message>
         <source>The picture is stale: nothing new for %1</source>
         <translation>The picture is stale: nothing new for %1</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>The replay is paused</translation>
     </message>
 </context>
 <context>

@@ -4571,6 +4571,37 @@
         <source>zeroth order averages the force although a tooth cuts only %1 % of the time: limits can be far too high, flip lobes and islands are missing; use the exact method</source>
         <translation>零阶法对力取平均，而一齿只有 %1 % 的时间在切削：极限可能高得多，缺少倍周期叶瓣与岛；请用精确法</translation>
     </message>
+    <message>
+        <source>cannot be read as TOML</source>
+        <translation>不能按 TOML 读取</translation>
+    </message>
+</context>
+<context>
+    <name>LobeMarks</name>
+    <message>
+        <source>now</source>
+        <translation>现在</translation>
+    </message>
+    <message>
+        <source>advised</source>
+        <translation>建议</translation>
+    </message>
+    <message>
+        <source>what if</source>
+        <translation>假设</translation>
+    </message>
+    <message>
+        <source>was stable</source>
+        <translation>曾稳定</translation>
+    </message>
+    <message>
+        <source>onset</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>颤振</translation>
+    </message>
 </context>
 <context>
     <name>Pages</name>
@@ -5504,10 +5535,6 @@
         <translation>rpm</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
-    </message>
-    <message>
         <source>Authority</source>
         <translation>权限</translation>
     </message>
@@ -5626,10 +5653,6 @@
     <message>
         <source>Speed [rpm]</source>
         <translation>转速 [rpm]</translation>
-    </message>
-    <message>
-        <source>Feed [mm/min]</source>
-        <translation>进给 [mm/min]</translation>
     </message>
     <message>
         <source>Vibration rms</source>
@@ -6327,6 +6350,14 @@
         <source>%1 rms</source>
         <translation>%1（有效值）</translation>
     </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>回放已暂停</translation>
+    </message>
+    <message>
+        <source>Feed [%1]</source>
+        <translation>进给 [%1]</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6621,10 +6652,6 @@
         <translation>稳定性图</translation>
     </message>
     <message>
-        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?</source>
-        <translation>拖动圆环或使用方向键：若以此转速和切深切削会怎样？</translation>
-    </message>
-    <message>
         <source>spindle speed [rpm]</source>
         <translation>主轴转速 [rpm]</translation>
     </message>
@@ -6637,28 +6664,8 @@
         <translation>切深 [mm]</translation>
     </message>
     <message>
-        <source>now</source>
-        <translation>当前</translation>
-    </message>
-    <message>
-        <source>advised</source>
-        <translation>建议</translation>
-    </message>
-    <message>
-        <source>what if</source>
-        <translation>假设</translation>
-    </message>
-    <message>
-        <source>was stable</source>
-        <translation>曾稳定</translation>
-    </message>
-    <message>
-        <source>onset</source>
-        <translation>开始</translation>
-    </message>
-    <message>
-        <source>chatter</source>
-        <translation>颤振</translation>
+        <source>Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth? Two fingers, the wheel or plus and minus zoom, zero shows the whole.</source>
+        <translation>拖动圆环或用方向键：如果以此转速和切深切削会怎样？两指、滚轮或加减键缩放，0 显示全部。</translation>
     </message>
 </context>
 <context>
@@ -6734,6 +6741,22 @@
     <message>
         <source>Nothing new arrives: the working point is not shown</source>
         <translation>没有新数据：不显示工作点</translation>
+    </message>
+    <message>
+        <source>The recording does not say which modes its tool has: there is no diagram of this cut. The machine&apos;s own comes back with its cut.</source>
+        <translation>该记录没有说明其刀具的模态：此切削没有叶瓣图。回到机床的切削时，机床自己的图会恢复。</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>回放已暂停</translation>
+    </message>
+    <message>
+        <source>The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown</source>
+        <translation>切深未知：在“设置”的“机床”中填写后，将显示工作点</translation>
+    </message>
+    <message>
+        <source>, depth of cut up to %1</source>
+        <translation>，切深至 %1</translation>
     </message>
 </context>
 <context>
@@ -7305,7 +7328,7 @@
         <translation>按标记为此记录评分</translation>
     </message>
     <message>
-        <source>SCORE FOLDER</source>
+        <source>SCORE ALL</source>
         <translation>文件夹评分</translation>
     </message>
     <message>
@@ -7529,8 +7552,8 @@
         <translation>显示模拟切削</translation>
     </message>
     <message>
-        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded before Auto is chosen.</source>
-        <translation>或逐步连接本机床。每一步说明尚缺什么；选择自动之前不发出任何指令。</translation>
+        <source>Or connect this machine, step by step. Each step says what is still missing; nothing is commanded while authority is Off.</source>
+        <translation>或逐步连接本机床。每一步说明尚缺什么；授权为“关闭”时不发出任何指令。</translation>
     </message>
     <message>
         <source>1  MACHINE</source>
@@ -7602,6 +7625,26 @@
     <message>
         <source>Programmed feed in %1</source>
         <translation>编程进给（%1）</translation>
+    </message>
+    <message>
+        <source>Depth of cut</source>
+        <translation>切深</translation>
+    </message>
+    <message>
+        <source>The depth was not taken: it must be a number from %1 to %2, or nothing where it is not known</source>
+        <translation>切深未采用：必须是 %1 到 %2 之间的数，未知时留空</translation>
+    </message>
+    <message>
+        <source>Depth, %1</source>
+        <translation>切深，%1</translation>
+    </message>
+    <message>
+        <source>Depth of cut in %1</source>
+        <translation>切深（%1）</translation>
+    </message>
+    <message>
+        <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
+        <translation>程序的最大切深，%1 到 %2；叶瓣图页面按此切深显示切削</translation>
     </message>
 </context>
 <context>
@@ -7803,6 +7846,10 @@
     <message>
         <source>Deleted because of the limits: %1, the last one %2</source>
         <translation>因限额已删除 %1 个，最后一个是 %2</translation>
+    </message>
+    <message>
+        <source>Too old or too large, but could not be deleted: %1. Free the room by hand: %2</source>
+        <translation>过旧或过大但无法删除：%1 个。请手动腾出空间：%2</translation>
     </message>
 </context>
 <context>
@@ -8116,6 +8163,10 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1，已暂停</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8155,6 +8206,10 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>频谱已过时：没有新数据</translation>
     </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1，已暂停</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8168,6 +8223,10 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>已过时：没有新数据</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1，已暂停</translation>
     </message>
 </context>
 <context>
@@ -8362,6 +8421,10 @@
     <message>
         <source>The picture is stale: nothing new for %1</source>
         <translation>画面已过时：%1 无新数据</translation>
+    </message>
+    <message>
+        <source>The replay is paused</source>
+        <translation>回放已暂停</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,13 @@
 
 namespace stillcut::app {
 
+namespace {
+
+constexpr std::string_view kMadeFrom = "Made from:";
+constexpr std::string_view kComment = "# ";  // as TomlWriter::comment() begins a line
+
+}  // namespace
+
 std::string runText(const RunText& run, std::string_view origin) {
   std::string detectors;
   for (const std::string& id : run.methods.detectors) detectors += (detectors.empty() ? "" : " ") + id;
@@ -22,11 +29,24 @@ std::string runText(const RunText& run, std::string_view origin) {
   config::writeParameters(out, run.params, fullCatalog());
   if (!origin.empty()) {
     out.comment("");
-    out.comment("Made from:");
+    out.comment(kMadeFrom);
     std::istringstream lines{std::string(origin)};
     for (std::string line; std::getline(lines, line);) out.comment(line);
   }
   return out.content();
+}
+
+std::string runOrigin(std::string_view content) {
+  std::istringstream lines{std::string(content)};
+  std::string origin;
+  bool found = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with(kComment)) continue;
+    line.erase(0, kComment.size());
+    if (found) origin += line + '\n';
+    found = found || line == kMadeFrom;
+  }
+  return origin;
 }
 
 Result<RunText> parseRunText(std::string_view content, const std::string& name) {

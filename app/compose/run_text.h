@@ -22,6 +22,8 @@ struct RunText {
 };
 
 std::string runText(const RunText& run, std::string_view origin);
+// The scenario or profile that a run with this text was made from; empty: it does not say.
+std::string runOrigin(std::string_view content);
 // `name` stands for the file in errors.
 Result<RunText> parseRunText(std::string_view content, const std::string& name);
 

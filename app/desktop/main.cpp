@@ -28,6 +28,7 @@
 #include "generated/version.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/sheet_pdf.h"
+#include "ui/shell/window_state.h"
 
 namespace stillcut::app {
 namespace {
@@ -206,7 +207,9 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (options->report) {
-    const Status made = makeReport(options->files, options->sizeGiven ? options->size : QSize(1400, 900));
+    // In the units that the screen was last set to.
+    const ui::WindowState kept(QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation));
+    const Status made = makeReport(options->files, options->sizeGiven ? options->size : QSize(1400, 900), kept.units());
     return made ? 0 : fail(made.error().line());
   }
   if (!options->sheet.isEmpty()) {

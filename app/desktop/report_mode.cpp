@@ -5,7 +5,7 @@
 
 namespace stillcut::app {
 
-Status makeReport(const QStringList& files, QSize pictureSize) {
+Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem units) {
   if (files.size() != 2) return Error{"--report", "needs a recording and a file to write", "--report IN OUT.pdf"};
   const QString& out = files[1];
   const bool pdf = out.endsWith(QStringLiteral(".pdf"));
@@ -14,7 +14,7 @@ Status makeReport(const QStringList& files, QSize pictureSize) {
   }
   const auto summary = summarizeRecording(files[0].toStdString());
   if (!summary) return summary.error();
-  return pdf ? ui::writeReport(*summary, out) : ui::writePicture(*summary, out, pictureSize);
+  return pdf ? ui::writeReport(*summary, out, units) : ui::writePicture(*summary, out, pictureSize);
 }
 
 }  // namespace stillcut::app

@@ -5,10 +5,12 @@
 #include <QStringList>
 
 #include "core/base/result.h"
+#include "ui/models/units.h"
 
 namespace stillcut::app {
 
-// `files`: the recording, and what to write. Runs under a QGuiApplication or QApplication.
-Status makeReport(const QStringList& files, QSize pictureSize);
+// `files`: the recording, and what to write, with its lengths and feeds in `units`. Runs under a QGuiApplication or
+// QApplication.
+Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem units);
 
 }  // namespace stillcut::app

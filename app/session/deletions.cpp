@@ -1,11 +1,19 @@
 #include "app/session/deletions.h"
 
+#include <QFileInfo>
+
+#include "ui/models/core_sentence.h"
+
 namespace stillcut::app {
 
 std::function<void(const record::Deleted&)> Deletions::teller() {
   return [seen = seen_](const record::Deleted& file) {
-    if (!file.problem.empty()) return;
     const std::scoped_lock lock(seen->lock);
+    if (!file.problem.empty()) {
+      seen->kept[file.file] = file.problem;
+      return;
+    }
+    seen->kept.erase(file.file);
     ++seen->count;
     seen->last = file.file;
   };
@@ -23,6 +31,10 @@ ui::RecordingNow Deletions::told(const record::Recorder* recorder) const {
   const std::scoped_lock lock(seen_->lock);
   now.deleted = seen_->count;
   now.lastDeleted = QString::fromStdString(seen_->last);
+  for (const auto& [file, problem] : seen_->kept) {
+    now.notDeleted << QStringLiteral("%1 (%2)").arg(QFileInfo(QString::fromStdString(file)).fileName(),
+                                                    ui::coreSentence(problem));
+  }
   return now;
 }
 

@@ -1,10 +1,12 @@
-// Deletions: what the limits of a folder of recordings have let go during this run, and how its recording stands, for
-// the screen. Thread: GUI; teller()'s function: any, and longer than this.
+// Deletions: what the limits of a folder of recordings have let go during this run, what should have gone and could
+// not, and how its recording stands, for the screen. Thread: GUI; teller()'s function: any, and longer than this.
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "core/record/recorder.h"
 #include "core/record/session_folder.h"
@@ -23,6 +25,7 @@ class Deletions {
     std::mutex lock;
     int count = 0;
     std::string last;
+    std::map<std::string, std::string> kept;  // file, and why it is still there
   };
   std::shared_ptr<Seen> seen_ = std::make_shared<Seen>();
 };

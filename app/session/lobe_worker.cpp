@@ -16,7 +16,8 @@
 namespace stillcut::app {
 namespace {
 
-constexpr int kNice = 10;  // behind the cut and the screen
+constexpr int kNice = 10;                // behind the cut and the screen
+constexpr std::size_t kStartsKept = 64;  // more jumps than the points on the screen are of
 
 milling::LobeMethod methodOf(ui::LobeMethod method) {
   switch (method) {
@@ -112,7 +113,9 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   cut.frame.name = QString::fromStdString(loaded->name);
   cut.frame.programmed = profile.cut.nominalSpeed;
   cut.frame.maxDepth = loaded->maxDepth;
-  if (profile.depth.value > 0.0) cut.frame.depth = profile.depth;
+  cut.frame.depthKnown = profile.depth.value > 0.0;
+  if (cut.frame.depthKnown) cut.frame.depth = profile.depth;
+  cut.frame.maxDepth = std::max(cut.frame.maxDepth, cut.frame.depth * 1.25);
   if (reach.high > reach.low) {
     cut.frame.reachLow = reach.low;
     cut.frame.reachHigh = reach.high;
@@ -124,9 +127,17 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   return std::make_unique<LobeWorker>(std::move(cut));
 }
 
+void LobeWorker::setStart(Instant start, Instant from) {
+  if (!starts_.empty() && from < starts_.back().from) starts_.clear();
+  starts_.push_back({from, start});
+  if (starts_.size() > kStartsKept) starts_.erase(starts_.begin());
+}
+
 Metres LobeWorker::depthAt(Instant t) const {
-  if (cut_.depth.empty() || !start_) return cut_.frame.depth;
-  return Metres(cut_.depth.at(secondsBetween(*start_, t).value, 0.0, cut_.frame.depth.value));
+  if (cut_.depth.empty() || starts_.empty()) return cut_.frame.depth;
+  auto begun = starts_.begin();
+  while (begun + 1 != starts_.end() && (begun + 1)->from <= t) ++begun;
+  return Metres(cut_.depth.at(secondsBetween(begun->start, t).value, 0.0, cut_.frame.depth.value));
 }
 
 void LobeWorker::ask(const ui::LobeQuestion& question) {

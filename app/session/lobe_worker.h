@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "core/config/profile.h"
 #include "core/milling/cut_model.h"
@@ -29,9 +30,10 @@ class LobeWorker final : public ui::LobeService {
   // Of the model that a profile names, beside the profile, within its override limits. Null: it names none.
   static Result<std::unique_ptr<LobeWorker>> ofProfile(const config::Profile& profile, const std::string& path);
 
-  // Stream time at which the programme began.
-  void setStart(Instant start) { start_ = start; }
-  bool started() const { return start_.has_value(); }
+  // Stream time at which the programme began. In a replay every jump begins it anew, for what is seen `from` then on.
+  void setStart(Instant start, Instant from = {});
+  bool started() const { return !starts_.empty(); }
+  std::optional<Instant> start() const { return started() ? std::optional(starts_.back().start) : std::nullopt; }
 
   const ui::LobeFrame& frame() const override { return cut_.frame; }
   Metres depthAt(Instant t) const override;
@@ -45,8 +47,11 @@ class LobeWorker final : public ui::LobeService {
   void finish(ui::LobeProgress::State state, const QString& problem = {});
 
   Cut cut_;
-  std::optional<Instant> start_;
-  mutable std::mutex mutex_;  // of what follows
+  struct Start {
+    Instant from, start;
+  };
+  std::vector<Start> starts_;  // by `from`
+  mutable std::mutex mutex_;   // of what follows
   ui::LobeProgress progress_;
   std::shared_ptr<const ui::LobeDiagram> diagram_;
   std::uint32_t answers_ = 0;

@@ -7,6 +7,7 @@
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
+#include "app/compose/resource_folder.h"
 #include "app/io/find_machines.h"
 #include "app/session/machine_trial.h"
 #include "app/session/sensor_trial.h"
@@ -23,6 +24,17 @@ namespace stillcut::app {
 namespace {
 
 constexpr Seconds kFindTime{0.5};  // for every 32 hosts
+constexpr const char* kScenario = "scenario";
+
+// What the simulated device shows where nobody has named a cut.
+std::string usualScenario() {
+  return (resourceFolder() / "scenarios/demo.toml").string();
+}
+
+config::Profile withScenario(config::Profile profile) {
+  if (profile.source.id == "simulated") profile.source.settings.try_emplace(kScenario, usualScenario());
+  return profile;
+}
 
 template <class Table>
 std::vector<ui::PartOption> options(const Table& table) {
@@ -74,7 +86,8 @@ std::vector<ui::PartOption> MachineDesk::strategies() const {
 
 std::vector<config::AskedSetting> MachineDesk::sourceSettings(const config::Profile& profile) const {
   // The simulated device's cut is the profile's affair, for its machine runs in the same one.
-  if (profile.source.id == "simulated") return {{"scenario", config::AskedSetting::Kind::Text, "", 0.0, 0.0, {}}};
+  if (profile.source.id == "simulated")
+    return {{kScenario, config::AskedSetting::Kind::Text, usualScenario(), 0.0, 0.0, {}}};
   std::vector<config::AskedSetting> asked;
   if (profile.source.id.empty()) return asked;
   daq::SourceRequest request;
@@ -135,7 +148,7 @@ Result<QString> MachineDesk::save(const config::Profile& profile, const QString&
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
   const config::ParamCatalog catalog = fullCatalog();
   // What could not be read again is not written.
-  const config::Profile complete = withDelays(profile);
+  const config::Profile complete = withDelays(withScenario(profile));
   const auto sound = config::parseProfile(config::profileText(complete, catalog), file, catalog, knownIds());
   if (!sound) return sound.error();
   if (const Status saved = config::saveProfile(complete, catalog, file); !saved) return saved.error();
@@ -159,7 +172,7 @@ std::string MachineDesk::profileFileOrNew(const QString& name) const {
 }
 
 void MachineDesk::listen(const config::Profile& profile, const QString& name) {
-  listener_.listen(profile, profileFileOrNew(name));
+  listener_.listen(withScenario(profile), profileFileOrNew(name));
 }
 
 ui::Heard MachineDesk::heard() {
@@ -244,7 +257,8 @@ void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
   trial_ = {{ui::TrialStep::What::Settings, ui::TrialStep::State::Runs, {}}};
   task_.start(
       ui::TaskState::What::None, {},
-      [this, profile, path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+      [this, profile = withScenario(profile),
+       path = profileFileOrNew(name)](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
         return BackgroundTask::Apply([this, link = profile.link, tried = tryProfile(profile, path)] {
           trial_ = tried.steps;
           tried_ = {link, tried.look, {}};

@@ -4,6 +4,7 @@
 
 #include "app/compose/recording_rig.h"
 #include "app/compose/session_summary_builder.h"
+#include "app/session/recorded_lobes.h"
 #include "core/detect/registry.h"
 #include "core/record/session_markers.h"
 #include "core/record/session_overview.h"
@@ -42,6 +43,7 @@ Result<std::shared_ptr<OpenedRecording>> openRecording(const std::string& path, 
   auto opened = openAgain(path, summary->session, clock);
   if (!opened) return opened.error();
   (*opened)->begin = *begin;
+  (*opened)->lobes = recordedLobes(path, summary->configuration);
   (*opened)->summary = std::make_shared<const SessionSummary>(std::move(summary).value());
   return opened;
 }

@@ -8,6 +8,7 @@
 
 #include "app/compose/rig.h"
 #include "app/session/background_task.h"
+#include "app/session/lobe_worker.h"
 #include "core/daq/replay_control.h"
 #include "core/model/marker.h"
 #include "core/model/session_summary.h"
@@ -21,6 +22,7 @@ struct OpenedRecording {
   std::vector<Marker> markers;                    // of a session
   std::shared_ptr<daq::ReplayControl> control = std::make_shared<daq::ReplayControl>();
   std::unique_ptr<Rig> rig;
+  std::unique_ptr<LobeWorker> lobes;  // null: opened again, or the modes are not known
 };
 
 // `clock`: of the replay's pace; outlives it.

@@ -14,6 +14,11 @@
 #include "ui/models/say.h"
 
 namespace stillcut::app {
+namespace {
+
+constexpr double kSamePlace_s = 0.1;  // the newest picture and the place in the file are not of one moment
+
+}  // namespace
 
 // What was marked is written, whatever else is left.
 ReplayDesk::~ReplayDesk() {
@@ -91,6 +96,7 @@ void ReplayDesk::takeOpened(const std::shared_ptr<OpenedRecording>& opened) {
   scores_.clear();
   notScored_.clear();
   hand_ = {};
+  lobes_ = std::move(opened->lobes);
   info_ = sessionInfo(*opened->rig);
   info_.setup.machine =
       QCoreApplication::translate("Session", "Replay: %1").arg(viewText(info_.setup.machine)).toStdString();
@@ -122,6 +128,16 @@ void ReplayDesk::lead(const std::shared_ptr<OpenedRecording>& opened) {
 
 void ReplayDesk::send(const OperatorInput& input) {
   if (run_ && input.action == OperatorAction::SetParameter) run_->send(input);
+}
+
+// Where the recording is now tells how deep its programme cuts now.
+const Snapshot* ReplayDesk::replayed() {
+  const Snapshot* seen = run_ ? run_->read() : nullptr;
+  if (seen == nullptr || !lobes_) return seen;
+  const Instant start = seen->time - toDuration(run_->control().position());
+  const auto before = lobes_->start();
+  if (!before || std::abs(secondsBetween(*before, start).value) > kSamePlace_s) lobes_->setStart(start, seen->time);
+  return seen;
 }
 
 ui::ReplayState ReplayDesk::replay() const {

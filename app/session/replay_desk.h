@@ -11,6 +11,7 @@
 #include "app/compose/replay_run.h"
 #include "app/session/background_task.h"
 #include "app/session/file_changes.h"
+#include "app/session/lobe_worker.h"
 #include "app/session/opened_recording.h"
 #include "app/session/session_lister.h"
 #include "ui/models/session_desk.h"
@@ -27,6 +28,8 @@ class ReplayDesk final : public ui::SessionDesk {
   const ui::SessionInfo& info() const { return info_; }
   const Rig* rig() const { return run_ ? &run_->rig() : nullptr; }
   pipeline::SignalTap* signal() { return run_ ? &run_->signal() : nullptr; }
+  // Of the cut that the opened recording is of. Null: it does not say with which modes.
+  LobeWorker* lobes() const { return lobes_.get(); }
   void send(const OperatorInput& input);
   void showChannel(int channel) {
     if (run_) run_->showChannel(channel);
@@ -50,7 +53,7 @@ class ReplayDesk final : public ui::SessionDesk {
   bool summaryWhole() const override { return summaryWhole_; }
 
   ui::ReplayState replay() const override;
-  const Snapshot* replayed() override { return run_ ? run_->read() : nullptr; }
+  const Snapshot* replayed() override;
   void play() override;
   void pause() override;
   void step(int blocks) override;
@@ -108,6 +111,7 @@ class ReplayDesk final : public ui::SessionDesk {
   QString notChanged_;        // why the last change of the file came to nothing
   std::optional<Wish> wish_;  // while it is being opened anew
   std::unique_ptr<ReplayRun> run_;
+  std::unique_ptr<LobeWorker> lobes_;
   ui::SessionInfo info_;
   ui::ReplayState hand_;  // pace, loop
   bool everywhere_ = false;

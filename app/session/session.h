@@ -68,6 +68,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::uint32_t generation() const override { return runs_ + replays_.generation(); }
   const Snapshot* pull() override;
   bool replayShown() const override { return shown(); }
+  bool replayStands() const override { return shown() && !replays_.replay().playing; }
   const ui::SessionInfo& liveInfo() const override { return info_; }
   const Snapshot* live() override { return live_; }
   void readSignal(const std::function<void(const SampleBlock&)>& sink) override { shownSignal().read(sink); }
@@ -76,7 +77,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   void send(const OperatorInput& input, std::uint32_t seen) override;
   ui::RecorderStatus recorder() const override;
   ui::LinkStatus link() const override;
-  ui::LobeService* lobes() override { return lobes_.get(); }
+  ui::LobeService* lobes() override { return shown() ? replays_.lobes() : lobes_.get(); }
   QString stateFolder() const override { return stateFolder_; }
   ui::Tuning* tuning() override { return this; }
   ui::SessionDesk* sessions() override { return &replays_; }

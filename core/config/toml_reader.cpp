@@ -334,7 +334,8 @@ TomlReader TomlReader::text(std::string_view content, const std::string& name) {
     document->root = toml::parse(content);
     if (document->root.empty()) document->refuse(name, "is empty");
   } catch (const toml::parse_error& wrong) {
-    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), oneLine(wrong.description()));
+    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), "cannot be read as TOML",
+                     "toml++: " + oneLine(wrong.description()));
   }
   return TomlReader(std::move(document));
 }

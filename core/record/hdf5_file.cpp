@@ -69,7 +69,7 @@ std::string hdf5Cause() {
   std::string cause;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keepDescription, &cause);
   std::replace(cause.begin(), cause.end(), '\n', ' ');
-  return cause;
+  return cause.empty() ? cause : "HDF5: " + cause;
 }
 
 bool writeText(hid_t object, const char* name, const std::string& text) {

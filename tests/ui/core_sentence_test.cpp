@@ -89,6 +89,33 @@ TEST_P(CoreSentences, OfRefusedFilesLeaveNoEnglishBehind) {
   }
 }
 
+// What a parser says of a file is English; it comes after our own sentence, as a detail under the parser's name.
+TEST_P(CoreSentences, WhatAParserSaysIsADetailBehindOurOwnSentence) {
+  const QTemporaryDir folder;
+  const config::ParamCatalog catalog = app::fullCatalog();
+  std::vector<std::pair<Error, QString>> refused;
+  for (const char* const broken : {"version = = 1", "[tool\nteeth = 4", "version = 1\nversion = 2"}) {
+    const auto profile = config::parseProfile(broken, "profile.toml", catalog);
+    ASSERT_FALSE(profile.ok()) << broken;
+    refused.emplace_back(profile.error(), QStringLiteral("(toml++: "));
+  }
+  // Begins as HDF5 does and is nothing more.
+  const std::string path = folder.filePath(QStringLiteral("cut.h5")).toStdString();
+  std::ofstream(path, std::ios::binary) << "\x89HDF\r\n\x1a\n and no more of it";
+  const auto recording = record::openRecording(path);
+  ASSERT_FALSE(recording.ok());
+  refused.emplace_back(recording.error(), QStringLiteral("HDF5: "));
+  for (const auto& [error, parser] : refused) {
+    const QString said = sayError(error);
+    const qsizetype detail = said.indexOf(parser);
+    ASSERT_GT(detail, 0) << said.toStdString();
+    const QString ours = said.left(detail);
+    EXPECT_NE(ours, QString::fromStdString(error.line()).left(detail)) << "said in the language of the screen";
+    EXPECT_FALSE(english(ours)) << said.toStdString();
+    EXPECT_GT(said.size(), detail + parser.size()) << "with what the parser found";
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Languages, CoreSentences, testing::Values(Language::German, Language::Chinese),
                          [](const auto& language) { return languageCode(language.param).toStdString(); });
 

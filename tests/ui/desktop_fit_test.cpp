@@ -1,6 +1,10 @@
 // The window on a real session, whose parts have more and longer names than those of a test: every page in
 // every language, on the smallest screen. Kept as pictures for people to look at.
+#include <QTemporaryDir>
+
+#include "app/compose/scenario_rig.h"
 #include "app/session/session.h"
+#include "tests/support/demo_cut.h"
 #include "tests/ui/page_picture.h"
 #include "ui/shell/page_table.h"
 
@@ -83,8 +87,40 @@ TEST_P(DesktopFit, WhatCommandsStaysOnTheScreen) {
     const bool operate = QLatin1String(entry.id) == QStringLiteral("operate");
     for (const QScrollArea* area : window_->findChildren<QScrollArea*>(QStringLiteral("scroll"))) {
       EXPECT_FALSE(operate && area->isVisible() && area->verticalScrollBar()->isVisible()) << "seen at a glance";
+      EXPECT_FALSE(area->isVisible() && area->horizontalScrollBar()->isVisible())
+          << entry.id << " is too wide: " << area->widget()->minimumSizeHint().width() << " in " << area->width();
     }
-    picture(QStringLiteral("dense%1-%2").arg(static_cast<int>(window_->physicalDpiY())).arg(QLatin1String(entry.id)));
+    picture(QStringLiteral("dense%1-%2").arg(window_->logicalDpiY()).arg(QLatin1String(entry.id)));
+  }
+}
+
+// With a recording open there is more to say of it, and file names are long.
+TEST_P(DesktopFit, WhatCommandsStaysOnTheScreenBesideAnOpenRecording) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath(QStringLiteral("Housing-7-second-operation-2026-11-22_08-30-00.h5"));
+  auto built = buildScenarioRig(test::demoCut(), {});
+  ASSERT_TRUE(built.ok());
+  ASSERT_TRUE(built->rig->recordTo(file.toStdString(), "").ok());
+  built->rig->runToEnd({});
+  ASSERT_TRUE(built->rig->recorder()->finish().ok());
+  ui::SessionDesk& desk = *session_->sessions();
+  desk.open(file);
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        window_->tick(static_cast<qint64>(shown_));
+        return desk.replay().open && desk.summaryWhole() && desk.replayed() != nullptr;
+      },
+      60'000));
+  window_->showPage(QStringLiteral("sessions"));
+  for (const char* const sheet : {"sheet-mark", "sheet-compare"}) {
+    QTest::mouseClick(window_->findChild<ui::TouchButton*>(QLatin1String(sheet)), Qt::LeftButton);
+    settle();
+    EXPECT_EQ(window_->size(), kSmallest) << sheet << " makes the window grow";
+    for (const QScrollArea* area : window_->findChildren<QScrollArea*>(QStringLiteral("scroll"))) {
+      EXPECT_FALSE(area->isVisible() && area->horizontalScrollBar()->isVisible())
+          << sheet << " is too wide: " << area->widget()->minimumSizeHint().width() << " in " << area->width();
+    }
+    picture(QStringLiteral("dense%1-%2").arg(window_->logicalDpiY()).arg(QLatin1String(sheet)));
   }
 }
 

@@ -26,7 +26,8 @@ class FakeSession final : public SessionFacade {
   std::uint32_t generation() const override { return generation_; }
   void readSignal(const std::function<void(const SampleBlock&)>& sink) override;
   void showChannel(int channel) override { channel_ = channel; }
-  LobeService* lobes() override { return lobesKnown_ ? &lobes_ : nullptr; }
+  LobeService* lobes() override { return replay_ ? replayLobes_ : lobesKnown_ ? &lobes_ : nullptr; }
+  bool replayStands() const override { return replay_ && stands_; }
   QString stateFolder() const override { return stateFolder_; }
   Tuning* tuning() override { return tuning_; }
 
@@ -41,6 +42,10 @@ class FakeSession final : public SessionFacade {
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
   FakeLobes& fakeLobes() { return lobes_; }
   void forgetLobes() { lobesKnown_ = false; }
+  // Of the replay that is shown; null: not known.
+  void setReplayLobes(LobeService* lobes) { replayLobes_ = lobes; }
+  // The replay is paused.
+  void setStands(bool stands) { stands_ = stands; }
   int shownChannel() const { return channel_; }
   // Samples and spectra of the next `s` seconds never arrive.
   void lose(Seconds s) { lost_ = s; }
@@ -85,6 +90,8 @@ class FakeSession final : public SessionFacade {
   QString stateFolder_;
   FakeLobes lobes_;
   bool lobesKnown_ = true;
+  LobeService* replayLobes_ = nullptr;
+  bool stands_ = false;
   int channel_ = 0;
   Seconds lost_{};
   std::vector<SampleBlock> signal_;

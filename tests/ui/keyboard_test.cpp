@@ -1,11 +1,15 @@
 // Everything without a mouse: Tab comes by every control of every page and every sheet, in a ring.
 #include <QApplication>
 #include <set>
+#include <tuple>
+#include <vector>
 
 #include "tests/ui/fake_session_desk.h"
 #include "tests/ui/fake_setup_desk.h"
 #include "tests/ui/fake_tuning.h"
 #include "tests/ui/ui_fixture.h"
+#include "ui/shell/display_panel.h"
+#include "ui/shell/manual_panel.h"
 #include "ui/shell/page_table.h"
 
 namespace stillcut::ui {
@@ -34,7 +38,10 @@ class Keyboard : public WindowTest {
   void expectAllReached(const std::string& where) const {
     const std::set<const QWidget*> wanted = controls();
     std::set<const QWidget*> met;
-    for (std::size_t k = 0; k < 2 * wanted.size() + 4; ++k) {
+    // Links of a text are steps of their own.
+    constexpr std::size_t kLinks = 200;
+    const std::size_t most = 2 * wanted.size() + 4 + (find<ManualPanel>()->isVisible() ? kLinks : 0);
+    for (std::size_t k = 0; k < most; ++k) {
       QWidget* focus = QApplication::focusWidget();
       QTest::keyClick(focus != nullptr ? focus : window_.get(), Qt::Key_Tab);
       if (QApplication::focusWidget() != nullptr) met.insert(QApplication::focusWidget());
@@ -72,6 +79,46 @@ TEST_F(Keyboard, TabComesByEveryControlOfEverySheetOfSetUp) {
     play(0.2);
     expectAllReached(sheet);
   }
+}
+
+TEST_F(Keyboard, TheSheetsOfSessionsOpenWithTheSpaceBarAndTabComesByAllTheyHold) {
+  window_->showPage(QStringLiteral("sessions"));
+  play(0.2);
+  for (const char* const sheet : {"sheet-compare", "sheet-mark"}) {
+    auto* button = find<TouchButton>(QLatin1String(sheet));
+    button->setFocus();
+    QTest::keyClick(button, Qt::Key_Space);
+    EXPECT_TRUE(button->isChecked()) << sheet;
+    play(0.2);
+    expectAllReached(sheet);
+  }
+}
+
+// They lie over a page; what is under them stays in the ring.
+TEST_F(Keyboard, ThePanelsOverAPageOpenAndCloseByKeyAndTabComesByThem) {
+  const std::vector<std::tuple<Qt::Key, QWidget*, std::string>> panels{{Qt::Key_F11, find<DisplayPanel>(), "display"},
+                                                                       {Qt::Key_F1, find<ManualPanel>(), "manual"}};
+  for (const auto& [key, panel, name] : panels) {
+    window_->showPage(QStringLiteral("operate"));
+    ASSERT_NE(panel, nullptr) << name;
+    QTest::keyClick(window_.get(), key);
+    ASSERT_TRUE(panel->isVisible()) << name;
+    play(0.1);
+    expectAllReached(name);
+    QTest::keyClick(window_.get(), key);
+    EXPECT_FALSE(panel->isVisible()) << name;
+  }
+}
+
+TEST_F(Keyboard, AThemeIsChosenInThePanelWithoutAMouse) {
+  QTest::keyClick(window_.get(), Qt::Key_F11);
+  const ThemeKind before = window_->look().theme;
+  auto* dark = find<TouchButton>("theme-1");
+  ASSERT_NE(dark, nullptr);
+  dark->setFocus();
+  QTest::keyClick(dark, Qt::Key_Space);
+  QCoreApplication::processEvents();
+  EXPECT_NE(window_->look().theme, before);
 }
 
 }  // namespace

@@ -39,6 +39,12 @@ class LobesPageTest : public WindowTest {
     QCoreApplication::processEvents();
   }
   FakeLobes& lobes() { return session_.fakeLobes(); }
+  bool said(const QString& text) const {
+    for (const QLabel* label : window_->findChildren<QLabel*>()) {
+      if (label->text().contains(text)) return true;
+    }
+    return false;
+  }
   QString answer() const { return find<QLabel>("what-if")->text(); }
 };
 
@@ -105,17 +111,50 @@ TEST_F(LobesPageTest, APocketIsTriedWithArrowsAndEnter) {
 
 TEST_F(LobesPageTest, SaysWhyTheWorkingPointIsGone) {
   computed();
-  const auto said = [this] {
-    for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (label->text().contains(QStringLiteral("working point is not shown"))) return true;
-    }
-    return false;
-  };
-  EXPECT_FALSE(said());
+  const QString gone = QStringLiteral("working point is not shown");
+  EXPECT_FALSE(said(gone));
   tick(2000);
-  EXPECT_TRUE(said());
+  EXPECT_TRUE(said(gone));
   play(0.2);
-  EXPECT_FALSE(said());
+  EXPECT_FALSE(said(gone));
+}
+
+TEST_F(LobesPageTest, TellsTheDepthOfTheCutAndShowsNoPointAtADepthThatNobodyTold) {
+  computed();
+  const auto* chart = find<LobeChart>();
+  EXPECT_TRUE(said(QStringLiteral("depth of cut up to 1.50\u00a0mm")));
+  EXPECT_TRUE(chart->now());
+  lobes().mutableFrame().depthKnown = false;
+  play(0.2);
+  EXPECT_FALSE(chart->now());
+  EXPECT_TRUE(said(QStringLiteral("tell it under Set up, MACHINE")));
+  EXPECT_FALSE(said(QStringLiteral("depth of cut up to 1.50")));
+}
+
+TEST_F(LobesPageTest, UnderAReplayTheDiagramIsOfTheReplaysToolOrNone) {
+  computed();
+  ASSERT_TRUE(said(QStringLiteral("model of the test")));
+  Snapshot recorded = session_.snapshot();
+  FakeLobes ofRecording;
+  ofRecording.mutableFrame().name = QStringLiteral("tool of the recording");
+  session_.setReplayLobes(&ofRecording);
+  session_.showReplay(recorded);
+  play(0.1);
+  ASSERT_TRUE(ofRecording.asked()) << "the first look computes here too";
+  ofRecording.finish();
+  play(0.1);
+  EXPECT_TRUE(said(QStringLiteral("tool of the recording")));
+  EXPECT_FALSE(said(QStringLiteral("model of the test")));
+  session_.setReplayLobes(nullptr);
+  session_.showReplay(recorded);
+  play(0.1);
+  EXPECT_TRUE(said(QStringLiteral("does not say which modes its tool has")));
+  EXPECT_FALSE(find<LobeChart>()->now());
+  EXPECT_EQ(find<QTableView>()->model()->rowCount(), 0) << "no pockets of another tool";
+  EXPECT_TRUE(answer().isEmpty());
+  session_.showReplay({});
+  play(0.1);
+  EXPECT_TRUE(said(QStringLiteral("model of the test"))) << "the machine's own comes back with its cut";
 }
 
 TEST_F(LobesPageTest, ShowsWhereTheCutIsAndWhereItIsAdvisedToGo) {

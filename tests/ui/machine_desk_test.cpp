@@ -44,6 +44,25 @@ TEST(MachineDesk, TriesOutTheSimulatedMillStepByStep) {
   EXPECT_TRUE(desk.trial()[0].detail.contains(QStringLiteral("nowhere.toml")));
 }
 
+// Who chooses the simulated device on the screen knows no file of a cut.
+TEST(MachineDesk, TheSimulatedDeviceNeedsNoFileToBeNamed) {
+  const QTemporaryDir folder;
+  MachineDesk desk;
+  desk.keepIn(folder.path());
+  config::Profile profile = simulatedMill();
+  profile.source.settings.clear();
+  const auto asked = desk.sourceSettings(profile);
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_TRUE(asked[0].fallback.ends_with("demo.toml")) << "and it is shown which";
+  desk.tryOut(profile, QStringLiteral("mill"));
+  test::waitFor(desk, [&] { return desk.trial().size() == 5U; });
+  for (const ui::TrialStep& step : desk.trial()) {
+    EXPECT_EQ(step.state, ui::TrialStep::State::Good) << step.detail.toStdString();
+  }
+  ASSERT_TRUE(desk.save(profile, QStringLiteral("mill")).ok());
+  EXPECT_EQ(desk.load(QStringLiteral("mill"))->source.settings.at("scenario"), asked[0].fallback);
+}
+
 TEST(MachineDesk, ListensToTheChosenDeviceWithoutItsMachine) {
   const QTemporaryDir folder;
   MachineDesk desk;

@@ -1,6 +1,9 @@
 // A replay in the place of the cut: what commands the machine shows the machine and acts on it, and nothing that was
 // advised or heard in the replay can be answered.
+#include <QLabel>
+
 #include "tests/ui/ui_fixture.h"
+#include "ui/shell/page_table.h"
 #include "ui/widgets/command_bar.h"
 #include "ui/widgets/status_strip.h"
 
@@ -54,6 +57,35 @@ TEST_F(ReplayShown, NothingInItCanBeAnsweredOrJudged) {
     QTest::keyClick(window_.get(), key);
   }
   EXPECT_TRUE(session_.sent().empty());
+}
+
+// It stands still because somebody wants it so.
+TEST_F(ReplayShown, APausedReplaySaysSoAndIsNotStale) {
+  const auto told = [this] {
+    QString all;
+    for (const QWidget* widget : window_->findChildren<QWidget*>()) {
+      if (!widget->isVisible()) continue;
+      all += widget->accessibleDescription() + u'\n';
+      if (const auto* label = qobject_cast<const QLabel*>(widget)) all += label->text() + u'\n';
+    }
+    return all;
+  };
+  session_.showReplay(recorded_);
+  session_.setStands(true);
+  for (const PageEntry& entry : pageTable()) {
+    window_->showPage(QLatin1String(entry.id));
+    play(2.0);
+    EXPECT_FALSE(told().contains(QStringLiteral("stale"), Qt::CaseInsensitive)) << entry.id << told().toStdString();
+    EXPECT_FALSE(told().contains(QStringLiteral("Nothing new arrives"))) << entry.id;
+  }
+  window_->showPage(QStringLiteral("operate"));
+  play(0.1);
+  EXPECT_TRUE(told().contains(QStringLiteral("The replay is paused")));
+  EXPECT_TRUE(told().contains(QStringLiteral("CHATTER"))) << "what was the verdict there is still said";
+  session_.setStands(false);  // it should move and does not
+  play(2.0);
+  EXPECT_TRUE(told().contains(QStringLiteral("stale")));
+  EXPECT_FALSE(told().contains(QStringLiteral("The replay is paused")));
 }
 
 TEST_F(ReplayShown, WhatIsAnsweredSaysOfWhichRunItWas) {

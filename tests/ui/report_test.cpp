@@ -19,6 +19,7 @@ namespace stillcut::ui {
 namespace {
 
 constexpr std::size_t kToneBin = 40;
+constexpr UnitSystem kMetric = UnitSystem::Metric;
 
 Instant at(double seconds) {
   return Instant(toDuration(Seconds(seconds)));
@@ -87,19 +88,19 @@ TEST(Report, IsAPdfThatGrowsWithWhatHappened) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("cut.pdf"));
   SessionSummary s = example();
-  ASSERT_TRUE(writeReport(s, path).ok());
+  ASSERT_TRUE(writeReport(s, path, kMetric).ok());
   const QByteArray brief = contentOf(path);
   EXPECT_TRUE(brief.startsWith("%PDF-"));
   EXPECT_EQ(pagesOf(brief), 2);
   for (int i = 0; i < 200; ++i) s.interventions.push_back(s.interventions.front());
-  ASSERT_TRUE(writeReport(s, path).ok());
+  ASSERT_TRUE(writeReport(s, path, kMetric).ok());
   EXPECT_GE(pagesOf(contentOf(path)), 6) << "forty rows a page";
 }
 
 TEST(Report, ItsNumbersCanBeSearchedAndCopied) {
   const QTemporaryDir folder;
   const QString path = folder.filePath(QStringLiteral("cut.pdf"));
-  ASSERT_TRUE(writeReport(example(), path).ok());
+  ASSERT_TRUE(writeReport(example(), path, kMetric).ok());
   QProcess reader;
   reader.start(QStringLiteral("pdftotext"), {path, QStringLiteral("-")});
   ASSERT_TRUE(reader.waitForFinished()) << "pdftotext (poppler-utils): " << qPrintable(reader.errorString());
@@ -112,13 +113,13 @@ TEST(Report, OfAnEmptyRecordingIsStillAReport) {
   SessionSummary s;
   s.file = "empty.wav";
   s.sensors.push_back({});
-  EXPECT_TRUE(writeReport(s, folder.filePath(QStringLiteral("e.pdf"))).ok());
+  EXPECT_TRUE(writeReport(s, folder.filePath(QStringLiteral("e.pdf")), kMetric).ok());
   EXPECT_TRUE(writePicture(s, folder.filePath(QStringLiteral("e.png")), {800, 600}).ok());
 }
 
 TEST(Report, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
   const QTemporaryDir folder;
-  const Status pdf = writeReport(example(), folder.filePath(QStringLiteral("no/such/cut.pdf")));
+  const Status pdf = writeReport(example(), folder.filePath(QStringLiteral("no/such/cut.pdf")), kMetric);
   ASSERT_FALSE(pdf.ok());
   EXPECT_NE(pdf.error().line().find("cannot be written"), std::string::npos);
   EXPECT_FALSE(writePicture(example(), folder.filePath(QStringLiteral("cut.gif")), {800, 600}).ok());
@@ -163,24 +164,24 @@ TEST(Picture, TheTopShowsThePowerAndTheChatterWithItsHarmonics) {
 TEST(ReportText, TellsWhatHappened) {
   SessionSummary s = example();
   EXPECT_EQ(
-      whatHappened(s).toStdString(),
+      whatHappened(s, kMetric).toStdString(),
       "Chatter began once, first at 1\u202f000\u00a0Hz; it lasted 600\u00a0ms in all and marked 12.3\u00a0mm of path. "
       "Stillcut moved speed and feed once; the cut was quiet again.");
   EXPECT_EQ(whatHappenedTone(s), Tone::Onset);
   s.interventions[0].quiet = false;
   EXPECT_EQ(whatHappenedTone(s), Tone::Chatter);
   s.interventions[0].commanded = Instant{};
-  EXPECT_TRUE(whatHappened(s).endsWith(QStringLiteral("The overrides were not touched.")));
+  EXPECT_TRUE(whatHappened(s, kMetric).endsWith(QStringLiteral("The overrides were not touched.")));
   s.alarms = 0;
-  EXPECT_EQ(whatHappened(s), QStringLiteral("No chatter was found."));
+  EXPECT_EQ(whatHappened(s, kMetric), QStringLiteral("No chatter was found."));
   s.session = false;
-  EXPECT_TRUE(whatHappened(s).contains(QStringLiteral("measurements only")));
+  EXPECT_TRUE(whatHappened(s, kMetric).contains(QStringLiteral("measurements only")));
 }
 
 TEST(ReportText, TablesHaveACellForEveryColumn) {
   const SessionSummary s = example();
-  for (const TableRow& row : interventionRows(s)) {
-    EXPECT_EQ(row.cells.size(), static_cast<qsizetype>(interventionColumns().size()));
+  for (const TableRow& row : interventionRows(s, kMetric)) {
+    EXPECT_EQ(row.cells.size(), static_cast<qsizetype>(interventionColumns(kMetric).size()));
   }
   const auto sensors = sensorRows(s);
   ASSERT_EQ(sensors.size(), 2U);
@@ -191,8 +192,34 @@ TEST(ReportText, TablesHaveACellForEveryColumn) {
                                           QStringLiteral("lowest-speed = 3000")}));
 }
 
+TEST(ReportText, LengthsAndFeedsAreInTheUnitsOfTheScreen) {
+  SessionSummary s = example();
+  s.setup.toolDiameter = Metres(12.7e-3);
+  s.setup.nominalFeed = MetresPerSecond(2.54 / 60.0);
+  s.interventions[0].feedBefore = s.setup.nominalFeed;
+  s.interventions[0].feedAfter = s.setup.nominalFeed * 0.5;
+  s.interventions[0].marked = Metres(25.4e-3);
+  const auto all = [&](UnitSystem units) {
+    QStringList words{whatHappened(s, units)};
+    for (const auto& [fact, value] : cutFacts(s, units)) words << value;
+    for (const TableColumn& column : interventionColumns(units)) words << column.title;
+    for (const TableRow& row : interventionRows(s, units)) words << row.cells;
+    return words.join(u'\n');
+  };
+  const QString inch = all(UnitSystem::Inch), metric = all(kMetric);
+  for (const char* const metricWord : {"\u00a0mm", "[mm", "\u00a0m/min"}) {
+    EXPECT_FALSE(inch.contains(QString::fromUtf8(metricWord))) << inch.toStdString();
+  }
+  for (const char* const word : {"0.500\u00a0in", "100.0\u00a0in/min", "[in/min]", "50.0", "1.000\u00a0in"}) {
+    EXPECT_TRUE(inch.contains(QString::fromUtf8(word))) << word << " in\n" << inch.toStdString();
+  }
+  EXPECT_TRUE(metric.contains(QStringLiteral("[mm/min]")));
+  EXPECT_TRUE(metric.contains(QStringLiteral("12.7\u00a0mm")));
+  EXPECT_FALSE(metric.contains(QStringLiteral("in/min]")) && !metric.contains(QStringLiteral("mm/min]")));
+}
+
 QString factOf(const SessionSummary& s, const QString& name) {
-  for (const auto& [fact, value] : cutFacts(s)) {
+  for (const auto& [fact, value] : cutFacts(s, kMetric)) {
     if (fact == name) return value;
   }
   return {};
@@ -228,7 +255,7 @@ TEST(ReportText, MarkersAndSettingsChangedDuringTheCutAreInTheReport) {
   const QTemporaryDir folder;
   const auto pages = [&folder](const SessionSummary& summary) {
     const QString path = folder.filePath(QStringLiteral("cut.pdf"));
-    EXPECT_TRUE(writeReport(summary, path).ok());
+    EXPECT_TRUE(writeReport(summary, path, kMetric).ok());
     return pagesOf(contentOf(path));
   };
   const int few = pages(s);

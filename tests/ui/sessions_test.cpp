@@ -9,6 +9,7 @@
 #include "ui/models/format.h"
 #include "ui/models/session_models.h"
 #include "ui/models/session_words.h"
+#include "ui/pages/sessions_page.h"
 #include "ui/plots/session_timeline.h"
 #include "ui/widgets/transport_bar.h"
 #include "ui/widgets/value_slider.h"
@@ -196,6 +197,24 @@ TEST_F(SessionsPageTest, WhatIsExportedGoesIntoTheChosenFormat) {
   for (const TextLabel* label : window_->findChildren<TextLabel*>())
     told = told || label->text().contains(QStringLiteral(".png: cannot be written"));
   EXPECT_TRUE(told);
+}
+
+TEST_F(UiTest, AReportIsWrittenInTheUnitsOfTheScreen) {
+  FakeSessionDesk desk;
+  desk.open(desk.entries().front().path);
+  std::vector<UnitSystem> written;
+  SessionsPage page(&desk, [&](const SessionSummary&, const QString&, UnitSystem units) {
+    written.push_back(units);
+    return Status(Done{});
+  });
+  Picture picture;
+  for (const UnitSystem units : {UnitSystem::Inch, UnitSystem::Metric}) {
+    picture.units = units;
+    page.see(picture);
+    page.display(picture);
+    QTest::mouseClick(page.findChild<TouchButton*>(QStringLiteral("session-report")), Qt::LeftButton);
+  }
+  EXPECT_EQ(written, (std::vector{UnitSystem::Inch, UnitSystem::Metric}));
 }
 
 TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {

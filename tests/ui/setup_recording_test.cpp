@@ -60,6 +60,14 @@ TEST_F(SetupPageTest, WhatIsRecordedNowIsToldWithWhatHadToGo) {
   play(0.1);
   EXPECT_TRUE(told(QStringLiteral("Writes /rec/Housing/T12/a.h5")));
   EXPECT_TRUE(told(QStringLiteral("3, the last one old.h5")));
+  EXPECT_FALSE(told(QStringLiteral("could not be deleted")));
+  for (const char* const name : {"one", "two", "three", "four"}) {
+    desk_.recording.notDeleted << QStringLiteral("%1.h5 (Permission denied)").arg(QLatin1String(name));
+  }
+  play(0.1);
+  EXPECT_TRUE(told(QStringLiteral("could not be deleted: 4.")));
+  EXPECT_TRUE(told(QStringLiteral("one.h5 (Permission denied), two.h5")));
+  EXPECT_FALSE(told(QStringLiteral("four.h5"))) << "named as far as there is room";
 }
 
 }  // namespace

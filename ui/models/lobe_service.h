@@ -51,8 +51,9 @@ struct LobeFrame {
   Rpm programmed{};         // 0: not known
   Rpm lowest{}, highest{};  // a range worth looking at; what the override reaches lies inside
   Rpm reachLow{}, reachHigh{};
-  Metres depth{};     // deepest of the programme
-  Metres maxDepth{};  // a depth worth looking down to
+  Metres depth{};          // deepest of the programme
+  bool depthKnown = true;  // false: nobody has told it, and `depth` is only where "what if" begins
+  Metres maxDepth{};       // a depth worth looking down to
   Metres widthOfCut{};
   Metres feedPerTooth{};  // 0: not known
   int teeth = 0;

@@ -40,6 +40,10 @@ QString rateText(const SensorStatus& sensors) {
 
 SensorView makeSensorView(const Picture& picture) {
   SensorView view;
+  if (picture.paused) {
+    view.headline = say("The replay is paused");
+    return view;
+  }
   if (picture.snapshot == nullptr || picture.stale) {
     view.headline = say("No samples come");
     return view;

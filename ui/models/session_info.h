@@ -56,13 +56,17 @@ struct LinkStatus {
   QString ended;    // why no more samples will come; empty while they may
 };
 
+// What a plot tells of itself.
+enum class Standing { Moves, Paused, Stale };
+
 // Everything one display tick shows.
 struct Picture {
   const SessionInfo* info = nullptr;
   const Snapshot* snapshot = nullptr;  // null: nothing came yet
   Seconds age{};                       // since the snapshot last changed, on the screen's own clock
   bool stale = false;
-  qint64 nowMs = 0;  // the screen's own clock, for touches
+  bool paused = false;  // a replay that stands still because somebody wants it so: not stale
+  qint64 nowMs = 0;     // the screen's own clock, for touches
   RecorderStatus recorder;
   LinkStatus link;
   UnitSystem units = UnitSystem::Metric;
@@ -71,6 +75,7 @@ struct Picture {
   const ActiveSnapshot* table = nullptr;  // of the active work-holder; null: there is none, or nothing came yet
   bool replay = false;                    // the pages show a replay: there is nothing to answer or to judge in it
 
+  Standing standing() const { return stale ? Standing::Stale : paused ? Standing::Paused : Standing::Moves; }
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };
 

@@ -62,6 +62,7 @@ struct RecordingNow {
   State state = State::Off;  // Waits: for an event
   int deleted = 0;           // older files that had to go
   QString lastDeleted;
+  QStringList notDeleted{};  // "FILE (why)": should have gone by the same limits and are still there
 };
 
 // Ways to a machine, looked for when somebody asks and never before.

@@ -15,6 +15,9 @@ namespace stillcut::ui {
 // The tool's pitch as one angle a tooth, in degrees; empty: even. Nothing: it does not go once around.
 std::optional<std::vector<double>> pitchAngles(const ToolEntry& tool);
 
+// Depths of cut that a profile can hold.
+inline constexpr Metres kShallowestCut{1e-6}, kDeepestCut{1.0};
+
 class SetupDraft : public QObject {
   Q_OBJECT
  public:

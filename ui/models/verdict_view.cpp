@@ -107,15 +107,7 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
         say("For %1, %2 of feed").arg(duration(verdict.sinceOnset), lengthText(verdict.feedSinceOnset, picture.units));
 }
 
-}  // namespace
-
-QString VerdictView::spoken() const {
-  QStringList parts{word, frequency, kind, detail, marked};
-  parts.removeAll(QString());
-  return parts.join(QStringLiteral(". "));
-}
-
-VerdictView makeVerdictView(const Picture& picture, Trend trend) {
+VerdictView verdictOf(const Picture& picture, Trend trend) {
   if (!picture.snapshot) return noVerdict(say("Waiting for the first samples"));
   if (picture.stale) return staleVerdict(picture);
   if (!picture.snapshot->running) return noVerdict(say("The run has ended"));
@@ -140,6 +132,20 @@ VerdictView makeVerdictView(const Picture& picture, Trend trend) {
   if (view.detail.isEmpty()) view.detail = kindText(verdict.kind);
   if (view.detail.isEmpty()) view.detail = stable ? say("The cut is quiet") : say("The tool does not cut");
   view.marked = totals(picture);
+  return view;
+}
+
+}  // namespace
+
+QString VerdictView::spoken() const {
+  QStringList parts{word, frequency, kind, detail, marked};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(". "));
+}
+
+VerdictView makeVerdictView(const Picture& picture, Trend trend) {
+  VerdictView view = verdictOf(picture, trend);
+  if (picture.paused && picture.snapshot && picture.snapshot->running) view.detail = say("The replay is paused");
   return view;
 }
 

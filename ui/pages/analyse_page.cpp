@@ -106,9 +106,10 @@ void AnalysePage::display(const Picture& picture) {
   trace_->display(picture.signal, unit);
   tracks_->display(&history, std::move(rows), picture.snapshot ? picture.snapshot->inCharge : 0);
   spectrum_->display(makeSpectrumView(history, view_, info));
-  spectrum_->setStale(picture.stale && view_.following());
+  const Standing standing = view_.following() ? picture.standing() : Standing::Moves;
+  spectrum_->setStanding(standing);
   for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_}) {
-    plot->setStale(picture.stale && view_.following());
+    plot->setStanding(standing);
     plot->setClock([&info](Instant t) { return info.wallMs(t); });
   }
 }

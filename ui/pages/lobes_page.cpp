@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/models/format.h"
 #include "ui/models/say.h"
 #include "ui/plots/lobe_chart.h"
 #include "ui/widgets/painting.h"
@@ -157,7 +158,7 @@ void LobesPage::connectAll() {
 }
 
 // The first look computes by itself: a page that shows nothing until a button is found is no page.
-void LobesPage::meet(LobeService* service) {
+void LobesPage::meet(LobeService* service, bool replay) {
   met_ = true;
   service_ = service;
   diagram_.reset();
@@ -165,9 +166,16 @@ void LobesPage::meet(LobeService* service) {
   side_->setEnabled(known);
   if (!known) {
     chart_->setDiagram(nullptr, {});
+    chart_->setWork({}, {});
+    chart_->setAdvice({});
+    verdict_->clear();
+    detail_->clear();
+    table_->setPockets({}, units_);
     state_->setText(
-        tr("The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in "
-           "the profile; the diagram needs nothing else."));
+        replay ? tr("The recording does not say which modes its tool has: there is no diagram of this cut. The "
+                    "machine's own comes back with its cut.")
+               : tr("The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in "
+                    "the profile; the diagram needs nothing else."));
     return;
   }
   const LobeFrame& frame = service_->frame();
@@ -209,24 +217,34 @@ void LobesPage::display(const Picture& picture) {
   const bool otherUnits = picture.units != units_;
   units_ = picture.units;
   chart_->setUnits(units_);
-  if (!met_ || otherUnits) meet(find_());
+  if (!met_ || otherUnits) meet(find_(), picture.replay);
   if (service_ == nullptr) return;
-  absent_ = picture.snapshot != nullptr && picture.stale ? tr("Nothing new arrives: the working point is not shown")
-                                                         : QString();
+  absent_.clear();
+  if (picture.paused) absent_ = tr("The replay is paused");
+  if (picture.snapshot != nullptr && picture.stale) absent_ = tr("Nothing new arrives: the working point is not shown");
+  if (!service_->frame().depthKnown) {
+    absent_ = tr("The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown");
+  }
   showProgress();
   if (service_->diagram() != diagram_) {
     diagram_ = service_->diagram();
     showDiagram();
   }
+  showWork(picture);
+}
+
+// At a depth that somebody has told; at a guess it would stand in the wrong place.
+void LobesPage::showWork(const Picture& picture) {
   std::optional<SpeedDepth> now;
   std::optional<Rpm> advice;
   const Snapshot* s = picture.snapshot;
-  if (s != nullptr && s->machine.valid && !picture.stale) {
+  const bool known = service_->frame().depthKnown;
+  if (known && s != nullptr && s->machine.valid && !picture.stale) {
     now = SpeedDepth{s->machine.actualSpeed, service_->depthAt(s->time)};
     if (s->adviceOpen && s->request.claimsSpeed) advice = s->request.speed;
     if (s->commanding && !s->adviceOpen) advice = s->machine.programmedSpeed * s->command.speed.value;
   }
-  chart_->setWork(now, pointsMet(*picture.history, *service_));
+  chart_->setWork(now, known ? pointsMet(*picture.history, *service_) : std::vector<MetPoint>{});
   chart_->setAdvice(advice);
 }
 
@@ -245,6 +263,9 @@ void LobesPage::showProgress() {
       break;
     case LobeProgress::State::Done:
       text = service_->frame().name;
+      if (service_->frame().depthKnown) {
+        text += tr(", depth of cut up to %1").arg(depthText(service_->frame().depth, units_));
+      }
       if (diagram_ && !diagram_->warnings.isEmpty()) {
         QString warning = coreSentence(diagram_->warnings.front().toStdString());
         warning[0] = warning[0].toUpper();

@@ -37,7 +37,8 @@ class LobesPage : public Page {
  private:
   void layOut();
   void connectAll();
-  void meet(LobeService* service);
+  void meet(LobeService* service, bool replay);
+  void showWork(const Picture& picture);
   void compute();
   void chooseMethod(LobeMethod method);
   void showProgress();
@@ -55,7 +56,7 @@ class LobesPage : public Page {
     Rpm speed{};
     Metres depth{};
   } asked_;         // where somebody has put the ring
-  QString absent_;  // why the working point is not shown; empty: it is
+  QString absent_;  // why the working point is not shown, or does not move; empty: it does
   UnitSystem units_ = UnitSystem::Metric;
   std::shared_ptr<const LobeDiagram> diagram_;
 

@@ -100,7 +100,7 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   const std::string_view si = named ? siUnit(of.quantity) : std::string_view();
   spectrogram_->setSignal(tr("channel %1").arg(named ? QString::fromStdString(of.name) : number(channel + 1)),
                           QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
-  spectrogram_->setStale(picture.stale);
+  spectrogram_->setStanding(picture.standing());
   if (!picture.snapshot) return;
   const Verdict& verdict = picture.verdict();
   const Tone alarm = alarmTone(picture);

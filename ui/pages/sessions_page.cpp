@@ -55,8 +55,8 @@ SessionsPage::SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* pare
   auto* right = new QVBoxLayout;
   panel_ = new Panel;
   auto* top = new QVBoxLayout(panel_);
-  title_ = new TextLabel({type_size::kValue, true});
-  facts_ = new TextLabel({type_size::kLabel, false, true});
+  title_ = new TextLabel({type_size::kValue, true, false, true});
+  facts_ = new TextLabel({type_size::kLabel, false, true, true});
   verdict_ = new TextLabel({type_size::kValue, true});
   timeline_ = new SessionTimeline;
   timeline_->setObjectName(QStringLiteral("session-timeline"));
@@ -119,7 +119,7 @@ QWidget* SessionsPage::makeResults() {
   column->setContentsMargins(0, 0, 0, 0);
   run_ = toolButton(tr("ALL DETECTORS"), tr("Run every detector on this recording"), "session-run");
   score_ = toolButton(tr("SCORE"), tr("Score this recording against its markers"), "session-score");
-  scoreAll_ = toolButton(tr("SCORE FOLDER"), tr("Score the whole folder"), "session-score-all");
+  scoreAll_ = toolButton(tr("SCORE ALL"), tr("Score the whole folder"), "session-score-all");
   cut_ = toolButton(tr("EXPORT"), tr("Export the selected span, or the whole"), "session-export");
   formatButton_ =
       toolButton(tr("AS %1").arg(QLatin1String(kFormats[0].name)), tr("The next format of EXPORT"), "session-format");
@@ -250,7 +250,7 @@ void SessionsPage::writeDrawn(const QString& suffix) {
               QT_TRANSLATE_NOOP("Core", "a moment later")},
         {});
   const QString file = exportName(suffix);
-  tell(report_(*summary, file), tr("Written: %1").arg(file));
+  tell(report_(*summary, file, units_), tr("Written: %1").arg(file));
 }
 
 void SessionsPage::see(const Picture&) {
@@ -304,7 +304,8 @@ void SessionsPage::showResults() {
   results_->setText(lines.join(u'\n'));
 }
 
-void SessionsPage::display(const Picture&) {
+void SessionsPage::display(const Picture& picture) {
+  units_ = picture.units;
   if (desk_ == nullptr) return;
   const ReplayState replay = desk_->replay();
   transport_->display(replay);

@@ -24,7 +24,7 @@ class TransportBar;
 class SessionsPage : public Page {
   Q_OBJECT
  public:
-  using ReportWriter = std::function<Status(const SessionSummary&, const QString& file)>;
+  using ReportWriter = std::function<Status(const SessionSummary&, const QString& file, UnitSystem)>;
   // `desk` may be null: there are no recordings to work on here. It outlives the page.
   SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* parent = nullptr);
 
@@ -51,6 +51,7 @@ class SessionsPage : public Page {
   SessionDesk* desk_;
   ReportWriter report_;
   Theme theme_;
+  UnitSystem units_ = UnitSystem::Metric;
   bool taskRan_ = false;
   std::size_t format_ = 0;  // of EXPORT
 

@@ -70,7 +70,10 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
       speed_(makeEdit(tr("Programmed speed in rpm"), QStringLiteral("machine-speed"))),
       feed_(makeEdit(tr("Programmed feed"), QStringLiteral("machine-feed"))),
+      depth_(makeEdit(tr("Depth of cut"), QStringLiteral("machine-depth"))),
       feedLabel_(new TextLabel({type_size::kBody})),
+      depthLabel_(new TextLabel({type_size::kBody})),
+      problem_(new TextLabel({type_size::kBody, false, false, true})),
       finder_(new SetupFinder(desk, draft)),
       allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
                             QStringLiteral("machine-auto"))) {
@@ -84,7 +87,12 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   names->addWidget(speed_, 1);
   names->addWidget(feedLabel_);
   names->addWidget(feed_, 1);
+  names->addWidget(depthLabel_);
+  names->addWidget(depth_, 1);
   whole->addLayout(names);
+  problem_->setTone(Tone::Onset);
+  problem_->hide();
+  whole->addWidget(problem_);
   whole->addLayout(columns, 1);
   columns->addLayout(column, 55);
   columns->addWidget(finder_, 45);
@@ -121,9 +129,27 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = feedFrom(typed(feed_), draft_.units()); });
     feed_->setModified(false);
   });
+  connect(depth_, &QLineEdit::editingFinished, this, &SetupMachine::takeDepth);
   connect(allowAuto_, &TouchButton::clicked, this,
           [this] { draft_.edit([this](config::Profile& p) { p.allowAuto = allowAuto_->isChecked(); }); });
   refresh();
+}
+
+// An empty field: the depth is not known.
+void SetupMachine::takeDepth() {
+  if (!depth_->isModified()) return;  // what is shown is rounded
+  const UnitSystem units = draft_.units();
+  const Metres depth = lengthFrom(typed(depth_), units);
+  const bool none = depth_->text().trimmed().isEmpty();
+  const bool legal = none || (depth >= kShallowestCut && depth <= kDeepestCut);
+  problem_->setVisible(!legal);
+  problem_->setText(legal ? QString()
+                          : tr("The depth was not taken: it must be a number from %1 to %2, or nothing where it is not "
+                               "known")
+                                .arg(depthText(kShallowestCut, units), depthText(kDeepestCut, units)));
+  if (!legal) return;
+  depth_->setModified(false);
+  draft_.edit([&](config::Profile& p) { p.depth = none ? Metres() : depth; });
 }
 
 void SetupMachine::refresh() {
@@ -146,6 +172,12 @@ void SetupMachine::refresh() {
   put(feed_, profile.cut.nominalFeed.value > 0.0 ? feed : QString());
   feedLabel_->setText(tr("Feed, %1").arg(feedUnit(units)));
   feed_->setAccessibleName(tr("Programmed feed in %1").arg(feedUnit(units)));
+  const QString depth = QString::number(lengthIn(profile.depth, units), 'g', 5);
+  if (!depth_->isModified()) depth_->setText(profile.depth.value > 0.0 ? depth : QString());
+  depthLabel_->setText(tr("Depth, %1").arg(lengthUnit(units)));
+  depth_->setAccessibleName(tr("Depth of cut in %1").arg(lengthUnit(units)));
+  depth_->setToolTip(tr("Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth")
+                         .arg(depthText(kShallowestCut, units), depthText(kDeepestCut, units)));
 }
 
 SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)

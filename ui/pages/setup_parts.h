@@ -22,11 +22,13 @@ class SetupMachine : public SetupTab {
   void refresh() override;
 
  private:
+  void takeDepth();
+
   std::vector<TouchButton*> links_;
   TextLabel* about_;
   SettingsForm* form_;
-  QLineEdit *name_, *speed_, *feed_;
-  TextLabel* feedLabel_;
+  QLineEdit *name_, *speed_, *feed_, *depth_;
+  TextLabel *feedLabel_, *depthLabel_, *problem_;
   SetupFinder* finder_;
   TouchButton* allowAuto_;
 };

@@ -188,7 +188,16 @@ void SetupRecording::display(const Picture&) {
                  .arg(now.deleted)
                  .arg(QFileInfo(now.lastDeleted).fileName());
   }
-  now_->setTone(now.state == RecordingNow::State::Stopped ? Tone::Onset : Tone::Normal);
+  if (!now.notDeleted.isEmpty()) {
+    constexpr qsizetype kNamed = 3;
+    QStringList named = now.notDeleted.mid(0, kNamed);
+    if (now.notDeleted.size() > kNamed) named << QStringLiteral("\u2026");
+    lines << tr("Too old or too large, but could not be deleted: %1. Free the room by hand: %2")
+                 .arg(now.notDeleted.size())
+                 .arg(named.join(QStringLiteral(", ")));
+  }
+  const bool trouble = now.state == RecordingNow::State::Stopped || !now.notDeleted.isEmpty();
+  now_->setTone(trouble ? Tone::Onset : Tone::Normal);
   now_->setText(lines.join(u'\n'));
 }
 

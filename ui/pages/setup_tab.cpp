@@ -52,7 +52,7 @@ SetupGuide::SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   column->addSpacing(16);
   column->addWidget(new TextLabel({type_size::kBody, false, true, true},
                                   tr("Or connect this machine, step by step. Each step says what is still missing; "
-                                     "nothing is commanded before Auto is chosen.")));
+                                     "nothing is commanded while authority is Off.")));
   const struct {
     QString caption, name;
     int tab;

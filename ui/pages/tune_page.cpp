@@ -269,9 +269,11 @@ void TunePage::showLive(const Picture& picture) {
     numbers_->clear();
     return;
   }
+  QStringList lines;
+  if (picture.paused) lines << tr("The replay is paused");
+  numbers_->setText(lines.join(u'\n'));
   if (part->role == TunablePart::Role::Strategy) {
     live_->setText(part->running ? reasonText(picture.snapshot->request.reason) : tr("It does not run"));
-    numbers_->clear();
     return;
   }
   const int index = part->detector >= 0                         ? part->detector
@@ -279,13 +281,11 @@ void TunePage::showLive(const Picture& picture) {
                                                                 : picture.snapshot->inCharge;
   if (index < 0 || index >= picture.snapshot->detectorCount) {
     live_->setText(tr("It does not run"));
-    numbers_->clear();
     return;
   }
   const Verdict& verdict = picture.snapshot->verdicts[static_cast<std::size_t>(index)];
   live_->setText(verdict.valid ? stateText(verdict.state) : reasonText(verdict.reason));
   if (verdict.alarming()) live_->setTone(verdict.state == CutState::Chatter ? Tone::Chatter : Tone::Onset);
-  QStringList lines;
   for (int k = 0; k < part->indicators.size() && k < kMaxIndicators; ++k) {
     const double value = verdict.indicators[static_cast<std::size_t>(k)];
     lines.push_back(QStringLiteral("%1  %2").arg(indicatorText(part->indicators[k]), significant(value, 3)));

@@ -8,32 +8,22 @@
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QScatterSeries>
+#include <QWheelEvent>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 #include "ui/models/format.h"
+#include "ui/plots/lobe_marks.h"
 #include "ui/plots/nice_ticks.h"
+#include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
 namespace {
 
 constexpr double kInch = 0.0254;
-// Of what stands around the working point, before scaling: each leaves the one inside it in sight.
-constexpr double kArmFrom = 8.0, kArmTo = 15.0, kRing = 20.0;
-constexpr double kLegend = 26.0;  // height of the row above the plot
-
-// Points of a regular shape of this many corners, one of them or an edge up.
-QPolygonF shape(const QPointF& centre, double radius, int corners) {
-  QPolygonF out;
-  const double turn = corners == 3 ? 0.0 : kTwoPi / (2.0 * corners);
-  for (int k = 0; k < corners; ++k) {
-    const double angle = kTwoPi * k / corners + turn;
-    out << centre + QPointF(radius * std::sin(angle), -radius * std::cos(angle));
-  }
-  return out;
-}
+constexpr double kWheelStep = 0.8;
+constexpr double kClosest = 0.02;  // of the whole that can be told apart
 
 QImage marker(int size, int corners, const QColor& color) {
   QImage image(size, size, QImage::Format_ARGB32_Premultiplied);
@@ -42,7 +32,7 @@ QImage marker(int size, int corners, const QColor& color) {
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(Qt::NoPen);
   p.setBrush(color);
-  p.drawPolygon(shape({size / 2.0, size / 2.0}, size / 2.0, corners));
+  p.drawPolygon(cornered({size / 2.0, size / 2.0}, size / 2.0, corners));
   return image;
 }
 
@@ -78,7 +68,15 @@ LobeChart::LobeChart(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setAccessibleName(tr("Stability diagram"));
   for (QCategoryAxis* axis : {speed_, depth_}) axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
-  setToolTip(tr("Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth?"));
+  setToolTip(
+      tr("Drag the ring, or use the arrow keys: what if the cut ran at this speed and depth? Two fingers, the "
+         "wheel or plus and minus zoom, zero shows the whole."));
+  TouchInput::Moves fingers;  // one drags the ring, as the mouse does
+  fingers.pan = [this](QPointF by) { moveBy(by.x()); };
+  fingers.zoom = [this](double factor, QPointF around, Qt::Orientation along) {
+    zoom(factor, fromView(around), along);
+  };
+  new TouchInput(viewport(), std::move(fingers));
   chart()->legend()->hide();
   chart()->setMargins({0, 0, 0, 0});
   chart()->setBackgroundRoundness(0);
@@ -109,20 +107,56 @@ void LobeChart::setUnits(UnitSystem units) {
 }
 
 void LobeChart::showFrame() {
-  const double lowest = frame_.lowest.value, highest = std::max(frame_.highest.value, lowest + 1.0);
-  setRound(*speed_, lowest, highest, 6);
-  setRound(*depth_, 0.0, std::max(shown(frame_.maxDepth), 1e-6), 5);
+  setRound(*speed_, from_.value, std::max(to_.value, from_.value + 1.0), 6);
+  setRound(*depth_, 0.0, std::max(shown(deepest_), 1e-6), 5);
   speed_->setTitleText(tr("spindle speed [rpm]"));
   depth_->setTitleText(units_ == UnitSystem::Inch ? tr("depth of cut [in]") : tr("depth of cut [mm]"));
 }
 
+void LobeChart::showWhole() {
+  from_ = frame_.lowest;
+  to_ = frame_.highest;
+  deepest_ = frame_.maxDepth;
+  showFrame();
+  viewport()->update();
+}
+
+// Speeds keep `around` where it is and stay within the frame; depths begin at the surface.
+void LobeChart::zoom(double factor, const QPointF& around, Qt::Orientation along) {
+  const Rpm whole = frame_.highest - frame_.lowest;
+  if (!(whole.value > 0.0) || !std::isfinite(factor) || !(factor > 0.0)) return;
+  if (along == Qt::Vertical) {
+    deepest_ = std::clamp(deepest_ * factor, frame_.maxDepth * kClosest, frame_.maxDepth);
+  } else {
+    const Rpm width = std::clamp((to_ - from_) * factor, whole * kClosest, whole);
+    const Rpm at(chart()->mapToValue(around, limit_).x());
+    from_ = std::clamp(at - (at - from_) * (width / (to_ - from_)), frame_.lowest,
+                       std::max(frame_.lowest, frame_.highest - width));
+    to_ = from_ + width;
+  }
+  showFrame();
+  viewport()->update();
+}
+
+void LobeChart::moveBy(double right) {
+  const Rpm width = to_ - from_;
+  from_ = std::clamp(from_ - width * (right / std::max(chart()->plotArea().width(), 1.0)), frame_.lowest,
+                     std::max(frame_.lowest, frame_.highest - width));
+  to_ = from_ + width;
+  showFrame();
+  viewport()->update();
+}
+
 void LobeChart::setDiagram(const LobeDiagram* diagram, const LobeFrame& frame) {
+  const bool other =
+      frame.lowest != frame_.lowest || frame.highest != frame_.highest || frame.maxDepth != frame_.maxDepth;
   frame_ = frame;
+  if (other) showWhole();
   showFrame();
   QList<QPointF> limit, floor;
   if (diagram != nullptr) {
     for (const LobeLimit& l : diagram->limits) {
-      limit << QPointF(l.speed.value, std::min(shown(l.depth), depth_->max()));
+      limit << QPointF(l.speed.value, std::min(shown(l.depth), shown(frame_.maxDepth)));
       floor << QPointF(l.speed.value, 0.0);
     }
   }
@@ -206,7 +240,7 @@ void LobeChart::applyTheme(const Theme& theme) {
   };
   shaped(*metOnset_, 3, theme.back(Tone::Onset));
   shaped(*metChatter_, 8, theme.back(Tone::Chatter));
-  chart()->setMargins({0, theme.px(kLegend), 0, 0});
+  chart()->setMargins({0, theme.px(kLobeLegend), 0, 0});
   viewport()->update();
 }
 
@@ -220,13 +254,14 @@ void LobeChart::drawForeground(QPainter* p, const QRectF&) {
   p->save();
   p->setClipRect(chart()->plotArea());
   drawIslands(*p);
-  drawRing(*p, onChart(handle_));
+  const LobeMarks marks(*p, theme_, chart()->plotArea());
+  marks.ring(onChart(handle_));
   if (now_) {
-    drawNow(*p, onChart(*now_));
-    if (advice_) drawAdvice(*p, onChart(*now_));
+    marks.cross(onChart(*now_));
+    if (advice_) marks.advice(onChart(*now_), onChart({*advice_, now_->depth}).x(), *advice_);
   }
   p->restore();
-  drawLegend(*p);
+  clipped_ = !marks.legend();
   p->restore();
 }
 
@@ -240,112 +275,6 @@ void LobeChart::drawIslands(QPainter& p) const {
   }
 }
 
-// Four arms around the place: what was met there stays in sight between them, and all of it inside the ring.
-void LobeChart::drawNow(QPainter& p, const QPointF& at) const {
-  p.setPen(QPen(theme_.colors.text, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
-  const double from = theme_.px(kArmFrom), to = theme_.px(kArmTo);
-  for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
-    p.drawLine(at + way * from, at + way * to);
-}
-
-void LobeChart::drawRing(QPainter& p, const QPointF& at) const {
-  const double radius = theme_.px(kRing);
-  p.setBrush(Qt::NoBrush);
-  p.setPen(QPen(theme_.colors.panel, theme_.px(6)));
-  p.drawEllipse(at, radius, radius);
-  p.setPen(QPen(theme_.colors.text, theme_.px(3)));
-  p.drawEllipse(at, radius, radius);
-}
-
-// Above what it starts from and with a stem down to where it leads; however short the move, the arrow is not.
-void LobeChart::drawAdvice(QPainter& p, const QPointF& at) const {
-  const double target = onChart({*advice_, now_->depth}).x();
-  if (std::abs(target - at.x()) < theme_.px(3)) return;  // it is there
-  const QRectF plot = chart()->plotArea();
-  const double lift = theme_.px(kRing + 14), head = theme_.px(14);
-  const double y = at.y() - lift > plot.top() + theme_.px(24) ? at.y() - lift : at.y() + lift;
-  const double back = target < at.x() ? 1.0 : -1.0;
-  const double length = std::max(std::abs(target - at.x()), 3.0 * head);
-  const QPointF tip(target, y);
-  p.setPen(QPen(theme_.colors.advice, theme_.px(1.5), Qt::DashLine));
-  p.drawLine(tip, QPointF(target, at.y()));
-  p.setPen(QPen(theme_.colors.advice, theme_.px(4), Qt::SolidLine, Qt::FlatCap));
-  p.drawLine(tip + QPointF(back * length, 0), tip + QPointF(back * head * 0.8, 0));
-  p.setPen(Qt::NoPen);
-  p.setBrush(theme_.colors.advice);
-  p.drawPolygon(QPolygonF{tip, tip + QPointF(back * head, -head * 0.6), tip + QPointF(back * head, head * 0.6)});
-  p.setFont(theme_.font(type_size::kLabel, true));
-  p.setPen(theme_.colors.advice);
-  const QString text = join(number(advice_->value), QStringLiteral("rpm"));
-  const double wide = p.fontMetrics().horizontalAdvance(text);
-  const double left = std::clamp(target - wide / 2.0, plot.left() + 2.0, plot.right() - wide - 2.0);
-  p.drawText(QPointF(left, y + (y < at.y() ? -theme_.px(12) : theme_.px(12) + p.fontMetrics().ascent())), text);
-}
-
-// Every sign with its word, in one row above the plot.
-void LobeChart::drawLegend(QPainter& p) {
-  const ThemeColors& c = theme_.colors;
-  struct Entry {
-    QString text;
-    std::function<void(const QPointF&)> draw;
-  };
-  const double r = theme_.px(6);
-  const auto solid = [&](int corners, const QColor& color) {
-    return [&p, r, corners, color](const QPointF& at) {
-      p.setPen(Qt::NoPen);
-      p.setBrush(color);
-      p.drawPolygon(shape(at, r, corners));
-    };
-  };
-  const auto circle = [&](double radius, double pen) {
-    return [this, &p, radius, pen](const QPointF& at) {
-      p.setPen(QPen(theme_.colors.text, theme_.px(pen)));
-      p.setBrush(Qt::NoBrush);
-      p.drawEllipse(at, radius, radius);
-    };
-  };
-  const std::array<Entry, 6> entries{
-      {{tr("now"),
-        [&](const QPointF& at) {
-          p.setPen(QPen(c.text, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
-          p.drawLine(at - QPointF(r, 0), at + QPointF(r, 0));
-          p.drawLine(at - QPointF(0, r), at + QPointF(0, r));
-        }},
-       {tr("advised"),
-        [&](const QPointF& at) {
-          p.setPen(QPen(c.advice, theme_.px(3), Qt::SolidLine, Qt::FlatCap));
-          p.drawLine(at - QPointF(r, 0), at);
-          p.setPen(Qt::NoPen);
-          p.setBrush(c.advice);
-          p.drawPolygon(QPolygonF{at + QPointF(r, 0), at + QPointF(-1, -r), at + QPointF(-1, r)});
-        }},
-       {tr("what if"), circle(r, 2.5)},
-       {tr("was stable"), circle(theme_.px(4.5), 1.5)},
-       {tr("onset"), solid(3, theme_.back(Tone::Onset))},
-       {tr("chatter"), solid(8, theme_.back(Tone::Chatter))}}};
-  const QRectF plot = chart()->plotArea();
-  const double sign = 2.0 * r + theme_.px(5), apart = theme_.px(14);
-  double needed = 0.0;
-  QFont font = theme_.font(type_size::kTick);
-  for (int halves = static_cast<int>(2.0 * type_size::kTick); halves >= 18; --halves) {
-    font = theme_.font(0.5 * halves);
-    needed = -apart;
-    for (const Entry& entry : entries) needed += sign + QFontMetricsF(font).horizontalAdvance(entry.text) + apart;
-    if (needed <= plot.width()) break;
-  }
-  clipped_ = needed > plot.width();
-  double x = plot.left();
-  const double y = plot.top() - theme_.px(kLegend) / 2.0;
-  p.setFont(font);
-  const QFontMetricsF metrics(font);
-  for (const Entry& entry : entries) {
-    entry.draw({x + r, y});
-    p.setPen(c.secondary);
-    p.drawText(QPointF(x + sign, y + metrics.capHeight() / 2.0), entry.text);
-    x += sign + metrics.horizontalAdvance(entry.text) + apart;
-  }
-}
-
 void LobeChart::moveHandle(SpeedDepth to) {
   handle_.speed = std::clamp(to.speed, frame_.lowest, std::max(frame_.lowest, frame_.highest));
   handle_.depth = std::clamp(to.depth, Metres(1e-6), std::max(frame_.maxDepth, Metres(1e-6)));
@@ -353,8 +282,12 @@ void LobeChart::moveHandle(SpeedDepth to) {
   emit handleMoved();
 }
 
+QPointF LobeChart::fromView(const QPointF& at) const {
+  return chart()->mapFromScene(mapToScene(at.toPoint()));
+}
+
 void LobeChart::moveHandleTo(const QPoint& at) {
-  const QPointF value = chart()->mapToValue(chart()->mapFromScene(mapToScene(at)), limit_);
+  const QPointF value = chart()->mapToValue(fromView(at), limit_);
   moveHandle({Rpm(value.x()), depthOf(value.y())});
 }
 
@@ -372,6 +305,13 @@ void LobeChart::mouseReleaseEvent(QMouseEvent*) {
   dragging_ = false;
 }
 
+void LobeChart::wheelEvent(QWheelEvent* event) {
+  const bool depth = event->modifiers() & Qt::ControlModifier || event->position().x() < chart()->plotArea().left();
+  zoom(std::pow(kWheelStep, event->angleDelta().y() / 120.0), fromView(event->position()),
+       depth ? Qt::Vertical : Qt::Horizontal);
+  event->accept();
+}
+
 void LobeChart::keyPressEvent(QKeyEvent* event) {
   const double factor = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
   const Rpm speed = (frame_.highest - frame_.lowest) * (0.002 * factor);
@@ -385,6 +325,13 @@ void LobeChart::keyPressEvent(QKeyEvent* event) {
       return moveHandle({handle_.speed, handle_.depth + depth});
     case Qt::Key_Down:
       return moveHandle({handle_.speed, handle_.depth - depth});
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return zoom(kWheelStep, onChart(handle_), Qt::Horizontal);
+    case Qt::Key_Minus:
+      return zoom(1.0 / kWheelStep, onChart(handle_), Qt::Horizontal);
+    case Qt::Key_0:
+      return showWhole();
     default:
       QChartView::keyPressEvent(event);
   }

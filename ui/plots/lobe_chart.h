@@ -1,5 +1,6 @@
 // The stability diagram as a chart: limit, quiet region, where the cut is and has been, what is advised, and a handle
-// to drag: "what if". Arrow keys move the handle, with Shift in large steps. GUI thread.
+// to drag: "what if". Arrow keys move the handle, with Shift in large steps; the wheel, plus and minus zoom, zero shows
+// the whole, and fingers do as touch_input.h says. GUI thread.
 #pragma once
 
 #include <QChartView>
@@ -33,6 +34,10 @@ class LobeChart : public QChartView, public Themed {
   void setAdvice(std::optional<Rpm> target);
   void setHandle(SpeedDepth handle);
   SpeedDepth handle() const { return handle_; }
+  std::optional<SpeedDepth> now() const { return now_; }
+  Rpm leftmost() const { return from_; }
+  Rpm rightmost() const { return to_; }
+  Metres deepest() const { return deepest_; }
 
   // Where a point of the diagram is on the widget.
   QPoint place(SpeedDepth point) const;
@@ -49,6 +54,7 @@ class LobeChart : public QChartView, public Themed {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
@@ -57,12 +63,13 @@ class LobeChart : public QChartView, public Themed {
   void moveHandle(SpeedDepth to);
   void moveHandleTo(const QPoint& at);
   QPointF onChart(SpeedDepth point) const;
+  QPointF fromView(const QPointF& at) const;
   void drawIslands(QPainter& p) const;
-  void drawNow(QPainter& p, const QPointF& at) const;
-  void drawAdvice(QPainter& p, const QPointF& at) const;
-  void drawRing(QPainter& p, const QPointF& at) const;
-  void drawLegend(QPainter& p);
   void showFrame();
+  void showWhole();
+  // `around` on the chart; `factor` times as much is shown.
+  void zoom(double factor, const QPointF& around, Qt::Orientation along);
+  void moveBy(double right);  // the picture, by pixels
 
   Theme theme_;
   UnitSystem units_ = UnitSystem::Metric;
@@ -76,6 +83,8 @@ class LobeChart : public QChartView, public Themed {
   QScatterSeries* metOnset_;
   QScatterSeries* metChatter_;
   LobeFrame frame_;
+  Rpm from_{}, to_{};  // what is on show of the frame
+  Metres deepest_{};
   struct Island {
     Rpm left{}, right{};
     DepthSpan span;

@@ -56,6 +56,10 @@ class SessionTimeline : public QWidget, public Themed {
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  // Before scaling.
+  static constexpr double kNames = 132.0;  // width of the rows' names
+  static constexpr double kAxis = 24.0, kRow = 22.0;
+
   double length() const;
   double axisEnd() const;
   double scaleTop() const;
@@ -63,6 +67,7 @@ class SessionTimeline : public QWidget, public Themed {
   double xOf(double seconds) const;
   double timeAt(double x) const;
   void zoom(double factor, double around);
+  void moveBy(double right);  // the picture, by pixels
   void paintCurve(QPainter& p, const QRectF& box) const;
   void paintBeside(QPainter& p, const QRectF& box) const;
   void paintLegend(QPainter& p, const QRectF& box);

@@ -5,10 +5,12 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/plots/level_key.h"
 #include "ui/plots/nice_ticks.h"
+#include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
 namespace {
@@ -24,6 +26,9 @@ SpectrogramWidget::SpectrogramWidget(QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Spectrogram of the last ten seconds"));
   setToolTip(tr("X: axis in Hz, orders or rpm. Page Up, Page Down: reach of the axis."));
+  TouchInput::Moves fingers;
+  fingers.zoom = [this](double factor, QPointF, Qt::Orientation) { reach(visibleTop() * factor); };
+  new TouchInput(this, std::move(fingers));
 }
 
 void SpectrogramWidget::setSignal(const QString& signal, const QString& unit, int teeth) {
@@ -58,9 +63,9 @@ void SpectrogramWidget::setChatter(Hertz frequency, const QString& label, Tone t
   update();
 }
 
-void SpectrogramWidget::setStale(bool stale) {
-  if (stale == stale_) return;
-  stale_ = stale;
+void SpectrogramWidget::setStanding(Standing standing) {
+  if (standing == standing_) return;
+  standing_ = standing;
   update();
 }
 
@@ -108,16 +113,17 @@ void SpectrogramWidget::keyPressEvent(QKeyEvent* event) {
       setAxis(axis_ == Axis::Hertz ? Axis::Order : axis_ == Axis::Order ? Axis::Rpm : Axis::Hertz);
       return;
     case Qt::Key_PageUp:
-      wantedTop_ = std::min(visibleTop() * 2.0, top_.value > 0 ? top_ : kFirstTop);
-      updateImage();
-      return;
+      return reach(visibleTop() * 2.0);
     case Qt::Key_PageDown:
-      wantedTop_ = std::max(visibleTop() * 0.5, kLowestTop);
-      updateImage();
-      return;
+      return reach(visibleTop() * 0.5);
     default:
       QWidget::keyPressEvent(event);
   }
+}
+
+void SpectrogramWidget::reach(Hertz top) {
+  wantedTop_ = std::clamp(top, kLowestTop, std::max(top_.value > 0 ? top_ : kFirstTop, kLowestTop));
+  updateImage();
 }
 
 double SpectrogramWidget::yOf(Hertz f) const {
@@ -154,7 +160,8 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   const QRect line(plot.left(), 0, plot.width(), plot.top());
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
-  const QString title = tr("SPECTROGRAM");
+  const QString name = tr("SPECTROGRAM");
+  const QString title = standing_ == Standing::Paused ? tr("%1, PAUSED").arg(name) : name;
   p.drawText(QRect(theme_.px(16), 0, plot.right(), line.height()), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int titleEnd = theme_.px(16) + p.fontMetrics().horizontalAdvance(title) + theme_.px(14);
   p.setFont(theme_.font(type_size::kLabel));
@@ -171,20 +178,21 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
 }
 
 void SpectrogramWidget::drawColumns(QPainter& p, const QRect& plot) const {
+  const bool stale = standing_ == Standing::Stale;
   p.fillRect(plot, theme_.colors.track);
   if (!image_.image().isNull()) {
     p.save();
     p.setClipRect(plot);
-    if (stale_) p.setOpacity(0.35);
+    if (stale) p.setOpacity(0.35);
     p.setRenderHint(QPainter::SmoothPixmapTransform);
     p.drawImage(plot, image_.image());
     p.restore();
     drawGaps(p, plot);
   }
-  if (!stale_ && !image_.cells().empty()) return;
+  if (!stale && !image_.cells().empty()) return;
   p.setFont(theme_.font(type_size::kValue, true));
   p.setPen(theme_.colors.text);
-  p.drawText(plot, Qt::AlignCenter, stale_ ? tr("STALE: nothing new arrives") : tr("Waiting for the first samples"));
+  p.drawText(plot, Qt::AlignCenter, stale ? tr("STALE: nothing new arrives") : tr("Waiting for the first samples"));
 }
 
 // Hatches what is missing, and draws the time in chatter as a strip along the upper edge.
@@ -253,7 +261,7 @@ void SpectrogramWidget::drawTeeth(QPainter& p, const QRect& plot) const {
 }
 
 void SpectrogramWidget::drawChatter(QPainter& p, const QRect& plot) const {
-  if (!(chatter_.value > 0) || chatter_ > visibleTop() || stale_) return;
+  if (!(chatter_.value > 0) || chatter_ > visibleTop() || standing_ == Standing::Stale) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   const QFontMetrics metrics = p.fontMetrics();
   const double y = yOf(chatter_);

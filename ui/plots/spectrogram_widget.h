@@ -1,9 +1,11 @@
 // The live spectrogram: the last ten seconds, tooth-passing harmonics as ticks, chatter as one labelled mark, gaps
-// hatched. Keys: X changes the axis (Hz, order of the spindle, rpm per tooth), Page Up and Page Down its reach.
+// hatched. Keys: X changes the axis (Hz, order of the spindle, rpm per tooth), Page Up and Page Down, or two
+// fingers, its reach.
 #pragma once
 
 #include <QWidget>
 
+#include "ui/models/session_info.h"
 #include "ui/models/theme.h"
 #include "ui/models/themed.h"
 #include "ui/plots/spectrogram_image.h"
@@ -24,7 +26,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   void append(const SpectrumColumn& column, Tone alarm);
   // The newest chatter frequency with its label; 0: no mark.
   void setChatter(Hertz frequency, const QString& label, Tone tone);
-  void setStale(bool stale);
+  void setStanding(Standing standing);
   void clear();
 
   Axis axis() const { return axis_; }
@@ -46,6 +48,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   double yOf(Hertz f) const;
   double unitsPerHertz() const;
   void updateImage();
+  void reach(Hertz top);
   void drawHeader(QPainter& p, const QRect& plot) const;
   void drawColumns(QPainter& p, const QRect& plot) const;
   void drawGaps(QPainter& p, const QRect& plot) const;
@@ -60,7 +63,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   Hertz top_{}, wantedTop_, spindle_{}, chatter_{};
   Axis axis_ = Axis::Hertz;
   Tone chatterTone_ = Tone::Normal;
-  bool stale_ = false;
+  Standing standing_ = Standing::Moves;
 };
 
 }  // namespace stillcut::ui

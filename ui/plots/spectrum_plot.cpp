@@ -6,8 +6,10 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
+#include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
 namespace {
@@ -23,6 +25,13 @@ SpectrumPlot::SpectrumPlot(AnalyseView& view, QWidget* parent)
   setAccessibleName(tr("Spectrum"));
   setToolTip(tr("Click: harmonic cursor. H: on the strongest line. Drag: move. Wheel: zoom."));
   connect(&view, &AnalyseView::changed, this, qOverload<>(&QWidget::update));
+  TouchInput::Moves fingers;
+  fingers.pan = [this](QPointF by) { moveBy(by.x()); };
+  fingers.zoom = [this](double factor, QPointF around, Qt::Orientation along) {
+    if (along == Qt::Horizontal) view_.zoomFrequency(factor, std::max(frequencyAt(around.x()), Hertz()));
+  };
+  fingers.flings = true;
+  new TouchInput(this, std::move(fingers));
 }
 
 void SpectrumPlot::display(const SpectrumView& spectrum) {
@@ -98,9 +107,9 @@ void SpectrumPlot::drawCurve(QPainter& p, const Levels& level_dB, const QPen& pe
   if (pen.style() == Qt::SolidLine) p.drawPolyline(line.translated(0.0, 1.0));
 }
 
-void SpectrumPlot::setStale(bool stale) {
-  if (stale == stale_) return;
-  stale_ = stale;
+void SpectrumPlot::setStanding(Standing standing) {
+  if (standing == standing_) return;
+  standing_ = standing;
   update();
 }
 
@@ -112,11 +121,12 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (plot.width() < 40 || plot.height() < 20) return;
   p.setPen(theme_.colors.secondary);
   p.setFont(theme_.font(type_size::kLabel, true));
-  const bool old = stale_ && !spectrum_.atCursor;
-  const QString title = !spectrum_.known     ? tr("SPECTRUM")
-                        : spectrum_.atCursor ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
-                        : old                ? tr("SPECTRUM, STALE: nothing new arrives")
-                                             : tr("SPECTRUM, NEWEST");
+  const bool old = standing_ == Standing::Stale && !spectrum_.atCursor;
+  const QString title = !spectrum_.known                ? tr("SPECTRUM")
+                        : spectrum_.atCursor            ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
+                        : old                           ? tr("SPECTRUM, STALE: nothing new arrives")
+                        : standing_ == Standing::Paused ? tr("%1, PAUSED").arg(tr("SPECTRUM"))
+                                                        : tr("SPECTRUM, NEWEST");
   if (old) p.setPen(theme_.colors.onsetText);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   const QString unit =
@@ -196,7 +206,11 @@ void SpectrumPlot::mouseMoveEvent(QMouseEvent* event) {
   dragged_ = true;
   const double by = event->position().x() - last_.x();
   last_ = event->position();
-  view_.panFrequency((view_.options().high - view_.options().low) * (-by / std::max(plotRect().width(), 1)));
+  moveBy(by);
+}
+
+void SpectrumPlot::moveBy(double right) {
+  view_.panFrequency((view_.options().high - view_.options().low) * (-right / std::max(plotRect().width(), 1)));
 }
 
 void SpectrumPlot::mouseReleaseEvent(QMouseEvent* event) {

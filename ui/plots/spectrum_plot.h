@@ -1,11 +1,13 @@
 // One spectrum: the column under cursor A or the newest, with the highest of the stretch, a reference, the tooth
 // passing as thin ticks, chatter as one labelled mark, and a harmonic cursor. A click puts the cursor; H puts it on the
-// strongest line, Left and Right move it, Delete takes it away. The wheel zooms, a drag moves. GUI thread.
+// strongest line, Left and Right move it, Delete takes it away. The wheel zooms, a drag moves, fingers do as
+// touch_input.h says. GUI thread.
 #pragma once
 
 #include <QWidget>
 #include <optional>
 
+#include "ui/models/session_info.h"
 #include "ui/models/spectrum_view.h"
 #include "ui/models/themed.h"
 #include "ui/plots/axis_painter.h"
@@ -18,8 +20,8 @@ class SpectrumPlot : public QWidget, public Themed {
   explicit SpectrumPlot(AnalyseView& view, QWidget* parent = nullptr);
 
   void display(const SpectrumView& spectrum);
-  // The newest one is old.
-  void setStale(bool stale);
+  // Of the newest one.
+  void setStanding(Standing standing);
   // What the spectrum on show becomes the reference; again: none.
   void toggleReference();
   bool hasReference() const { return reference_.has_value(); }
@@ -40,6 +42,7 @@ class SpectrumPlot : public QWidget, public Themed {
   QRect plotRect() const;
   Hertz frequencyAt(double x) const;
   double xOf(Hertz f) const;
+  void moveBy(double right);  // the picture, by pixels
   AxisRange levels() const;
   void drawCurve(QPainter& p, const Levels& level_dB, const QPen& pen) const;
   void drawMarks(QPainter& p) const;
@@ -52,7 +55,7 @@ class SpectrumPlot : public QWidget, public Themed {
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool dragged_ = false;
-  bool stale_ = false;
+  Standing standing_ = Standing::Moves;
 };
 
 }  // namespace stillcut::ui

@@ -7,10 +7,12 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/models/format.h"
 #include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"
+#include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
 namespace {
@@ -33,6 +35,13 @@ TimePlot::TimePlot(AnalyseView& view, const QString& title, QWidget* parent)
   setAttribute(Qt::WA_OpaquePaintEvent);  // what lies behind would be painted with every picture
   setAccessibleName(title);
   connect(&view, &AnalyseView::changed, this, qOverload<>(&QWidget::update));
+  TouchInput::Moves fingers;
+  fingers.pan = [this](QPointF by) { moveBy(by); };
+  fingers.zoom = [this](double factor, QPointF around, Qt::Orientation along) {
+    along == Qt::Horizontal ? zoomRight(factor, around.x()) : zoomUp(factor, around.y());
+  };
+  fingers.flings = true;
+  new TouchInput(this, std::move(fingers));
 }
 
 void TimePlot::setTimesShown(bool shown) {
@@ -40,9 +49,9 @@ void TimePlot::setTimesShown(bool shown) {
   update();
 }
 
-void TimePlot::setStale(bool stale) {
-  if (stale == stale_) return;
-  stale_ = stale;
+void TimePlot::setStanding(Standing standing) {
+  if (standing == standing_) return;
+  standing_ = standing;
   update();
 }
 
@@ -74,14 +83,16 @@ void TimePlot::paintEvent(QPaintEvent*) {
   if (plot.height() < 10 || plot.width() < 40) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
-  p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title_);
-  const int after = theme_.px(12 + 14) + p.fontMetrics().horizontalAdvance(title_);
+  const QString title = standing_ == Standing::Paused ? tr("%1, PAUSED").arg(title_) : title_;
+  p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
+  const int after = theme_.px(12 + 14) + p.fontMetrics().horizontalAdvance(title);
   p.setFont(theme_.font(type_size::kTick));
   if (p.fontMetrics().horizontalAdvance(legend_) < width() - after - theme_.px(12)) {
     p.drawText(QRect(after, 0, width() - after, theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, legend_);
   }
   p.fillRect(plot, theme_.colors.track);
-  if (stale_) p.setOpacity(0.4);
+  const bool stale = standing_ == Standing::Stale;
+  if (stale) p.setOpacity(0.4);
   drawPlot(p, plot);
   p.setOpacity(1.0);
   drawTimes(p, plot);
@@ -91,7 +102,7 @@ void TimePlot::paintEvent(QPaintEvent*) {
     wash.setAlpha(60);
     p.fillRect(QRectF(QPointF(pressed_->x(), plot.top()), QPointF(last_.x(), plot.bottom() + 1)).normalized(), wash);
   }
-  if (stale_) {
+  if (stale) {
     p.setFont(theme_.font(type_size::kValue, true));
     p.setPen(theme_.colors.text);
     p.drawText(plot, Qt::AlignCenter, tr("STALE: nothing new arrives"));
@@ -194,6 +205,10 @@ void TimePlot::mouseMoveEvent(QMouseEvent* event) {
     update();
     return;
   }
+  moveBy(by);
+}
+
+void TimePlot::moveBy(const QPointF& by) {
   const QRect plot = plotRect();
   if (std::abs(by.x()) > 0) panRight(by.x() / std::max(plot.width(), 1));
   if (std::abs(by.y()) > 0) panUp(by.y() / std::max(plot.height(), 1));

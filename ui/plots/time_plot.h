@@ -1,7 +1,7 @@
 // What plots over time have in common: one axis, shared with the others through the view; the cursors; wheel, drag and
 // keys that move and zoom. A click puts cursor A, with Shift cursor B; a drag moves, with Control it zooms to what was
-// drawn over; the wheel zooms. Keys: arrows, plus, minus, Home (first), End (newest), A and B (cursor to the middle),
-// Delete (no cursors). GUI thread.
+// drawn over; the wheel zooms; fingers do as touch_input.h says. Keys: arrows, plus, minus, Home (first), End (newest),
+// A and B (cursor to the middle), Delete (no cursors). GUI thread.
 #pragma once
 
 #include <QWidget>
@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "ui/models/analyse_view.h"
+#include "ui/models/session_info.h"
 #include "ui/models/themed.h"
 
 namespace stillcut::ui {
@@ -25,7 +26,7 @@ class TimePlot : public QWidget, public Themed {
   void setTimesShown(bool shown);
   // How it is read, beside the title where there is room.
   void setLegend(const QString& legend) { legend_ = legend; }
-  void setStale(bool stale);
+  void setStanding(Standing standing);
 
   QRect plotRect() const;
   Instant timeAt(double x) const;
@@ -64,13 +65,14 @@ class TimePlot : public QWidget, public Themed {
 
  private:
   void drawTimes(QPainter& p, const QRect& plot) const;
+  void moveBy(const QPointF& by);  // the picture, by pixels
 
   AnalyseView& view_;
   QString title_, legend_;
   Theme theme_;
   std::function<qint64(Instant)> wallMs_;
   bool timesShown_ = true;
-  bool stale_ = false;
+  Standing standing_ = Standing::Moves;
   std::optional<QPointF> pressed_;  // where a touch began
   QPointF last_;
   bool dragged_ = false;

@@ -20,17 +20,17 @@ Error cannotWrite(const QString& path, const QString& why) {
   return Error{path.toStdString(), QT_TRANSLATE_NOOP("Core", "cannot be written"), why.toStdString()};
 }
 
-int drawPages(QPdfWriter& pdf, const SessionSummary& summary, int pageCount) {
+int drawPages(QPdfWriter& pdf, const SessionSummary& summary, UnitSystem units, int pageCount) {
   QPainter painter;
   if (!painter.begin(&pdf)) return 0;
   painter.scale(kDotsPerInch / kUnitsPerInch, kDotsPerInch / kUnitsPerInch);
-  return ReportPages(painter, &pdf, summary, pageCount).draw();
+  return ReportPages(painter, &pdf, summary, units, pageCount).draw();
 }
 
-int countPages(const SessionSummary& summary) {
+int countPages(const SessionSummary& summary, UnitSystem units) {
   QImage nowhere(1, 1, QImage::Format_RGB32);
   QPainter painter(&nowhere);
-  return ReportPages(painter, nullptr, summary, 0).draw();
+  return ReportPages(painter, nullptr, summary, units, 0).draw();
 }
 
 void drawPicture(QPaintDevice& device, const SessionSummary& summary, QSize size) {
@@ -44,7 +44,7 @@ void drawPicture(QPaintDevice& device, const SessionSummary& summary, QSize size
 
 }  // namespace
 
-Status writeReport(const SessionSummary& summary, const QString& path) {
+Status writeReport(const SessionSummary& summary, const QString& path, UnitSystem units) {
   QSaveFile file(path);
   if (!file.open(QIODevice::WriteOnly)) return cannotWrite(path, file.errorString());
   {
@@ -54,7 +54,7 @@ Status writeReport(const SessionSummary& summary, const QString& path) {
     pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
     pdf.setTitle(QFileInfo(QString::fromStdString(summary.file)).fileName());
     pdf.setCreator(QStringLiteral("Stillcut"));
-    if (drawPages(pdf, summary, countPages(summary)) == 0) return cannotWrite(path, file.errorString());
+    if (drawPages(pdf, summary, units, countPages(summary, units)) == 0) return cannotWrite(path, file.errorString());
   }
   if (!file.commit()) return cannotWrite(path, file.errorString());
   return Done{};
@@ -82,9 +82,10 @@ Status writePicture(const SessionSummary& summary, const QString& path, QSize si
   return Done{};
 }
 
-Status writeByName(const SessionSummary& summary, const QString& path) {
+Status writeByName(const SessionSummary& summary, const QString& path, UnitSystem units) {
   constexpr QSize kPicture{1400, 900};
-  return path.endsWith(QStringLiteral(".pdf")) ? writeReport(summary, path) : writePicture(summary, path, kPicture);
+  return path.endsWith(QStringLiteral(".pdf")) ? writeReport(summary, path, units)
+                                               : writePicture(summary, path, kPicture);
 }
 
 }  // namespace stillcut::ui

@@ -6,17 +6,18 @@
 
 #include "core/base/result.h"
 #include "core/model/session_summary.h"
+#include "ui/models/units.h"
 
 namespace stillcut::ui {
 
 // A4, as many pages as needed: what was cut, what happened, the plots; interventions with before and after,
 // markers, events; sensor check and settings.
-Status writeReport(const SessionSummary& summary, const QString& path);
+Status writeReport(const SessionSummary& summary, const QString& path, UnitSystem units);
 
 // The plots alone; .png or .svg by the suffix. `size` in pixels.
 Status writePicture(const SessionSummary& summary, const QString& path, QSize size);
 
 // The one or the other, by the suffix; a picture in a size for a page of text.
-Status writeByName(const SessionSummary& summary, const QString& path);
+Status writeByName(const SessionSummary& summary, const QString& path, UnitSystem units);
 
 }  // namespace stillcut::ui

@@ -18,8 +18,9 @@ constexpr double kWidth = kPageWidth - 2 * kMargin;
 
 }  // namespace
 
-ReportPages::ReportPages(QPainter& painter, QPagedPaintDevice* device, const SessionSummary& summary, int pageCount)
-    : painter_(painter), device_(device), summary_(summary), pageCount_(pageCount) {}
+ReportPages::ReportPages(QPainter& painter, QPagedPaintDevice* device, const SessionSummary& summary, UnitSystem units,
+                         int pageCount)
+    : painter_(painter), device_(device), summary_(summary), units_(units), pageCount_(pageCount) {}
 
 double ReportPages::left() const {
   return kMargin;
@@ -76,7 +77,7 @@ void ReportPages::firstPage() {
   const ThemeColors& colors = style_.colors();
   // What happened, in a band of its own: what a reader wants first.
   const QFont words = style_.font(14);
-  const QString text = whatHappened(summary_);
+  const QString text = whatHappened(summary_, units_);
   const QRectF measure(0, 0, kWidth - 34, 400);
   const double height = QFontMetricsF(words).boundingRect(measure, Qt::TextWordWrap, text).height() + 20;
   const QRectF band(left(), y_ + 4, kWidth, height);
@@ -87,7 +88,7 @@ void ReportPages::firstPage() {
   drawWords(painter_, band.adjusted(20, 10, -14, -8), text, words, colors.text);
   y_ = band.bottom() + 12;
 
-  const Facts facts = cutFacts(summary_);
+  const Facts facts = cutFacts(summary_, units_);
   constexpr double kLine = 18;
   const std::size_t half = (facts.size() + 1) / 2;
   for (std::size_t i = 0; i < facts.size(); ++i) {
@@ -124,7 +125,7 @@ void ReportPages::more(std::uint64_t all, std::size_t shown) {
 
 void ReportPages::interventions() {
   if (summary_.interventions.empty()) return;
-  table(tr("Alarms and what was done"), interventionColumns(), interventionRows(summary_));
+  table(tr("Alarms and what was done"), interventionColumns(units_), interventionRows(summary_, units_));
   more(summary_.alarms, summary_.interventions.size());
   const QString note =
       tr("Before: highest until the first command. After: newest at the end of the alarm. "

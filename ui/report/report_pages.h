@@ -6,6 +6,7 @@
 #include <QPainter>
 
 #include "core/model/session_summary.h"
+#include "ui/models/units.h"
 #include "ui/report/page_style.h"
 
 namespace stillcut::ui {
@@ -19,7 +20,8 @@ class ReportPages {
 
  public:
   // Without a device the pages are only counted.
-  ReportPages(QPainter& painter, QPagedPaintDevice* device, const SessionSummary& summary, int pageCount);
+  ReportPages(QPainter& painter, QPagedPaintDevice* device, const SessionSummary& summary, UnitSystem units,
+              int pageCount);
   // Draws all of them; returns how many there are.
   int draw();
 
@@ -42,6 +44,7 @@ class ReportPages {
   QPainter& painter_;
   QPagedPaintDevice* device_;
   const SessionSummary& summary_;
+  UnitSystem units_;
   PageStyle style_;
   int pageCount_;
   int page_ = 0;

@@ -24,8 +24,9 @@ QString rpm(Rpm speed) {
   return speed.value > 0.0 ? number(speed.value) : kNothing;
 }
 
-QString mmPerMin(MetresPerSecond feed) {
-  return feed.value > 0.0 ? number(toMmPerMin(feed)) : kNothing;
+// Without its unit.
+QString feedNumber(MetresPerSecond feed, UnitSystem units) {
+  return feed.value > 0.0 ? number(feedIn(feed, units), units == UnitSystem::Inch ? 1 : 0) : kNothing;
 }
 
 QString siText(SensorQuantity quantity) {
@@ -79,7 +80,7 @@ std::size_t movedCount(const SessionSummary& s) {
 
 }  // namespace
 
-Facts cutFacts(const SessionSummary& s) {
+Facts cutFacts(const SessionSummary& s, UnitSystem units) {
   Facts facts;
   const CutSetup& setup = s.setup;
   if (s.started_ns > 0) {
@@ -93,12 +94,11 @@ Facts cutFacts(const SessionSummary& s) {
     facts.emplace_back(say("Tool"), text(setup.tool));
     if (setup.teeth > 0) {
       QString teeth = QString::number(setup.teeth);
-      if (setup.toolDiameter.value > 0.0)
-        teeth += say(", diameter ") + lengthText(setup.toolDiameter, UnitSystem::Metric);
+      if (setup.toolDiameter.value > 0.0) teeth += say(", diameter ") + lengthText(setup.toolDiameter, units);
       facts.emplace_back(say("Teeth"), teeth);
     }
     facts.emplace_back(say("Programmed"), join(rpm(setup.nominalSpeed), say("rpm")) + QStringLiteral(", ") +
-                                              join(mmPerMin(setup.nominalFeed), say("mm/min")));
+                                              join(feedNumber(setup.nominalFeed, units), feedUnit(units)));
     facts.emplace_back(say("Authority"), authorityText(s.highestAuthority));
   }
   facts.emplace_back(say("Length"), duration(s.length));
@@ -114,7 +114,7 @@ Facts cutFacts(const SessionSummary& s) {
   return facts;
 }
 
-QString whatHappened(const SessionSummary& s) {
+QString whatHappened(const SessionSummary& s, UnitSystem units) {
   if (!s.session) {
     return say(
         "This recording holds measurements only: nobody decided while it was made. Vibration and "
@@ -126,8 +126,7 @@ QString whatHappened(const SessionSummary& s) {
     words += say(", first at %1").arg(join(number(s.interventions.front().frequency.value), say("Hz")));
   }
   words += say("; it lasted %1 in all").arg(duration(s.chatterTime));
-  if (s.chatterLength.value > 0.0)
-    words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, UnitSystem::Metric));
+  if (s.chatterLength.value > 0.0) words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, units));
   words += QStringLiteral(". ");
   const std::size_t moved = movedCount(s);
   if (moved == 0) {
@@ -150,15 +149,20 @@ Tone whatHappenedTone(const SessionSummary& s) {
   return lost ? Tone::Chatter : Tone::Onset;
 }
 
-std::vector<TableColumn> interventionColumns() {
-  return {{say("No."), 0.5, true},           {say("At"), 0.9, true},
-          {say("Chatter"), 1.1, true},       {say("Speed [rpm]"), 1.9, true},
-          {say("Feed [mm/min]"), 1.9, true}, {say("Energy ratio"), 1.6, true},
-          {say("Vibration rms"), 1.8, true}, {say("Quiet after"), 1.35, true},
-          {say("Marked"), 1.0, true},        {say("Outcome"), 1.4, false}};
+std::vector<TableColumn> interventionColumns(UnitSystem units) {
+  return {{say("No."), 0.5, true},
+          {say("At"), 0.9, true},
+          {say("Chatter"), 1.1, true},
+          {say("Speed [rpm]"), 1.9, true},
+          {say("Feed [%1]").arg(feedUnit(units)), 1.9, true},
+          {say("Energy ratio"), 1.6, true},
+          {say("Vibration rms"), 1.8, true},
+          {say("Quiet after"), 1.35, true},
+          {say("Marked"), 1.0, true},
+          {say("Outcome"), 1.4, false}};
 }
 
-std::vector<TableRow> interventionRows(const SessionSummary& s) {
+std::vector<TableRow> interventionRows(const SessionSummary& s, UnitSystem units) {
   std::vector<TableRow> rows;
   for (const Intervention& i : s.interventions) {
     const bool moved = toNs(i.commanded) > 0;
@@ -168,11 +172,11 @@ std::vector<TableRow> interventionRows(const SessionSummary& s) {
     TableRow row;
     row.cells << QString::number(i.number + 1) << join(number(sinceEpoch(i.began).value, 2), QStringLiteral("s"))
               << join(number(i.frequency.value), say("Hz")) << pair(rpm(i.speedBefore), rpm(i.speedAfter))
-              << pair(mmPerMin(i.feedBefore), mmPerMin(i.feedAfter))
+              << pair(feedNumber(i.feedBefore, units), feedNumber(i.feedAfter, units))
               << pair(number(i.severityBefore.value, 2), number(i.severityAfter.value, 2))
               << pair(significant(i.vibrationBefore, 3), significant(i.vibrationAfter, 3))
               << (i.quiet ? duration(i.timeToQuiet) : kNothing)
-              << (i.marked.value > 0.0 ? lengthText(i.marked, UnitSystem::Metric) : kNothing) << outcome(i);
+              << (i.marked.value > 0.0 ? lengthText(i.marked, units) : kNothing) << outcome(i);
     row.tone = i.finished && !i.quiet ? Tone::Chatter : Tone::Normal;
     rows.push_back(row);
   }

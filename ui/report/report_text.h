@@ -1,4 +1,5 @@
-// What a report says in words and tables: pure functions of the summary. GUI thread.
+// What a report says in words and tables, lengths and feeds in the units of the screen: pure functions of the summary.
+// GUI thread.
 #pragma once
 
 #include <QString>
@@ -7,19 +8,20 @@
 #include <vector>
 
 #include "core/model/session_summary.h"
+#include "ui/models/units.h"
 #include "ui/report/table.h"
 
 namespace stillcut::ui {
 
 using Facts = std::vector<std::pair<QString, QString>>;
 
-Facts cutFacts(const SessionSummary& summary);
+Facts cutFacts(const SessionSummary& summary, UnitSystem units);
 // One paragraph: was there chatter, what was done, what became of it.
-QString whatHappened(const SessionSummary& summary);
+QString whatHappened(const SessionSummary& summary, UnitSystem units);
 Tone whatHappenedTone(const SessionSummary& summary);
 
-std::vector<TableColumn> interventionColumns();
-std::vector<TableRow> interventionRows(const SessionSummary& summary);
+std::vector<TableColumn> interventionColumns(UnitSystem units);
+std::vector<TableRow> interventionRows(const SessionSummary& summary, UnitSystem units);
 std::vector<TableColumn> sensorColumns();
 std::vector<TableRow> sensorRows(const SessionSummary& summary);
 std::vector<TableColumn> eventColumns();

@@ -1,6 +1,8 @@
 #include "ui/shell/main_window.h"
 
 #include <QCloseEvent>
+#include <QGraphicsView>
+#include <QPlainTextEdit>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -10,6 +12,7 @@
 
 #include "ui/models/strip_view.h"
 #include "ui/pages/page.h"
+#include "ui/plots/touch_input.h"
 #include "ui/shell/apply_theme.h"
 #include "ui/shell/header_bar.h"
 #include "ui/shell/manual_panel.h"
@@ -84,6 +87,11 @@ void MainWindow::build() {
   connect(new QShortcut(Qt::Key_F11, centre), &QShortcut::activated, this, &MainWindow::toggleDisplayPanel);
   connect(command_, &CommandBar::asked, this,
           [this](const OperatorInput& input) { session_.send(input, generation_); });
+  for (QAbstractScrollArea* area : findChildren<QAbstractScrollArea*>()) {
+    // Charts have fingers of their own; a plain text counts lines, not pixels, and is short.
+    if (qobject_cast<QGraphicsView*>(area) != nullptr || qobject_cast<QPlainTextEdit*>(area) != nullptr) continue;
+    TouchInput::scroll(*area);
+  }
   retheme();
 }
 
@@ -149,10 +157,12 @@ void MainWindow::tick(qint64 nowMs) {
   session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
   ActiveDesk* table = session_.active();
   if (table != nullptr) table->poll();
+  const bool paused = replay && session_.replayStands();
   Picture picture{&session_.info(),
                   snapshot,
                   freshness_.age(),
-                  snapshot && freshness_.stale(),
+                  snapshot && freshness_.stale() && !paused,
+                  paused,
                   nowMs,
                   session_.recorder(),
                   session_.link(),
@@ -168,6 +178,7 @@ void MainWindow::tick(qint64 nowMs) {
   picture.snapshot = live;
   picture.age = liveFreshness_.age();
   picture.stale = live != nullptr && liveFreshness_.stale();
+  picture.paused = false;
   command_->display(makeCommandView(picture), nowMs);
   strip_->display(makeStrip(picture));
   nowMs_ = nowMs;

@@ -31,6 +31,8 @@ class SessionFacade {
   virtual const Snapshot* pull() = 0;
   // While a replay is shown, the machine's own cut as of the last pull(): what commands shows it and acts on it.
   virtual bool replayShown() const { return false; }
+  // It is paused, or at its end: nothing new comes until somebody plays it.
+  virtual bool replayStands() const { return false; }
   virtual const SessionInfo& liveInfo() const { return info(); }
   virtual const Snapshot* live() { return pull(); }
   // The samples that came since the last call, in device units (info().setup.channels has the scales), in order. A
@@ -44,7 +46,7 @@ class SessionFacade {
   virtual void send(const OperatorInput& input, std::uint32_t seen) = 0;
   virtual RecorderStatus recorder() const = 0;
   virtual LinkStatus link() const = 0;
-  // Null: the modes of the cut are not known.
+  // Of what the pages show. Null: the modes of that cut are not known.
   virtual LobeService* lobes() { return nullptr; }
   // What the Tune page works on; null: nothing. As long-lived as the session.
   virtual Tuning* tuning() { return nullptr; }
