@@ -76,11 +76,13 @@ Hertz frequencyAt(const KnownCut& cut, Seconds time) {
     most = part;
     best = hz;
   };
-  for (double hz = cut.chatterHz * (1.0 - kReach); hz <= cut.chatterHz * (1.0 + kReach); hz += step) tryAt(hz);
-  for (; step > 1e-4 * cut.chatterHz; step *= 0.5) {
+  const int steps = static_cast<int>(kReach * cut.chatterHz / step);
+  for (int k = -steps; k <= steps; ++k) tryAt(cut.chatterHz + k * step);
+  while (step > 1e-4 * cut.chatterHz) {
     const double middle = best;
     tryAt(middle - 0.5 * step);
     tryAt(middle + 0.5 * step);
+    step *= 0.5;
   }
   return Hertz(most > kMost ? best : cut.chatterHz);
 }
