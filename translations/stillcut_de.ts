@@ -4743,10 +4743,6 @@
         <translation>Vorschub folgt auf {0.0} mm/min, damit jeder Zahn weiter {1.3} mm nimmt</translation>
     </message>
     <message>
-        <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation>{0.0} rpm würden helfen, doch der Override reicht von {1.0} bis {2.0} rpm</translation>
-    </message>
-    <message>
         <source>monitoring only</source>
         <translation>nur Überwachung</translation>
     </message>
@@ -4761,10 +4757,6 @@
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
         <translation>{0.0} rpm ist schon die Drehzahl gegen Rattern bei {1.0} Hz</translation>
-    </message>
-    <message>
-        <source>quiet, keeping {0.0} rpm</source>
-        <translation>ruhig, bleibt bei {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
@@ -5025,6 +5017,30 @@
     <message>
         <source>channel {0.0} repeats its values, or comes at another rate than told</source>
         <translation>Kanal {0.0} wiederholt Werte oder kommt mit anderer Rate als angegeben</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm</source>
+        <translation>{0.0} rpm würden gegen Rattern mit {3.0} Hz helfen, doch der Override reicht von {1.0} bis {2.0} rpm</translation>
+    </message>
+    <message>
+        <source>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
+        <translation>ruhig, bleibt bei {0.0} rpm, die das Rattern mit {1.0} Hz verlangt hat</translation>
+    </message>
+    <message>
+        <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>nur Überwachung, bei {0.0} rpm und einem Energieverhältnis von {1.2}</translation>
+    </message>
+    <message>
+        <source>nothing to do at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>nichts zu tun bei {0.0} rpm und einem Energieverhältnis von {1.2}</translation>
+    </message>
+    <message>
+        <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
+        <translation>nach Urteil oder Maschinenzustand lässt sich nicht handeln, bleibt bei {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
+        <translation>die Zähnezahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} rpm folgt keine Drehzahl</translation>
     </message>
 </context>
 <context>

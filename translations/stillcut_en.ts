@@ -4742,10 +4742,6 @@
         <translation>feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm</translation>
     </message>
     <message>
-        <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</translation>
-    </message>
-    <message>
         <source>monitoring only</source>
         <translation>monitoring only</translation>
     </message>
@@ -4760,10 +4756,6 @@
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
         <translation>{0.0} rpm is already the speed for chatter at {1.0} Hz</translation>
-    </message>
-    <message>
-        <source>quiet, keeping {0.0} rpm</source>
-        <translation>quiet, keeping {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
@@ -5024,6 +5016,30 @@
     <message>
         <source>{0.0} lines more than there was room for, the most important were kept</source>
         <translation>{0.0} lines more than there was room for, the most important were kept</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm</source>
+        <translation>{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm</translation>
+    </message>
+    <message>
+        <source>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
+        <translation>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</translation>
+    </message>
+    <message>
+        <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</translation>
+    </message>
+    <message>
+        <source>nothing to do at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>nothing to do at {0.0} rpm and an energy ratio of {1.2}</translation>
+    </message>
+    <message>
+        <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
+        <translation>verdict or machine state cannot be acted on, staying at {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
+        <translation>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</translation>
     </message>
 </context>
 <context>

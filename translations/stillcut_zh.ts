@@ -4743,10 +4743,6 @@
         <translation>进给随之变为 {0.0} mm/min，使每齿仍切 {1.3} mm</translation>
     </message>
     <message>
-        <source>{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm</source>
-        <translation>{0.0} rpm 会有帮助，但倍率只能到 {1.0} 至 {2.0} rpm</translation>
-    </message>
-    <message>
         <source>monitoring only</source>
         <translation>仅监测</translation>
     </message>
@@ -4761,10 +4757,6 @@
     <message>
         <source>{0.0} rpm is already the speed for chatter at {1.0} Hz</source>
         <translation>{0.0} rpm 已是针对 {1.0} Hz 颤振的转速</translation>
-    </message>
-    <message>
-        <source>quiet, keeping {0.0} rpm</source>
-        <translation>已平稳，保持 {0.0} rpm</translation>
     </message>
     <message>
         <source>{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)</source>
@@ -5025,6 +5017,30 @@
     <message>
         <source>channel {0.0} repeats its values, or comes at another rate than told</source>
         <translation>通道 {0.0} 重复数值，或采样率与所给的不同</translation>
+    </message>
+    <message>
+        <source>{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm</source>
+        <translation>{0.0} rpm 可抑制 {3.0} Hz 的颤振，但倍率只能到 {1.0} 至 {2.0} rpm</translation>
+    </message>
+    <message>
+        <source>quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for</source>
+        <translation>已平稳，保持因 {1.0} Hz 颤振而选的 {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>monitoring only, at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>仅监测，{0.0} rpm，能量比 {1.2}</translation>
+    </message>
+    <message>
+        <source>nothing to do at {0.0} rpm and an energy ratio of {1.2}</source>
+        <translation>{0.0} rpm，能量比 {1.2}，无需操作</translation>
+    </message>
+    <message>
+        <source>verdict or machine state cannot be acted on, staying at {0.0} rpm</source>
+        <translation>结论或机床状态不可用，停留在 {0.0} rpm</translation>
+    </message>
+    <message>
+        <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
+        <translation>齿数未知，无法由 {1.0} rpm 时 {0.0} Hz 的颤振得出转速</translation>
     </message>
 </context>
 <context>

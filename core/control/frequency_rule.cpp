@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/control/machine_speed.h"
+#include "core/control/plain_reasons.h"
 
 namespace stillcut::control {
 namespace {
@@ -27,7 +28,8 @@ void FrequencyRule::reset() noexcept {
   chatter_ = {};
   target_ = {};
   alarmed_ = false;
-  reason_ = {ReasonCode::NothingToDo, {}};
+  heard_ = {};
+  reason_ = {ReasonCode::NothingToDoAt, {}};
   forget();
 }
 
@@ -38,7 +40,7 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
     OverrideRequest hold;
     hold.time = input.now;
     hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
-    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    hold.reason = nothingUsable(target_, m);
     return hold;
   }
   if (otherSpeedWord(m, programmed_)) {
@@ -48,9 +50,10 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
   const Rpm present = presentSpeed(m);
   const bool alarm = options_.waitForChatter ? v.state == CutState::Chatter : v.alarming();
   if (teeth_ <= 0) {
-    reason_ = {ReasonCode::NoTeeth, {}};
+    reason_ = teethNotKnown(input);
   } else if (alarm && v.frequency.value > 0.0) {
     smooth(v, input.dt, toothPassing(present, teeth_));
+    heard_ = chatter_;
     take(aim(look(input, present)));
   } else if (!alarm && target_.value > 0.0) {
     if (alarmed_ && options_.freeze) target_ = present;
@@ -58,11 +61,12 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
     take(whenQuiet(look(input, present)));
   }
   alarmed_ = alarm;
+  if (reason_.code == ReasonCode::NothingToDoAt) reason_ = nothingToDoAt(input);
   return answer(input);
 }
 
 Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
-  return {{}, {ReasonCode::KeepingSpeed, {target_.value}}};
+  return {{}, {ReasonCode::KeepingSpeed, {target_.value, heard_.value}}};
 }
 
 void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept {
@@ -83,10 +87,10 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   view.teeth = teeth_;
   view.present = present;
   view.programmed = m.programmedSpeed * m.operatorSpeed.value;
-  view.level = input.perturbation >= 0.0 ? input.perturbation : input.verdict.severity.value;
+  view.perturbation = std::isfinite(input.perturbation) ? input.perturbation : -1.0;
+  view.level = view.perturbation >= 0.0 ? view.perturbation : shown(input.verdict.severity.value);
   view.effect = m.link.effect;
   view.vibration = std::isfinite(input.vibration) ? input.vibration : -1.0;
-  view.perturbation = std::isfinite(input.perturbation) ? input.perturbation : -1.0;
   view.air = input.verdict.state == CutState::Air;
   view.reach = reachableSpeeds(limits_, m);
   return view;
@@ -94,7 +98,7 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
 
 void FrequencyRule::take(const Aim& aim) noexcept {
   if (positive(aim.speed.value)) target_ = aim.speed;
-  reason_ = aim.reason;
+  if (aim.reason.code != ReasonCode::None) reason_ = aim.reason;
 }
 
 OverrideRequest FrequencyRule::answer(const StrategyInput& input) const noexcept {
@@ -102,7 +106,7 @@ OverrideRequest FrequencyRule::answer(const StrategyInput& input) const noexcept
   request.time = input.now;
   request.claimsSpeed = true;
   request.claimsFeed = true;
-  request.reason = reason_;
+  request.reason = finite(reason_);
   if (target_.value <= 0.0) return request;
   request.kind = RequestKind::Set;
   request.speed = target_;

@@ -31,7 +31,7 @@ struct RuleView {
   config::SpeedRange reach;
 };
 
-// Where to go; a speed of 0 leaves the target as it is.
+// Where to go; a speed of 0 leaves the target as it is, a reason without a code what was said.
 struct Aim {
   Rpm speed{};
   Reason reason;
@@ -66,6 +66,7 @@ class FrequencyRule : public Strategy {
 
   Rpm programmed_{};
   Hertz chatter_{};  // low-passed; 0: none yet in this episode
+  Hertz heard_{};    // the last one, kept when quiet
   Rpm target_{};     // 0: none
   bool alarmed_ = false;
   Reason reason_;

@@ -39,7 +39,8 @@ Aim LobeCenter::aim(const RuleView& view) noexcept {
   const Pocket pocket = pocketInReach(view.chatter, view.teeth, view.present, view.reach);
   if (pocket.waves == 0) {
     return {{},
-            {ReasonCode::TargetOutOfRange, {pocket.firstChoice.value, view.reach.low.value, view.reach.high.value}}};
+            {ReasonCode::TargetOutOfRange,
+             {pocket.firstChoice.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
   }
   const auto waves = static_cast<double>(pocket.waves);
   if (pocket.moved) {

@@ -1,5 +1,7 @@
 #include "core/control/monitor.h"
 
+#include "core/control/plain_reasons.h"
+
 namespace stillcut::control {
 
 StrategyInfo Monitor::describe() const {
@@ -12,7 +14,7 @@ OverrideRequest Monitor::decide(const StrategyInput& input) noexcept {
   OverrideRequest request;
   request.time = input.now;
   request.kind = RequestKind::Release;
-  request.reason = {ReasonCode::Monitoring, {}};
+  request.reason = monitoringAt(input);
   return request;
 }
 

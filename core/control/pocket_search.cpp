@@ -165,7 +165,9 @@ NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
   if (first > edge && left <= kQuarterWave && !wasTried(edge, here)) {
     return {edge, {ReasonCode::NextPocketInRange, {edge.value, waves, first.value, view.chatter.value}}};
   }
-  NextSpeed best{{}, {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value}}};
+  NextSpeed best{
+      {},
+      {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
   for (std::size_t i = tried_; i-- > 0;) {
     const Hertz heard = failure_[i].chatter;
     const int p = pocketOf(heard, view.present);

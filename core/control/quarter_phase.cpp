@@ -67,7 +67,9 @@ Aim QuarterPhase::aim(const RuleView& view) noexcept {
   const config::SpeedRange everything{Rpm(0.0), Rpm(1e9)};
   const QuarterTarget wanted =
       quarterPhaseSpeed(view.chatter, view.teeth, view.present, phase_, direction_, everything);
-  return {{}, {ReasonCode::TargetOutOfRange, {wanted.speed.value, view.reach.low.value, view.reach.high.value}}};
+  return {{},
+          {ReasonCode::TargetOutOfRange,
+           {wanted.speed.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
 }
 
 }  // namespace stillcut::control

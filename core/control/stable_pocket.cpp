@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/control/machine_speed.h"
+#include "core/control/plain_reasons.h"
 
 namespace stillcut::control {
 namespace {
@@ -77,12 +78,13 @@ void StablePocket::letGo() noexcept {
   search_.forget();
   phase_ = Phase::Watch;
   target_ = from_ = even_ = {};
+  movedFor_ = {};
   arrived_ = false;
   heardThere_ = {};
   moves_ = 0;
   inPhase_ = waiting_ = quiet_ = 0.0;
   path_ = {};
-  reason_ = {ReasonCode::NothingToDo, {}};
+  reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
 OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
@@ -93,7 +95,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
     OverrideRequest hold;
     hold.time = input.now;
     hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
-    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    hold.reason = nothingUsable(target_, m);
     // Chatter that drives the sensor to its limit now and then has not ended each time.
     if (v.valid || v.reason.code != ReasonCode::InputClipped) judge_.forget();
     return hold;
@@ -103,7 +105,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
     programmed_ = m.programmedSpeed;
   }
   if (teeth_ <= 0) {
-    reason_ = {ReasonCode::NoTeeth, {}};
+    reason_ = teethNotKnown(input);
     return answer(input);
   }
   const bool nothingYet = phase_ == Phase::Watch && moves_ == 0 && !v.alarming();
@@ -137,7 +139,7 @@ void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machin
   target_ = from_ = {};
   phase_ = Phase::Watch;
   judge_.forget();
-  reason_ = {ReasonCode::NothingToDo, {}};
+  reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
 void StablePocket::listen(const StrategyInput& input) noexcept {
@@ -162,7 +164,7 @@ void StablePocket::listen(const StrategyInput& input) noexcept {
   if (judge_.confirmed()) {
     choose(input.machine, even_);
   } else if (target_.value > 0.0) {
-    reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
+    reason_ = {ReasonCode::KeepingSpeed, {target_.value, movedFor_.value}};
   }
 }
 
@@ -175,7 +177,7 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
     phase_ = Phase::Watch;
     quiet_ = 0.0;
     judge_.forget();
-    reason_ = {ReasonCode::KeepingSpeed, {target_.value}};
+    reason_ = {ReasonCode::KeepingSpeed, {target_.value, movedFor_.value}};
     return;
   }
   // Nobody carries it out (advice that waits for its answer, a pause of the gate): it is no move yet, and the chatter
@@ -203,6 +205,7 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   ++moves_;
   target_ = next.speed;
   from_ = present;
+  movedFor_ = chatter;
   arrived_ = false;
   heardThere_ = {};
   reason_ = next.reason;
@@ -227,7 +230,7 @@ OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept 
   request.time = input.now;
   request.claimsSpeed = true;
   request.claimsFeed = true;
-  request.reason = reason_;
+  request.reason = reason_.code == ReasonCode::NothingToDoAt ? nothingToDoAt(input) : finite(reason_);
   if (phase_ == Phase::Resigned) request.kind = RequestKind::Release;
   if (target_.value <= 0.0) return request;
   request.kind = RequestKind::Set;

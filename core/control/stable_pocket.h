@@ -54,7 +54,8 @@ class StablePocket final : public Strategy {
   Rpm programmed_{};
   Rpm target_{};  // 0: none
   Rpm from_{};    // where the move began
-  Rpm even_{};    // the measured speed, smoothed
+  Hertz movedFor_{};
+  Rpm even_{};  // the measured speed, smoothed
   bool arrived_ = false;
   Hertz heardThere_{};  // of the last alarm at the target; 0: quiet since, or not there yet
   int moves_ = 0;

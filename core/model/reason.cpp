@@ -57,12 +57,12 @@ constexpr Row kRows[] = {
     {ReasonCode::FeedFollowsSpeed, "feed-follows-speed",
      "feed follows to {0.0} mm/min, so that each tooth still takes {1.3} mm"},
     {ReasonCode::TargetOutOfRange, "target-out-of-range",
-     "{0.0} rpm would help but the override reaches {1.0} to {2.0} rpm"},
+     "{0.0} rpm would help against chatter of {3.0} Hz but the override reaches {1.0} to {2.0} rpm"},
     {ReasonCode::Monitoring, "monitoring", "monitoring only"},
     {ReasonCode::VerdictNotUsable, "verdict-not-usable", "there is no usable verdict to act on"},
     {ReasonCode::Recovering, "recovering", "going back towards {0.2}"},
     {ReasonCode::AlreadyThere, "already-there", "{0.0} rpm is already the speed for chatter at {1.0} Hz"},
-    {ReasonCode::KeepingSpeed, "keeping-speed", "quiet, keeping {0.0} rpm"},
+    {ReasonCode::KeepingSpeed, "keeping-speed", "quiet, keeping {0.0} rpm that chatter of {1.0} Hz asked for"},
     {ReasonCode::NextPocketInRange, "next-pocket-in-range",
      "{0.0} rpm with {1.0} waves between two teeth is in reach, {2.0} rpm is not (chatter {3.0} Hz)"},
     {ReasonCode::QuarterWave, "quarter-wave",
@@ -134,6 +134,11 @@ constexpr Row kRows[] = {
     {ReasonCode::GateOverrideReset, "gate-override-reset",
      "the machine or its program put the override back to {0.0} %, Stillcut had it at {1.0} %"},
     {ReasonCode::EventsLost, "events-lost", "{0.0} lines more than there was room for, the most important were kept"},
+    {ReasonCode::MonitoringAt, "monitoring-at", "monitoring only, at {0.0} rpm and an energy ratio of {1.2}"},
+    {ReasonCode::NothingToDoAt, "nothing-to-do-at", "nothing to do at {0.0} rpm and an energy ratio of {1.2}"},
+    {ReasonCode::NothingUsable, "nothing-usable", "verdict or machine state cannot be acted on, staying at {0.0} rpm"},
+    {ReasonCode::TeethNotKnown, "teeth-not-known",
+     "the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -42,12 +42,12 @@ enum class ReasonCode : std::uint16_t {
   NothingToDo,         // -
   CentreOfNextPocket,  // target rpm, pocket number p, chatter Hz, present rpm
   FeedFollowsSpeed,    // feed mm/min, feed per tooth mm
-  TargetOutOfRange,    // wanted rpm, lowest rpm, highest rpm
+  TargetOutOfRange,    // wanted rpm, lowest rpm, highest rpm, chatter Hz
   Monitoring,          // -
   VerdictNotUsable,    // -
   Recovering,          // ratio towards
   AlreadyThere,        // rpm, chatter Hz: the speed is the one that the rule asks for
-  KeepingSpeed,        // rpm kept since chatter cleared
+  KeepingSpeed,        // rpm kept since chatter cleared, Hz of that chatter
   NextPocketInRange,   // target rpm, pocket number p, rpm out of reach, chatter Hz
   QuarterWave,         // target rpm, waves n + nu, chatter Hz, present rpm
   TowardLowerLevel,    // target rpm, chatter Hz minus the harmonic, level over its mean
@@ -105,6 +105,11 @@ enum class ReasonCode : std::uint16_t {
   ChatterLeftCut,           // seconds in chatter, mm of feed: the tool left the cut before it was quiet
   GateOverrideReset,        // override read back %, ours until then %: somebody else's doing, not a lock
   EventsLost,               // events of earlier steps that found no room
+  // requests again: sessions store a code as its place here, so that new ones come last
+  MonitoringAt,   // rpm, energy ratio
+  NothingToDoAt,  // rpm, energy ratio
+  NothingUsable,  // rpm stayed at: verdict or machine state cannot be acted on
+  TeethNotKnown,  // chatter Hz (0: none), rpm: no other speed follows from them
 };
 
 struct Reason {

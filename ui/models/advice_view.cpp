@@ -28,6 +28,11 @@ bool repeatsNumbers(ReasonCode code) {
   return code == ReasonCode::None || code == ReasonCode::GateInForce || code == ReasonCode::GateMoving;
 }
 
+// Told by the panel's own words already.
+bool idle(ReasonCode code) {
+  return code == ReasonCode::NothingToDo || code == ReasonCode::NothingToDoAt;
+}
+
 QString deltaText(const Move& move, const MachineState& machine) {
   if (!(machine.programmedSpeed.value > 0)) return {};
   const double change = move.speed.value - machine.programmedSpeed.value;
@@ -120,7 +125,7 @@ AdviceView nothing(const Picture& picture) {
   const bool alarm = picture.verdict().alarming();
   const bool quiet = picture.verdict().valid && !alarm;
   view.target = quiet ? say("Nothing to do") : say("No advice");
-  view.reason = s.request.reason.code == ReasonCode::NothingToDo ? QString() : reasonText(s.request.reason);
+  view.reason = idle(s.request.reason.code) ? QString() : reasonText(s.request.reason);
   if (view.reason.isEmpty() && s.authority == Authority::Off)
     view.reason = say("Authority is off: Stillcut only watches");
   if (view.reason.isEmpty() && !quiet && !alarm) view.reason = say("There is no verdict to act on");

@@ -174,7 +174,7 @@ TEST_F(LobeCenterTest, WithoutTeethItSaysSo) {
   strategy_.prepare(setup_, withRange(50, 120, 0, 100));
   const OverrideRequest r = decide();
   EXPECT_EQ(r.kind, RequestKind::None);
-  EXPECT_EQ(r.reason.code, ReasonCode::NoTeeth);
+  EXPECT_EQ(r.reason.code, ReasonCode::TeethNotKnown);
 }
 
 TEST(Monitor, NeverAsksForAnOverride) {
