@@ -2700,10 +2700,6 @@
         <translation>Vollausschlag</translation>
     </message>
     <message>
-        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
-        <translation>fuzzy.energy-limit: muss über fuzzy.energy-reference liegen</translation>
-    </message>
-    <message>
         <source>gain must not be zero</source>
         <translation>die Verstärkung darf nicht null sein</translation>
     </message>
@@ -4574,6 +4570,18 @@
     <message>
         <source>cannot be read as TOML</source>
         <translation>kann nicht als TOML gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1 is above %2 of %3</source>
+        <translation>%1 ist mehr als %2 von %3</translation>
+    </message>
+    <message>
+        <source>must be above fuzzy.energy-reference</source>
+        <translation>muss über fuzzy.energy-reference liegen</translation>
+    </message>
+    <message>
+        <source>rules must fall as coherence rises</source>
+        <translation>Regeln müssen fallen, wenn die Kohärenz steigt</translation>
     </message>
 </context>
 <context>

@@ -2699,10 +2699,6 @@
         <translation>full scale</translation>
     </message>
     <message>
-        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
-        <translation>fuzzy.energy-limit: must be above fuzzy.energy-reference</translation>
-    </message>
-    <message>
         <source>gain must not be zero</source>
         <translation>gain must not be zero</translation>
     </message>
@@ -4573,6 +4569,18 @@
     <message>
         <source>cannot be read as TOML</source>
         <translation>cannot be read as TOML</translation>
+    </message>
+    <message>
+        <source>%1 is above %2 of %3</source>
+        <translation>%1 is above %2 of %3</translation>
+    </message>
+    <message>
+        <source>must be above fuzzy.energy-reference</source>
+        <translation>must be above fuzzy.energy-reference</translation>
+    </message>
+    <message>
+        <source>rules must fall as coherence rises</source>
+        <translation>rules must fall as coherence rises</translation>
     </message>
 </context>
 <context>

@@ -2700,10 +2700,6 @@
         <translation>满量程</translation>
     </message>
     <message>
-        <source>fuzzy.energy-limit: must be above fuzzy.energy-reference</source>
-        <translation>fuzzy.energy-limit：必须大于 fuzzy.energy-reference</translation>
-    </message>
-    <message>
         <source>gain must not be zero</source>
         <translation>增益不得为零</translation>
     </message>
@@ -4574,6 +4570,18 @@
     <message>
         <source>cannot be read as TOML</source>
         <translation>不能按 TOML 读取</translation>
+    </message>
+    <message>
+        <source>%1 is above %2 of %3</source>
+        <translation>%1 高于 %3 的 %2</translation>
+    </message>
+    <message>
+        <source>must be above fuzzy.energy-reference</source>
+        <translation>必须大于 fuzzy.energy-reference</translation>
+    </message>
+    <message>
+        <source>rules must fall as coherence rises</source>
+        <translation>相干性升高时规则值必须下降</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/control/machine_speed.h"
+#include "core/control/plain_reasons.h"
 
 namespace stillcut::control {
 namespace {
@@ -18,7 +19,6 @@ constexpr double kOfThePast = 0.5;
 constexpr double kFalling = 0.9;      // of the level a cycle ago: what was done works
 constexpr double kSeverityRef = 0.2;  // energy ratio that the detectors call full chatter
 constexpr double kOvershoot = 1.1, kMostOvershoot = 2.0;
-constexpr double kImpactGain = 2.0;
 constexpr double kScalingExponent = 0.5, kScalingError = 0.5;  // alpha_E and eps_E of the input scaling
 constexpr double kLeastScaling = 0.5, kMostScaling = 2.0;
 constexpr int kLearnEvery = 6;
@@ -40,16 +40,14 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
   if (!limits) throw std::runtime_error(limits.error().line());
   limits_ = *limits;
   const FuzzyOptions options = fuzzyOptions(params);
-  if (!(options.energyUp > options.energyRef)) {
-    throw std::runtime_error("fuzzy.energy-limit: must be above fuzzy.energy-reference");
-  }
+  if (const Status usable = checkFuzzyOptions(options); !usable) throw std::runtime_error(usable.error().line());
   options_ = options;
   reset();
 }
 
 void Fuzzy::retune(const config::ParamSet& params) noexcept {
   const FuzzyOptions options = fuzzyOptions(params);
-  if (!(options.energyUp > options.energyRef)) return;
+  if (!usableTogether(options)) return;
   // A rule that a person has changed counts as said; what was learned of the others stays.
   for (std::size_t i = 0; i < speedRules_.size(); ++i) {
     for (std::size_t j = 0; j < speedRules_[i].size(); ++j) {
@@ -82,7 +80,7 @@ void Fuzzy::tellRules(RuleTables& into) const noexcept {
 void Fuzzy::letGo() noexcept {
   speed_ = feed_ = 1.0;
   moved_ = false;
-  reason_ = {ReasonCode::NothingToDo, {}};
+  reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
 void Fuzzy::reset() noexcept {
@@ -107,7 +105,8 @@ OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
     OverrideRequest hold;
     hold.time = input.now;
     hold.kind = moved_ ? RequestKind::Hold : RequestKind::None;
-    hold.reason = {ReasonCode::VerdictNotUsable, {}};
+    const MachineState& m = input.machine;
+    hold.reason = nothingUsable(moved_ ? m.programmedSpeed * (m.operatorSpeed.value * speed_) : Rpm(), m);
     return hold;
   }
   if (otherSpeedWord(input.machine, programmed_)) {
@@ -194,12 +193,10 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   if (coherence > options_.coherenceRef || (known && energy > options_.energyRef)) sinceAlarm_ = 0.0;
   const bool works = known && energy > options_.energyRef && energy < kFalling * energy1_;
   const double stronger = overshoot(energy) * tune(in);
-  const double impact = energy > options_.energyUp ? kImpactGain : 1.0;
-  const double step = impact * elapsed_ / options_.rangeTime;
   moveBy(works ? 0.0 : stronger * infer(speedRules_, in, options_.centres),
-         stronger * infer(feedRules_, in, options_.centres), step, input.machine);
+         stronger * infer(feedRules_, in, options_.centres), elapsed_ / options_.rangeTime, input.machine);
   learn(in);
-  // Table 3.1.
+  // Table 3.1, and what an impact comes to.
   if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
   if (energy > 2.0 * options_.energyUp) feed_ = 0.0;
   reason_ = said(input, coherence, energy);
@@ -256,7 +253,7 @@ OverrideRequest Fuzzy::answer(const StrategyInput& input) const noexcept {
   request.time = input.now;
   request.claimsSpeed = true;
   request.claimsFeed = true;
-  request.reason = reason_;
+  request.reason = reason_.code == ReasonCode::NothingToDoAt ? nothingToDoAt(input) : finite(reason_);
   if (!moved_) return request;
   const MachineState& m = input.machine;
   request.kind = RequestKind::Set;

@@ -2,7 +2,11 @@
 
 #include <array>
 #include <iterator>
+#include <string>
+#include <utility>
 #include <vector>
+
+#include "core/config/number_text.h"
 
 namespace stillcut::control {
 namespace {
@@ -142,6 +146,31 @@ FuzzyOptions fuzzyOptions(const config::ParamSet& params) {
     o.feedRules[k / kCoherenceSets][k % kCoherenceSets] = params.real(cells()[kCells + k]);
   }
   return o;
+}
+
+bool usableTogether(const FuzzyOptions& options) noexcept {
+  return options.energyUp > options.energyRef && !risingRule(options.speedRules) && !risingRule(options.feedRules);
+}
+
+Status checkFuzzyOptions(const FuzzyOptions& options) {
+  if (!(options.energyUp > options.energyRef)) {
+    return Error{"fuzzy.energy-limit", "must be above fuzzy.energy-reference", ""};
+  }
+  for (const auto& [table, keys] : {std::pair(&options.speedRules, &kSpeedKeys), {&options.feedRules, &kFeedKeys}}) {
+    const auto rising = risingRule(*table);
+    if (!rising) continue;
+    const auto key = [&keys](std::size_t row, std::size_t column) {
+      return std::string((*keys)[row * kCoherenceSets + column].view());
+    };
+    const auto rule = [&table](std::size_t row, std::size_t column) {
+      return config::numberText((*table)[row][column]);
+    };
+    return Error{key(rising->row, rising->column),
+                 rule(rising->row, rising->column) + " is above " + rule(rising->overRow, rising->overColumn) + " of " +
+                     key(rising->overRow, rising->overColumn),
+                 "rules must fall as coherence rises"};
+  }
+  return Done{};
 }
 
 }  // namespace stillcut::control

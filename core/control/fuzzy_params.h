@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "core/base/result.h"
 #include "core/config/param_set.h"
 #include "core/control/fuzzy_rules.h"
 
@@ -31,5 +32,9 @@ config::ParamTable fuzzyParams();
 config::ParamTable fuzzyRuleParams();
 config::ParamTable fuzzyCentreParams();
 FuzzyOptions fuzzyOptions(const config::ParamSet& params);
+// Whether they can be used with each other: the energy's limit above its reference, tables that fall. Real-time.
+bool usableTogether(const FuzzyOptions& options) noexcept;
+// The same with the key and the reason; not real-time.
+Status checkFuzzyOptions(const FuzzyOptions& options);
 
 }  // namespace stillcut::control

@@ -34,6 +34,24 @@ const RuleTable kFeedRules{{
 // clang-format on
 const std::array<double, kEnergySets> kEnergyRules{PB, PM, PS, ZE, NS, NM, NB};
 
+std::optional<RisingRule> risingRule(const RuleTable& table) STILLCUT_RT {
+  std::optional<RisingRule> worst;
+  double most = kMostRise;
+  const auto compare = [&](const RisingRule& pair) {
+    const double rise = table[pair.row][pair.column] - table[pair.overRow][pair.overColumn];
+    if (rise <= most) return;
+    most = rise;
+    worst = pair;
+  };
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    for (std::size_t j = 0; j < table[i].size(); ++j) {
+      for (std::size_t before = 0; before < i; ++before) compare({i, j, before, j});
+      for (std::size_t before = 0; before < j; ++before) compare({i, j, i, before});
+    }
+  }
+  return worst;
+}
+
 template <int Sets>
 std::array<double, Sets> memberships(double x) STILLCUT_RT {
   std::array<double, Sets> degree{};

@@ -9,6 +9,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include "core/base/realtime.h"
 
@@ -27,6 +29,17 @@ using RuleTable = std::array<std::array<double, kCoherenceSets>, kCoherenceSets>
 extern const RuleTable kSpeedRules;                         // figure 3.7
 extern const RuleTable kFeedRules;                          // figure 3.8
 extern const std::array<double, kEnergySets> kEnergyRules;  // figure 3.9, sign turned
+
+// More coherence error, and more of its change, must never ask for more speed or feed (table 3.1;
+// figures 3.7, 3.8, 3.17 and 3.18 fall everywhere). A hand may put a rule up to one singleton over those it should not
+// exceed; beyond that the table pulls toward chatter.
+inline constexpr double kMostRise = 1.0;
+struct RisingRule {
+  std::size_t row = 0, column = 0;          // asks for more than
+  std::size_t overRow = 0, overColumn = 0;  // this one, of less error or less change
+};
+// The rule that rises most over one before it in its column or row; empty: none by more than kMostRise.
+std::optional<RisingRule> risingRule(const RuleTable& table) STILLCUT_RT;
 
 // Degrees of belonging to `Sets` uniform triangles over -1 .. 1; they sum to 1. Outside: the outermost set.
 template <int Sets>

@@ -42,10 +42,13 @@ class FuzzyCycles {
       in_.coherence = coherence;
       in_.energy = energy;
       const OverrideRequest r = strategy_->decide(in_);
-      if (r.kind == RequestKind::Set) speed_ = r.speed.value / 800.0;
+      if (r.kind != RequestKind::Set) continue;
+      speed_ = r.speed.value / 800.0;
+      feed_ = r.feed / in_.machine.programmedFeed;
     }
     return speed_;
   }
+  double feed() const { return feed_; }
   // How far one more cycle lowers the speed.
   double step(double energy) {
     const double before = speed_;
@@ -57,7 +60,7 @@ class FuzzyCycles {
  private:
   std::unique_ptr<Strategy> strategy_;
   StrategyInput in_;
-  double speed_ = 1.0;
+  double speed_ = 1.0, feed_ = 1.0;
 };
 
 // Section 3.3.5.1: alpha, alpha^2 ... while the energy rises three cycles running. Both cuts are so loud that every
@@ -74,14 +77,18 @@ TEST(FuzzyRefinement, OvershootIsSuppressedByLargerSteps) {
   EXPECT_NEAR(rising.step(3.9), usual, 1e-9);
 }
 
-// Section 3.3.5.2 (eq. 3-30, 3-31): above the upper limit of the energy the step is doubled.
-TEST(FuzzyRefinement, AnImpactDoublesTheStep) {
+// Section 3.3.5.2 and table 3.1: above the upper limit of the energy the feed is at its lowest within the cycle; the
+// speed, which may be on its way through a narrow pocket, goes no faster.
+TEST(FuzzyRefinement, AnImpactTakesTheFeedToItsLowestAtOnceAndTheSpeedNoFaster) {
   FuzzyCycles below("fuzzy"), above("fuzzy");
-  below.run(8, 4.9);
-  above.run(8, 4.9);
+  below.run(2, 4.9);
+  above.run(2, 4.9);
+  ASSERT_GT(above.feed(), 0.6);
   const double usual = below.step(4.9);
   ASSERT_GT(usual, 0.0);
-  EXPECT_NEAR(above.step(5.1), 2.0 * usual, 1e-9);
+  EXPECT_NEAR(above.step(5.1), usual, 1e-9);
+  EXPECT_NEAR(above.feed(), 0.5, 1e-9);  // gate.lowest-feed-override
+  EXPECT_GT(below.feed(), 0.6);
 }
 
 // Section 3.3.4.1: large errors of the last cycles widen the inputs, small ones narrow them.

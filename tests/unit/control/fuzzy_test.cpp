@@ -8,6 +8,10 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/control/registry.h"
 
@@ -95,6 +99,40 @@ TEST(FuzzyRules, TablesFallWithCoherenceAndWithItsChange) {
   }
   EXPECT_EQ(kSpeedRules[8][8], 2.0);  // figure 3.7: PX, PX gives NB
   EXPECT_EQ(kFeedRules[4][4], kZero);
+}
+
+TEST(FuzzyRules, ATableThatRisesIsRefusedAndATouchOfOneRuleIsNot) {
+  const config::ParamTable cells = fuzzyRuleParams();
+  const std::vector<std::pair<std::size_t, const RuleTable*>> tables{{0, &kSpeedRules}, {81, &kFeedRules}};
+  for (const auto& [first, printed] : tables) {
+    config::ParamSet byError, byChange;
+    for (std::size_t k = 0; k < 81; ++k) {
+      ASSERT_TRUE(byError.set(*cells[first + k], (*printed)[8 - k / 9][k % 9], "test").ok());
+      ASSERT_TRUE(byChange.set(*cells[first + k], (*printed)[k / 9][8 - k % 9], "test").ok());
+    }
+    for (const config::ParamSet* reversed : {&byError, &byChange}) {
+      const Status status = checkFuzzyOptions(fuzzyOptions(*reversed));
+      ASSERT_FALSE(status.ok());
+      const std::string line = status.error().line(), table = first == 0 ? "fuzzy.speed-rule-" : "fuzzy.feed-rule-";
+      EXPECT_EQ(line.rfind(table, 0), 0U) << line;
+      EXPECT_NE(line.find("must fall"), std::string::npos) << line;
+      Fuzzy fuzzy;
+      EXPECT_THROW(fuzzy.prepare(CutSetup(), *reversed), std::runtime_error);
+      fuzzy.prepare(CutSetup(), {});
+      fuzzy.retune(*reversed);
+      RuleTables told;
+      fuzzy.tellRules(told);
+      EXPECT_EQ(told.speed[0][0], 8.0F) << "on the running cut it changes nothing";
+      EXPECT_EQ(told.feed[8][0], 4.0F);
+    }
+  }
+  for (const config::ParamDecl* cell : cells) {
+    for (const double touch : {-1.0, 1.0}) {
+      config::ParamSet touched;
+      ASSERT_TRUE(touched.set(*cell, cell->fallback + touch, "test").ok());
+      EXPECT_TRUE(checkFuzzyOptions(fuzzyOptions(touched)).ok()) << cell->key;
+    }
+  }
 }
 
 TEST(FuzzyRules, EnergyAboveItsReferenceLowers) {
