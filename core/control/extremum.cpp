@@ -31,6 +31,7 @@ constexpr const ParamDecl* kParams[] = {&kMu,        &kLambda,   &kUnit,      &k
 
 constexpr double kOnHarmonic = 1e-3;      // of the frequency: closer, the sign of Delta f is noise
 constexpr double kChatterPatience = 1.0;  // [s] that chatter may take to die at the next trial
+constexpr double kBeyond = 1.5;           // steps that the search may go past Delta f = 0: one trial
 constexpr int kMostSearches = 2;          // per programmed speed: no hunting
 
 }  // namespace
@@ -55,7 +56,7 @@ void Extremum::retune(const config::ParamSet& params) noexcept {
   unit_ = params.real(kUnit) / 100.0;
   period_ = Seconds(params.real(kPeriod) / 1000.0);
   MinimumSearch::Options options;
-  options.step = params.real(kSeekStep) / 100.0;
+  options.step = seekStep_ = params.real(kSeekStep) / 100.0;
   options.turns = params.real(kSeekTurns);
   options.dwell = Seconds(params.real(kSeekDwell) / 1000.0);
   search_.configure(options);
@@ -68,14 +69,24 @@ void Extremum::forget() noexcept {
   alarmedFor_ = 0.0;
   searches_ = 0;
   started_ = false;
-  settles_ = quietAt_ = {};
+  settles_ = settledFrom_ = quietAt_ = {};
   heard_.fill({});
   alarms_ = 0;
 }
 
-// Up to the nearest speeds on either side that have chattered.
+// What the search compares: the vibration itself, where it is known.
+double Extremum::compared(const RuleView& view) noexcept {
+  return view.vibration >= 0.0 ? view.vibration : view.level;
+}
+
+// Up to the nearest speeds on either side that have chattered, and no more than a trial past where Delta f = 0: there
+// the next lobe begins, unheard.
 config::SpeedRange Extremum::quietReach(const RuleView& view) const noexcept {
   config::SpeedRange reach = view.reach;
+  const Rpm beyond = view.programmed * (kBeyond * seekStep_);
+  const bool fromAbove = settledFrom_ > settles_;
+  if (reach.contains(settles_) && fromAbove) reach.low = std::max(reach.low, settles_ - beyond);
+  if (reach.contains(settles_) && !fromAbove) reach.high = std::min(reach.high, settles_ + beyond);
   for (const Rpm speed : heard_) {
     if (speed.value <= 0.0) continue;
     if (speed < view.present) reach.low = std::max(reach.low, speed);
@@ -111,11 +122,11 @@ Aim Extremum::law(const RuleView& view) noexcept {
     started_ = true;
     theta_ = view.present / view.programmed - 1.0;
     gamma_ = 0.0;
-    sincePeriod_ = period_.value;
+    sincePeriod_ = std::max(period_.value, view.effect.value);
   }
   sincePeriod_ += view.dt.value;
   // A step whose effect has not come says nothing of the next: a slow machine is stepped slower.
-  if (sincePeriod_ < std::max(period_.value, view.effect.value)) return {{}, reason_};
+  if (sincePeriod_ < std::max(period_.value, view.effect.value)) return {};
   sincePeriod_ = 0.0;
 
   const double root = std::sqrt(std::max(0.0, view.level));
@@ -124,22 +135,21 @@ Aim Extremum::law(const RuleView& view) noexcept {
   const int waves = wavesBetweenTeeth(view.chatter, view.teeth, view.present);
   const Hertz apart = view.chatter - toothPassing(view.present, view.teeth) * waves;
   settles_ = speedForWaves(view.chatter, view.teeth, waves);
+  settledFrom_ = view.present;
   if (std::abs(apart.value) > kOnHarmonic * view.chatter.value) {
     theta_ += std::copysign(2.0 * mu_ * relative * unit_, apart.value);
   }
   const Rpm wanted = view.programmed * (1.0 + theta_);
   const Rpm target = std::clamp(wanted, view.reach.low, view.reach.high);
   theta_ = target / view.programmed - 1.0;
-  if (target == wanted) {
-    reason_ = {ReasonCode::TowardLowerLevel, {target.value, apart.value, relative}};
-  } else {
-    reason_ = {ReasonCode::TargetOutOfRange, {wanted.value, view.reach.low.value, view.reach.high.value}};
-  }
-  return {target, reason_};
+  if (target == wanted) return {target, {ReasonCode::TowardLowerLevel, {target.value, apart.value, relative}}};
+  return {
+      target,
+      {ReasonCode::TargetOutOfRange, {wanted.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
 }
 
 Aim Extremum::whenQuiet(const RuleView& view) noexcept {
-  if (view.air) return {{}, reason_};
+  if (view.air) return {};
   alarmed_ = false;
   started_ = false;
   if (!seek_) return FrequencyRule::whenQuiet(view);
@@ -150,8 +160,7 @@ Aim Extremum::whenQuiet(const RuleView& view) noexcept {
     quietAt_ = farther ? view.present : Rpm();
     search_.start(farther ? settles_ : view.present, view.programmed);
   }
-  const double level = view.vibration >= 0.0 ? view.vibration : view.level;
-  search_.advance({view.dt.value, level, view.present, quietReach(view), view.perturbation});
+  search_.advance({view.dt.value, compared(view), view.present, quietReach(view), view.perturbation});
   if (search_.best().value > 0.0) quietAt_ = {};
   return searching(view);
 }
@@ -161,7 +170,11 @@ Aim Extremum::searching(const RuleView& view) const noexcept {
   if (search_.state() == MinimumSearch::State::Done) {
     return {speed, {ReasonCode::MinimumFound, {speed.value, search_.bestLevel()}}};
   }
-  return {speed, {ReasonCode::SeekingMinimum, {speed.value, view.level, search_.bestLevel(), search_.best().value}}};
+  const double level = compared(view);
+  const bool first = !(search_.best().value > 0.0);
+  return {speed,
+          {ReasonCode::SeekingMinimum,
+           {speed.value, level, first ? level : search_.bestLevel(), first ? speed.value : search_.best().value}}};
 }
 
 }  // namespace stillcut::control
