@@ -79,6 +79,10 @@ void LoopRun::toEnd() {
   }
 }
 
+milling::Scenario scenarioNamed(const std::string& name) {
+  return must(milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/" + name + ".toml"));
+}
+
 app::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
                               const app::RunHistory& alone) {
   LoopRun run(scenario, options);

@@ -81,6 +81,9 @@ class LoopRun {
   app::RunHistory history_;
 };
 
+// One of resources/scenarios, without its folder and ending. Throws std::runtime_error with one line.
+milling::Scenario scenarioNamed(const std::string& name);
+
 // The whole cut, and what became of it against `alone`, the same cut under "monitor".
 app::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
                               const app::RunHistory& alone);

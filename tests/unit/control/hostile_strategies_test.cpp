@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/control/registry.h"
 #include "core/safety/override_gate.h"
@@ -26,6 +27,7 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
   safety::testing::GateOracle oracle;
   safety::OverrideGate gate;
   long allocations = 0;
+  std::set<ReasonCode> said;
   for (long i = 0; i < kSteps; ++i) {
     if (i == 0 || world.chance(0.0003)) {
       const safety::GateLimits limits = world.limits();
@@ -52,6 +54,13 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
     allocations += counter.counts().allocations;
     if (!in.verdict.valid || !in.machine.valid) {
       ASSERT_NE(world.in.request.kind, RequestKind::Set);
+    }
+    if (said.insert(world.in.request.reason.code).second) {
+      const std::string_view words = pattern(world.in.request.reason.code);
+      EXPECT_NE(words.find('{'), std::string_view::npos) << "without a number: '" << words << "'";
+    }
+    for (const double number : world.in.request.reason.n) {
+      ASSERT_TRUE(std::isfinite(number)) << "step " << i << ": " << sentence(world.in.request.reason);
     }
     const std::string breach = oracle.breach(world.in, out);
     ASSERT_TRUE(breach.empty()) << "step " << i << ": " << breach;

@@ -1,0 +1,42 @@
+// The default strategy with the program's own detector on every scenario, whatever the noise: two seeds that are not
+// the scenario's own. What each scenario expects must not hang on one of them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/support/closed_loop/loop_run.h"
+
+namespace stillcut::test {
+namespace {
+
+class EverySeed : public testing::TestWithParam<const char*> {};
+
+TEST_P(EverySeed, EndsAsExpectedWithinThreeChanges) {
+  milling::Scenario cut = scenarioNamed(GetParam());
+  for (const std::uint64_t seed : {2U, 3U}) {
+    cut.seed = seed;
+    LoopRun run(cut, {});
+    run.toEnd();
+    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    EXPECT_EQ(result.outcome, name(cut.expect)) << seed;
+    const int back = cut.expect == milling::Expectation::NoStableSpeed ? 1 : 0;  // to the programmed speed
+    EXPECT_LE(result.speedChanges, 3 + back) << seed;
+  }
+}
+
+// Not xu-thin-wall-double: on its thin walls the chatter grows for two seconds, and for four seeds of five the default
+// detector takes it for the cut's own. By the truth the strategy ends as expected there too (control_loop_test.cpp).
+INSTANTIATE_TEST_SUITE_P(Named, EverySeed,
+                         testing::Values("air-cut", "caliskan-1", "caliskan-2", "caliskan-3", "demo", "ford-stable",
+                                         "ford-unstable", "liao-1", "liao-2", "loose-sensor", "production-stable",
+                                         "van-dijk-ramp", "xu-aluminium", "xu-steel", "xu-thin-wall-single"),
+                         [](const auto& which) {
+                           std::string name(which.param);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace stillcut::test
