@@ -193,7 +193,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Core", "Speed tolerance"),
     QT_TRANSLATE_NOOP("Core", "The spindle counts as at speed, and an override as taken, within this"),
     QT_TRANSLATE_NOOP("Core", "Machine state age"),
-    QT_TRANSLATE_NOOP("Core", "A machine state older than this is stale"),
+    QT_TRANSLATE_NOOP("Core", "A machine state older than this is stale; auto: three of the link's own periods and a block"),
     QT_TRANSLATE_NOOP("Core", "Verdict age"),
     QT_TRANSLATE_NOOP("Core", "A verdict or request older than this is stale"),
     QT_TRANSLATE_NOOP("Core", "Hold before release"),

@@ -708,10 +708,6 @@
         <translation>Alter des Maschinenzustands</translation>
     </message>
     <message>
-        <source>A machine state older than this is stale</source>
-        <translation>Ein älterer Maschinenzustand ist veraltet</translation>
-    </message>
-    <message>
         <source>Verdict age</source>
         <translation>Alter des Urteils</translation>
     </message>
@@ -4582,6 +4578,22 @@
     <message>
         <source>rules must fall as coherence rises</source>
         <translation>Regeln müssen fallen, wenn die Kohärenz steigt</translation>
+    </message>
+    <message>
+        <source>A machine state older than this is stale; auto: three of the link&apos;s own periods and a block</source>
+        <translation>Ein älterer Maschinenzustand ist veraltet; auto: drei Perioden der Verbindung selbst und ein Block</translation>
+    </message>
+    <message>
+        <source>every machine state would be stale</source>
+        <translation>jeder Maschinenzustand wäre veraltet</translation>
+    </message>
+    <message>
+        <source>no override could be seen in force in time</source>
+        <translation>kein Override wäre rechtzeitig als wirksam zu sehen</translation>
+    </message>
+    <message>
+        <source>the link reads the machine every %1 ms: at least two of its periods</source>
+        <translation>die Verbindung liest die Maschine alle %1 ms: mindestens zwei ihrer Perioden</translation>
     </message>
 </context>
 <context>

@@ -707,10 +707,6 @@
         <translation>Machine state age</translation>
     </message>
     <message>
-        <source>A machine state older than this is stale</source>
-        <translation>A machine state older than this is stale</translation>
-    </message>
-    <message>
         <source>Verdict age</source>
         <translation>Verdict age</translation>
     </message>
@@ -4581,6 +4577,22 @@
     <message>
         <source>rules must fall as coherence rises</source>
         <translation>rules must fall as coherence rises</translation>
+    </message>
+    <message>
+        <source>A machine state older than this is stale; auto: three of the link's own periods and a block</source>
+        <translation>A machine state older than this is stale; auto: three of the link's own periods and a block</translation>
+    </message>
+    <message>
+        <source>every machine state would be stale</source>
+        <translation>every machine state would be stale</translation>
+    </message>
+    <message>
+        <source>no override could be seen in force in time</source>
+        <translation>no override could be seen in force in time</translation>
+    </message>
+    <message>
+        <source>the link reads the machine every %1 ms: at least two of its periods</source>
+        <translation>the link reads the machine every %1 ms: at least two of its periods</translation>
     </message>
 </context>
 <context>

@@ -708,10 +708,6 @@
         <translation>机床状态时效</translation>
     </message>
     <message>
-        <source>A machine state older than this is stale</source>
-        <translation>早于此的机床状态视为过时</translation>
-    </message>
-    <message>
         <source>Verdict age</source>
         <translation>结论时效</translation>
     </message>
@@ -4582,6 +4578,22 @@
     <message>
         <source>rules must fall as coherence rises</source>
         <translation>相干性升高时规则值必须下降</translation>
+    </message>
+    <message>
+        <source>A machine state older than this is stale; auto: three of the link&apos;s own periods and a block</source>
+        <translation>早于此的机床状态视为过时；auto：连接自身周期的三倍再加一个数据块</translation>
+    </message>
+    <message>
+        <source>every machine state would be stale</source>
+        <translation>每个机床状态都会过时</translation>
+    </message>
+    <message>
+        <source>no override could be seen in force in time</source>
+        <translation>任何倍率都来不及确认生效</translation>
+    </message>
+    <message>
+        <source>the link reads the machine every %1 ms: at least two of its periods</source>
+        <translation>连接每 %1 ms 读取一次机床：至少两个周期</translation>
     </message>
 </context>
 <context>

@@ -43,6 +43,8 @@ class Console {
     }
     begun_ = true;
     const std::uint64_t oldest = snapshot->eventCount > kEventsShown ? snapshot->eventCount - kEventsShown : 0;
+    if (oldest > printed_)
+      std::printf("%llu lines passed unseen\n", static_cast<unsigned long long>(oldest - printed_));
     for (printed_ = std::max(printed_, oldest); printed_ < snapshot->eventCount; ++printed_) {
       const Event& event = snapshot->events[printed_ % kEventsShown];
       std::printf("%10.3f  %s\n", secondsBetween(begin_, event.time).value, sentence(event.reason).c_str());

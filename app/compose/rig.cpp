@@ -119,7 +119,7 @@ Status Rig::prepare(SetUpFault& fault) {
     const Status narrowed = config::narrowToMachine(spec_.params, reach(spec_.link->describe()), "machine");
     if (!narrowed) return narrowed.error();
   }
-  auto limits = safety::gateLimits(spec_.params, spec_.setup, "settings");
+  auto limits = safety::gateLimits(spec_.params, spec_.setup, "settings", linkInfo().period);
   if (!limits) return limits.error();
   limits->autoAllowed = spec_.autoAllowed;
 

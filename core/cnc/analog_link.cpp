@@ -5,6 +5,11 @@
 #include "core/cnc/move_order.h"
 
 namespace stillcut::cnc {
+namespace {
+
+constexpr Seconds kPeriod{0.01};  // nothing comes back: a state is as old as the tick that made it
+
+}  // namespace
 
 AnalogLink::AnalogLink(AnalogMap map, std::unique_ptr<AnalogOutput> output, Rpm programmedSpeed,
                        MetresPerSecond programmedFeed)
@@ -30,6 +35,7 @@ LinkInfo AnalogLink::describe() const {
     info.lowestFeed = Ratio(map_.feed->table.lowest() * 0.01);
     info.highestFeed = Ratio(map_.feed->table.highest() * 0.01);
   }
+  info.period = kPeriod;
   return info;
 }
 

@@ -13,6 +13,7 @@ namespace {
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kConnectTime = std::chrono::seconds(1);
 constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
+constexpr Seconds kPeriod{0.2};                                 // one that went unanswered, and the answer to the next
 constexpr int kMostMissed = 4;
 constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
 constexpr Duration kFresh = std::chrono::milliseconds(500);
@@ -42,6 +43,7 @@ LinkInfo GrblLink::describe() const {
   info.label = "GRBL";
   info.lowestSpeed = info.lowestFeed = Ratio(kGrblLowest * 0.01);
   info.highestSpeed = info.highestFeed = Ratio(kGrblHighest * 0.01);
+  info.period = kPeriod;
   return info;
 }
 

@@ -12,6 +12,8 @@
 namespace stillcut::cnc {
 namespace {
 
+// Nothing is asked while an override's ACK is waited for, which takes 100 ms; a round of questions is a few ticks.
+constexpr Seconds kPeriod{0.1};
 constexpr Duration kFresh = std::chrono::milliseconds(500);
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 
@@ -75,6 +77,7 @@ LinkInfo LinuxCncLink::describe() const {
   info.lowestFeed = Ratio(settings_.lowestFeed * 0.01);
   info.highestFeed = Ratio(settings_.adaptiveFeed ? 1.0 : settings_.highestFeed * 0.01);
   info.machineWatchdog = hand_->watchdog();
+  info.period = kPeriod;
   return info;
 }
 

@@ -48,6 +48,11 @@ LinkInfo ModbusLink::describe() const {
   const bool feed = map_.at(MachineOrder::FeedOverride).has_value();
   info.lowestFeed = feed ? map_.lowestFeed : Ratio(1.0);
   info.highestFeed = feed ? map_.highestFeed : Ratio(1.0);
+  // The register that is read least often, and its wait behind all the others.
+  for (const auto& r : map_.read) {
+    if (r) info.period = std::max(info.period, r->period);
+  }
+  info.period += toSeconds(kWait) * static_cast<double>(kMachineSignals + kMachineOrders);
   return info;
 }
 

@@ -5,7 +5,7 @@
 namespace stillcut::cnc {
 
 SimulatedMachine::SimulatedMachine(const milling::Scenario& scenario, std::shared_ptr<milling::PlantPort> port)
-    : ranges_(scenario.overrides), port_(std::move(port)) {}
+    : ranges_(scenario.overrides), block_(scenario.blockFrames / scenario.rate.value), port_(std::move(port)) {}
 
 LinkInfo SimulatedMachine::describe() const {
   LinkInfo info;
@@ -17,6 +17,7 @@ LinkInfo SimulatedMachine::describe() const {
   info.highestSpeed = ranges_.highestSpeed;
   info.lowestFeed = ranges_.lowestFeed;
   info.highestFeed = ranges_.highestFeed;
+  info.period = block_;  // the plant moves on a block at a time
   return info;
 }
 
@@ -53,6 +54,8 @@ void SimulatedMachine::post(Ratio speed, Ratio feed, Instant when) noexcept {
 
 void SimulatedMachine::apply(const OverrideCommand& command, Instant now) noexcept {
   if (!linkUp_ || !controlOurs_) return;
+  engagement_ = command.engagement();
+  if (engagement_ <= resetEngagement_) return;
   if (command.kind() == CommandKind::Release) {
     post(Ratio(1.0), Ratio(1.0), now);
   } else {
@@ -74,6 +77,11 @@ void SimulatedMachine::turnKnobs(Ratio speed, Ratio feed) noexcept {
 void SimulatedMachine::enableOverrides(bool enabled) noexcept {
   order_.overridesEnabled = enabled;
   port_->order(order_);
+}
+
+void SimulatedMachine::resetOverrides() noexcept {
+  resetEngagement_ = engagement_;
+  post(Ratio(1.0), Ratio(1.0), order_.when);
 }
 
 void SimulatedMachine::loseLink(bool lost) noexcept {

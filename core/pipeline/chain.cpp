@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/model/event_slots.h"
 #include "core/safety/gate_checks.h"
 
 namespace stillcut::pipeline {
@@ -149,12 +150,12 @@ void Chain::sayDetectorFault(int detector, Instant now) noexcept {
   bool& said = saidFault_[static_cast<std::size_t>(detector)];
   if (said) return;
   said = true;
-  StepOutput& out = step_.output;
-  if (out.eventCount >= kMaxEventsPerStep) return;
-  Event& event = out.events[static_cast<std::size_t>(out.eventCount++)];
-  event.time = now;
-  event.level = EventLevel::Fault;
-  event.reason = {ReasonCode::DetectorFault, {static_cast<double>(detector)}};
+  const Reason why{ReasonCode::DetectorFault, {static_cast<double>(detector)}};
+  keep({.time = now, .number = 0, .level = EventLevel::Fault, .reason = why});
+}
+
+void Chain::keep(const Event& event) noexcept {
+  step_.eventsLost += addEvent(step_.output.events, step_.output.eventCount, event);
 }
 
 void Chain::tellStrategy(const StepInput& input) noexcept {
@@ -206,9 +207,8 @@ void Chain::runGate(const StepInput& input) noexcept {
   out.authority = gate.authority;
   out.hasCommand = gate.command.has_value();
   if (gate.command) out.command = gate.command->record();
-  for (int i = 0; i < gate.eventCount && out.eventCount < kMaxEventsPerStep; ++i) {
-    out.events[static_cast<std::size_t>(out.eventCount++)] = gate.events[static_cast<std::size_t>(i)];
-  }
+  step_.eventsLost += gate.eventsLost;
+  for (int i = 0; i < gate.eventCount; ++i) keep(gate.events[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace stillcut::pipeline

@@ -44,6 +44,7 @@ class Chain {
     const SensorStatus* sensors = nullptr;
     bool strategyFailed = false;  // now or earlier: monitoring only until the next prepare()
     bool detectorFailed = false;
+    int eventsLost = 0;  // for want of room; the most important were kept
   };
   // One block with its machine state and operator inputs. The result is good until the next call.
   const Step& process(const StepInput& input) noexcept;
@@ -60,6 +61,7 @@ class Chain {
   void tellStrategy(const StepInput& input) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
   void sayDetectorFault(int detector, Instant now) noexcept;
+  void keep(const Event& event) noexcept;
   struct Indicator {
     std::size_t detector = 0, index = 0;
     bool known = false;

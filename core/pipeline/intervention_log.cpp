@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/event_slots.h"
+
 namespace stillcut::pipeline {
 namespace {
 
@@ -16,12 +18,12 @@ bool moves(const CommandRecord& c) {
          (std::abs(c.speed.value - 1.0) > kMoved || std::abs(c.feed.value - 1.0) > kMoved);
 }
 
-void append(StepOutput& output, std::uint64_t& number, EventLevel level, Instant time, Reason reason) {
-  if (output.eventCount >= kMaxEventsPerStep) return;
-  output.events[static_cast<std::size_t>(output.eventCount++)] = Event{time, number++, level, reason};
-}
-
 }  // namespace
+
+void InterventionLog::append(StepOutput& output, EventLevel level, Instant time, const Reason& reason) noexcept {
+  const int lost = addEvent(output.events, output.eventCount, Event{time, eventNumber_++, level, reason});
+  eventsLost_ += static_cast<std::uint64_t>(lost);
+}
 
 void InterventionLog::follow(const StepInput& input, StepOutput& output, const CutNow& cut, Seconds dt) noexcept {
   const Verdict& verdict = output.verdicts[static_cast<std::size_t>(output.inCharge)];
@@ -56,7 +58,7 @@ void InterventionLog::begin(const StepInput& input, StepOutput& output, const Ve
   card.feedBefore = card.feedAfter = input.machine.actualFeed;
   card.vibrationBefore = cut.vibrationRms;
   open_ = true;
-  append(output, eventNumber_, EventLevel::Warning, verdict.time,
+  append(output, EventLevel::Warning, verdict.time,
          {ReasonCode::ChatterBegan, {verdict.frequency.value, verdict.severity.value, 0.0, 0.0}});
 }
 
@@ -90,7 +92,7 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
   card.timeToQuiet = secondsBetween(card.began, lastAlarm_);
   open_ = false;
   const ReasonCode end = card.quiet ? ReasonCode::ChatterEnded : ReasonCode::ChatterLeftCut;
-  append(output, eventNumber_, EventLevel::Info, input.block.end(),
+  append(output, EventLevel::Info, input.block.end(),
          {end, {card.timeToQuiet.value, card.marked.value * 1e3, 0.0, 0.0}});
 }
 

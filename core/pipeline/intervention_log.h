@@ -29,6 +29,8 @@ class InterventionLog {
   const Intervention& card(std::uint64_t number) const { return cards_[number % kInterventionsShown]; }
   Seconds chatterTime() const { return chatterTime_; }
   Metres chatterLength() const { return chatterLength_; }
+  // Of its events, those that found no room or took it from a less important one.
+  std::uint64_t eventsLost() const { return eventsLost_; }
 
  private:
   void begin(const StepInput& input, StepOutput& output, const Verdict& verdict, const CutNow& cut) noexcept;
@@ -43,7 +45,10 @@ class InterventionLog {
   Seconds sinceAlarm_{};  // of valid verdicts
   Seconds chatterTime_{};
   Metres chatterLength_{};
+  void append(StepOutput& output, EventLevel level, Instant time, const Reason& reason) noexcept;
+
   std::uint64_t eventNumber_ = 0;
+  std::uint64_t eventsLost_ = 0;
 };
 
 }  // namespace stillcut::pipeline

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/model/event_slots.h"
+
 namespace stillcut::pipeline {
 namespace {
 
@@ -20,8 +22,10 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
   const Seconds length(input.block.frames / input.block.rate.value);
   output_ = done.output;
   tellLosses(input.block.end());
+  tellLostEvents(input.block.end());
   log_.follow(input, output_, {done.vibrationRms, done.feed},
               started_ ? secondsBetween(previous_, input.block.end()) : length);
+  eventsLost_ += static_cast<std::uint64_t>(done.eventsLost);
   previous_ = input.block.end();
   started_ = true;
 
@@ -32,23 +36,36 @@ const Chain::Step& StepLoop::step(StepInput& input) noexcept {
 }
 
 void StepLoop::tap(const StepInput& input) noexcept {
-  if (!tapStopTold_ && parts_.tap->stopped() && output_.eventCount < kMaxEventsPerStep) {
+  if (!tapStopTold_ && parts_.tap->stopped()) {
     tapStopTold_ = true;
-    output_.events[static_cast<std::size_t>(output_.eventCount++)] = {
-        input.block.end(), 0, EventLevel::Fault, {ReasonCode::RecorderStopped, {}}};
+    const Reason why{ReasonCode::RecorderStopped, {}};
+    keep({input.block.end(), 0, EventLevel::Fault, why});
+    parts_.chain.flights().capture(why, input.block.end());
   }
   if (!parts_.tap->push(input, output_)) ++health_.tapDropped;
 }
 
 // Blocks that were lost are told of, at most once a second.
 void StepLoop::tellLosses(Instant now) noexcept {
-  if (health_.droppedBlocks <= saidDropped_ || output_.eventCount >= kMaxEventsPerStep) return;
+  if (health_.droppedBlocks <= saidDropped_) return;
   if (saidDropped_ > 0 && secondsBetween(saidAt_, now) < kBetweenLosses) return;
   const auto lost = static_cast<double>(health_.droppedBlocks - saidDropped_);
-  output_.events[static_cast<std::size_t>(output_.eventCount++)] = {
-      now, 0, EventLevel::Warning, {ReasonCode::DroppedBlocks, {lost}}};
+  keep({now, 0, EventLevel::Warning, {ReasonCode::DroppedBlocks, {lost}}});
   saidDropped_ = health_.droppedBlocks;
   saidAt_ = now;
+}
+
+// Lines of earlier steps that found no room.
+void StepLoop::tellLostEvents(Instant now) noexcept {
+  const std::uint64_t all = eventsLost_ + log_.eventsLost();
+  if (all <= saidEventsLost_) return;
+  const auto lost = static_cast<double>(all - saidEventsLost_);
+  saidEventsLost_ = all;
+  keep({now, 0, EventLevel::Warning, {ReasonCode::EventsLost, {lost}}});
+}
+
+void StepLoop::keep(const Event& event) noexcept {
+  eventsLost_ += static_cast<std::uint64_t>(addEvent(output_.events, output_.eventCount, event));
 }
 
 void StepLoop::measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept {

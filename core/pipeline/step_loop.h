@@ -48,6 +48,8 @@ class StepLoop {
  private:
   void tap(const StepInput& input) noexcept;
   void tellLosses(Instant now) noexcept;
+  void tellLostEvents(Instant now) noexcept;
+  void keep(const Event& event) noexcept;
   void measure(const StepInput& input, const Chain::Step& done, Instant began) noexcept;
 
   StepLoopParts parts_;
@@ -56,6 +58,7 @@ class StepLoop {
   PathHealth health_;
   std::uint64_t saidDropped_ = 0;  // blocks that have been told of
   Instant saidAt_{};
+  std::uint64_t eventsLost_ = 0, saidEventsLost_ = 0;
   bool started_ = false;
   bool tapStopTold_ = false;
   Instant previous_{};

@@ -1,5 +1,6 @@
-// AdviceDesk: what the operator is asked under authority Advise, and the answer. Accept executes that one advice;
-// refuse silences the like of it for a while. Thread: worker. Real-time.
+// AdviceDesk: what the operator is asked under authority Advise, and the answer: a move, or the return to the
+// programmed values. Accept executes that one advice; refuse silences the like of it for a while. Thread: worker.
+// Real-time.
 #pragma once
 
 #include <algorithm>
@@ -66,7 +67,7 @@ class AdviceDesk {
   // Accepted for this cut, and still what the strategy asks for. Else nobody has accepted it.
   bool stillMeant(const Advice& now) const STILLCUT_RT {
     const double differs = std::abs((now.programmed - accepted_.programmed).value);
-    return now.request.kind == RequestKind::Set && alike(now.factors, accepted_.factors) &&
+    return now.request.kind == accepted_.request.kind && alike(now.factors, accepted_.factors) &&
            differs <= kSameProgram * accepted_.programmed.value;
   }
 

@@ -82,6 +82,7 @@ void FlightRecorder::prepare(Seconds blockLength) {
   write_ = copying_ = begun_ = 0;
   read_ = 0;
   missed_ = 0;
+  missedTold_ = 0;
 }
 
 void FlightRecorder::push(const FlightEntry& entry) STILLCUT_RT {
@@ -131,6 +132,8 @@ bool FlightRecorder::take(FlightRecording& into) {
   if (!slot.full.load(std::memory_order_acquire)) return false;
   into.time = slot.time;
   into.cause = slot.cause;
+  into.missed = missed() - missedTold_;
+  missedTold_ += into.missed;
   into.entries.assign(slot.entries.begin(), slot.entries.begin() + static_cast<std::ptrdiff_t>(slot.count));
   slot.full.store(false, std::memory_order_release);
   read_ = (read_ + 1) % kSlots;
@@ -144,6 +147,9 @@ std::string render(const FlightRecording& recording) {
   std::snprintf(head, sizeof head, "Flight recording at %.3f s of the stream, the %.1f s before it\n",
                 sinceEpoch(recording.time).value, span);
   std::string text = std::string(head) + "Cause: " + sentence(recording.cause) + "\n";
+  if (recording.missed > 0) {
+    text += std::to_string(recording.missed) + " more causes found no room for a recording of their own\n";
+  }
   text += "   time s  authority, verdict | request | command | machine | why\n";
   for (const FlightEntry& e : recording.entries) text += line(e, recording.time) + "\n";
   return text;

@@ -32,6 +32,7 @@ struct FlightRecording {
   Instant time{};
   Reason cause;
   std::vector<FlightEntry> entries;  // oldest first
+  std::uint64_t missed = 0;          // recordings since the one before that found no room
 };
 
 class FlightRecorder {
@@ -69,10 +70,11 @@ class FlightRecorder {
   std::size_t span_ = 0;  // entries kept
   std::size_t pushed_ = 0;
   std::unique_ptr<Slot[]> slots_;
-  int write_ = 0;    // worker: the next slot to take
-  int copying_ = 0;  // worker: the oldest slot that is not complete
-  int begun_ = 0;    // worker: slots from copying_ on that have been taken
-  int read_ = 0;     // taker
+  int write_ = 0;                 // worker: the next slot to take
+  int copying_ = 0;               // worker: the oldest slot that is not complete
+  int begun_ = 0;                 // worker: slots from copying_ on that have been taken
+  int read_ = 0;                  // taker
+  std::uint64_t missedTold_ = 0;  // taker
   std::atomic<std::uint64_t> missed_{0};
 };
 

@@ -14,7 +14,7 @@
 
 namespace stillcut::safety {
 
-inline constexpr int kMaxGateEvents = 4;
+inline constexpr int kMaxGateEvents = 8;
 
 struct GateInput {
   Instant now{};                // stream time: end of the block
@@ -39,6 +39,7 @@ struct GateOutput {
   bool flight = false;  // fault, refusal or change of authority: keep the last seconds (FlightRecorder::capture)
   Reason flightCause;   // the first of them in this step
   int eventCount = 0;   // Event::number is left to whoever counts a run's events
+  int eventsLost = 0;   // in this step: found no room, the most important were kept
   std::array<Event, kMaxGateEvents> events{};
 };
 

@@ -1,12 +1,15 @@
 #include "core/safety/gate_limits.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <string>
 
 namespace stillcut::safety {
 namespace {
 
+using config::autoParam;
 using config::integerParam;
 using config::locked;
 using config::ParamDecl;
@@ -40,8 +43,9 @@ constexpr ParamDecl kCoolDown =
 constexpr ParamDecl kSpeedTolerance =
     locked(realParam("gate.speed-tolerance", "Speed tolerance", "%", 2.0, 0.1, 10.0,
                      "The spindle counts as at speed, and an override as taken, within this"));
-constexpr ParamDecl kMachineAge = locked(realParam("gate.machine-age", "Machine state age", "ms", 300.0, 10.0, 5000.0,
-                                                   "A machine state older than this is stale"));
+constexpr ParamDecl kMachineAge =
+    locked(autoParam("gate.machine-age", "Machine state age", "ms", 10.0, 5000.0,
+                     "A machine state older than this is stale; auto: three of the link's own periods and a block"));
 constexpr ParamDecl kVerdictAge = locked(realParam("gate.verdict-age", "Verdict age", "ms", 300.0, 10.0, 5000.0,
                                                    "A verdict or request older than this is stale"));
 constexpr ParamDecl kHoldTime =
@@ -53,7 +57,7 @@ constexpr ParamDecl kRestTime =
 constexpr ParamDecl kKnobTime = locked(realParam("gate.knob-time", "Pause after the knob", "s", 2.0, 0.0, 60.0,
                                                  "After the operator turned a knob nothing new is asked this long"));
 constexpr ParamDecl kTakeTime =
-    locked(realParam("gate.take-time", "Time to take an override", "s", 1.0, 0.1, 10.0,
+    locked(realParam("gate.take-time", "Time to take an override", "s", 2.0, 0.1, 10.0,
                      "The override read back must agree with the command within this, or the machine is let go"));
 constexpr ParamDecl kFollowTime =
     locked(realParam("gate.follow-time", "Time for the spindle to follow", "s", 5.0, 0.2, 60.0,
@@ -76,8 +80,32 @@ constexpr auto joined() {
 }
 constexpr auto kAll = joined();
 
+// Of the link's periods. A state that misses one reading is nothing, three in a row are a link in trouble.
+constexpr double kStalePeriods = 3.0;
+// The link's thread waits its turn on a busy computer like everybody else.
+constexpr Seconds kYoungestStale{0.1};
+// Shorter than this, and a state would be stale although the link does all that it can.
+constexpr double kFewestPeriods = 2.0;
+
 Error refuse(std::string_view where, const ParamDecl& key, const std::string& what, const std::string& why) {
   return Error{std::string(where) + ": " + std::string(key.key), what, why};
+}
+
+Status fitToLink(GateLimits& limits, const config::ParamSet& params, Seconds linkPeriod, Seconds block,
+                 std::string_view where) {
+  const bool automatic = params.isAutomatic(kMachineAge);
+  limits.machineAge = automatic ? std::max(kYoungestStale, linkPeriod * kStalePeriods) + block
+                                : Seconds(params.real(kMachineAge) / 1000.0);
+  const Seconds fewest = linkPeriod * kFewestPeriods;
+  const std::string why = "the link reads the machine every " + std::to_string(std::lround(1e3 * linkPeriod.value)) +
+                          " ms: at least two of its periods";
+  if (limits.machineAge < fewest) {
+    return refuse(where, kMachineAge, "every machine state would be stale", why);
+  }
+  if (limits.takeTime < fewest) {
+    return refuse(where, kTakeTime, "no override could be seen in force in time", why);
+  }
+  return Done{};
 }
 
 }  // namespace
@@ -86,7 +114,8 @@ config::ParamTable gateParams() {
   return kAll;
 }
 
-Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& setup, std::string_view where) {
+Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& setup, std::string_view where,
+                              Seconds linkPeriod) {
   const Result<config::OverrideLimits> overrides = config::checkOverrideLimits(params, setup, where);
   if (!overrides) return overrides.error();
   const auto share = [&](const ParamDecl& decl) { return params.real(decl) / 100.0; };
@@ -103,7 +132,6 @@ Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& se
   limits.changesPerMinute = params.integer(kChangesPerMinute);
   limits.coolDown = Seconds(params.real(kCoolDown));
   limits.speedTolerance = share(kSpeedTolerance);
-  limits.machineAge = milli(kMachineAge);
   limits.verdictAge = milli(kVerdictAge);
   limits.holdTime = milli(kHoldTime);
   limits.restTime = Seconds(params.real(kRestTime));
@@ -114,6 +142,8 @@ Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& se
   if (setup.rate.value > 0.0 && limits.lease.value < 2.0 * setup.blockFrames / setup.rate.value) {
     return refuse(where, kLease, "the lease is shorter than two blocks", "it would run out between two commands");
   }
+  const Seconds block(setup.rate.value > 0.0 ? setup.blockFrames / setup.rate.value : 0.0);
+  if (const Status fits = fitToLink(limits, params, linkPeriod, block, where); !fits) return fits.error();
   return limits;
 }
 

@@ -27,20 +27,25 @@ struct GateLimits {
   int changesPerMinute = 12;     // moves that start from rest or turn back
   Seconds coolDown{20.0};        // after that many
   double speedTolerance = 0.02;  // spindle counts as at speed
-  Seconds machineAge{0.3};       // older: stale
+  Seconds machineAge{0.3};       // older: stale; gateLimits() makes it of the link's period
   Seconds verdictAge{0.3};       // verdict and request
   Seconds holdTime{0.5};         // bad input: hold this long, then release
   Seconds restTime{1.0};         // after a release: good input for this long before the overrides are taken again
   Seconds knobTime{2.0};         // after the operator's knob moved
-  Seconds takeTime{1.0};         // override read back must agree within this
-  Seconds followTime{5.0};       // actual speed must agree within this
-  Seconds lease{0.2};            // of every Set
+  // Override read back must agree within this. Longer than a link needs that has to find out by itself that the
+  // overrides are locked (cnc/lock_judge.h): a lock is not taken for somebody's reset.
+  Seconds takeTime{2.0};
+  Seconds followTime{5.0};  // actual speed must agree within this
+  Seconds lease{0.2};       // of every Set
 };
 
 // All `gate.*` declarations, those of the override limits included.
 config::ParamTable gateParams();
 
 // Reads and cross-checks. Error: key and reason. autoAllowed stays false: set it from profile or scenario.
-Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& setup, std::string_view where);
+// `linkPeriod`: as the link declares it (cnc::LinkInfo), 0: no machine. A state is stale after three of them, unless
+// told otherwise.
+Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& setup, std::string_view where,
+                              Seconds linkPeriod = {});
 
 }  // namespace stillcut::safety

@@ -23,6 +23,7 @@ void MachineWatch::prepare(const GateLimits& limits) {
 void MachineWatch::engage(const MachineState& machine) STILLCUT_RT {
   programmed_ = machine.programmedSpeed;
   notTaken_ = 0.0;
+  wasTaken_ = false;
   notFollowing_ = 0.0;
   trouble_ = {};
 }
@@ -74,9 +75,14 @@ void MachineWatch::lookAtResponse(const MachineState& machine, const Factors& ou
   // Machines report 0 % while the feed is on hold.
   const bool feedTaken = machine.feedHold || !differs(machine.feedOverride.value, feed, room);
   notTaken_ = speedTaken && feedTaken ? 0.0 : notTaken_ + dt;
+  const bool moved = differs(ours.speed, 1.0, room) || differs(ours.feed, 1.0, room);
+  wasTaken_ = wasTaken_ || (moved && speedTaken && feedTaken);
+  // Each override that is not ours stands at the operator's knob.
+  const bool atKnobs = (speedTaken || !differs(machine.speedOverride.value, machine.operatorSpeed.value, room)) &&
+                       (feedTaken || !differs(machine.feedOverride.value, machine.operatorFeed.value, room));
   notFollowing_ = atSpeed_ ? 0.0 : notFollowing_ + dt;
   if (notTaken_ > limits_.takeTime.value) {
-    trouble_ = {ReasonCode::GateOverrideNotTaken,
+    trouble_ = {wasTaken_ && atKnobs ? ReasonCode::GateOverrideReset : ReasonCode::GateOverrideNotTaken,
                 {100.0 * (speedTaken ? machine.feedOverride.value : machine.speedOverride.value),
                  100.0 * (speedTaken ? feed : speed)}};
   } else if (notFollowing_ > limits_.followTime.value) {

@@ -20,7 +20,9 @@ class MachineWatch {
   // product, as the operator expects, instead of being undone by us.
   void rebase(const MachineState& machine) STILLCUT_RT;
 
-  Reason trouble() const STILLCUT_RT { return trouble_; }  // None, GateOverrideNotTaken or GateNotFollowing
+  // None, GateOverrideNotTaken, GateOverrideReset (it had been taken, and stands where the knobs alone put it: neither
+  // the program's lock, which the machine tells, nor a machine that never took it) or GateNotFollowing.
+  Reason trouble() const STILLCUT_RT { return trouble_; }
   bool programChanged() const STILLCUT_RT { return programChanged_; }
   bool knobTurning() const STILLCUT_RT { return knobLeft_ > 0.0; }
   bool knobJustMoved() const STILLCUT_RT { return knobJustMoved_; }
@@ -40,6 +42,7 @@ class MachineWatch {
   Ratio baseSpeed_{1.0}, baseFeed_{1.0};
   double knobLeft_ = 0.0;
   double notTaken_ = 0.0;
+  bool wasTaken_ = false;  // ours has been seen in force
   double notFollowing_ = 0.0;
   bool knobJustMoved_ = false;
   bool programChanged_ = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/event_slots.h"
 #include "core/safety/gate_checks.h"
 
 namespace stillcut::safety {
@@ -19,11 +20,13 @@ void OverrideGate::prepare(const GateLimits& limits) {
   operatorHold_ = false;
   commanding_ = false;
   goingBack_ = false;
+  lettingGo_ = false;
   hasTime_ = false;
   badTime_ = 0.0;
   restLeft_ = 0.0;
   saidTrouble_ = ReasonCode::None;
   saidCoolDown_ = false;
+  saidLimits_ = false;
   strategyFailed_ = false;
   linkSeen_ = linkLost_ = false;
 }
@@ -34,7 +37,9 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   obeyOperator(in, out);
   endWhatCannotGoOn(in, out);
   const Reason trouble = findTrouble(in, out);
-  if (trouble.code != ReasonCode::None) {
+  if (lettingGo_) {
+    goHome(in, out);
+  } else if (trouble.code != ReasonCode::None) {
     holdThenRelease(trouble, in, out);
   } else {
     act(in, out);
@@ -47,16 +52,17 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
 // cannot tell that it should.
 void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const double elapsed = (static_cast<double>(toNs(in.now)) - static_cast<double>(toNs(lastNow_))) * 1e-9;
-  const bool first = !hasTime_;
+  first_ = !hasTime_;
   hasTime_ = true;
   lastNow_ = in.now;
   elapsed_ = 0.0;
   moveTime_ = 0.0;
   clockGood_ = false;
-  if (first) return;
+  if (first_) return;
   if (!(elapsed > 0.0) || elapsed > limits_.lease.value) {
     const bool back = !(elapsed > 0.0);
     const Reason why{back ? ReasonCode::GateClockFault : ReasonCode::LeaseExpired, {elapsed}};
+    if (commanding_) saidTrouble_ = ReasonCode::GateClockFault;  // by the drop
     drop(why, EventLevel::Fault, in.now, out);
     return;
   }
@@ -75,14 +81,11 @@ void OverrideGate::endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILL
   if (!in.strategyFailed || strategyFailed_) return;
   strategyFailed_ = true;
   const Reason why{ReasonCode::StrategyFault, {}};
-  if (!commanding_) {
-    say(out, in.now, EventLevel::Fault, why);
-    keepFlight(out, why);
-  }
-  drop(why, EventLevel::Fault, in.now, out);
+  if (!commanding_ || lettingGo_) report(out, in.now, EventLevel::Fault, why);
+  letGo(why, EventLevel::Fault, in.now, out);
 }
 
-// While something is in force holdThenRelease() says what is wrong.
+// With authority tellTrouble() says what is wrong.
 void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (in.machine.linkUp) {
     if (linkLost_) say(out, in.now, EventLevel::Info, {ReasonCode::LinkBack, {}});
@@ -92,10 +95,8 @@ void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   if (!linkSeen_ || linkLost_) return;
   linkLost_ = true;
-  if (commanding_) return;
-  const Reason lost{ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}};
-  say(out, in.now, EventLevel::Warning, lost);
-  keepFlight(out, lost);
+  if (commanding_ || authority_ != Authority::Off) return;
+  report(out, in.now, EventLevel::Warning, {ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}});
 }
 
 Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {
@@ -103,63 +104,28 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
   watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
-  if (commanding_ && watch_.programChanged()) {
+  if (commanding_ && !lettingGo_ && watch_.programChanged()) {
     // Whatever else is wrong: our factors were meant for another speed.
     const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
     say(out, in.now, EventLevel::Info, why);
-    drop(why, EventLevel::Info, in.now, out);
+    letGo(why, EventLevel::Info, in.now, out);
     return why;
   }
   if (!clockGood_) return {ReasonCode::GateClockFault, {}};
   trouble = watch_.trouble();
+  if (trouble.code == ReasonCode::GateOverrideReset) {
+    // The programmed values are in force already: to hold ours would be to take it back from whoever did it.
+    report(out, in.now, EventLevel::Warning, trouble);
+    drop(trouble, EventLevel::Info, in.now, out);
+    return trouble;
+  }
   if (trouble.code == ReasonCode::None) trouble = checkVerdict(in.verdict, in.now, limits_.verdictAge);
   if (trouble.code == ReasonCode::None) {
     trouble = checkRequest(in.request, in.machine, in.now, limits_.verdictAge);
   }
+  // Whatever comes in its name: there is nobody whose wishes to follow.
+  if (trouble.code == ReasonCode::None && strategyFailed_) trouble = {ReasonCode::StrategyFault, {}};
   return trouble;
-}
-
-void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
-  out.reason = trouble;
-  desk_.close();
-  desk_.carriedOut();
-  if (restLeft_ > 0.0) restLeft_ = limits_.restTime.value;
-  if (!commanding_) return;
-  // The end of a program is an ordinary end, everything else is a fault worth its flight record.
-  const bool ordinary = trouble.code == ReasonCode::GateMachineNotReady;
-  if (saidTrouble_ != trouble.code) {
-    saidTrouble_ = trouble.code;
-    say(out, in.now, ordinary ? EventLevel::Info : EventLevel::Warning, trouble);
-    if (!ordinary) keepFlight(out, trouble);
-  }
-  ramp_.halt();
-  badTime_ += elapsed_;
-  if (badTime_ >= limits_.holdTime.value) {
-    drop(trouble, ordinary ? EventLevel::Info : EventLevel::Fault, in.now, out);
-  } else if (checkMachine(in.machine, in.now, limits_.machineAge).code == ReasonCode::None) {
-    const config::OverrideLimits& o = limits_.overrides;
-    const MachineState& m = in.machine;
-    ramp_.keepInside(speedFactors(o, m), feedFactors(o, m));
-  }
-}
-
-void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
-  ramp_.restart();
-  keeper_.restart();
-  desk_.clear();
-  goingBack_ = false;
-  badTime_ = 0.0;
-  saidTrouble_ = ReasonCode::None;
-  if (!commanding_) return;
-  commanding_ = false;
-  owesRelease_ = true;
-  dropReason_ = why;
-  restLeft_ = limits_.restTime.value;
-  if (level == EventLevel::Fault) {
-    say(out, now, level, why);
-    keepFlight(out, why);
-  }
-  say(out, now, EventLevel::Info, {ReasonCode::GateReleased, {}});
 }
 
 // The one place where commands are made. The finite check is the last thing that happens to a number.
@@ -195,17 +161,18 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.operatorHold = operatorHold_;
 }
 
+void OverrideGate::report(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT {
+  say(out, now, level, reason);
+  keepFlight(out, reason);
+}
+
 void OverrideGate::keepFlight(GateOutput& out, const Reason& cause) STILLCUT_RT {
   if (!out.flight) out.flightCause = cause;
   out.flight = true;
 }
 
 void OverrideGate::say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT {
-  if (out.eventCount >= kMaxGateEvents) return;
-  Event& event = out.events[static_cast<std::size_t>(out.eventCount++)];
-  event.time = now;
-  event.level = level;
-  event.reason = reason;
+  out.eventsLost += addEvent(out.events, out.eventCount, {.time = now, .number = 0, .level = level, .reason = reason});
 }
 
 }  // namespace stillcut::safety

@@ -5,7 +5,15 @@
 // Each step: time, operator, checks of everything that came in; then either hold-then-release, or the wish trimmed to
 // the limits, counted as a change, low-passed, rate-limited, ordered (speed rises before feed, feed falls before
 // speed), and checked for being finite last. While a Set is in force it is issued anew each step: that is what renews
-// its lease. Thread: prepare() at set-up, step() on the worker, once per block, real-time.
+// its lease.
+//
+// Letting go: while machine and link are well the factors travel back to 100 % by the same rates and in the same order,
+// whoever or whatever ended them, and the Release comes last. It comes at once only where nothing can be steered any
+// more (link gone, state stale, overrides locked, reset or not taken, time that jumped, a lease that has run out).
+//
+// Every fault, refusal and change of authority leaves an event and a flight, also with nothing in force, unless
+// authority is Off: then only what concerns the link.
+// Thread: prepare() at set-up, step() on the worker, once per block, real-time.
 #pragma once
 
 #include "core/safety/advice_desk.h"
@@ -43,10 +51,12 @@ class OverrideGate {
   void endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
+  void stay() STILLCUT_RT;
   void acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT;
   void refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT;
   void watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT;
   Reason findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void tellTrouble(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
   void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
 
   void act(const GateInput& in, GateOutput& out) STILLCUT_RT;
@@ -56,14 +66,23 @@ class OverrideGate {
   void retarget(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void move(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void refuseBeyondLimits(const Reason& limited, const GateInput& in, GateOutput& out) STILLCUT_RT;
+  RampInput rampInput(const MachineState& machine) const STILLCUT_RT;
 
   Wish wish(const OverrideRequest& request, const MachineState& machine) const STILLCUT_RT;
   Reason notReady(const GateInput& in) const STILLCUT_RT;
   Freeze frozen(const MachineState& machine) const STILLCUT_RT;
   Reason inForce(const MachineState& machine) const STILLCUT_RT;
 
+  // By the ramp, over the next steps; at once where nothing is in force.
+  void letGo(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
+  void goHome(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  // At once.
   void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
+  void forget() STILLCUT_RT;
   void issue(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  // Event and flight.
+  void report(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT;
   static void keepFlight(GateOutput& out, const Reason& cause) STILLCUT_RT;
   void say(GateOutput& out, Instant now, EventLevel level, const Reason& reason) const STILLCUT_RT;
 
@@ -79,12 +98,15 @@ class OverrideGate {
 
   bool commanding_ = false;
   bool goingBack_ = false;    // on the slow way to 100 %, then release
+  bool lettingGo_ = false;    // on the way to 100 % at full rate, then release
+  double stuck_ = 0.0;        // [s] on that way without getting any further
   bool owesRelease_ = false;  // dropped, the Release is not out yet
   Reason dropReason_;
   std::uint64_t sequence_ = 0;
   std::uint64_t engagement_ = 0;
 
   bool hasTime_ = false;
+  bool first_ = false;  // step: there is no time before it to measure from
   Instant lastNow_{};
   bool clockGood_ = false;
   double elapsed_ = 0.0;   // [s] stream time since the last step, for what must run out
@@ -93,6 +115,7 @@ class OverrideGate {
   double restLeft_ = 0.0;
   ReasonCode saidTrouble_ = ReasonCode::None;
   bool saidCoolDown_ = false;  // once for each
+  bool saidLimits_ = false;    // once until something else is asked
   bool strategyFailed_ = false;
   bool linkSeen_ = false, linkLost_ = false;
 };

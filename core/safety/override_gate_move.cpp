@@ -11,13 +11,23 @@ bool inCut(const Verdict& v) noexcept {
   return v.state != CutState::Air && v.phase != CutPhase::RunUp;
 }
 
+// A return is advised with the values that it leads to.
+Advice adviceOf(const Factors& factors, const OverrideRequest& r, const MachineState& m) noexcept {
+  Advice advice{factors, r, m.programmedSpeed};
+  if (r.kind == RequestKind::Release) {
+    advice.request.speed = m.programmedSpeed * m.operatorSpeed.value;
+    advice.request.feed = m.programmedFeed * m.operatorFeed.value;
+  }
+  return advice;
+}
+
 }  // namespace
 
 void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   badTime_ = std::max(0.0, badTime_ - elapsed_);
   if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
   if (!keeper_.budget().cooling()) saidCoolDown_ = false;
-  restLeft_ = std::max(0.0, restLeft_ - elapsed_);
+  if (!owesRelease_) restLeft_ = std::max(0.0, restLeft_ - elapsed_);
   if (!commanding_) watch_.rebase(in.machine);
 
   endOldAcceptance(in, out);
@@ -47,7 +57,7 @@ void OverrideGate::endOldAcceptance(const GateInput& in, GateOutput& out) STILLC
   if (desk_.stillMeant(now)) return;
   const OverrideRequest& was = desk_.accepted()->request;
   const OverrideRequest& is = in.request.kind == RequestKind::Set ? in.request : was;
-  say(out, in.now, EventLevel::Warning, {ReasonCode::AdviceChanged, {is.speed.value, toMmPerMin(is.feed)}});
+  report(out, in.now, EventLevel::Warning, {ReasonCode::AdviceChanged, {is.speed.value, toMmPerMin(is.feed)}});
   desk_.carriedOut();
 }
 
@@ -60,13 +70,17 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   const Wish wanted = wish(in.request, in.machine);
   const bool wants = in.request.kind == RequestKind::Set && !keeper_.near(wanted.factors);
+  if (in.request.kind != RequestKind::Set) saidLimits_ = false;
   if (!wants && accepted == nullptr) {
     desk_.close();
+    if (in.request.kind == RequestKind::Set && wanted.limited.code != ReasonCode::None) {
+      return refuseBeyondLimits(wanted.limited, in, out);
+    }
     out.reason = in.request.reason.code != ReasonCode::None ? in.request.reason : Reason{ReasonCode::NothingToDo, {}};
     return;
   }
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    desk_.put({wanted.factors, in.request, in.machine.programmedSpeed});
+    desk_.put(adviceOf(wanted.factors, in.request, in.machine));
     out.reason = {ReasonCode::AdviceOnly, {}};
     return;
   }
@@ -132,49 +146,55 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
   ramp_.keepInside(speedFactors(limits_.overrides, m), feedFactors(limits_.overrides, m));
 }
 
+// Under Advise only what was accepted becomes a target, the way back to 100 % like every other move.
 void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  const OverrideRequest& r = in.request;
-  if (r.kind == RequestKind::Hold) {
-    keeper_.stopAt(ramp_.now());
-    ramp_.halt();
-    goingBack_ = false;
-  } else if (r.kind == RequestKind::Release) {
-    keeper_.goBack();
-    goingBack_ = true;
-  }
+  if (in.request.kind == RequestKind::Hold) stay();
   const Advice* accepted = desk_.accepted();
-  if (r.kind != RequestKind::Set && accepted == nullptr) {
+  const OverrideRequest& r = accepted != nullptr ? accepted->request : in.request;
+  const bool back = r.kind == RequestKind::Release;
+  if (!back && r.kind != RequestKind::Set) {
     desk_.close();
     return;
   }
+  const Wish wanted = wish(r, in.machine);
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    const Wish wanted = wish(r, in.machine);
-    keeper_.near(wanted.factors) ? desk_.close() : desk_.put({wanted.factors, r, in.machine.programmedSpeed});
+    const bool underWay = back ? goingBack_ : keeper_.near(wanted.factors);
+    underWay ? desk_.close() : desk_.put(adviceOf(wanted.factors, r, in.machine));
     return;
   }
-  const Wish wanted = wish(accepted != nullptr ? accepted->request : r, in.machine);
-  if (keeper_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
+  if (back) {
+    keeper_.goBack();
+  } else if (keeper_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
     refuseChange(in, out);
     return;
   }
-  goingBack_ = false;
+  goingBack_ = back;
   desk_.carriedOut();
   if (wanted.limited.code != ReasonCode::None) out.reason = wanted.limited;
 }
 
 void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  const MachineState& m = in.machine;
-  RampInput ramp;
-  ramp.dt = moveTime_;
+  if (goingBack_ && ramp_.at({})) {
+    drop({ReasonCode::GateReleased, {}}, EventLevel::Info, in.now, out);
+    return;
+  }
+  RampInput ramp = rampInput(in.machine);
   ramp.wanted = keeper_.target();
-  ramp.speed = speedFactors(limits_.overrides, m);
-  ramp.feed = feedFactors(limits_.overrides, m);
-  ramp.actualSpeed = m.actualSpeed / (m.programmedSpeed * m.operatorSpeed.value);
-  ramp.feedInForce = m.operatorFeed.value > 0.0 ? m.feedOverride / m.operatorFeed : 0.0;
   ramp.recovering = goingBack_ || !in.verdict.alarming();
   ramp_.advance(ramp);
-  if (out.reason.code == ReasonCode::None) out.reason = inForce(m);
-  if (goingBack_ && ramp_.at({})) drop({ReasonCode::GateReleased, {}}, EventLevel::Info, in.now, out);
+  if (out.reason.code == ReasonCode::None) out.reason = inForce(in.machine);
+}
+
+// To 100 %, unless told otherwise.
+RampInput OverrideGate::rampInput(const MachineState& m) const STILLCUT_RT {
+  RampInput ramp;
+  ramp.dt = moveTime_;
+  ramp.speed = speedFactors(limits_.overrides, m);
+  ramp.feed = feedFactors(limits_.overrides, m);
+  const Rpm base = m.programmedSpeed * m.operatorSpeed.value;
+  ramp.actualSpeed = base.value > 0.0 ? m.actualSpeed / base : 0.0;
+  ramp.feedInForce = m.operatorFeed.value > 0.0 ? m.feedOverride / m.operatorFeed : 0.0;
+  return ramp;
 }
 
 // No hunting: after the changes of a minute are used up there is a pause, and the second time Auto is withdrawn.
@@ -185,8 +205,7 @@ void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_R
     saidCoolDown_ = true;
     const Reason usedUp{ReasonCode::GateChangesPerMinute,
                         {static_cast<double>(budget.inLastMinute()), static_cast<double>(budget.perMinute())}};
-    say(out, in.now, EventLevel::Warning, usedUp);
-    keepFlight(out, usedUp);
+    report(out, in.now, EventLevel::Warning, usedUp);
   }
   if (budget.timesUsedUp() >= 2 && authority_ == Authority::Auto) {
     say(out, in.now, EventLevel::Warning, {ReasonCode::AutoWithdrawn, {static_cast<double>(budget.perMinute())}});
@@ -194,7 +213,16 @@ void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_R
   }
 }
 
+// Nothing is left of what was asked: whoever sees chatter go on hears why.
+void OverrideGate::refuseBeyondLimits(const Reason& limited, const GateInput& in, GateOutput& out) STILLCUT_RT {
+  out.reason = limited;
+  if (saidLimits_) return;
+  saidLimits_ = true;
+  report(out, in.now, EventLevel::Warning, limited);
+}
+
 OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
+  if (r.kind == RequestKind::Release) return {};  // 100 %
   const config::OverrideLimits& o = limits_.overrides;
   const config::FactorRange speeds = speedFactors(o, m);
   const config::FactorRange feeds = feedFactors(o, m);

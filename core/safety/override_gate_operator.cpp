@@ -1,4 +1,6 @@
 // The half of the gate that listens to the person at the machine.
+#include <array>
+
 #include "core/safety/override_gate.h"
 
 namespace stillcut::safety {
@@ -44,39 +46,47 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
 void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT {
   const bool known = wanted == Authority::Off || wanted == Authority::Advise || wanted == Authority::Auto;
   if (!known || (wanted == Authority::Auto && !limits_.autoAllowed)) {
-    say(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
-    keepFlight(out, {ReasonCode::AutoNotAllowed, {}});
+    report(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
     return;
   }
   if (wanted != authority_) {
     const Reason change{ReasonCode::AuthorityChanged, {static_cast<double>(authority_), static_cast<double>(wanted)}};
-    say(out, now, EventLevel::Info, change);
-    keepFlight(out, change);
+    report(out, now, EventLevel::Info, change);
     authority_ = wanted;
     authoritySince_ = now;
     desk_.clear();
     keeper_.forgiveChanges();
+    saidLimits_ = false;
+    saidTrouble_ = ReasonCode::None;  // whoever takes or gives authority hears what stands in the way
+    if (wanted == Authority::Advise && commanding_ && !lettingGo_) stay();
   }
-  if (authority_ == Authority::Off) drop({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
+  if (authority_ == Authority::Off) letGo({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
+}
+
+// From now on each move is asked for, the rest of one that was under way included.
+void OverrideGate::stay() STILLCUT_RT {
+  keeper_.stopAt(ramp_.now());
+  ramp_.halt();
+  goingBack_ = false;
 }
 
 // A target that jumped as the finger landed is another advice, and nobody has accepted that one.
 void OverrideGate::acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT {
   if (authority_ != Authority::Advise || !desk_.open()) return;
   const OverrideRequest& r = desk_.advice().request;
-  const bool same = desk_.accept(number);
-  const Reason answer{same ? ReasonCode::AdviceAccepted : ReasonCode::AdviceChanged,
-                      {r.speed.value, toMmPerMin(r.feed)}};
-  say(out, now, same ? EventLevel::Info : EventLevel::Warning, answer);
-  if (!same) keepFlight(out, answer);
+  const std::array<double, 4> values{r.speed.value, toMmPerMin(r.feed)};
+  if (desk_.accept(number)) {
+    say(out, now, EventLevel::Info, {ReasonCode::AdviceAccepted, values});
+  } else {
+    report(out, now, EventLevel::Warning, {ReasonCode::AdviceChanged, values});
+  }
 }
 
 void OverrideGate::refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT {
   if (authority_ != Authority::Advise || !desk_.refuse()) return;
   const OverrideRequest& r = desk_.advice().request;
   const Reason answer{ReasonCode::AdviceRefused, {r.speed.value, toMmPerMin(r.feed)}};
-  say(out, now, EventLevel::Info, answer);
-  keepFlight(out, answer);
+  report(out, now, EventLevel::Info, answer);
 }
 
 }  // namespace stillcut::safety

@@ -34,6 +34,8 @@ class OverrideRamp {
   void restart() STILLCUT_RT;
   // Stop where we are: nothing is left in the filter.
   void halt() STILLCUT_RT;
+  // The next wish has been made already: nothing is left of the ones before, and it is not smoothed.
+  void straightTo(const Factors& wanted) STILLCUT_RT { filtered_ = wanted; }
   // Back inside the ranges and the feed per tooth without going anywhere else.
   void keepInside(const config::FactorRange& speed, const config::FactorRange& feed) STILLCUT_RT;
   void advance(const RampInput& in) STILLCUT_RT;

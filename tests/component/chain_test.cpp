@@ -118,9 +118,76 @@ TEST(Chain, AStrategyThatThrowsLosesTheMachineInThatBlock) {
   for (int i = 0; i < 20; ++i) step(i == 1);
   ASSERT_EQ(step(false).output.command.kind, CommandKind::Set);
   broken = true;
-  const Chain::Step& after = step(false);
-  ASSERT_TRUE(after.output.hasCommand);
-  EXPECT_EQ(after.output.command.kind, CommandKind::Release);
+  // The way home, which no wish interrupts, and then nothing more.
+  double speed = 0.0;
+  for (int i = 0; i < 200; ++i) {
+    const StepOutput& after = step(false).output;
+    if (!after.hasCommand || after.command.kind == CommandKind::Release) break;
+    EXPECT_GE(after.command.speed.value, speed);
+    speed = after.command.speed.value;
+  }
+  EXPECT_NEAR(speed, 1.0, 1e-4);
+  for (int i = 0; i < 50; ++i) EXPECT_FALSE(step(false).output.hasCommand);
+}
+
+// A good machine, and what the operator does in this step.
+class GivenFeed final : public MachineFeed {
+ public:
+  void complete(StepInput& step) noexcept override {
+    step.machine = MachineState{};
+    step.machine.time = step.block.end();
+    step.machine.valid = step.machine.linkUp = step.machine.programRunning = step.machine.atSpeed = true;
+    step.machine.programmedSpeed = step.machine.actualSpeed = Rpm(6000.0);
+    step.inputCount = count;
+    step.inputs = inputs;
+  }
+  int count = 0;
+  std::array<OperatorInput, kMaxInputsPerStep> inputs{};
+};
+
+class LastOutput final : public StepTap {
+ public:
+  bool push(const StepInput& /*input*/, const StepOutput& output) noexcept override {
+    events.assign(output.events.begin(), output.events.begin() + output.eventCount);
+    return true;
+  }
+  std::vector<Event> events;
+};
+
+TEST(StepLoop, LinesThatFoundNoRoomAreCountedInTheNextStep) {
+  bool broken = false;
+  Chain chain(test::scriptedChain([](const auto&) { return test::stableVerdict(); },
+                                  [&](const auto&) -> OverrideRequest {
+                                    if (broken) throw std::runtime_error("broken");
+                                    return {};
+                                  }));
+  safety::GateLimits limits;
+  limits.autoAllowed = true;
+  chain.prepare(test::setup(), {}, limits);
+  SteadyClock clock;
+  rt::Mailbox<OverrideCommand> commands;
+  GivenFeed feed;
+  LastOutput tap;
+  StepLoop loop({chain, feed, commands, nullptr, &tap, clock});
+  auto step = [&, number = 0]() mutable {
+    StepInput in = stepInput(number++);
+    loop.step(in);
+  };
+  step();
+  feed.count = 4;
+  feed.inputs[0] = feed.inputs[2] = {OperatorAction::GrantBySimulation};
+  feed.inputs[1] = feed.inputs[3] = {OperatorAction::BackToProgrammed};
+  broken = true;  // a ninth line
+  step();
+  feed.count = 0;
+  EXPECT_EQ(tap.events.size(), static_cast<std::size_t>(safety::kMaxGateEvents));
+  EXPECT_EQ(tap.events.back().reason.code, ReasonCode::StrategyFault);
+  step();
+  ASSERT_EQ(tap.events.size(), 1U);
+  EXPECT_EQ(tap.events[0].reason.code, ReasonCode::EventsLost);
+  EXPECT_EQ(tap.events[0].reason.n[0], 1.0);
+  step();
+  EXPECT_TRUE(tap.events.empty());
 }
 
 TEST(Chain, ADetectorThatFailsIsSaidOnceAndKeepsAFlight) {

@@ -195,16 +195,31 @@ TEST_F(FaultScript, TheSpeedReadbackFreezes) {
   expectFlight("the spindle does not follow");
 }
 
-TEST_F(FaultScript, TheProgramResetsTheOverride) {
+TEST_F(FaultScript, TheProgramLocksTheOverrides) {
   runMidRamp();
   run_.machine().enableOverrides(false);  // M49
   runFor(1.0);
   expectProgrammedAgain();
   EXPECT_TRUE(said("the overrides have no effect: locked by the program, or at the machine's limit"));
+  EXPECT_FALSE(said("put the override back"));
   expectFlight("the overrides have no effect", "locked");
   run_.machine().enableOverrides(true);
   runFor(0.5);
   EXPECT_EQ(machine().speedOverride, Ratio(1.0)) << "it does not jump back to where it was";
+}
+
+// A tool change macro or a reset script, not M49: told apart, and left in force.
+TEST_F(FaultScript, AScriptResetsTheOverrides) {
+  runMidRamp();
+  while (run_.last().gate.reason.code != ReasonCode::GateInForce && advance()) {
+  }
+  runFor(0.2);  // the machine has read it
+  run_.machine().resetOverrides();
+  runFor(2.3);
+  expectProgrammedAgain();
+  EXPECT_TRUE(said("the machine or its program put the override back to 100 %"));
+  EXPECT_FALSE(said("locked by the program"));
+  expectFlight("the machine or its program put the override back to 100 %");
 }
 
 }  // namespace

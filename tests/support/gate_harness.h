@@ -2,6 +2,9 @@
 // the spindle follows. Tests bend any of it.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <vector>
@@ -90,6 +93,24 @@ class GateHarness {
     }
     return false;
   }
+  // From command `first` on: away from where it stood by the rates, feed and speed in their order, and only then the
+  // Release. With promptLimits() and an allowed feed per tooth of 1.
+  void expectHomeByRamp(std::size_t first) const {
+    const GateLimits l = promptLimits();
+    std::size_t i = first + 1;
+    for (; i < commands.size() && commands[i].kind == CommandKind::Set; ++i) {
+      const CommandRecord &a = commands[i - 1], &b = commands[i];
+      EXPECT_LE(std::abs(b.speed.value - a.speed.value), std::min(l.speedStep, l.speedSlew * kDt) + 1e-9) << i;
+      EXPECT_LE(std::abs(b.feed.value - a.feed.value), std::min(l.feedStep, l.feedSlew * kDt) + 1e-9) << i;
+      EXPECT_LE(std::abs(b.speed.value - 1.0), std::abs(a.speed.value - 1.0) + 1e-9) << i;
+      EXPECT_LE(b.feed.value, std::min(a.speed.value, b.speed.value) + 1e-9) << "the feed never goes ahead, " << i;
+    }
+    ASSERT_LT(i, commands.size());
+    EXPECT_GT(i, first + 2) << "at once";
+    EXPECT_NEAR(commands[i - 1].speed.value, 1.0, 1e-4);
+    EXPECT_NEAR(commands[i - 1].feed.value, 1.0, 1e-4);
+    EXPECT_EQ(commands[i].kind, CommandKind::Release);
+  }
   const CommandRecord& lastCommand() const { return commands.back(); }
 
   OverrideGate gate;
@@ -101,6 +122,7 @@ class GateHarness {
   bool freshMachine = true, freshVerdict = true, freshRequest = true;
   bool strategyFailed = false;
   bool machineFollows = true;  // readback and spindle
+  bool spindleStands = false;  // it does not, whatever is read back
   GateOutput last;
   std::vector<CommandRecord> commands;
   std::vector<Event> events;
@@ -115,7 +137,7 @@ class GateHarness {
     if (delayed_.size() > kDelay) delayed_.pop_front();
     machine.speedOverride = Ratio(machine.operatorSpeed.value * delayed_.front().speed);
     machine.feedOverride = Ratio(machine.operatorFeed.value * delayed_.front().feed);
-    machine.actualSpeed += (machine.targetSpeed() - machine.actualSpeed) * 0.3;
+    if (!spindleStands) machine.actualSpeed += (machine.targetSpeed() - machine.actualSpeed) * 0.3;
   }
   std::deque<Factors> delayed_;
 };

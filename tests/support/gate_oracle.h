@@ -1,169 +1,218 @@
-// What must hold for whatever the gate lets out, written down without the gate's code: limits, rates, order, authority,
-// lease, holding on bad input. breach() is empty or says what was broken.
+// What must hold for whatever the gate lets out, written down without the gate's code: authority, limits of machine,
+// tool, holder and cutting edge, rates, order, recovery, changes per minute, holding on bad input, and the way home.
+// breach() is empty or says what was broken. It keeps books of its own (gate_books.h) and is told nothing by the gate
+// but what the gate sends, shows and says.
 #pragma once
 
 #include <cmath>
 #include <sstream>
 #include <string>
 
-#include "core/safety/gate_io.h"
-#include "core/safety/gate_limits.h"
+#include "tests/support/gate_books.h"
 
 namespace stillcut::safety::testing {
 
 class GateOracle {
  public:
-  void prepared(const GateLimits& limits) {
+  void prepared(const GateLimits& limits, const CutterLimits& cutter = {}) {
     limits_ = limits;
-    granted_ = Authority::Off;
-    lived_ = false;
+    cutter_ = cutter;
+    books_.prepared(limits);
+    changes_.prepared(limits);
   }
 
   std::string breach(const GateInput& in, const GateOutput& out) {
-    const double elapsed = static_cast<double>(toNs(in.now) - lastNow_) * 1e-9;
-    const bool lapsed = !lived_ || elapsed <= 0.0 || elapsed > limits_.lease.value;
-    lastNow_ = toNs(in.now);
-    lived_ = true;
-    for (const OperatorInput& i : in.inputs) {
-      if (i.action == OperatorAction::SetAuthority) granted_ = i.authority;
-      if (i.action == OperatorAction::GrantBySimulation) granted_ = Authority::Auto;
-      if (i.action == OperatorAction::BackToProgrammed) granted_ = Authority::Off;
-    }
-    untrusted_ = trusted(in.machine, in.now) ? 0.0 : untrusted_ + (elapsed > 0.0 && elapsed < 1.0 ? elapsed : 0.0);
-
-    std::string what = judge(in, out, elapsed, lapsed);
-    const bool set = out.command && out.command->kind() == CommandKind::Set;
-    if (out.command) sequence_ = out.command->sequence();
-    inForce_ = set;
-    if (set) {
-      if (out.command->engagement() != engagement_) programmed_ = in.machine.programmedSpeed.value;
-      speed_ = out.command->speed().value;
-      feed_ = out.command->feed().value;
-      engagement_ = out.command->engagement();
-      ++sets;
-    }
+    books_.before(in);
+    std::string what = judge(in, out);
+    if (what.empty()) what = changes_.breach(in, out, books_);
+    books_.after(in, out);
+    if (out.command && out.command->kind() == CommandKind::Set) ++sets;
+    if (out.command) last_ = out.command->record();
     return what;
   }
   long sets = 0;
 
  private:
-  static bool in(double v, double low, double high) { return v >= low - 1e-9 && v <= high + 1e-9; }
-  static bool between(double v, double low, double high) { return number(v) && v >= low && v <= high; }
-  static bool number(double v) { return std::isfinite(v); }
+  static constexpr double kTiny = 1e-9;
+  static bool inside(double v, const config::FactorRange& r) { return v >= r.low - kTiny && v <= r.high + kTiny; }
 
-  bool trusted(const MachineState& m, Instant now) const {
-    const double age = std::abs(static_cast<double>(toNs(now)) - static_cast<double>(toNs(m.time))) * 1e-9;
-    return m.valid && m.linkUp && m.overridesEnabled && m.controlOurs && m.programRunning &&
-           age <= limits_.machineAge.value && number(m.programmedSpeed.value) && m.programmedSpeed.value > 0.0 &&
-           m.programmedSpeed.value <= 3e5 && between(m.programmedFeed.value, 0.0, 10.0) &&
-           between(m.operatorSpeed.value, 0.01, 4.0) && between(m.operatorFeed.value, 0.0, 4.0) &&
-           between(m.actualSpeed.value, 0.0, 3e5) && between(m.actualFeed.value, 0.0, 10.0) &&
-           between(m.speedOverride.value, 0.0, 4.0) && between(m.feedOverride.value, 0.0, 4.0);
-  }
-
-  // Range of our factor such that factor and product stay inside, never pushing out what the operator did himself.
-  static config::FactorRange allowed(double low, double high, double knob) {
-    if (knob <= 0.0) return {low, high};
-    return {std::min(1.0, std::max(low, low / knob)), std::max(1.0, std::min(high, high / knob))};
-  }
-
-  std::string judge(const GateInput& g, const GateOutput& out, double elapsed, bool lapsed) const {
-    std::ostringstream s;
+  std::string judge(const GateInput& g, const GateOutput& out) const {
+    const Books& b = books_;
     if (out.authority == Authority::Auto && !limits_.autoAllowed) return "Auto without leave";
-    if (!out.command) return inForce_ && !lapsed ? "a Set in force was neither renewed nor released" : "";
+    if (!b.mayShow(out.authority)) return "an authority that nobody gave";
+    if (std::string untold = notTold(g, out); !untold.empty()) return untold;
+    if (!out.command) return b.inForce && !b.lapsed ? "a Set in force was neither renewed nor released" : "";
     const CommandRecord& c = out.command->record();
-    if (c.sequence <= sequence_) return "sequence did not grow";
-    if (c.kind == CommandKind::Release) return out.commanding ? "released and still commanding" : "";
-    if (lapsed) return "Set on a dead lease";
-    if (granted_ == Authority::Off || out.authority == Authority::Off) return "Set without authority";
+    if (c.sequence <= last_.sequence) return "sequence did not grow";
+    if (c.kind == CommandKind::Release) return whenReleased(g, out);
+    if (!std::isfinite(c.speed.value) || !std::isfinite(c.feed.value)) return "not finite";
+    if (b.lapsed) return "Set on a dead lease";
     if (c.lease != toDuration(limits_.lease)) return "wrong lease";
-    if (!number(c.speed.value) || !number(c.feed.value)) return "not finite";
-    const bool same = inForce_ && c.engagement == engagement_;
-    if (inForce_ && !same) return "changed its engagement without a release";
-    if (!trusted(g.machine, g.now)) return whenUntrusted(c);
-    if (same && std::abs(g.machine.programmedSpeed.value - programmed_) > 2e-3 * programmed_) {
-      return "went on after the program changed its speed";
+    if (c.engagement <= g.machine.endedEngagement) return "Set of an engagement that the link has ended";
+    if (b.inForce && c.engagement != last_.engagement) return "changed its engagement without a release";
+    if (!b.inForce) {
+      if (std::string why = whenTaken(g, out); !why.empty()) return why;
     }
-    return whenTrusted(g, c, elapsed, same);
+    if (!b.steerable(g)) return whenUntrusted(c);
+    if (std::string why = limitsBroken(g.machine, c); !why.empty()) return why;
+    return whenMoving(g, out);
+  }
+
+  // Every fault and change of authority leaves an event and a flight, also with nothing in force.
+  std::string notTold(const GateInput& g, const GateOutput& out) const {
+    const auto said = [&out](auto&& is) {
+      for (int i = 0; i < out.eventCount; ++i) {
+        if (is(out.events[static_cast<std::size_t>(i)])) return true;
+      }
+      return out.eventsLost > 0;
+    };
+    if (out.authority != books_.shown) {
+      const bool told = said([](const Event& e) { return e.reason.code == ReasonCode::AuthorityChanged; });
+      if (!told || !out.flight) return "a change of authority without event and flight";
+    }
+    const bool news =
+        !books_.mayLeave && books_.badSince == 0.0 && books_.goodFor > 1.5 && books_.bad && books_.unusual;
+    if (news && books_.shown != Authority::Off && out.authority != Authority::Off) {
+      const bool told = said([](const Event& e) { return e.level != EventLevel::Info; });
+      if (!told || !out.flight) return "trouble without event and flight";
+    }
+    if (g.strategyFailed && !books_.failed && !(said([](const Event& e) { return e.level == EventLevel::Fault; }))) {
+      return "a failed strategy without an event";
+    }
+    return "";
+  }
+
+  // Nothing jumps where the machine can still be steered.
+  std::string whenReleased(const GateInput& g, const GateOutput& out) const {
+    const Books& b = books_;
+    if (out.commanding) return "released and still commanding";
+    if (!b.inForce || b.lapsed || !b.steerable(g)) return "";
+    const bool home = std::abs(last_.speed.value - 1.0) < 1e-4 && std::abs(last_.feed.value - 1.0) < 1e-4;
+    const bool excused = last_.engagement <= g.machine.endedEngagement || b.notTaken > limits_.takeTime.value ||
+                         (b.badClock > 0.0 && b.badClock >= limits_.holdTime.value) ||
+                         b.stuck + b.elapsed > limits_.followTime.value;
+    if (home || excused) return "";
+    std::ostringstream s;
+    s << "jumped from " << last_.speed.value << ", " << last_.feed.value << " to 100 % with a machine that is well";
+    return s.str();
+  }
+
+  std::string whenTaken(const GateInput& g, const GateOutput& out) const {
+    const Books& b = books_;
+    const MachineState& m = g.machine;
+    if (out.authority == Authority::Off) return "took the overrides without authority";
+    if (b.bad) return "took the overrides on bad input";
+    if (out.authority == Authority::Advise && !b.licence) return "took the overrides on an advice that nobody accepted";
+    if (b.sinceRelease + b.elapsed < limits_.restTime.value - kTiny) {
+      return "took the overrides again after " + std::to_string(b.sinceRelease + b.elapsed) + " of " +
+             std::to_string(limits_.restTime.value) + " s";
+    }
+    if (b.held || m.feedHold) return "took the overrides while something was on hold";
+    if (b.sinceKnob < limits_.knobTime.value - kTiny) return "took the overrides from under the operator's hand";
+    if (g.verdict.state == CutState::Air || g.verdict.phase == CutPhase::RunUp) return "took the overrides in air";
+    const double speed = m.programmedSpeed.value * m.operatorSpeed.value;
+    const bool turns = m.actualSpeed.value <= 0.0 ||
+                       std::abs(m.actualSpeed.value - speed) <= limits_.speedTolerance * speed * (1.0 + kTiny);
+    return m.atSpeed && turns ? "" : "took the overrides before the spindle was at speed";
   }
 
   std::string whenUntrusted(const CommandRecord& c) const {
-    if (!inForce_) return "took the overrides of a machine that cannot be trusted";
-    if (c.speed.value != speed_ || c.feed.value != feed_) return "moved on bad machine state";
-    return untrusted_ > limits_.holdTime.value + 0.2 ? "held on bad machine state for too long" : "";
+    if (!books_.inForce) return "took the overrides of a machine that cannot be trusted";
+    if (c.speed != last_.speed || c.feed != last_.feed) return "moved on bad machine state";
+    if (books_.mustLeave) return "holds on where it can only let go";
+    return books_.badSince > limits_.holdTime.value + 0.2 ? "held on bad machine state for too long" : "";
   }
 
-  std::string whenTrusted(const GateInput& g, const CommandRecord& c, double elapsed, bool same) const {
-    const MachineState& m = g.machine;
+  std::string limitsBroken(const MachineState& m, const CommandRecord& c) const {
     const config::OverrideLimits& o = limits_.overrides;
-    config::FactorRange feeds = allowed(o.lowestFeed.value, o.highestFeed.value, m.operatorFeed.value);
-    config::FactorRange speeds = allowed(o.lowestSpeed.value, o.highestSpeed.value, m.operatorSpeed.value);
-    if (!in(c.speed.value, speeds.low, speeds.high)) return "speed out of the override's range";
+    if (m.programmedSpeed.value <= 0.0) return "";
     const double base = m.programmedSpeed.value * m.operatorSpeed.value;
     const double n = base * c.speed.value;
-    if (n > std::max(o.fastest.value, base) * (1 + 1e-9)) return "faster than the tool may turn";
-    if (n < std::min(o.slowest.value, base) * (1 - 1e-9)) return "slower than the tool may turn";
-    const double feedBase = m.programmedFeed.value * m.operatorFeed.value;
-    if (feedBase > 0.0) {
-      const double feed = feedBase * c.feed.value;
-      if (feed > std::max(o.fastestFeed.value, feedBase) * (1 + 1e-9)) return "faster than the feed may be";
-      if (feed < std::min(o.slowestFeed.value, feedBase) * (1 - 1e-9)) return "slower than the feed may be";
-      feeds.low = std::min(1.0, std::max(feeds.low, o.slowestFeed.value / feedBase));
-      feeds.high = std::max(1.0, std::min(feeds.high, o.fastestFeed.value / feedBase));
+    const auto beyond = [&](double most) { return n > std::max(most, base) * (1.0 + kTiny); };
+    if (beyond(cutter_.machine.value)) return "faster than the machine may turn";
+    if (beyond(cutter_.tool.value)) return "faster than the tool may turn";
+    if (beyond(cutter_.holder.value)) return "faster than the holder may turn";
+    if (beyond(60.0 * cutter_.edge.value / (3.14159265358979 * cutter_.diameter.value))) {
+      return "faster than the edge may cut";
     }
-    if (!in(c.feed.value, feeds.low, feeds.high)) return "feed out of the override's range";
-    if (c.feed.value > o.feedPerTooth * c.speed.value + 1e-9) return "feed per tooth too high";
-    if (c.feed.value < o.lowestFeedPerTooth * c.speed.value - 1e-9) return "feed per tooth too low";
-    if (o.lowestFeedPerTooth > 0.0)
-      speeds.high = std::min(speeds.high, std::max(1.0, feeds.high / o.lowestFeedPerTooth));
-    speeds.high = std::max(1.0, std::min(speeds.high, o.fastest.value / base));
-    speeds.low =
-        std::min(1.0, std::max({speeds.low, o.slowest.value / base, std::min(1.0, feeds.low / o.feedPerTooth)}));
-    return rates(g, c, elapsed, same ? speeds.clamp(speed_) : 1.0, same ? feeds.clamp(feed_) : 1.0);
+    if (n < std::min(o.slowest.value, base) * (1.0 - kTiny)) return "slower than the spindle may turn";
+    const double feedBase = m.programmedFeed.value * m.operatorFeed.value;
+    const double feed = feedBase * c.feed.value;
+    if (feed > std::max(o.fastestFeed.value, feedBase) * (1.0 + kTiny)) return "faster than the feed may be";
+    if (feed < std::min(o.slowestFeed.value, feedBase) * (1.0 - kTiny)) return "slower than the feed may be";
+    if (!inside(c.speed.value, books_.ownSpeeds(m))) return "speed out of the override's range";
+    if (!inside(c.feed.value, books_.feeds(m))) return "feed out of the override's range";
+    if (c.feed.value > o.feedPerTooth * c.speed.value + kTiny) return "feed per tooth too high";
+    if (c.feed.value < o.lowestFeedPerTooth * c.speed.value - kTiny) return "feed per tooth too low";
+    return "";
   }
 
-  // `speed`, `feed`: where we came from, taken along by edges that moved.
-  std::string rates(const GateInput& g, const CommandRecord& c, double elapsed, double speed, double feed) const {
-    const double perTooth = limits_.overrides.feedPerTooth;
-    feed = std::max(std::min(feed, perTooth * speed), limits_.overrides.lowestFeedPerTooth * speed);
-    const double dt = std::min(elapsed, g.dt.value > 0.0 ? g.dt.value : 0.0);
-    const auto most = [&](double from, double to, double step, double slew) {
-      const bool back = std::abs(to - 1.0) < std::abs(from - 1.0) && (to - 1.0) * (from - 1.0) >= 0.0;
-      return (back && !g.verdict.alarming() ? 0.2 : 1.0) * std::min(step, slew * dt) + 1e-9;
+  std::string whenMoving(const GateInput& g, const GateOutput& out) const {
+    const Books& b = books_;
+    const CommandRecord& c = out.command->record();
+    // Where we came from, taken along by edges that moved: that may be at once, and is always toward 100 %.
+    const config::OverrideLimits& o = limits_.overrides;
+    const double speed = b.inForce ? b.speeds(g.machine).clamp(last_.speed.value) : 1.0;
+    double feed = b.inForce ? b.feeds(g.machine).clamp(last_.feed.value) : 1.0;
+    feed = std::max(std::min(feed, o.feedPerTooth * speed), o.lowestFeedPerTooth * speed);
+    const double ds = c.speed.value - speed, df = c.feed.value - feed;
+    const bool still = std::abs(ds) <= kTiny && std::abs(df) <= kTiny;
+    const auto homeward = [](double from, double d) {
+      return std::abs(d) <= kTiny || ((from - 1.0) * d < 0.0 && std::abs(d) <= std::abs(from - 1.0) + kTiny);
     };
-    const double ds = c.speed.value - speed;
-    const double df = c.feed.value - feed;
+    if (b.mustLeave && !(homeward(speed, ds) && homeward(feed, df))) {
+      std::ostringstream s;
+      s << "from " << speed << ", " << feed << " by " << ds << ", " << df << " is not the way home";
+      return s.str();
+    }
+    if (b.mustLeave && still && b.stuck > limits_.followTime.value + 0.25) return "stays where it has to leave";
+    if (!b.mayLeave) {
+      if (b.bad && !still) return "moved on bad input";
+      if (!still && (b.held || g.machine.feedHold)) return "moved while something was on hold";
+      if (!still && b.sinceKnob < limits_.knobTime.value - kTiny) return "moved under the operator's hand";
+      if (!still && out.authority == Authority::Advise && !b.licence) return "moved without an accepted advice";
+    }
+    return rates(g, speed, feed, ds, df);
+  }
+
+  std::string rates(const GateInput& g, double speed, double feed, double ds, double df) const {
+    const double perTooth = limits_.overrides.feedPerTooth;
+    const double dt = std::min(books_.elapsed, g.dt.value > 0.0 ? g.dt.value : 0.0);
+    const auto most = [&](double from, double d, double step, double slew) {
+      const bool back = (from - 1.0) * d < 0.0 && std::abs(d) <= std::abs(from - 1.0) + kTiny;
+      const bool slow = back && !g.verdict.alarming() && !books_.mayLeave;
+      return (slow ? 0.2 : 1.0) * std::min(step, slew * dt) + kTiny;
+    };
     std::ostringstream s;
-    if (std::abs(ds) > most(speed, c.speed.value, limits_.speedStep, limits_.speedSlew)) {
-      s << "speed moved from " << speed << " (sent " << speed_ << ") by " << ds << " in " << dt << " s, allowed "
-        << most(speed, c.speed.value, limits_.speedStep, limits_.speedSlew);
-    } else if (std::abs(df) > most(feed, c.feed.value, limits_.feedStep, limits_.feedSlew)) {
-      s << "feed moved from " << feed << " (sent " << feed_ << ") by " << df << " in " << dt << " s, allowed "
-        << most(feed, c.feed.value, limits_.feedStep, limits_.feedSlew);
-    } else if (ds < -1e-9 && c.speed.value < feed / perTooth - 1e-9) {
-      s << "speed fell before feed";
-    } else if (df > 1e-9 && c.feed.value > perTooth * speed + 1e-9) {
-      s << "feed rose before speed";
-    } else if (ds < -1e-9 && g.machine.operatorFeed.value > 0.0 &&
-               c.speed.value < (g.machine.feedOverride.value / g.machine.operatorFeed.value - limits_.speedTolerance -
-                                kReadbackRounding) /
-                                       perTooth -
-                                   1e-9) {
+    const auto tooFast = [&](const char* which, double from, double d, double step, double slew) {
+      const double allowed = most(from, d, step, slew);
+      if (std::abs(d) > allowed)
+        s << which << " moved from " << from << " by " << d << " in " << dt << " s, allowed " << allowed;
+    };
+    tooFast("speed", speed, ds, limits_.speedStep, limits_.speedSlew);
+    tooFast("feed", feed, df, limits_.feedStep, limits_.feedSlew);
+    const MachineState& m = g.machine;
+    if (ds < -kTiny && speed + ds < feed / perTooth - kTiny) s << "speed fell before feed";
+    if (df > kTiny && feed + df > perTooth * speed + kTiny) s << "feed rose before speed";
+    const double inForce = m.operatorFeed.value > 0.0 ? m.feedOverride.value / m.operatorFeed.value : 0.0;
+    if (ds < -kTiny && speed + ds < (inForce - limits_.speedTolerance - kReadbackRounding) / perTooth - kTiny) {
       s << "speed fell before the feed that is in force";
+    }
+    const double base = m.programmedSpeed.value * m.operatorSpeed.value;
+    const double reached = base > 0.0 && m.actualSpeed.value / base > 0.0 ? m.actualSpeed.value / base : speed;
+    const bool waits = !books_.blind;
+    if (waits && df > kTiny && feed + df > perTooth * reached * (1.0 + limits_.speedTolerance) + kTiny) {
+      s << "feed rose from " << feed << " by " << df << " before the spindle, at " << reached << ", speed " << speed
+        << " by " << ds;
     }
     return s.str();
   }
 
   GateLimits limits_;
-  Authority granted_ = Authority::Off;
-  bool lived_ = false;
-  std::int64_t lastNow_ = 0;
-  std::uint64_t sequence_ = 0;
-  std::uint64_t engagement_ = 0;
-  bool inForce_ = false;
-  double speed_ = 1.0, feed_ = 1.0;
-  double programmed_ = 0.0;
-  double untrusted_ = 0.0;
+  CutterLimits cutter_;
+  Books books_;
+  ChangeCount changes_;
+  CommandRecord last_;
 };
 
 }  // namespace stillcut::safety::testing

@@ -5,9 +5,9 @@
 #include <array>
 #include <limits>
 #include <random>
+#include <stdexcept>
 
-#include "core/safety/gate_io.h"
-#include "core/safety/gate_limits.h"
+#include "tests/support/gate_books.h"
 
 namespace stillcut::safety::testing {
 
@@ -44,20 +44,21 @@ class HostileWorld {
     if (chance(0.5)) l.overrides.lowestFeedPerTooth = uniform(0.0, 0.9);
     if (chance(0.3)) l.overrides.slowestFeed = fromMmPerMin(uniform(10.0, 1500.0));
     if (chance(0.3)) l.overrides.fastestFeed = l.overrides.slowestFeed + fromMmPerMin(uniform(10.0, 2000.0));
-    if (chance(0.3)) l.overrides.fastest = Rpm(uniform(8000.0, 20000.0));
     if (chance(0.3)) l.overrides.slowest = Rpm(uniform(100.0, 8000.0));
+    l.overrides.fastest = anotherCutter();
+    failed_ = false;
     l.speedStep = uniform(0.001, 0.2);
     l.speedSlew = uniform(0.01, 5.0);
     l.feedStep = uniform(0.001, 0.5);
     l.feedSlew = uniform(0.01, 10.0);
     l.filter = Seconds(chance(0.5) ? 0.0 : uniform(0.0, 0.5));
-    l.changesPerMinute = 1 + below(120);
+    l.changesPerMinute = 1 + below(chance(0.5) ? 6 : 120);
     l.coolDown = Seconds(uniform(1.0, 5.0));
     l.holdTime = Seconds(uniform(0.0, 1.0));
     l.restTime = Seconds(uniform(0.0, 0.3));
     l.knobTime = Seconds(uniform(0.0, 1.0));
-    l.takeTime = Seconds(uniform(0.1, 10.0));
-    l.followTime = Seconds(uniform(0.2, 60.0));
+    l.takeTime = Seconds(uniform(0.1, chance(0.5) ? 1.0 : 10.0));
+    l.followTime = Seconds(uniform(0.2, chance(0.5) ? 1.0 : 60.0));
     return l;
   }
 
@@ -67,7 +68,8 @@ class HostileWorld {
     if (chance(0.001)) now_ += static_cast<std::int64_t>(uniform(-1e9, 1e9));
     if (chance(0.001)) now_ -= 10'000'000;
     if (chance(0.01)) calm();
-    if (chance(0.01)) turnKnobs();
+    if (chance(0.004)) turnKnobs();
+    if (chance(0.0005)) hang();
     if (chance(0.001)) program();
     if (chance(0.02)) verdict_.state = static_cast<CutState>(below(4));
     follow();
@@ -81,6 +83,7 @@ class HostileWorld {
     in.machine.time = stamp(1.0);
     in.verdict = verdict_;
     in.verdict.time = stamp(1.0);
+    in.strategyFailed = failed_ = failed_ || chance(0.00005);
     if (chance(0.02)) bend(in.machine);
     if (chance(0.01)) bend(in.verdict);
     in.inputs = {list_.data(), static_cast<std::size_t>(inputs_)};
@@ -91,14 +94,17 @@ class HostileWorld {
   }
   void answered(const GateOutput& out) {
     const bool set = out.command && out.command->kind() == CommandKind::Set;
+    advice_ = out.adviceNumber;
     if (!set && !out.command) return;
+    if (chance(0.0002)) machine_.endedEngagement = out.command->engagement();
     ours_ = set ? std::array{out.command->speed().value, out.command->feed().value} : std::array{1.0, 1.0};
   }
   OverrideRequest wildRequest() {
     if (chance(0.02)) wish_ = {uniform(0.3, 1.8), uniform(0.1, 1.8)};
+    if (chance(0.01)) wishKind_ = chance(0.8) ? RequestKind::Set : static_cast<RequestKind>(below(4));
     OverrideRequest r;
     r.time = stamp(1.0);
-    r.kind = chance(0.05) ? static_cast<RequestKind>(below(4)) : RequestKind::Set;
+    r.kind = wishKind_;
     r.claimsSpeed = !chance(0.05);
     r.claimsFeed = !chance(0.05);
     r.speed = machine_.programmedSpeed * wish_[0];
@@ -109,6 +115,7 @@ class HostileWorld {
   }
 
   GateInput in;
+  CutterLimits cutter;  // of the newest limits()
 
  private:
   void calm() {
@@ -132,19 +139,51 @@ class HostileWorld {
     machine_.operatorSpeed = Ratio(uniform(0.5, 1.3));
     machine_.operatorFeed = Ratio(chance(0.1) ? 0.0 : uniform(0.0, 1.5));
   }
+  // For a while the machine does not do as it is told: the override is ignored or put back, or the spindle stands.
+  void hang() {
+    hangs_ = 50 + below(400);
+    hung_ = below(3);
+  }
   void follow() {
-    machine_.speedOverride = machine_.operatorSpeed * ours_[0];
-    machine_.feedOverride = machine_.operatorFeed * ours_[1];
-    machine_.actualSpeed += (machine_.targetSpeed() - machine_.actualSpeed) * 0.4;
+    const bool hangs = hangs_ > 0;
+    hangs_ -= hangs ? 1 : 0;
+    if (!hangs || hung_ != 0) {
+      machine_.speedOverride = machine_.operatorSpeed * (hangs && hung_ == 1 ? 1.0 : ours_[0]);
+      machine_.feedOverride = machine_.operatorFeed * (hangs && hung_ == 1 ? 1.0 : ours_[1]);
+    }
+    if (!hangs || hung_ != 2) machine_.actualSpeed += (machine_.targetSpeed() - machine_.actualSpeed) * 0.4;
   }
   void press() {
+    using enum OperatorAction;
+    constexpr std::array kRest{Refuse, BackToProgrammed, Hold, EndHold, EndHold, TrueAlarm, GrantBySimulation};
     inputs_ = 1 + below(4);
     for (int i = 0; i < inputs_; ++i) {
       OperatorInput& input = list_[static_cast<std::size_t>(i)];
-      input.action = chance(0.6) ? OperatorAction::SetAuthority : static_cast<OperatorAction>(below(10));
-      input.advice = static_cast<std::uint32_t>(below(50));
-      input.authority = chance(0.8) ? Authority::Auto : static_cast<Authority>(below(3));
+      const double which = uniform(0.0, 1.0);
+      input.action = which < 0.4 ? SetAuthority : which < 0.7 ? Accept : kRest[static_cast<std::size_t>(below(7))];
+      input.advice = chance(0.8) ? advice_ : static_cast<std::uint32_t>(below(50));
+      input.authority = chance(0.6) ? Authority::Auto : chance(0.7) ? Authority::Advise : Authority::Off;
     }
+  }
+  // What the makers allow, by the settings that a profile has.
+  Rpm anotherCutter() {
+    cutter = {};
+    CutSetup setup;
+    config::ParamSet params;
+    const auto limit = [&](const config::ParamDecl& key, double low, double high) {
+      const double value = uniform(low, high);
+      if (!params.set(key, value, "world")) throw std::runtime_error("the world breaks its own rules");
+      return value;
+    };
+    if (chance(0.3)) cutter.machine = Rpm(limit(config::kHighestSpeed, 8500.0, 25000.0));
+    if (chance(0.3)) cutter.tool = Rpm(limit(config::kToolSpeed, 8500.0, 25000.0));
+    if (chance(0.3)) cutter.holder = Rpm(limit(config::kHolderSpeed, 8500.0, 25000.0));
+    if (chance(0.3)) {
+      cutter.diameter = setup.toolDiameter = Metres(uniform(0.004, 0.02));
+      const double slowest = 8500.0 / 60.0 * 3.1416 * cutter.diameter.value;  // m/s
+      cutter.edge = MetresPerSecond(limit(config::kHighestCuttingSpeed, 60.0 * slowest, 200.0 * slowest) / 60.0);
+    }
+    return config::checkOverrideLimits(params, setup, "world").value().fastest;
   }
   void bend(MachineState& m) {
     switch (below(14)) {
@@ -217,6 +256,10 @@ class HostileWorld {
   std::array<double, 2> wish_{0.9, 0.9};
   std::array<OperatorInput, 4> list_{};
   int inputs_ = 0;
+  RequestKind wishKind_ = RequestKind::Set;
+  std::uint32_t advice_ = 0;
+  int hangs_ = 0, hung_ = 0;
+  bool failed_ = false;
 };
 
 }  // namespace stillcut::safety::testing

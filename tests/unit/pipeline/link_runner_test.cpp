@@ -19,7 +19,12 @@ class CommandMaker {
  public:
   CommandMaker() { harness_.settleAt(9700.0, 970.0); }
   OverrideCommand next() { return *harness_.step().command; }
-  OverrideCommand release() { return *harness_.act(OperatorAction::BackToProgrammed).command; }
+  // The last command of the way home.
+  OverrideCommand release() {
+    safety::GateOutput out = harness_.act(OperatorAction::BackToProgrammed);
+    while (out.commanding) out = harness_.step();
+    return *out.command;
+  }
 
  private:
   safety::testing::GateHarness harness_;

@@ -56,6 +56,21 @@ TEST(FlightRecorder, ALongCopyIsMadeInPortionsAndIsWholeAllTheSame) {
   }
 }
 
+TEST(FlightRecorder, WhatFoundNoRoomIsCountedInTheNextRecording) {
+  FlightRecorder recorder;
+  recorder.prepare(Seconds(0.1));
+  recorder.push(entryAt(1.0));
+  for (int k = 0; k < FlightRecorder::kSlots + 2; ++k)
+    (void)recorder.capture({ReasonCode::LinkLost, {}}, entryAt(1.0).time);
+  FlightRecording recording;
+  ASSERT_TRUE(recorder.take(recording));
+  EXPECT_EQ(recording.missed, 2U);
+  EXPECT_THAT(render(recording), HasSubstr("2 more causes found no room"));
+  ASSERT_TRUE(recorder.take(recording));
+  EXPECT_EQ(recording.missed, 0U);
+  EXPECT_THAT(render(recording), ::testing::Not(HasSubstr("more causes")));
+}
+
 TEST(FlightRecorder, WhatIsHalfCopiedAtTheEndIsFinished) {
   FlightRecorder recorder;
   recorder.prepare(Seconds(0.001));

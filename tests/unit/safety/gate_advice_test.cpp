@@ -117,6 +117,90 @@ TEST(GateAdvice, AnAdviceThatChangedUnderTheFingerIsNotTakenForTheOneThatWasRead
   EXPECT_NEAR(h.lastCommand().speed.value, 0.7, 1e-9);
 }
 
+// In force by an accepted advice; then the strategy wants the programmed values back.
+class AdvisedReturn : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    h_.verdict.state = CutState::Chatter;
+    h_.authority(Authority::Advise);
+    h_.ask(9000, 900);
+    h_.run(0.2);
+    h_.act(OperatorAction::Accept);
+    h_.run(2.0);
+    ASSERT_NEAR(h_.lastCommand().speed.value, 0.9, 1e-9);
+    h_.verdict.state = CutState::Stable;
+    h_.request = {};
+    h_.request.kind = RequestKind::Release;
+    h_.run(5.0);
+  }
+  GateHarness h_;
+};
+
+TEST_F(AdvisedReturn, IsAskedAndNothingMovesUntilItIsAccepted) {
+  EXPECT_TRUE(h_.last.adviceOpen);
+  EXPECT_NEAR(h_.lastCommand().speed.value, 0.9, 1e-9);
+  EXPECT_NEAR(h_.lastCommand().feed.value, 0.9, 1e-9);
+  h_.events.clear();
+  h_.act(OperatorAction::Accept);
+  ASSERT_FALSE(h_.events.empty());
+  EXPECT_EQ(h_.events.front().reason.code, ReasonCode::AdviceAccepted);  // one line, with where it leads
+  EXPECT_NEAR(h_.events.front().reason.n[0], 10000.0, 1e-9);
+  EXPECT_NEAR(h_.events.front().reason.n[1], 1000.0, 1e-9);
+  EXPECT_FALSE(h_.last.adviceOpen);
+  h_.run(0.25);
+  EXPECT_LT(h_.lastCommand().speed.value, 0.96);  // 20 % of 100 %/s: a recovery
+  h_.run(1.5);
+  EXPECT_FALSE(h_.last.commanding);
+  EXPECT_EQ(h_.lastCommand().kind, CommandKind::Release);
+}
+
+TEST_F(AdvisedReturn, RefusedKeepsWhatIsInForce) {
+  h_.act(OperatorAction::Refuse);
+  h_.run(5.0);
+  EXPECT_FALSE(h_.last.adviceOpen);
+  EXPECT_NEAR(h_.lastCommand().speed.value, 0.9, 1e-9);
+}
+
+TEST_F(AdvisedReturn, IsNotTakenForAMoveAndAMoveNotForIt) {
+  const std::uint32_t read = h_.last.adviceNumber;
+  h_.ask(8000, 800);  // it jumps as the finger lands
+  h_.step({{OperatorAction::Accept, Authority::Off, read}});
+  h_.run(1.0);
+  EXPECT_NEAR(h_.lastCommand().speed.value, 0.9, 1e-9);
+}
+
+TEST(GateAdvice, AMoveUnderWayStopsWhenAutoBecomesAdvise) {
+  GateHarness h;
+  h.verdict.state = CutState::Chatter;
+  h.authority(Authority::Auto);
+  h.ask(8000, 800);
+  h.run(0.1);
+  h.authority(Authority::Advise);
+  const double there = h.lastCommand().speed.value;
+  ASSERT_GT(there, 0.85);
+  h.run(2.0);
+  EXPECT_EQ(h.lastCommand().speed.value, there);
+  EXPECT_TRUE(h.last.adviceOpen);  // the rest of it
+  h.act(OperatorAction::Accept);
+  h.run(2.0);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.8, 1e-9);
+}
+
+TEST(GateAdvice, AWayBackUnderWayStopsToo) {
+  GateHarness h;
+  h.settleAt(8000, 800);
+  h.verdict.state = CutState::Stable;
+  h.request = {};
+  h.request.kind = RequestKind::Release;
+  h.run(0.3);
+  h.authority(Authority::Advise);
+  const double there = h.lastCommand().speed.value;
+  ASSERT_LT(there, 0.95);
+  h.run(3.0);
+  EXPECT_EQ(h.lastCommand().speed.value, there);
+  EXPECT_TRUE(h.last.adviceOpen);
+}
+
 TEST(GateAdvice, AcceptWithoutOpenAdviceDoesNothing) {
   GateHarness h;
   h.authority(Authority::Advise);

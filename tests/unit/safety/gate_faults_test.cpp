@@ -13,73 +13,83 @@ using testing::promptLimits;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Settled at 90 %, then something goes wrong: nothing moves, and within the hold time plus `patience` it is released.
-void expectHoldThenRelease(void (*bend)(GateHarness&), ReasonCode reason, double patience = 0.0) {
+// How the programmed values come back: by the ramp, or at once where nothing can be steered any more.
+enum class Home { ByRamp, AtOnce };
+
+// Settled at 90 %, then something goes wrong: nothing moves for the hold time (and `patience`), then it is given back.
+void expectHoldThenRelease(void (*bend)(GateHarness&), ReasonCode reason, Home home, double patience = 0.0) {
   SCOPED_TRACE(identifier(reason));
   GateHarness h;
   h.settleAt(9000, 900);
   h.commands.clear();
   bend(h);
-  bool released = false;
-  bool held = false;
-  for (int i = 0; i < static_cast<int>((0.6 + patience) / GateHarness::kDt) && !released; ++i) {
-    h.step();
-    released = h.lastCommand().kind == CommandKind::Release;
-    if (released) continue;
-    held = true;
-    EXPECT_EQ(h.lastCommand().speed.value, h.commands.front().speed.value);
-  }
-  EXPECT_TRUE(held);
-  EXPECT_TRUE(released);
+  while (!h.released() && h.commands.size() < 500) h.step();
+  ASSERT_TRUE(h.released());
   EXPECT_TRUE(h.said(reason));
+  std::size_t held = 0;
+  while (h.commands[held].kind == CommandKind::Set && h.commands[held].speed == h.commands[0].speed) ++held;
+  EXPECT_NEAR(static_cast<double>(held) * GateHarness::kDt, 0.5 + patience, 0.05);
+  if (home == Home::ByRamp) {
+    h.expectHomeByRamp(held - 1);
+  } else {
+    EXPECT_EQ(h.commands[held].kind, CommandKind::Release);
+  }
   h.commands.clear();
   h.run(1.0);
   EXPECT_TRUE(h.commands.empty());
 }
 
 TEST(GateFaults, StaleMachineState) {
-  expectHoldThenRelease([](GateHarness& h) { h.freshMachine = false; }, ReasonCode::GateStaleMachine, 0.4);
+  expectHoldThenRelease([](GateHarness& h) { h.freshMachine = false; }, ReasonCode::GateStaleMachine, Home::AtOnce,
+                        0.3);
 }
 TEST(GateFaults, StaleVerdict) {
-  expectHoldThenRelease([](GateHarness& h) { h.freshVerdict = false; }, ReasonCode::GateStaleVerdict, 0.4);
+  expectHoldThenRelease([](GateHarness& h) { h.freshVerdict = false; }, ReasonCode::GateStaleVerdict, Home::ByRamp,
+                        0.3);
 }
 TEST(GateFaults, StaleRequest) {
-  expectHoldThenRelease([](GateHarness& h) { h.freshRequest = false; }, ReasonCode::GateStaleRequest, 0.4);
+  expectHoldThenRelease([](GateHarness& h) { h.freshRequest = false; }, ReasonCode::GateStaleRequest, Home::ByRamp,
+                        0.3);
 }
 TEST(GateFaults, LinkDown) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.linkUp = false; }, ReasonCode::LinkLost);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.linkUp = false; }, ReasonCode::LinkLost, Home::AtOnce);
 }
 TEST(GateFaults, MachineNeverRead) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.valid = false; }, ReasonCode::GateMachineInvalid);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.valid = false; }, ReasonCode::GateMachineInvalid, Home::AtOnce);
 }
 TEST(GateFaults, OverridesLocked) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.overridesEnabled = false; }, ReasonCode::GateMachineLocked);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.overridesEnabled = false; }, ReasonCode::GateMachineLocked,
+                        Home::AtOnce);
 }
 TEST(GateFaults, AnotherClientTookControl) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.controlOurs = false; }, ReasonCode::GateControlLost);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.controlOurs = false; }, ReasonCode::GateControlLost,
+                        Home::AtOnce);
 }
 TEST(GateFaults, ProgramStopped) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.programRunning = false; }, ReasonCode::GateMachineNotReady);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.programRunning = false; }, ReasonCode::GateMachineNotReady,
+                        Home::ByRamp);
 }
 TEST(GateFaults, DetectorFails) {
-  expectHoldThenRelease([](GateHarness& h) { h.verdict.valid = false; }, ReasonCode::GateVerdictInvalid);
+  expectHoldThenRelease([](GateHarness& h) { h.verdict.valid = false; }, ReasonCode::GateVerdictInvalid, Home::ByRamp);
 }
 TEST(GateFaults, DetectorSaysNaN) {
-  expectHoldThenRelease([](GateHarness& h) { h.verdict.frequency = Hertz(kNan); }, ReasonCode::GateVerdictInvalid);
+  expectHoldThenRelease([](GateHarness& h) { h.verdict.frequency = Hertz(kNan); }, ReasonCode::GateVerdictInvalid,
+                        Home::ByRamp);
 }
 TEST(GateFaults, StrategyReturnsNaN) {
-  expectHoldThenRelease([](GateHarness& h) { h.ask(kNan, 900); }, ReasonCode::GateNotFinite);
-  expectHoldThenRelease([](GateHarness& h) { h.ask(9000, kNan); }, ReasonCode::GateNotFinite);
+  expectHoldThenRelease([](GateHarness& h) { h.ask(kNan, 900); }, ReasonCode::GateNotFinite, Home::ByRamp);
+  expectHoldThenRelease([](GateHarness& h) { h.ask(9000, kNan); }, ReasonCode::GateNotFinite, Home::ByRamp);
 }
 TEST(GateFaults, StrategyAsksForTheMoon) {
-  expectHoldThenRelease([](GateHarness& h) { h.ask(1e7, 900); }, ReasonCode::GateNotFinite);
-  expectHoldThenRelease([](GateHarness& h) { h.ask(-9000, 900); }, ReasonCode::GateNotFinite);
+  expectHoldThenRelease([](GateHarness& h) { h.ask(1e7, 900); }, ReasonCode::GateNotFinite, Home::ByRamp);
+  expectHoldThenRelease([](GateHarness& h) { h.ask(-9000, 900); }, ReasonCode::GateNotFinite, Home::ByRamp);
 }
 TEST(GateFaults, MachineStateIsNotANumber) {
-  expectHoldThenRelease([](GateHarness& h) { h.machine.operatorFeed = Ratio(kNan); }, ReasonCode::GateMachineInvalid);
+  expectHoldThenRelease([](GateHarness& h) { h.machine.operatorFeed = Ratio(kNan); }, ReasonCode::GateMachineInvalid,
+                        Home::AtOnce);
 }
 TEST(GateFaults, MeasuredTimeIsNotANumber) {
-  expectHoldThenRelease([](GateHarness& h) { h.dt = Seconds(kNan); }, ReasonCode::GateClockFault);
+  expectHoldThenRelease([](GateHarness& h) { h.dt = Seconds(kNan); }, ReasonCode::GateClockFault, Home::AtOnce, 0.5);
 }
 TEST(GateFaults, SpeedReadbackFreezes) {
   // The spindle goes on reporting the programmed speed although the override was taken.
@@ -92,16 +102,60 @@ TEST(GateFaults, SpeedReadbackFreezes) {
   EXPECT_TRUE(h.said(ReasonCode::GateNotFollowing));
   EXPECT_TRUE(h.released());
 }
-TEST(GateFaults, ProgramResetsTheOverride) {
+// Never taken: from where would it be moved? Given back at once.
+TEST(GateFaults, AnOverrideThatIsNeverTakenIsGivenBack) {
   GateHarness h;
-  h.settleAt(9000, 900);
-  h.commands.clear();
   h.machineFollows = false;
-  h.machine.speedOverride = h.machine.feedOverride = Ratio(1.0);
-  h.machine.actualSpeed = Rpm(10000.0);
-  h.run(1.6);
+  h.settleAt(9000, 900);
+  h.run(1.0);
   EXPECT_TRUE(h.said(ReasonCode::GateOverrideNotTaken));
-  EXPECT_TRUE(h.released());
+  EXPECT_FALSE(h.said(ReasonCode::GateOverrideReset));
+  ASSERT_TRUE(h.released());
+}
+
+// A script puts the overrides back to 100 %: they are the machine's, nothing is locked.
+class OverridesGone : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    h_.settleAt(9000, 900);
+    h_.commands.clear();
+    h_.events.clear();
+    h_.causes.clear();
+    h_.machineFollows = false;
+    h_.machine.speedOverride = h_.machine.feedOverride = Ratio(1.0);
+    h_.machine.actualSpeed = Rpm(10000.0);
+  }
+  GateHarness h_;
+};
+
+TEST_F(OverridesGone, AResetIsSaidAsOneAndNotFought) {
+  h_.run(2.1);
+  EXPECT_TRUE(h_.said(ReasonCode::GateOverrideReset));
+  EXPECT_FALSE(h_.said(ReasonCode::GateMachineLocked));
+  EXPECT_FALSE(h_.said(ReasonCode::GateOverrideNotTaken));
+  EXPECT_EQ(h_.causes, std::vector<ReasonCode>{ReasonCode::GateOverrideReset});
+  ASSERT_TRUE(h_.released());
+  EXPECT_FALSE(h_.last.commanding);
+}
+
+TEST_F(OverridesGone, M49IsALockAlsoWhereTheLinkHasToFindOutByItself) {
+  h_.run(1.55);  // as long as that takes (cnc/lock_judge.h); until then both look the same
+  EXPECT_TRUE(h_.events.empty());
+  h_.machine.overridesEnabled = false;
+  h_.run(2.0);
+  EXPECT_TRUE(h_.said(ReasonCode::GateMachineLocked));
+  EXPECT_FALSE(h_.said(ReasonCode::GateOverrideReset));
+  EXPECT_FALSE(h_.said(ReasonCode::GateOverrideNotTaken));
+  ASSERT_TRUE(h_.released());
+  h_.machine.overridesEnabled = true;  // M48: it does not jump back to where it was
+  h_.step();
+  EXPECT_FALSE(h_.last.commanding);
+}
+
+TEST_F(OverridesGone, AResetOfTheSpeedAloneIsOneToo) {
+  h_.machine.feedOverride = Ratio(0.9);
+  h_.run(2.1);
+  EXPECT_TRUE(h_.said(ReasonCode::GateOverrideReset));
 }
 
 TEST(GateFaults, LinkDiesMidRamp) {
@@ -203,14 +257,16 @@ TEST(GateFaults, AfterAReleaseTheInputMustBeGoodForAWhile) {
   EXPECT_TRUE(h.last.commanding);
 }
 
-TEST(GateFaults, AStrategyThatFailedLosesTheMachineAtOnceAndForGood) {
+TEST(GateFaults, AStrategyThatFailedLosesTheMachineForGood) {
   GateHarness h;
   h.settleAt(9000, 900);
   h.causes.clear();
   h.events.clear();
+  h.commands.clear();
   h.strategyFailed = true;
   h.request = {};
-  EXPECT_EQ(h.step().command->kind(), CommandKind::Release);  // not the slow way back
+  h.run(1.0);
+  h.expectHomeByRamp(0);
   EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::StrategyFault});
   ASSERT_FALSE(h.events.empty());
   EXPECT_EQ(h.events.front().reason.code, ReasonCode::StrategyFault);

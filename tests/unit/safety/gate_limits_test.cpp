@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <set>
+#include <utility>
 
 namespace stillcut::safety {
 namespace {
@@ -17,6 +19,13 @@ void expectRefused(const config::ParamSet& params, const CutSetup& setup, const 
   ASSERT_FALSE(limits.ok());
   EXPECT_THAT(limits.error().line(), HasSubstr(key));
   EXPECT_THAT(limits.error().line(), HasSubstr("mill.toml"));
+}
+
+const config::ParamDecl* declared(std::string_view key) {
+  for (const config::ParamDecl* decl : gateParams()) {
+    if (decl->key == key) return decl;
+  }
+  return nullptr;
 }
 
 MachineState machineAt(double programmed, double speedKnob = 1.0, double feedKnob = 1.0) {
@@ -44,7 +53,7 @@ TEST(GateLimits, DefaultsAreAccepted) {
   EXPECT_EQ(limits->restTime.value, plain.restTime.value);
   EXPECT_EQ(limits->changesPerMinute, plain.changesPerMinute);
   EXPECT_EQ(limits->coolDown.value, plain.coolDown.value);
-  EXPECT_EQ(limits->machineAge.value, plain.machineAge.value);
+  EXPECT_EQ(limits->takeTime.value, plain.takeTime.value);
   EXPECT_EQ(limits->verdictAge.value, plain.verdictAge.value);
 }
 
@@ -95,6 +104,50 @@ TEST(GateLimits, ALeaseShorterThanTwoBlocksIsRefused) {
   setup.rate = Hertz(1000.0);
   setup.blockFrames = 128;
   expectRefused({}, setup, "gate.lease");
+}
+
+// What is stale is a matter of how often the link reads.
+TEST(GateLimits, AStateIsStaleAfterThreeOfTheLinksPeriods) {
+  CutSetup setup;
+  setup.rate = Hertz(10000.0);
+  setup.blockFrames = 100;
+  for (const double period : {0.005, 0.05, 0.1, 0.2, 0.5}) {
+    const auto limits = gateLimits({}, setup, "test", Seconds(period));
+    ASSERT_TRUE(limits.ok());
+    EXPECT_NEAR(limits->machineAge.value, std::max(0.1, 3.0 * period) + 0.01, 1e-12);
+  }
+}
+
+TEST(GateLimits, AnAgeThatTheLinkCannotKeepIsRefused) {
+  config::ParamSet params;
+  ASSERT_TRUE(params.set(*declared("gate.machine-age"), 100.0, "t"));
+  const auto tooFine = gateLimits(params, {}, "mill.toml", Seconds(0.1));
+  ASSERT_FALSE(tooFine.ok());
+  EXPECT_THAT(tooFine.error().line(), HasSubstr("mill.toml: gate.machine-age"));
+  EXPECT_THAT(tooFine.error().line(), HasSubstr("every 100 ms"));
+  const auto good = gateLimits(params, {}, "mill.toml", Seconds(0.05));
+  ASSERT_TRUE(good.ok());
+  EXPECT_NEAR(good->machineAge.value, 0.1, 1e-12);  // as told
+  config::ParamSet hasty;
+  ASSERT_TRUE(hasty.set(*declared("gate.take-time"), 0.1, "t"));
+  const auto tooSoon = gateLimits(hasty, {}, "mill.toml", Seconds(0.1));
+  ASSERT_FALSE(tooSoon.ok());
+  EXPECT_THAT(tooSoon.error().line(), HasSubstr("mill.toml: gate.take-time"));
+}
+
+// One value from both ends is no range, and no range at all is none either.
+TEST(GateLimits, AMachineWithoutRoomIsRefusedUnlessItHasNoOverrideAtAll) {
+  const auto narrowed = [](double low, double high) {
+    config::ParamSet params;
+    return config::narrowToMachine(params, {Ratio(low), Ratio(high), Ratio(1.0), Ratio(1.0)}, "Mill 3");
+  };
+  EXPECT_TRUE(narrowed(1.0, 1.0).ok());
+  for (const auto& [low, high] : {std::pair{0.8, 0.8}, {1.2, 1.2}, {0.0, 0.0}, {1.2, 0.5}, {1.1, 0.9}}) {
+    const Status status = narrowed(low, high);
+    ASSERT_FALSE(status.ok()) << low << " " << high;
+    EXPECT_THAT(status.error().line(), HasSubstr("gate."));
+    EXPECT_THAT(status.error().line(), HasSubstr("Mill 3"));
+  }
 }
 
 TEST(GateLimits, TheMachinesOwnOverrideNarrows) {

@@ -61,6 +61,25 @@ TEST_F(Watch, AnOverrideThatIsNotTakenIsToldAfterItsTime) {
   EXPECT_EQ(watch_.trouble().code, ReasonCode::None);
 }
 
+TEST_F(Watch, AnOverrideThatWasTakenAndStandsAtTheKnobsWasReset) {
+  machine_.operatorSpeed = Ratio(0.9);
+  obey(kSlower);
+  look(1.0, kSlower);
+  obey({});
+  look(1.2, kSlower);
+  ASSERT_EQ(watch_.trouble().code, ReasonCode::GateOverrideReset);
+  EXPECT_NEAR(watch_.trouble().n[0], 90.0, 1e-9);
+  EXPECT_NEAR(watch_.trouble().n[1], 76.5, 1e-9);
+  // Somewhere else is no reset, and neither is what was never taken in this engagement.
+  machine_.speedOverride = Ratio(0.6);
+  look(0.01, kSlower);
+  EXPECT_EQ(watch_.trouble().code, ReasonCode::GateOverrideNotTaken);
+  watch_.engage(machine_);
+  obey({});
+  look(1.2, kSlower);
+  EXPECT_EQ(watch_.trouble().code, ReasonCode::GateOverrideNotTaken);
+}
+
 TEST_F(Watch, TheFeedCountsAsTheSpeedDoesButForAFeedHold) {
   obey(kSlower);
   machine_.feedOverride = Ratio(0.0);

@@ -52,24 +52,6 @@ TEST(OverrideGate, AutoReachesTheWishAndRenewsItsLeaseEveryStep) {
   EXPECT_EQ(h.last.reason.code, ReasonCode::GateInForce);
 }
 
-TEST(OverrideGate, BackToProgrammedReleasesAtOnceAndTurnsAuthorityOff) {
-  GateHarness h;
-  h.settleAt(9000, 900);
-  const GateOutput out = h.act(OperatorAction::BackToProgrammed);
-  ASSERT_TRUE(out.command.has_value());
-  EXPECT_EQ(out.command->kind(), CommandKind::Release);
-  EXPECT_EQ(out.authority, Authority::Off);
-  h.commands.clear();
-  h.run(2.0);
-  EXPECT_TRUE(h.commands.empty());
-}
-
-TEST(OverrideGate, AuthorityOffReleases) {
-  GateHarness h;
-  h.settleAt(9000, 900);
-  EXPECT_EQ(h.authority(Authority::Off).command->kind(), CommandKind::Release);
-}
-
 TEST(OverrideGate, HoldKeepsThePresentOverridesUntilItEnds) {
   GateHarness h;
   h.settleAt(9000, 900);
@@ -150,10 +132,11 @@ TEST(OverrideGate, ANewProgrammedSpeedStartsAgainFrom100Percent) {
   const std::uint64_t engagement = h.lastCommand().engagement;
   h.machine.programmedSpeed = Rpm(8000);
   h.request.kind = RequestKind::None;
-  const GateOutput out = h.step();
-  EXPECT_EQ(out.command->kind(), CommandKind::Release);
+  const std::size_t first = h.commands.size() - 1;
+  h.step();
   EXPECT_TRUE(h.said(ReasonCode::GateProgramChanged));
   h.run(1.0);
+  h.expectHomeByRamp(first);
   h.ask(7200, 900);
   h.run(1.0);
   EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-9);
