@@ -156,7 +156,7 @@ class Books {
     feeds_ = f;
     if (shown != Authority::Advise) licence = false;
     // What is in force is, by its acceptance or because it was in force when Advise was chosen.
-    if (edge) licence = set;
+    if (edge && set) licence = true;
     const bool waits = bad || held || in.machine.feedHold || sinceKnob < limits_.knobTime.value || !settled_;
     if (moved || edge || !licence || (set && waits)) still_ = 0.0;
     still_ += elapsed;
