@@ -20,7 +20,7 @@
 #include "core/daq/device_words.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
-#include "core/model/reason.h"
+#include "tests/support/reason_codes.h"
 
 namespace {
 
@@ -100,7 +100,7 @@ std::string fileText() {
   for (int k = 0; k <= static_cast<int>(SensorQuantity::SpindleSpeed); ++k) {
     lines.add("Core", name(static_cast<SensorQuantity>(k)));
   }
-  for (int code = 0; code <= static_cast<int>(ReasonCode::ChatterLeftCut); ++code) {
+  for (int code = 1; test::isReason(code); ++code) {
     lines.add("Reason", pattern(static_cast<ReasonCode>(code)));
   }
   return "// Made by core_texts (tests/ui) for lupdate; not compiled.\n// clang-format off\nconst char* const "

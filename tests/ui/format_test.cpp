@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/reason_codes.h"
 #include "tests/ui/ui_fixture.h"
 #include "ui/models/reason_text.h"
 
@@ -64,7 +65,7 @@ TEST(ReasonText, FillsNumbersAsTheScreensWriteThem) {
 }
 
 TEST(ReasonText, EveryReasonFillsAllItsPlaces) {
-  for (int code = 1; code <= static_cast<int>(ReasonCode::StrategyFault); ++code) {
+  for (int code = 1; test::isReason(code); ++code) {
     const QString text = reasonText({static_cast<ReasonCode>(code), {1, 2, 3, 4}});
     EXPECT_FALSE(text.isEmpty()) << code;
     EXPECT_FALSE(text.contains('{')) << text.toStdString();

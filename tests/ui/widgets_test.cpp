@@ -1,4 +1,5 @@
 // Each painted widget on its own: what is shown where, and that a text which does not fit is noticed.
+#include "tests/support/reason_codes.h"
 #include "tests/ui/pictures.h"
 #include "tests/ui/ui_fixture.h"
 #include "ui/pages/intervention_list.h"
@@ -93,7 +94,7 @@ TEST_F(Widgets, VerdictsDifferInShapeNotOnlyInColour) {
 TEST_F(Widgets, EveryReasonFitsIntoTheVerdictAndTheAdvice) {
   VerdictSign sign;
   AdvicePanel advice;
-  for (int code = 1; code <= static_cast<int>(ReasonCode::StrategyFault); ++code) {
+  for (int code = 1; test::isReason(code); ++code) {
     Scene s = stableScene();
     s.verdict().valid = false;
     s.verdict().reason = {static_cast<ReasonCode>(code), {12345.6, 2.345, 5678.9, 12345.6}};
