@@ -2,6 +2,7 @@
 // targets large enough for a glove also where a page has sheets.
 #include <QListView>
 #include <QPointingDevice>
+#include <QScrollArea>
 #include <QScrollBar>
 
 #include "tests/ui/analyse_fixture.h"
@@ -179,6 +180,37 @@ TEST_F(Touch, OnARecordingOneFingerSelectsAndTwoZoomAndMove) {
   EXPECT_FALSE(timeline->hasSelection());
   finger(timeline, middle, {90, 0});
   EXPECT_TRUE(timeline->hasSelection());
+}
+
+// The page that a Tune part is on is longer than its window.
+TEST_F(Touch, ALongPageMovesUnderAFingerAndLeavesAloneWhatItBeganOn) {
+  open();
+  window_->showPage(QStringLiteral("tune"));
+  play(0.4);
+  QCoreApplication::processEvents();  // rows that were made a moment ago have their places now
+  auto* area = find<QScrollArea>("tune-rows");
+  TouchInput* input = area->viewport()->findChild<TouchInput*>();
+  QScrollBar* bar = area->verticalScrollBar();
+  ASSERT_GT(bar->maximum(), 400);
+  const auto rest = [input] { return QTest::qWaitFor([input] { return !input->running(); }, 10'000); };
+  finger(area->viewport(), {area->viewport()->width() / 2, 300}, {4, -90});
+  EXPECT_GE(bar->value(), 80);
+  EXPECT_TRUE(rest());
+  EXPECT_GT(bar->value(), 95) << "it was flung";
+  auto* slider = find<ValueSlider>("energy-ratio.chatter-slider");
+  ASSERT_NE(slider, nullptr);
+  area->ensureWidgetVisible(slider, 0, area->viewport()->height() / 3);
+  QCoreApplication::processEvents();
+  const int before = bar->value();
+  const double fraction = slider->fraction();
+  finger(slider, {slider->width() / 4, slider->height() / 2}, {slider->width() / 3, 2});
+  EXPECT_NE(slider->fraction(), fraction) << "along the slider it is the slider that is meant";
+  EXPECT_EQ(bar->value(), before);
+  const double moved = slider->fraction();
+  finger(slider, {slider->width() * 3 / 4, slider->height() / 2}, {4, 60});
+  EXPECT_LT(bar->value(), before);
+  EXPECT_EQ(slider->fraction(), moved) << "nobody meant to change it";
+  EXPECT_TRUE(rest());
 }
 
 TEST_F(Touch, ListsMoveUnderAFingerAndATapChooses) {
