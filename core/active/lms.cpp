@@ -22,8 +22,9 @@ double Lms::process(double x, double wanted) STILLCUT_RT {
   const double error = wanted - kernels_.tapSum(weights_.data(), line_.data(), weights_.size());
   double step = options_.step;
   if (options_.normalised) {
-    double power = 0.0;
-    for (std::size_t k = 0; k < taps; ++k) power += line_.data()[k] * line_.data()[k];
+    const std::size_t whole = taps - taps % dsp::kernels::kLanes;
+    double power = kernels_.tapSum(line_.data(), line_.data(), whole);
+    for (std::size_t k = whole; k < taps; ++k) power += line_.data()[k] * line_.data()[k];
     step = normalisedStep(options_.step, power);
   }
   kernels_.tapSteer(weights_.data(), options_.leak, 2.0 * step * error, line_.data(), taps);

@@ -16,24 +16,19 @@ constexpr double kSettling = 0.5;         // [s] for the predictors after a star
 }  // namespace
 
 void OnlineIdentifier::Unpredictable::prepare(int taps, int delay) {
-  kernels_ = dsp::kernels::bestKernels();
-  taps_ = taps;
   delay_ = delay;
-  weights_.assign(dsp::kernels::wholeLanes(static_cast<std::size_t>(taps)), 0.0);
-  line_.prepare(weights_.size() + static_cast<std::size_t>(delay));
+  predictor_.prepare({.taps = taps, .step = kPredictorShare, .normalised = true});
+  past_.prepare(static_cast<std::size_t>(delay));
 }
 
 void OnlineIdentifier::Unpredictable::reset() noexcept {
-  line_.reset();
-  std::ranges::fill(weights_, 0.0);
+  predictor_.reset();
+  past_.reset();
 }
 
 double OnlineIdentifier::Unpredictable::process(double x) STILLCUT_RT {
-  const double* old = line_.data() + delay_ - 1;  // x itself is not in the line yet
-  const double rest = x - kernels_.tapSum(weights_.data(), old, weights_.size());
-  const double step = normalisedStep(kPredictorShare, kernels_.tapSum(old, old, weights_.size()));
-  kernels_.tapSteer(weights_.data(), 1.0, 2.0 * step * rest, old, static_cast<std::size_t>(taps_));
-  line_.push(x);
+  const double rest = predictor_.process(past_.data()[delay_ - 1], x);  // x itself is not in the line yet
+  past_.push(x);
   return rest;
 }
 

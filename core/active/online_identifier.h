@@ -48,10 +48,9 @@ class OnlineIdentifier {
     double process(double x) STILLCUT_RT;
 
    private:
-    dsp::kernels::Kernels kernels_;
-    TapLine line_;
-    std::vector<double> weights_;
-    int taps_ = 0, delay_ = 0;
+    Lms predictor_;
+    TapLine past_;
+    int delay_ = 0;
   };
   struct Sums {
     std::vector<double> error, output;  // correlations with v, lag by lag

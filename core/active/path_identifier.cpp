@@ -14,13 +14,6 @@ void PathIdentifier::prepare(const IdentifierOptions& options) {
   predictions_.prepare(backward_.size());
 }
 
-void PathIdentifier::reset() noexcept {
-  outputs_.reset();
-  predictions_.reset();
-  std::fill(forward_.begin(), forward_.end(), 0.0);
-  std::fill(backward_.begin(), backward_.end(), 0.0);
-}
-
 double PathIdentifier::reading(double r) STILLCUT_RT {
   const double* outputs = outputs_.data() + options_.delay;
   const double* predictions = predictions_.data();

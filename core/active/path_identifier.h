@@ -26,7 +26,6 @@ struct IdentifierOptions {
 class PathIdentifier {
  public:
   void prepare(const IdentifierOptions& options);
-  void reset() noexcept;
   // What the sensor reads now; gives the error of the model's prediction. Then output() tells what is written next.
   double reading(double r) STILLCUT_RT;
   void output(double y) STILLCUT_RT { outputs_.push(y); }

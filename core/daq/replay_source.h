@@ -41,8 +41,6 @@ class ReplaySource final : public DaqSource {
   // chain to be fed with; null for imported files. Valid until the next read(). Its block is the recorded one: times
   // in it that belong to a jump are moved by shift().
   const StepInput* recordedStep() const;
-  // The same with what the program made of it then, to compare.
-  const StepRecord* recordedResult() const { return reader_->recordedStep(); }
   // How much later than recorded the block last read is.
   Duration shift() const { return shift_; }
 

@@ -67,34 +67,6 @@ void Butterworth::highPass(int order, Hertz edge, Hertz rate) noexcept {
   sections_ = fill(coefficients_, std::clamp(order, 1, 2 * kMaxSections), 1.0, [w](Complex s) { return w / s; });
 }
 
-void Butterworth::bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcept {
-  const int half = std::clamp(order / 2, 1, kMaxSections);
-  const double w1 = prewarp(low, rate);
-  const double w2 = std::max(prewarp(high, rate), w1 * (1.0 + 1e-6));
-  const double width = w2 - w1;
-  const double centre2 = w1 * w2;
-  // |H| = 1 where the analogue centre frequency lands.
-  const double theta = 2.0 * std::atan(std::sqrt(centre2));
-  const Complex z0 = std::polar(1.0, theta);
-  sections_ = 0;
-  // Each prototype pole p gives the two roots of s^2 - p width s + centre^2; pair every root with its conjugate.
-  for (int k = 0; k < half; ++k) {
-    const Complex p = prototypePole(k, half);
-    if (p.imag() < -1e-12) continue;
-    const Complex root = std::sqrt(p * p * width * width - 4.0 * centre2);
-    const Complex s1 = 0.5 * (p * width + root);
-    const Complex s2 = 0.5 * (p * width - root);
-    if (std::abs(p.imag()) <= 1e-12) {  // s1 and s2 are a conjugate pair, or both real
-      coefficients_[static_cast<std::size_t>(sections_++)] = makeSection(bilinear(s1), bilinear(s2), 0.0, -1.0, z0);
-    } else {
-      for (const Complex& s : {s1, s2}) {
-        const Complex z = bilinear(s);
-        coefficients_[static_cast<std::size_t>(sections_++)] = makeSection(z, std::conj(z), 0.0, -1.0, z0);
-      }
-    }
-  }
-}
-
 void Butterworth::process(std::span<Butterworth> filters, const double* x, std::ptrdiff_t stride, double* out,
                           std::ptrdiff_t outStride, std::size_t frames, const kernels::Kernels& kernels) noexcept {
   static_assert(sizeof(Biquad) == 5 * sizeof(double) && sizeof(state_) == 2 * kMaxSections * sizeof(double));
@@ -119,7 +91,7 @@ std::complex<double> Butterworth::response(Hertz f, Hertz rate) const {
   const Complex d = std::polar(1.0, -kTwoPi * f.value / rate.value);
   Complex h = 1.0;
   for (int s = 0; s < sections_; ++s) {
-    const Biquad& c = section(s);
+    const Biquad& c = coefficients_[static_cast<std::size_t>(s)];
     h *= (c.b0 + c.b1 * d + c.b2 * d * d) / (1.0 + c.a1 * d + c.a2 * d * d);
   }
   return h;

@@ -22,11 +22,10 @@ class Butterworth {
  public:
   static constexpr int kMaxSections = 8;
 
-  // order: slope of a low- or high-pass; a band-pass has `order` poles in total (even), order/2 at each edge.
+  // order: poles. A bank of band-passes is a kernel of its own (kernels.h, BankDesign).
   // Edges are clamped into (0, rate/2). Real-time (trigonometry only); the state is kept.
   void lowPass(int order, Hertz edge, Hertz rate) noexcept;
   void highPass(int order, Hertz edge, Hertz rate) noexcept;
-  void bandPass(int order, Hertz low, Hertz high, Hertz rate) noexcept;
 
   // One stretch of several signals, each through its own filter; all filters of one order. x[signal * stride + frame];
   // out the same with outStride, and may be x itself.
@@ -45,8 +44,6 @@ class Butterworth {
   }
   void reset() noexcept { state_ = {}; }
 
-  int sections() const { return sections_; }
-  const Biquad& section(int s) const { return coefficients_[static_cast<std::size_t>(s)]; }
   // H(e^{j 2 pi f / rate}).
   std::complex<double> response(Hertz f, Hertz rate) const;
 

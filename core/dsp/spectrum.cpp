@@ -42,15 +42,4 @@ double Spectrum::amplitude(int bin) const noexcept {
   return (single ? 1.0 : 2.0) * std::abs(values_[static_cast<std::size_t>(bin)]) / sums_.sum;
 }
 
-Hertz Spectrum::peakFrequency(int bin) const noexcept {
-  if (bin <= 0 || bin + 1 >= bins()) return Hertz(bin * binWidth_);
-  const auto logPower = [&](int b) { return std::log(std::norm(values_[static_cast<std::size_t>(b)]) + 1e-300); };
-  const double left = logPower(bin - 1);
-  const double mid = logPower(bin);
-  const double right = logPower(bin + 1);
-  const double curve = left - 2.0 * mid + right;
-  const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
-  return Hertz((bin + shift) * binWidth_);
-}
-
 }  // namespace stillcut::dsp

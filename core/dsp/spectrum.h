@@ -35,8 +35,6 @@ class Spectrum {
   double density(int bin) const noexcept;
   // Amplitude (peak, not rms) of a line at the bin's centre.
   double amplitude(int bin) const noexcept;
-  // Frequency of a line whose highest bin is `bin`, from a parabola through the logarithms of three bins.
-  Hertz peakFrequency(int bin) const noexcept;
 
  private:
   kernels::Kernels kernels_;

@@ -41,6 +41,7 @@ std::string materialFileText(const MaterialFile& file);
 Status saveModes(const ModesFile& file, const std::string& path);
 Status saveMaterial(const MaterialFile& file, const std::string& path);
 
+// parse: from a text, `where` names it in errors; load: from a file.
 Result<ModesFile> parseModes(std::string_view text, const std::string& where);
 Result<MaterialFile> parseMaterial(std::string_view text, const std::string& where);
 Result<ModesFile> loadModes(const std::string& path);

@@ -8,7 +8,6 @@
 // Thread: const members may be called from any number of threads. Allocates; not for the sample path.
 #pragma once
 
-#include <complex>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -66,8 +65,6 @@ class ExactLobes {
   static Status checkDepth(Metres largest);  // above 0 and up to 1 m
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop = {}) const;
   Result<SpeedLimits> limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const;
-  // The multiplier of largest modulus at one depth, |mu| > 1 is unstable. An error when stopped.
-  Result<std::complex<double>> dominantMultiplier(Rpm speed, Metres depth, const std::stop_token& stop = {}) const;
 
   const RegenerativeSystem& system() const { return system_; }
   // Effects of the model that the linear cut leaves out, for the reader of the result.

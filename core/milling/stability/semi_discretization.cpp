@@ -27,9 +27,9 @@ auto withMap(const RegenerativeSystem& system, Rpm speed, double depth, const Sd
 }
 
 template <class Map>
-std::optional<int> countBeyond(const Map& map, double radius) {
+std::optional<int> countOutside(const Map& map) {
   const auto n = static_cast<int>(map.states());
-  const auto value = [&](double angle) { return map.characteristic(std::polar(radius, angle)); };
+  const auto value = [&](double angle) { return map.characteristic(std::polar(1.0, angle)); };
   const double change = argumentChange(value, 0.0, kPi, 3 + n);
   if (!std::isfinite(change)) return std::nullopt;
   return n - static_cast<int>(std::lround(change / kPi));
@@ -70,7 +70,7 @@ class SdmRoot {
   void halve(double& low, double& high) const {
     const double middle = 0.5 * (low + high);
     const auto outside =
-        withMap(system_, speed_, middle, options_, meter_, [](const auto& map) { return countBeyond(map, 1.0); });
+        withMap(system_, speed_, middle, options_, meter_, [](const auto& map) { return countOutside(map); });
     (outside.value_or(1) > 0 ? high : low) = middle;
   }
 
@@ -135,20 +135,7 @@ std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth) const {
 
 std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth, WorkMeter& meter) const {
   return withMap(lobes_.system(), speed, depth.value, options_, meter,
-                 [](const auto& map) { return countBeyond(map, 1.0); });
-}
-
-double SemiDiscretization::largestMultiplier(Rpm speed, Metres depth) const {
-  WorkMeter meter;
-  return withMap(lobes_.system(), speed, depth.value, options_, meter, [](const auto& map) {
-    double inner = 1e-3;
-    double outer = 1e3;
-    while (outer / inner > 1.0 + 1e-9) {
-      const double middle = std::sqrt(inner * outer);
-      (countBeyond(map, middle).value_or(1) > 0 ? inner : outer) = middle;
-    }
-    return inner;
-  });
+                 [](const auto& map) { return countOutside(map); });
 }
 
 Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, const std::stop_token& stop) const {

@@ -83,10 +83,7 @@ Result<std::vector<Uff58Dataset>> parseUff58(std::string_view bytes, const std::
 // Does the text begin like a universal file (a line holding only -1)?
 bool looksLikeUff(std::string_view bytes);
 
-// One dataset as a universal file's text, from its first -1 to its last. x must be as long as y; points, start and
-// increment are taken from x.
-std::string formatUff58(const Uff58Dataset& dataset, Uff58Form form);
-// Its beginning, up to the first number, from the header alone.
+// The beginning of a dataset as a universal file's text, from its first -1 up to the first number.
 std::string formatUff58Head(const Uff58Header& header, Uff58Form form);
 
 }  // namespace stillcut::uff

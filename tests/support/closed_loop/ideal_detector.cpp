@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
+
+#include "core/detect/spectral_frames.h"
 
 namespace stillcut::test {
 namespace {
@@ -41,7 +44,9 @@ Hertz IdealDetector::strongest(Hertz spindle) noexcept {
     most = velocity;
     best = bin;
   }
-  return spectrum_.peakFrequency(best);
+  if (best == 0) return Hertz(0.0);
+  const auto power = [&](int bin) { return std::norm(spectrum_.values()[static_cast<std::size_t>(bin)]); };
+  return Hertz((best + detect::peakShift(power(best - 1), power(best), power(best + 1))) * width);
 }
 
 Verdict IdealDetector::process(const detect::ConditionedBlock& block) noexcept {

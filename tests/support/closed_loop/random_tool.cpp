@@ -9,6 +9,7 @@
 
 #include "app/compose/known_lobes.h"
 #include "core/milling/stability/exact_lobes.h"
+#include "tests/support/dominant_multiplier.h"
 
 namespace stillcut::test {
 namespace {
@@ -117,7 +118,7 @@ std::optional<RandomTool> draw(Dice& dice, const std::string& name) {
   const double limit = limits->crossings.front().depth.value;
   const double depth = tool.timesLimit * limit;
   // Above a limit there may be an island of stability: then it is another cut.
-  const auto multiplier = lobes->dominantMultiplier(speed, Metres(depth));
+  const auto multiplier = dominantMultiplier(*lobes, speed, Metres(depth));
   if (!multiplier || std::abs(*multiplier) <= 1.0) return std::nullopt;
   tool.scenario = around(model, speed, depth, kStable * limit, dice);
   tool.scenario.name = name;
@@ -137,7 +138,7 @@ std::optional<RandomTool> draw(Dice& dice, const std::string& name) {
 bool stableByLobes(const RandomTool& tool, Rpm speed) {
   const auto lobes = milling::ExactLobes::make(tool.scenario.model, tool.scenario.name);
   if (!lobes) throw std::runtime_error(lobes.error().line());
-  const auto multiplier = lobes->dominantMultiplier(speed, Metres(tool.scenario.programme.depth.highest(0.0)));
+  const auto multiplier = dominantMultiplier(*lobes, speed, Metres(tool.scenario.programme.depth.highest(0.0)));
   return multiplier && std::abs(*multiplier) < 1.0;
 }
 

@@ -166,14 +166,15 @@ TEST(PathIdentifier, ARecursivePathIsFoundByItsResponse) {
   }
 }
 
-TEST(PathIdentifier, ResetForgetsEverything) {
+TEST(PathIdentifier, PreparedAnewItForgetsEverything) {
   PathIdentifier identifier;
-  identifier.prepare({.forward = 4, .backward = 2, .step = 0.05, .normalised = true});
+  const IdentifierOptions options{.forward = 4, .backward = 2, .step = 0.05, .normalised = true};
+  identifier.prepare(options);
   for (double v : whiteNoise(500, 5)) {
     identifier.reading(v);
     identifier.output(v);
   }
-  identifier.reset();
+  identifier.prepare(options);
   for (double c : identifier.model().forward) EXPECT_EQ(c, 0.0);
   EXPECT_EQ(identifier.reading(0.7), 0.7);
 }

@@ -43,40 +43,19 @@ TEST_P(LowHigh, FallsSixDecibelPerOctaveAndOrder) {
 
 INSTANTIATE_TEST_SUITE_P(Orders, LowHigh, testing::Values(1, 2, 3, 4, 5, 8));
 
-TEST(BandPass, HalfPowerAtBothEdgesForEveryBandOfABank) {
-  for (const int order : {2, 4, 8}) {
-    for (int m = 2; m <= 14; ++m) {
-      const double low = (m - 1) * 366.7;
-      const double high = m * 366.7;
-      Butterworth filter;
-      filter.bandPass(order, Hertz(low), Hertz(high), kRate);
-      EXPECT_EQ(filter.sections(), order / 2);
-      EXPECT_NEAR(std::abs(filter.response(Hertz(low), kRate)), kHalfPower, 1e-9) << order << " " << m;
-      EXPECT_NEAR(std::abs(filter.response(Hertz(high), kRate)), kHalfPower, 1e-9) << order << " " << m;
-      EXPECT_GT(std::abs(filter.response(Hertz(std::sqrt(low * high)), kRate)), 0.99);
-    }
-  }
-}
-
-TEST(BandPass, WideBandWithRealPoles) {
-  Butterworth filter;
-  filter.bandPass(2, Hertz(10.0), Hertz(8000.0), kRate);
-  EXPECT_NEAR(std::abs(filter.response(Hertz(10.0), kRate)), kHalfPower, 1e-9);
-  EXPECT_NEAR(std::abs(filter.response(Hertz(8000.0), kRate)), kHalfPower, 1e-9);
-}
-
 TEST(Retune, TheTimeDomainFollowsTheResponseAndTheStateSurvives) {
   Butterworth filter;
-  filter.bandPass(4, Hertz(733.0), Hertz(1100.0), kRate);
+  filter.lowPass(4, Hertz(1100.0), kRate);
   const double f = 900.0;
   double worst = 0.0;
   for (int n = 0; n < 12800; ++n) {
-    if (n == 6400) filter.bandPass(4, Hertz(740.0), Hertz(1110.0), kRate);
+    if (n == 6400) filter.lowPass(4, Hertz(1000.0), kRate);
     const double y = filter.process(std::sin(kTwoPi * f * n / kRate.value));
     EXPECT_LT(std::abs(y), 1.2);  // no click on retuning
     if (n > 12000) worst = std::max(worst, std::abs(y));
   }
   EXPECT_NEAR(worst, std::abs(filter.response(Hertz(f), kRate)), 0.01);
+  EXPECT_LT(worst, 0.85);  // of the new edge: 0.91 before
 }
 
 TEST(Stretches, SeveralSignalsAtOnceAreEachOfThemSampleBySample) {

@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
 #include <vector>
 
-#include "core/dsp/butterworth.h"
 #include "tests/unit/dsp/every_set.h"
 
 namespace stillcut::dsp::kernels {
@@ -227,41 +225,6 @@ TEST(Kernels, SpectraAreTheSameWithEverySetAndCoherentWhereTheyShould) {
   EXPECT_EQ(all[9 * lanes + 6], plain.largestRatio);
   EXPECT_EQ(all[9 * lanes + 7], plain.top);
   EXPECT_EQ(all[9 * lanes + 8], static_cast<double>(plain.place));
-}
-
-TEST(Kernels, TheBankIsButterworth) {
-  constexpr Hertz kRate(25600.0);
-  constexpr std::size_t kLanesUsed = 24;
-  constexpr std::size_t kFrames = 1003;           // not whole lanes
-  constexpr std::size_t kRow = kFrames + kLanes;  // a run may write beyond its end
-  const Values x = noise(kFrames, 2);
-  const auto edge = [&](std::size_t m) { return Hertz(m == 0 ? 60.0 : 440.0 * static_cast<double>(m)); };
-  const Values out = sameWithEverySet([&](const Kernels& k) {
-    Values low(kLanesUsed);
-    Values high(kLanesUsed);
-    for (std::size_t m = 0; m < kLanesUsed; ++m) {
-      low[m] = std::tan(std::numbers::pi * (edge(m) / kRate));
-      high[m] = std::tan(std::numbers::pi * (edge(m + 1) / kRate));
-    }
-    Values coefficients(5 * kLanesUsed);
-    Values state(4 * kLanesUsed);
-    k.designBank({low.data(), high.data(), kLanesUsed, kLanesUsed, coefficients.data()});
-    Values rows(kLanesUsed * kRow);
-    std::vector<double*> to(kLanesUsed);
-    for (std::size_t from = 0; from < kFrames; from += 37) {
-      const std::size_t frames = std::min<std::size_t>(37, kFrames - from);
-      for (std::size_t m = 0; m < kLanesUsed; ++m) to[m] = rows.data() + m * kRow + from;
-      k.bank({x.data() + from, frames, kLanesUsed, kLanesUsed, coefficients.data(), state.data(), to.data()});
-    }
-    return rows;
-  });
-  for (std::size_t m = 0; m < kLanesUsed; ++m) {
-    Butterworth filter;
-    filter.bandPass(4, edge(m), edge(m + 1), kRate);
-    for (std::size_t k = 0; k < kFrames; ++k) {
-      ASSERT_NEAR(out[m * kRow + k], filter.process(x[k]), 1e-11) << "band " << m << " frame " << k;
-    }
-  }
 }
 
 TEST(Kernels, OperatorSumsAreTheOperatorWrittenOut) {

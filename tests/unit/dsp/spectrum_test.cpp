@@ -89,18 +89,5 @@ TEST(Spectrum, WhiteNoiseHasItsDensity) {
   EXPECT_NEAR(mean * kRate.value / 2.0, 1.0, 0.03);
 }
 
-TEST(Spectrum, AParabolaFindsALineBetweenBins) {
-  Spectrum s;
-  s.prepare(2048, kRate, WindowKind::Hann, 4096);
-  for (const double f : {500.3, 501.7, 998.5}) {
-    s.transform(sine(2048, 2.0, f));
-    int best = 1;
-    for (int k = 1; k < s.bins(); ++k) {
-      if (s.amplitude(k) > s.amplitude(best)) best = k;
-    }
-    EXPECT_NEAR(s.peakFrequency(best).value, f, 0.02 * s.binWidth());
-  }
-}
-
 }  // namespace
 }  // namespace stillcut::dsp

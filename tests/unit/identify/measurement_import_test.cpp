@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/milling/identify/unit_label.h"
 #include "core/record/uff/uff58.h"
+#include "tests/support/uff_dataset.h"
 
 namespace stillcut::identify {
 namespace {
@@ -103,18 +104,18 @@ uff::Uff58Dataset uffFrf() {
 }
 
 TEST(Import, UniversalFileUnitsBecomeSi) {
-  const auto got = parseMeasurement(uff::formatUff58(uffFrf(), uff::Uff58Form::BigEndian), "f.uff", {});
+  const auto got = parseMeasurement(test::uffDataset(uffFrf(), uff::Uff58Form::BigEndian), "f.uff", {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_EQ(frfOf(got).quantity, FrfQuantity::Accelerance);
   EXPECT_NEAR(frfOf(got).value[3].real(), 0.5 * 9.80665, 1e-5);
   uff::Uff58Dataset odd = uffFrf();
   odd.ordinate.unit = "furlong";
-  const auto refused = parseMeasurement(uff::formatUff58(odd, uff::Uff58Form::Ascii), "f.uff", {});
+  const auto refused = parseMeasurement(test::uffDataset(odd, uff::Uff58Form::Ascii), "f.uff", {});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().line().find("furlong"), std::string::npos);
   ImportOptions second;
   second.dataset = 1;
-  EXPECT_FALSE(parseMeasurement(uff::formatUff58(uffFrf(), uff::Uff58Form::Ascii), "f.uff", second).ok());
+  EXPECT_FALSE(parseMeasurement(test::uffDataset(uffFrf(), uff::Uff58Form::Ascii), "f.uff", second).ok());
 }
 
 TEST(Import, TwoTimeResponsesAreAHammerRecord) {
@@ -126,11 +127,11 @@ TEST(Import, TwoTimeResponsesAreAHammerRecord) {
   uff::Uff58Dataset response = force;
   response.ordinate = {uff::Uff58Quantity::Acceleration, "Acceleration", "m/s2"};
   const std::string file =
-      uff::formatUff58(response, uff::Uff58Form::Ascii) + uff::formatUff58(force, uff::Uff58Form::Ascii);
+      test::uffDataset(response, uff::Uff58Form::Ascii) + test::uffDataset(force, uff::Uff58Form::Ascii);
   const auto got = parseMeasurement(file, "h.uff", {});
   ASSERT_TRUE(got.ok()) << got.error().line();
   EXPECT_NEAR(hammerOf(got).rate, 1000.0, 1e-6);
-  EXPECT_FALSE(parseMeasurement(uff::formatUff58(force, uff::Uff58Form::Ascii), "h.uff", {}).ok());
+  EXPECT_FALSE(parseMeasurement(test::uffDataset(force, uff::Uff58Form::Ascii), "h.uff", {}).ok());
 }
 
 TEST(Import, MobilityAndAcceleranceBecomeCompliance) {

@@ -12,6 +12,7 @@
 #include "core/milling/noise.h"
 #include "core/milling/regenerative_cut.h"
 #include "core/milling/stability/exact_lobes.h"
+#include "tests/support/dominant_multiplier.h"
 
 namespace stillcut::milling {
 namespace {
@@ -57,7 +58,7 @@ std::vector<RandomCut> randomCuts(int count) {
         lobes->limits(c.speed, {.maxDepth = Metres(0.02), .firstOnly = true, .frequencies = false, .hint = {}});
     if (!limits || !limits->hasLimit()) continue;
     c.depth = Metres(limits->crossings.front().depth.value * (0.9 + 0.3 * random.uniform()));
-    const auto mu = lobes->dominantMultiplier(c.speed, c.depth);
+    const auto mu = test::dominantMultiplier(*lobes, c.speed, c.depth);
     if (!mu) continue;
     c.multiplier = *mu;
     cuts.push_back(c);

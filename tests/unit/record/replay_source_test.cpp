@@ -64,7 +64,6 @@ TEST(ReplaySource, ASessionComesBackInItsOwnBlocksWithItsMachineAndOperator) {
     const StepRecord expected = exampleStep(i);
     ASSERT_NE(source.recordedStep(), nullptr);
     EXPECT_EQ(bitsOf(*source.recordedStep()), bitsOf(expected.input));
-    EXPECT_EQ(bitsOf(source.recordedResult()->output), bitsOf(expected.output));
     StepInput fed = *source.recordedStep();
     fed.block = block;
     if (i == kSteps - 1) {

@@ -6,6 +6,7 @@
 
 #include "core/record/uff/uff58.h"
 #include "tests/support/temp_folder.h"
+#include "tests/support/uff_dataset.h"
 #include "tests/unit/record/read_all.h"
 
 namespace stillcut::record {
@@ -36,7 +37,7 @@ TEST(UffImport, ChannelsComeFromEveryFormWhateverTheLength) {
   frf.function = uff::Uff58Function::FrequencyResponse;
   for (const Uff58Form form : {Uff58Form::Ascii, Uff58Form::LittleEndian, Uff58Form::BigEndian}) {
     const std::string path =
-        folder.file("cut.uff", formatUff58(one, form) + formatUff58(frf, form) + formatUff58(two, form));
+        folder.file("cut.uff", test::uffDataset(one, form) + test::uffDataset(frf, form) + test::uffDataset(two, form));
     const WholeRecording all = readAll(path);
     ASSERT_EQ(all.error, "");
     EXPECT_EQ(all.format.rate.value, 44'100.0) << "the step has six digits: a whole number is meant";
@@ -56,20 +57,20 @@ TEST(UffImport, ChannelsComeFromEveryFormWhateverTheLength) {
 
 TEST(UffImport, ChannelsThatDoNotFitTogetherAreRefused) {
   const TempFolder folder;
-  const std::string one = formatUff58(channel("a", 50, 1000.0, 1), Uff58Form::Ascii);
+  const std::string one = test::uffDataset(channel("a", 50, 1000.0, 1), Uff58Form::Ascii);
   const auto errorOf = [&](const std::string& content) { return readAll(folder.file("x.uff", content)).error; };
-  EXPECT_THAT(errorOf(one + formatUff58(channel("b", 51, 1000.0, 1), Uff58Form::Ascii)),
+  EXPECT_THAT(errorOf(one + test::uffDataset(channel("b", 51, 1000.0, 1), Uff58Form::Ascii)),
               HasSubstr("dataset 2: has 51 samples, those before 50"));
-  EXPECT_THAT(errorOf(one + formatUff58(channel("b", 50, 2000.0, 1), Uff58Form::Ascii)),
+  EXPECT_THAT(errorOf(one + test::uffDataset(channel("b", 50, 2000.0, 1), Uff58Form::Ascii)),
               HasSubstr("another sampling rate"));
   uff::Uff58Dataset uneven = channel("a", 50, 1000.0, 1);
   uneven.even = false;
-  EXPECT_THAT(errorOf(formatUff58(uneven, Uff58Form::Ascii)), HasSubstr("not evenly spaced"));
+  EXPECT_THAT(errorOf(test::uffDataset(uneven, Uff58Form::Ascii)), HasSubstr("not evenly spaced"));
 }
 
 TEST(UffImport, TruncationIsFoundBeforeTheFirstBlock) {
   const TempFolder folder;
-  const std::string whole = formatUff58(channel("a", 500, 1000.0, 1), Uff58Form::LittleEndian);
+  const std::string whole = test::uffDataset(channel("a", 500, 1000.0, 1), Uff58Form::LittleEndian);
   for (const std::size_t keep : {whole.size() - 4, whole.size() / 2, std::size_t{700}, std::size_t{20}}) {
     const auto reader = openRecording(folder.file("cut.uff", whole.substr(0, keep)));
     EXPECT_FALSE(reader.ok()) << keep;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/support/dominant_multiplier.h"
 #include "tests/unit/stability/reference_cases.h"
 
 namespace stillcut::milling {
@@ -19,7 +20,7 @@ AdviceRequest requestAt(double depth, double from, double to) {
 }
 
 bool stable(const ExactLobes& lobes, Rpm speed, Metres depth) {
-  return std::abs(lobes.dominantMultiplier(speed, depth).value()) < 1.0;
+  return std::abs(test::dominantMultiplier(lobes, speed, depth).value()) < 1.0;
 }
 
 TEST(SpeedAdvice, PocketsAreStableInsideAndEndAtChatter) {

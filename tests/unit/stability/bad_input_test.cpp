@@ -6,6 +6,7 @@
 
 #include "core/milling/stability/lobe_sweep.h"
 #include "core/milling/stability/zeroth_order.h"
+#include "tests/support/dominant_multiplier.h"
 #include "tests/unit/stability/reference_cases.h"
 
 namespace stillcut::milling {
@@ -52,7 +53,7 @@ TEST(StabilityBadInput, AbsurdSpeedsAndDepthsAreRefusedByEveryMethod) {
   const auto zoa = ZerothOrder::make(textbookSlot(), "slot");
   for (double rpm : {0.0, -5000.0, 1e-3, 1e9, std::nan(""), std::numeric_limits<double>::infinity()}) {
     EXPECT_FALSE(lobes->limits(Rpm(rpm), {}).ok()) << rpm;
-    EXPECT_FALSE(lobes->dominantMultiplier(Rpm(rpm), Metres(1e-3)).ok()) << rpm;
+    EXPECT_FALSE(test::dominantMultiplier(*lobes, Rpm(rpm), Metres(1e-3)).ok()) << rpm;
     EXPECT_FALSE(sdm->limit(Rpm(rpm), Metres(1e-3)).ok()) << rpm;
     EXPECT_FALSE(zoa->limit(Rpm(rpm), Metres(1e-3)).ok()) << rpm;
   }

@@ -7,6 +7,7 @@
 #include <complex>
 #include <numbers>
 
+#include "tests/support/dominant_multiplier.h"
 #include "tests/unit/stability/reference_cases.h"
 
 namespace stillcut::milling {
@@ -24,7 +25,7 @@ TEST(ExactLobes, DominantMultiplierOfTheTextbookSlot) {
   const std::pair<double, double> golden[] = {
       {0.2e-3, 0.81974278}, {0.5e-3, 1.07397559}, {0.7e-3, 1.22155614}, {1.0e-3, 1.40647353}};
   for (const auto& [depth, size] : golden) {
-    const auto mu = lobes->dominantMultiplier(Rpm(5000), Metres(depth));
+    const auto mu = test::dominantMultiplier(*lobes, Rpm(5000), Metres(depth));
     ASSERT_TRUE(mu.ok());
     EXPECT_NEAR(std::abs(mu.value()), size, 1e-7) << depth;
   }
@@ -32,7 +33,7 @@ TEST(ExactLobes, DominantMultiplierOfTheTextbookSlot) {
 
 TEST(ExactLobes, WithoutDepthTheStructureDecays) {
   const auto lobes = ExactLobes::make(textbookSlot(), "slot");
-  const auto mu = lobes->dominantMultiplier(Rpm(5000), Metres(0.0));
+  const auto mu = test::dominantMultiplier(*lobes, Rpm(5000), Metres(0.0));
   EXPECT_NEAR(std::abs(mu.value()), std::exp(-0.011 * kTwoPi * 922.0 * 0.006), 1e-12);
 }
 
@@ -55,9 +56,9 @@ TEST(ExactLobes, TheModulusIsOneAtEveryCrossingAndTheCountChangesThere) {
     const SpeedLimits limits = allLimits(*lobes, rpm, 2e-3);
     ASSERT_TRUE(limits.hasLimit()) << rpm;
     const Metres first = limits.crossings.front().depth;
-    EXPECT_NEAR(std::abs(lobes->dominantMultiplier(Rpm(rpm), first).value()), 1.0, 1e-7) << rpm;
-    EXPECT_LT(std::abs(lobes->dominantMultiplier(Rpm(rpm), 0.99 * first).value()), 1.0) << rpm;
-    EXPECT_GT(std::abs(lobes->dominantMultiplier(Rpm(rpm), 1.01 * first).value()), 1.0) << rpm;
+    EXPECT_NEAR(std::abs(test::dominantMultiplier(*lobes, Rpm(rpm), first).value()), 1.0, 1e-7) << rpm;
+    EXPECT_LT(std::abs(test::dominantMultiplier(*lobes, Rpm(rpm), 0.99 * first).value()), 1.0) << rpm;
+    EXPECT_GT(std::abs(test::dominantMultiplier(*lobes, Rpm(rpm), 1.01 * first).value()), 1.0) << rpm;
   }
 }
 
@@ -70,7 +71,7 @@ void expectIsland(const ExactLobes& lobes, double rpm, const StabilityLimit& flo
   ASSERT_EQ(roof.after, 0);
   EXPECT_EQ(floor.kind, kind);
   EXPECT_EQ(roof.kind, kind);
-  const auto multiplier = [&](Metres depth) { return lobes.dominantMultiplier(Rpm(rpm), depth).value(); };
+  const auto multiplier = [&](Metres depth) { return test::dominantMultiplier(lobes, Rpm(rpm), depth).value(); };
   EXPECT_LT(std::abs(multiplier(0.995 * floor.depth)), 1.0);
   EXPECT_LT(std::abs(multiplier(1.005 * roof.depth)), 1.0);
   const std::complex<double> inside = multiplier(0.5 * (floor.depth + roof.depth));

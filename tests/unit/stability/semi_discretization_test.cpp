@@ -9,14 +9,17 @@
 namespace stillcut::milling {
 namespace {
 
-// |mu| = 1.40647353 is the exact multiplier of this cut.
-TEST(SemiDiscretization, BothOrdersConvergeToTheExactMultiplier) {
+TEST(SemiDiscretization, BothOrdersConvergeToTheExactLimit) {
   const Rpm speed(5000);
-  const Metres depth(1e-3);
+  const Metres deepest(2e-3);
+  const auto exact = ExactLobes::make(textbookSlot(), "slot")->limits(speed, {.maxDepth = deepest});
+  ASSERT_TRUE(exact->hasLimit());
+  const Metres depth = exact->crossings.front().depth;
   for (int order : {0, 1}) {
     const auto error = [&](int k) {
-      return std::abs(SemiDiscretization::make(textbookSlot(), {k, order}, "slot")->largestMultiplier(speed, depth) -
-                      1.40647353);
+      const auto sdm = SemiDiscretization::make(textbookSlot(), {k, order}, "slot")->limit(speed, deepest);
+      EXPECT_TRUE(sdm->hasLimit());
+      return sdm->hasLimit() ? std::abs(sdm->crossings.front().depth / depth - 1.0) : 1.0;
     };
     const double e80 = error(80);
     const double e160 = error(160);
@@ -27,12 +30,14 @@ TEST(SemiDiscretization, BothOrdersConvergeToTheExactMultiplier) {
   }
 }
 
-TEST(SemiDiscretization, TheLimitIsWhereTheLargestMultiplierIsOne) {
+TEST(SemiDiscretization, TheLimitIsWhereAMultiplierLeaves) {
   const auto sdm = SemiDiscretization::make(textbookHalf(), {40, 1}, "half");
   for (double rpm : {6000.0, 12000.0}) {
     const auto limit = sdm->limit(Rpm(rpm), Metres(4e-3));
     ASSERT_TRUE(limit->hasLimit());
-    EXPECT_NEAR(sdm->largestMultiplier(Rpm(rpm), limit->crossings.front().depth), 1.0, 1e-7) << rpm;
+    const Metres depth = limit->crossings.front().depth;
+    EXPECT_EQ(sdm->outside(Rpm(rpm), (1.0 - 1e-7) * depth).value_or(-1), 0) << rpm;
+    EXPECT_EQ(sdm->outside(Rpm(rpm), (1.0 + 1e-7) * depth).value_or(-1), limit->crossings.front().after) << rpm;
     EXPECT_GT(limit->crossings.front().frequency.value, 600.0);
     EXPECT_LT(limit->crossings.front().frequency.value, 1300.0);
   }

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/milling/identify/file_bytes.h"
+#include "tests/support/uff_dataset.h"
 
 namespace stillcut::uff {
 namespace {
@@ -56,7 +57,7 @@ TEST(Uff58, RoundTripKeepsEveryForm) {
   for (const Uff58Form form : {Uff58Form::Ascii, Uff58Form::LittleEndian, Uff58Form::BigEndian}) {
     for (int bits = 0; bits < 8; ++bits) {
       const Uff58Dataset set = sample(bits & 1, bits & 2, bits & 4);
-      const auto back = parseUff58(formatUff58(set, form), "t");
+      const auto back = parseUff58(test::uffDataset(set, form), "t");
       ASSERT_TRUE(back.ok()) << back.error().line() << " form " << static_cast<int>(form) << " bits " << bits;
       ASSERT_EQ(back->size(), 1u);
       // 6 digits of E13.5, 24 bits of a float, 13 digits of E20.12.
@@ -67,19 +68,19 @@ TEST(Uff58, RoundTripKeepsEveryForm) {
 
 TEST(Uff58, FindsSeveralAmongOtherDatasets) {
   const std::string other = "    -1\n   151\nmodel\n  58\n    -1\n";
-  const std::string one = formatUff58(sample(true, false, true), Uff58Form::LittleEndian);
-  const std::string two = formatUff58(sample(false, true, false), Uff58Form::Ascii);
+  const std::string one = test::uffDataset(sample(true, false, true), Uff58Form::LittleEndian);
+  const std::string two = test::uffDataset(sample(false, true, false), Uff58Form::Ascii);
   const auto sets = parseUff58(other + one + other + two, "t");
   ASSERT_TRUE(sets.ok()) << sets.error().line();
   EXPECT_EQ(sets->size(), 2u);
 }
 
 TEST(Uff58, FieldsThatTouchAreSeparated) {
-  std::string text = formatUff58(sample(true, false, true), Uff58Form::Ascii);
+  std::string text = test::uffDataset(sample(true, false, true), Uff58Form::Ascii);
   Uff58Dataset set = sample(false, false, true);
   set.y = {{-1.5e-3, 0}, {-2.5e-4, 0}};
   set.x.resize(2);
-  text = formatUff58(set, Uff58Form::Ascii);
+  text = test::uffDataset(set, Uff58Form::Ascii);
   const std::size_t at = text.find(" -1.5");
   text.replace(at, 26, "-1.50000E-003-2.50000E-004");
   const auto back = parseUff58(text, "t");
@@ -101,20 +102,20 @@ void expectRefused(const std::string& bytes, const std::string& part) {
 }
 
 TEST(Uff58, LyingSizesAreRefusedBeforeMemoryIsTaken) {
-  const std::string ascii = formatUff58(sample(true, false, true), Uff58Form::Ascii);
+  const std::string ascii = test::uffDataset(sample(true, false, true), Uff58Form::Ascii);
   expectRefused(replaced(ascii, "        37", " 999999999"), "more than the file holds");
   expectRefused(replaced(ascii, "        37", "        38"), "ends after 37 of 38 points");
   expectRefused(replaced(ascii, "        37", "        36"), "does not end after its 36 points");
   expectRefused(replaced(ascii, "        37", "        35"), "more numbers than its 35 points");
   expectRefused(replaced(ascii, "        37", "        -3"), "not a size");
-  const std::string binary = formatUff58(sample(true, false, true), Uff58Form::LittleEndian);
+  const std::string binary = test::uffDataset(sample(true, false, true), Uff58Form::LittleEndian);
   expectRefused(replaced(binary, "        37", "        38"), "announces 296 bytes, but its points take 304");
   expectRefused(replaced(binary, "         296", "  9999999999"), "header inconsistent");
 }
 
 TEST(Uff58, TruncationAtEveryByteIsRefused) {
   for (const Uff58Form form : {Uff58Form::Ascii, Uff58Form::BigEndian}) {
-    const std::string whole = formatUff58(sample(true, false, true), form);
+    const std::string whole = test::uffDataset(sample(true, false, true), form);
     for (std::size_t n = 0; n + 3 < whole.size(); ++n) {
       EXPECT_FALSE(parseUff58(whole.substr(0, n), "t").ok()) << n << " of " << whole.size();
     }
@@ -123,16 +124,16 @@ TEST(Uff58, TruncationAtEveryByteIsRefused) {
 
 TEST(Uff58, SwappedBytesAreNoticed) {
   for (const bool wide : {false, true}) {
-    const std::string little = formatUff58(sample(true, wide, true), Uff58Form::LittleEndian);
+    const std::string little = test::uffDataset(sample(true, wide, true), Uff58Form::LittleEndian);
     expectRefused(replaced(little, "   58b     1", "   58b     2"), "");
   }
 }
 
 TEST(Uff58, ForeignFormatsAndNonsenseAreRefused) {
-  const std::string binary = formatUff58(sample(true, false, true), Uff58Form::LittleEndian);
+  const std::string binary = test::uffDataset(sample(true, false, true), Uff58Form::LittleEndian);
   expectRefused(replaced(binary, "     1     2          11", "     1     3          11"), "not IEEE 754");
   expectRefused(replaced(binary, "     1     2          11", "     7     2          11"), "byte order");
-  const std::string ascii = formatUff58(sample(true, false, true), Uff58Form::Ascii);
+  const std::string ascii = test::uffDataset(sample(true, false, true), Uff58Form::Ascii);
   expectRefused(replaced(ascii, "  1.00000E-06", "          nan"), "point 1 is not a finite number");
   expectRefused(replaced(ascii, "  1.00000E-06", "         oops"), "'oops");
   expectRefused(replaced(ascii, "  5.00000E-01", " -5.00000E-01"), "step is not positive");
@@ -144,7 +145,7 @@ TEST(Uff58, ForeignFormatsAndNonsenseAreRefused) {
 TEST(Uff58, RandomDamageNeverBreaksTheReader) {
   std::mt19937 random(20240611);
   for (const Uff58Form form : {Uff58Form::Ascii, Uff58Form::LittleEndian, Uff58Form::BigEndian}) {
-    const std::string whole = formatUff58(sample(true, true, false), form);
+    const std::string whole = test::uffDataset(sample(true, true, false), form);
     for (int trial = 0; trial < 3000; ++trial) {
       std::string bytes = whole;
       const std::size_t hits = 1 + random() % 6;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/units.h"
-#include "core/dsp/butterworth.h"
+#include "tests/support/plain_band_pass.h"
 
 namespace stillcut::detect::testing {
 
@@ -52,7 +52,7 @@ class PlainBand {
  public:
   void tune(Hertz low, Hertz high, Hertz rate) {
     rate_ = rate.value;
-    filter_.bandPass(4, low, high, rate);
+    filter_.tune(low, high, rate);
   }
   void setLag(int lag) { lag_ = lag; }
   void process(double rest) { s_.push_front(filter_.process(rest)); }
@@ -79,7 +79,7 @@ class PlainBand {
   bool valid = false;
 
  private:
-  dsp::Butterworth filter_;
+  test::PlainBandPass filter_;
   double rate_ = 1.0;
   int lag_ = 1;
   std::deque<double> s_;

@@ -1,17 +1,24 @@
-// ExactLobes::dominantMultiplier: the circle |mu| = r is widened or narrowed until the argument principle finds the
-// outermost multiplier just outside it, then Newton.
+#include "tests/support/dominant_multiplier.h"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "core/milling/stability/argument_principle.h"
 #include "core/milling/stability/characteristic.h"
-#include "core/milling/stability/exact_lobes.h"
 
-namespace stillcut::milling {
-
+namespace stillcut::test {
 namespace {
+
+using milling::Characteristic;
+using milling::Complex;
+using milling::TransitionMatrix;
+using milling::WorkMeter;
 
 constexpr double kSmallest = 1e-2;  // a multiplier below this is reported as this
 constexpr double kLargest = 1e4;
@@ -21,11 +28,10 @@ std::optional<int> countBeyond(const TransitionMatrix& transition, double depth,
   const auto f = Characteristic::build(transition, depth, depth / r, meter);
   if (!f) return std::nullopt;
   const auto value = [&](double angle) -> Complex {
-    if (!meter.proceed(f->effort() / 3.0)) return std::numeric_limits<double>::quiet_NaN();
     const Complex mu = std::polar(r, angle);
     return f->valueAt(mu, depth * (1.0 - 1.0 / mu));
   };
-  const double change = argumentChange(value, 0.0, std::numbers::pi, 5 + 2 * transition.states());
+  const double change = milling::argumentChange(value, 0.0, std::numbers::pi, 5 + 2 * transition.states());
   if (!std::isfinite(change)) return std::nullopt;
   return transition.states() - static_cast<int>(std::lround(change / std::numbers::pi));
 }
@@ -43,8 +49,8 @@ Complex refined(const TransitionMatrix& transition, double depth, Complex mu, Wo
     for (std::size_t j = 0; j < 3; ++j) s[j] = depth * (1.0 - 1.0 / at[j]);
     if (!transition.evaluate(s, psi, meter)) break;
     for (std::size_t j = 0; j < 3; ++j) {
-      characteristicCoefficients(std::span(psi).subspan(j * n * n, n * n), transition.states(),
-                                 transition.determinant(), c);
+      milling::characteristicCoefficients(std::span(psi).subspan(j * n * n, n * n), transition.states(),
+                                          transition.determinant(), c);
       f[j] = 1.0;
       for (std::size_t k = n; k > 0; --k) f[j] = f[j] * at[j] + c[k - 1];
     }
@@ -58,20 +64,19 @@ Complex refined(const TransitionMatrix& transition, double depth, Complex mu, Wo
 
 }  // namespace
 
-Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres depth,
-                                                            const std::stop_token& stop) const {
-  if (Status ok = checkSpeed(speed); !ok) return ok.error();
+Result<std::complex<double>> dominantMultiplier(const milling::ExactLobes& lobes, Rpm speed, Metres depth) {
+  if (Status ok = lobes.checkSpeed(speed); !ok) return ok.error();
   if (!std::isfinite(depth.value) || depth.value < 0.0 || depth.value > 1.0) {
     return Error{"depth", "must lie between 0 and 1 m", ""};
   }
   const double w = depth.value;
-  WorkMeter meter(stop);
-  const TransitionMatrix rough(system_, speed, 2.0 * w, 1.0, meter);
-  const TransitionMatrix fine(system_, speed, 2.0 * w, 0.3, meter);
+  WorkMeter meter;
+  const TransitionMatrix rough(lobes.system(), speed, 2.0 * w, 1.0, meter);
+  const TransitionMatrix fine(lobes.system(), speed, 2.0 * w, 0.3, meter);
   const Error lost{"dominant multiplier", "the cut is too unstable for double precision", "take a smaller depth"};
   if (w == 0.0) {
     double slowest = 0.0;
-    for (const auto& o : system_.oscillators) {
+    for (const auto& o : lobes.system().oscillators) {
       slowest = std::max(slowest, std::exp(-o.zeta * o.omega * fine.toothPeriod()));
     }
     return std::complex<double>(slowest);
@@ -95,7 +100,7 @@ Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres de
     if (beyond && *beyond == 0) return std::complex<double>(kSmallest);
   }
   if (!beyond) return lost;
-  while (outer / inner > 1.002 && !meter.stopped()) {
+  while (outer / inner > 1.002) {
     const double middle = std::sqrt(inner * outer);
     beyond = countBeyond(rough, w, middle, meter);
     (beyond.value_or(0) > 0 ? inner : outer) = middle;
@@ -104,16 +109,15 @@ Result<std::complex<double>> ExactLobes::dominantMultiplier(Rpm speed, Metres de
   if (!f) return lost;
   Complex best = inner;
   double smallest = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= 1024 && meter.proceed(f->effort()); ++i) {
+  for (int i = 0; i <= 1024; ++i) {
     const Complex mu = std::polar(inner, std::numbers::pi * i / 1024);
-    const CharacteristicValue v = f->at(mu, w * (1.0 - 1.0 / mu));
+    const milling::CharacteristicValue v = f->at(mu, w * (1.0 - 1.0 / mu));
     const double distance = std::abs(v.f / (v.fm + v.fs * w / (mu * mu)));
     if (distance >= smallest) continue;
     smallest = distance;
     best = mu;
   }
-  if (meter.stopped()) return Error{"dominant multiplier", "was stopped", ""};
   return refined(fine, w, best, meter);
 }
 
-}  // namespace stillcut::milling
+}  // namespace stillcut::test
