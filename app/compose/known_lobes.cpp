@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "core/config/override_limits.h"
 #include "core/milling/stability/advice.h"
 #include "core/milling/stability/lobe_case.h"
 
@@ -49,20 +48,25 @@ Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile,
   }
   // Which speeds are stable depends on the depth, and no method here knows those of an uneven pitch.
   if (!(profile.depth.value > 0.0) || !profile.pitch.empty()) return std::optional<StableSpeeds>();
-  const auto limits = config::checkOverrideLimits(profile.params, profile.cut, modelPath);
+  const auto reach = speedsInReach(profile, modelPath);
+  if (!reach) return reach.error();
+  if (!(profile.cut.nominalSpeed.value > 0.0) || !(reach->high > reach->low)) return std::optional<StableSpeeds>();
+  milling::AdviceRequest request;
+  request.depth = profile.depth;
+  request.lowest = reach->low;
+  request.highest = reach->high;
+  const auto advice = milling::adviseSpeeds(cut->model, request, modelPath);
+  if (!advice) return advice.error();
+  return std::optional(known(*advice, request.depth));
+}
+
+Result<config::SpeedRange> speedsInReach(const config::Profile& profile, const std::string& where) {
+  const auto limits = config::checkOverrideLimits(profile.params, profile.cut, where);
   if (!limits) return limits.error();
   MachineState programmed;
   programmed.programmedSpeed = profile.cut.nominalSpeed;
   programmed.programmedFeed = profile.cut.nominalFeed;
-  const config::SpeedRange reach = config::reachableSpeeds(*limits, programmed);
-  if (!(profile.cut.nominalSpeed.value > 0.0) || !(reach.high > reach.low)) return std::optional<StableSpeeds>();
-  milling::AdviceRequest request;
-  request.depth = profile.depth;
-  request.lowest = reach.low;
-  request.highest = reach.high;
-  const auto advice = milling::adviseSpeeds(cut->model, request, modelPath);
-  if (!advice) return advice.error();
-  return std::optional(known(*advice, request.depth));
+  return config::reachableSpeeds(*limits, programmed);
 }
 
 }  // namespace stillcut::app

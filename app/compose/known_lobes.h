@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "core/config/override_limits.h"
 #include "core/config/profile.h"
 #include "core/milling/scenario.h"
 #include "core/model/cut_setup.h"
@@ -20,5 +21,9 @@ std::optional<StableSpeeds> stableSpeeds(const milling::Scenario& scenario);
 // At the profile's depth, within its override limits. Empty: it names no model or no speed, or the speed cannot be
 // changed. Error: the file cannot be read, is no cut, or contradicts the profile.
 Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile, const std::string& modelPath);
+
+// What the profile's limits leave around its programmed speed, before a machine has said more. Error: they contradict
+// one another; `where` names the profile.
+Result<config::SpeedRange> speedsInReach(const config::Profile& profile, const std::string& where);
 
 }  // namespace stillcut::app

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/config/override_limits.h"
+#include "app/compose/known_lobes.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_sweep.h"
 #include "ui/models/say.h"
@@ -99,12 +99,8 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   const auto file = std::filesystem::path(path).parent_path() / profile.model;  // an absolute name stays itself
   auto loaded = milling::loadLobeCase(file.string());
   if (!loaded) return loaded.error();
-  const auto limits = config::checkOverrideLimits(profile.params, profile.cut, path);
-  if (!limits) return limits.error();
-  MachineState programmed;
-  programmed.programmedSpeed = profile.cut.nominalSpeed;
-  programmed.programmedFeed = profile.cut.nominalFeed;
-  const config::SpeedRange reach = config::reachableSpeeds(*limits, programmed);
+  const auto reach = speedsInReach(profile, path);
+  if (!reach) return reach.error();
   Cut cut;
   cut.model = std::move(loaded->model);
   // The tool in the spindle, not the one the modes were measured with.
@@ -116,11 +112,11 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   cut.frame.depthKnown = profile.depth.value > 0.0;
   if (cut.frame.depthKnown) cut.frame.depth = profile.depth;
   cut.frame.maxDepth = std::max(cut.frame.maxDepth, cut.frame.depth * 1.25);
-  if (reach.high > reach.low) {
-    cut.frame.reachLow = reach.low;
-    cut.frame.reachHigh = reach.high;
-    cut.frame.lowest = std::min(cut.frame.lowest, reach.low);
-    cut.frame.highest = std::max(cut.frame.highest, reach.high);
+  if (reach->high > reach->low) {
+    cut.frame.reachLow = reach->low;
+    cut.frame.reachHigh = reach->high;
+    cut.frame.lowest = std::min(cut.frame.lowest, reach->low);
+    cut.frame.highest = std::max(cut.frame.highest, reach->high);
   }
   const double perSecond = toothPassing(profile.cut.nominalSpeed, cut.model.tool.teeth).value;
   if (perSecond > 0.0) cut.frame.feedPerTooth = Metres(profile.cut.nominalFeed.value / perSecond);
