@@ -53,6 +53,7 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   turns_.prepare(channels_, Hertz(rate_), slowest);
   const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
   lines_.prepare(channels_, window, Hertz(rate_));
+  newLine_.prepare(channels_, window, Hertz(rate_));
   fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
 }
 
@@ -101,6 +102,7 @@ void EnergyRatioDetector::restart() noexcept {
   chain_.reset();
   turns_.reset();
   lines_.reset();
+  newLine_.reset();
   for (dsp::Butterworth& filter : lowPass_) filter.reset();
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->restart();
@@ -183,7 +185,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   }
   if (judge_.judge(channelStates_, lines_,
                    {phase, length, spindle_, block.spindleSd, highest_, steadyTurns_, turnsCompare_, block.levelTrend,
-                    &chain_, block.loneLine.value > 0.0}))
+                    &chain_, &newLine_, block.loneLine.value > 0.0}))
     relearn();
 }
 
@@ -220,6 +222,7 @@ void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int 
   dsp::Butterworth::process(lowPass_, block.samples + first, block.stride, compared_.data(), kRow, count, kernels_);
   turns_.process(compared_.data(), kRow, count, difference_.data(), news_.data(), kRow);
   lines_.push(difference_.data(), kRow, count);
+  newLine_.push(compared_.data(), kRow, count);
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
     const auto row = static_cast<std::size_t>(c * kRow);

@@ -267,10 +267,12 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     const LineFinder::Peak strongest = lines.near(next, hop.spindle * kLineReach);
     if (strongest.power < kOtherLine * held.power) next = held.frequency;
   }
-  if (!(frequency_.value > 0.0)) {
+  const Hertz newer = hop.newLine->frequency(next, hop.spindle);
+  if (newer.value > 0.0) next = newer;
+  const double jump = std::abs(next.value - frequency_.value);
+  if (!(frequency_.value > 0.0) || jump > kLineReach * spindle) {  // the first line, or another one
     frequencySd_ = spindle / kLineTurns;
   } else {
-    const double jump = std::abs(next.value - frequency_.value);
     frequencySd_ += (1.0 - std::exp(-hops * hop.length.value * spindle)) * (jump - frequencySd_);
   }
   frequency_ = next;

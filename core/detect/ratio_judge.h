@@ -9,6 +9,7 @@
 #include "core/detect/energy_growth.h"
 #include "core/detect/forced_resonance.h"
 #include "core/detect/line_finder.h"
+#include "core/detect/new_line.h"
 #include "core/detect/order_growth.h"
 #include "core/model/channel.h"
 #include "core/model/sensor_status.h"
@@ -36,7 +37,8 @@ struct RatioHop {
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
   double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
-  bool loneLine = false;  // a line that cannot be forced holds most of the vibration
+  NewLine* newLine = nullptr;  // has heard the vibration
+  bool loneLine = false;       // a line that cannot be forced holds most of the vibration
 };
 
 class RatioJudge {

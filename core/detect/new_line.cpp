@@ -1,0 +1,102 @@
+#include "core/detect/new_line.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/dsp/kernels/choose.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kWindowTurns = 2.0;  // Hann: zeros at the orders beside the nearest
+constexpr std::size_t kMostTurns = 12;
+constexpr std::size_t kStillTurns = 3;  // what they hold is the forced vibration, and what they differ by its unrest
+constexpr double kMostDoubt = 0.1;      // rad a turn: a third of what sixteen turns of a spectrum resolve
+
+// E_0 .. E_(count - 1).
+using Turns = std::array<std::complex<double>, kMostTurns + kStillTurns>;
+
+// Phase by which the line is ahead of 0 in a turn, if it has come since `still` turns ago, times its part of the power;
+// 0 if the forced vibration's unrest there, adding up turn by turn, leaves that phase in doubt.
+std::complex<double> turning(const Turns& e, std::size_t still) noexcept {
+  const std::complex<double> forced = (e[still] + e[still + 1] + e[still + 2]) / 3.0;
+  const double unrest = std::max(std::abs(e[still] - e[still + 1]), std::abs(e[still + 1] - e[still + 2]));
+  std::complex<double> product = 0.0;
+  double power = 0.0;
+  double astray = 0.0;
+  for (std::size_t k = 0; k < still; ++k) {
+    const std::complex<double> line = e[k] - forced;
+    product += line * std::conj(e[k + 1] - forced);
+    power += std::norm(line);
+    astray += std::norm(line * static_cast<double>(still - k));
+  }
+  if (unrest * std::sqrt(astray) > kMostDoubt * std::abs(product)) return 0.0;
+  return product / (power + std::norm(forced));
+}
+
+}  // namespace
+
+void NewLine::prepare(int channels, int window, Hertz rate) {
+  kernels_ = dsp::kernels::bestKernels();
+  rate_ = rate.value;
+  window_ = static_cast<std::size_t>(window);
+  rings_.assign(window_ * static_cast<std::size_t>(channels), 0.0);
+  row_.assign(window_, 0.0);
+  reset();
+}
+
+void NewLine::reset() noexcept {
+  head_ = seen_ = 0;
+}
+
+void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+  for (std::size_t done = 0; done < frames;) {
+    const std::size_t now = std::min(frames - done, window_ - head_);
+    for (std::size_t c = 0; c * window_ < rings_.size(); ++c) {
+      std::copy_n(x + static_cast<std::ptrdiff_t>(c) * stride + done, now, rings_.data() + c * window_ + head_);
+    }
+    head_ = head_ + now == window_ ? 0 : head_ + now;
+    done += now;
+  }
+  seen_ = std::min(seen_ + frames, window_);
+}
+
+// w: the rough frequency [rad per frame]; turn [frames]. 0: no line has come.
+std::complex<double> NewLine::advance(std::span<const double> newest, double w, double turn) const noexcept {
+  const auto window = static_cast<std::size_t>(std::lround(kWindowTurns * turn));
+  const double slow = kTwoPi / static_cast<double>(window);
+  Turns e{};
+  for (std::size_t k = 0; k < e.size(); ++k) {
+    const double turned = static_cast<double>(k) * turn;
+    const auto back = static_cast<std::size_t>(std::lround(turned));
+    if (back + window > newest.size()) return 0.0;
+    dsp::kernels::HannRun run{newest.data() + (newest.size() - window - back),
+                              window,
+                              std::cos(w),
+                              -std::sin(w),
+                              std::cos(slow),
+                              std::sin(slow)};
+    kernels_.demodulate(run);
+    // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be.
+    e[k] = std::complex(run.re, run.im) * std::polar(1.0, w * (static_cast<double>(back) - turned));
+    if (k < kStillTurns) continue;
+    const std::complex<double> found = turning(e, k + 1 - kStillTurns);
+    if (found != 0.0) return found * std::polar(1.0, -w * turn);
+  }
+  return 0.0;
+}
+
+Hertz NewLine::frequency(Hertz rough, Hertz spindle) noexcept {
+  if (!(spindle.value > 0.0) || !(rough.value > 0.0)) return Hertz(0.0);
+  std::complex<double> all = 0.0;
+  for (std::size_t c = 0; c * window_ < rings_.size(); ++c) {
+    const auto ring = rings_.begin() + static_cast<std::ptrdiff_t>(c * window_);
+    std::rotate_copy(ring, ring + static_cast<std::ptrdiff_t>(head_), ring + static_cast<std::ptrdiff_t>(window_),
+                     row_.begin());
+    all += advance(std::span<const double>(row_).last(seen_), kTwoPi * rough.value / rate_, rate_ / spindle.value);
+  }
+  return std::abs(all) > 0.0 ? rough + spindle * (std::arg(all) / kTwoPi) : Hertz(0.0);
+}
+
+}  // namespace stillcut::detect
