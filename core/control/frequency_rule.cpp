@@ -2,8 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/control/machine_speed.h"
-#include "core/control/plain_reasons.h"
+#include "core/control/speed_wish.h"
 
 namespace stillcut::control {
 namespace {
@@ -36,12 +35,8 @@ void FrequencyRule::reset() noexcept {
 OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
   const MachineState& m = input.machine;
   const Verdict& v = input.verdict;
-  if (!usable(m) || !v.valid || !isFinite(v.frequency)) {
-    OverrideRequest hold;
-    hold.time = input.now;
-    hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
-    hold.reason = nothingUsable(target_, m);
-    return hold;
+  if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
+    return keepOrNothing(input, target_);
   }
   if (otherSpeedWord(m, programmed_)) {
     reset();
@@ -61,8 +56,7 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
     take(whenQuiet(look(input, present)));
   }
   alarmed_ = alarm;
-  if (reason_.code == ReasonCode::NothingToDoAt) reason_ = nothingToDoAt(input);
-  return answer(input);
+  return speedWish(input, target_, reason_);
 }
 
 Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
@@ -71,7 +65,7 @@ Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
 
 void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept {
   const bool jump = std::abs((verdict.frequency - chatter_).value) > kFamilyJump * toothPass.value;
-  if (!alarmed_ || chatter_.value <= 0.0 || jump || !(dt.value > 0.0)) {
+  if (!alarmed_ || chatter_.value <= 0.0 || jump) {
     chatter_ = verdict.frequency;
     return;
   }
@@ -99,19 +93,6 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
 void FrequencyRule::take(const Aim& aim) noexcept {
   if (positive(aim.speed.value)) target_ = aim.speed;
   if (aim.reason.code != ReasonCode::None) reason_ = aim.reason;
-}
-
-OverrideRequest FrequencyRule::answer(const StrategyInput& input) const noexcept {
-  OverrideRequest request;
-  request.time = input.now;
-  request.claimsSpeed = true;
-  request.claimsFeed = true;
-  request.reason = finite(reason_);
-  if (target_.value <= 0.0) return request;
-  request.kind = RequestKind::Set;
-  request.speed = target_;
-  request.feed = feedFollowing(target_, input.machine);
-  return request;
 }
 
 }  // namespace stillcut::control

@@ -58,7 +58,6 @@ class FrequencyRule : public Strategy {
   void smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept;
   RuleView look(const StrategyInput& input, Rpm present) const noexcept;
   void take(const Aim& aim) noexcept;
-  OverrideRequest answer(const StrategyInput& input) const noexcept;
 
   config::OverrideLimits limits_;
   RuleOptions options_;

@@ -8,7 +8,10 @@ namespace stillcut::control {
 namespace {
 
 constexpr double kSettledShare = 0.3;  // of a step
-constexpr double kMostDrift = 0.25;    // between two trials: more is not believed
+// Of a step: what rounding and slip may leave. The speed before is a whole one off.
+constexpr double kBesideShare = 0.75;
+constexpr double kStood = 1.0;       // [s] after which the spindle is not on its way any more
+constexpr double kMostDrift = 0.25;  // between two trials: more is not believed
 // Times H at the best speed. H of a quiet cut scatters by eight within a second at one speed of the simulated ramp.
 constexpr double kNearChatter = 8.0;
 constexpr double kNextTo = 1.5;  // steps
@@ -31,7 +34,7 @@ void MinimumSearch::start(Rpm speed, Rpm base) STILLCUT_RT {
 
 void MinimumSearch::tryAt(Rpm speed) STILLCUT_RT {
   trying_ = speed;
-  waited_ = 0.0;
+  waited_ = stoodFor_ = 0.0;
   dwelt_ = sum_ = early_ = earlyTime_ = perturbationSum_ = 0.0;
   ++trials_;
 }
@@ -40,7 +43,7 @@ Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
   if (state_ != State::Searching || !(in.dt > 0.0) || !std::isfinite(in.level)) return trying_;
   reach_ = in.reach;
   sinceJudged_ += in.dt;
-  if (std::abs((in.present - trying_).value) > kSettledShare * options_.step * base_.value) {
+  if (!settled(in)) {
     waited_ = dwelt_ = sum_ = early_ = earlyTime_ = perturbationSum_ = 0.0;
     return trying_;
   }
@@ -61,6 +64,15 @@ Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
     judge({trying_, sum_ / dwelt_, perturbationSum_ / dwelt_, true});
   }
   return trying_;
+}
+
+bool MinimumSearch::settled(const Input& in) STILLCUT_RT {
+  const double step = options_.step * base_.value;
+  const double apart = std::abs((in.present - trying_).value);
+  const bool stands = std::abs((in.present - stood_).value) <= kSettledShare * step;
+  stoodFor_ = stands ? stoodFor_ + in.dt : 0.0;
+  if (!stands) stood_ = in.present;
+  return apart <= kSettledShare * step || (apart <= kBesideShare * step && stoodFor_ >= kStood);
 }
 
 bool MinimumSearch::nearChatter() const STILLCUT_RT {

@@ -6,7 +6,8 @@
 // only: the smaller drift of two trials is the depth's. Least vibration may lie at the stability limit; where the
 // perturbation's gain H (van Dijk 2010 eq. 26) leaves its scatter of a quiet cut, the side is closed before it
 // chatters. Where a neighbour of the best speed has chattered, the search ends a step farther from it: the limit lies
-// between, and moves with the depth. Thread: worker, real-time.
+// between, and moves with the depth. Overrides in whole per cents and slip leave the spindle beside the speed that was
+// asked for: where it stands is then what is judged. Thread: worker, real-time.
 #pragma once
 
 #include "core/base/realtime.h"
@@ -58,6 +59,7 @@ class MinimumSearch {
     double perturbation = 0.0;  // mean; 0: unknown
     bool known = false;
   };
+  bool settled(const Input& in) STILLCUT_RT;
   double drift() STILLCUT_RT;
   bool nearChatter() const STILLCUT_RT;
   bool closeThisSide(Rpm chatter) STILLCUT_RT;
@@ -77,6 +79,8 @@ class MinimumSearch {
   Rpm chatter_{};                                   // the last speed that closed its side by chatter; 0: none
   bool closedBelow_ = false, closedAbove_ = false;  // worse, chattering or out of reach on that side
   int trials_ = 0;
+  Rpm stood_{};            // where the spindle has stood
+  double stoodFor_ = 0.0;  // [s]
   double waited_ = 0.0;
   double dwelt_ = 0.0;
   double sum_ = 0.0;

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/control/machine_speed.h"
-#include "core/control/plain_reasons.h"
+#include "core/control/speed_wish.h"
 
 namespace stillcut::control {
 namespace {
@@ -33,6 +32,7 @@ constexpr double kShaken = 0.05, kEvenTime = 0.2;
 constexpr double kSettleTurns = 15.0;  // on slow machines the ringing down takes turns, not milliseconds
 constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
 constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
+constexpr double kStood = 1.0;         // [s] a spindle that has been this long at one speed is not on its way
 
 bool near(Rpm a, Rpm b, double share) noexcept {
   return std::abs((a - b).value) <= share * b.value;
@@ -82,7 +82,7 @@ void StablePocket::letGo() noexcept {
   arrived_ = false;
   heardThere_ = {};
   moves_ = 0;
-  inPhase_ = waiting_ = quiet_ = 0.0;
+  inPhase_ = waiting_ = standing_ = quiet_ = 0.0;
   path_ = {};
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
@@ -92,13 +92,9 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
   const Verdict& v = input.verdict;
   if (target_.value > 0.0 && usable(m)) watchLetGo(v, m, presentSpeed(m));
   if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
-    OverrideRequest hold;
-    hold.time = input.now;
-    hold.kind = target_.value > 0.0 ? RequestKind::Hold : RequestKind::None;
-    hold.reason = nothingUsable(target_, m);
     // Chatter that drives the sensor to its limit now and then has not ended each time.
     if (v.valid || v.reason.code != ReasonCode::InputClipped) judge_.forget();
-    return hold;
+    return keepOrNothing(input, target_);
   }
   if (otherSpeedWord(m, programmed_)) {
     reset();
@@ -118,7 +114,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
   const double dt = input.dt.value;
   even_ = near(even_, present, kShaken) ? even_ + (dt / (dt + kEvenTime)) * (present - even_) : present;
   if (phase_ == Phase::Settle) {
-    settle(input, present);
+    settle(input, even_);
   } else {
     listen(input);
   }
@@ -136,6 +132,10 @@ void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machin
   const bool back = near(present, programmed, kAtTarget) && near(machine.targetSpeed(), programmed, kAtTarget);
   if (!arrived_ || !back || near(target_, programmed, 2.0 * kAtTarget) || heardThere_.value <= 0.0) return;
   search_.countAsTried(target_, heardThere_);
+  giveUpTarget();
+}
+
+void StablePocket::giveUpTarget() noexcept {
   target_ = from_ = {};
   phase_ = Phase::Watch;
   judge_.forget();
@@ -168,9 +168,24 @@ void StablePocket::listen(const StrategyInput& input) noexcept {
   }
 }
 
+// The machine shows the order in force and the spindle no longer moves: what is left is slip, and stays.
+bool StablePocket::standsAsOrdered(const StrategyInput& input, Rpm present) noexcept {
+  const bool ordered = near(input.machine.targetSpeed(), target_, kAtTarget) && !near(present, from_, kNotMoved);
+  const bool stands = ordered && near(present, stands_, kAtTarget);
+  standing_ = stands ? standing_ + input.dt.value : 0.0;
+  if (!stands) stands_ = present;
+  return standing_ >= kStood;
+}
+
 // The target stands; nothing is judged until the spindle is there and has been for a while. Chatter that shakes the
 // spindle off its speed again is no other move.
 void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
+  const config::SpeedRange reach = reachableSpeeds(limits_, input.machine);
+  if (target_ < reach.low * (1.0 - kAtTarget) || target_ > reach.high * (1.0 + kAtTarget)) {
+    giveUpTarget();
+    return;
+  }
+  arrived_ = arrived_ || standsAsOrdered(input, present);
   if (arrived_) {
     inPhase_ += input.dt.value;
     if (inPhase_ < std::max(settle_.value, kSettleTurns / toHertz(present).value)) return;
@@ -199,7 +214,8 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   }
   const NextSpeed next = search_.next({chatter, present, reach});
   if (!positive(next.speed.value)) {
-    resign(moves_ > 0 && next.reason.code == ReasonCode::TargetOutOfRange ? nothingQuiet(chatter) : next.reason);
+    // That one speed is out of reach, or has been tried, is not the whole of it any more.
+    resign(moves_ > 0 && next.reason.code != ReasonCode::NoStableSpeed ? nothingQuiet(chatter) : next.reason);
     return;
   }
   ++moves_;
@@ -210,7 +226,7 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   heardThere_ = {};
   reason_ = next.reason;
   phase_ = Phase::Settle;
-  inPhase_ = waiting_ = 0.0;
+  inPhase_ = waiting_ = standing_ = 0.0;
   judge_.forget();
 }
 
@@ -226,16 +242,8 @@ Reason StablePocket::nothingQuiet(Hertz chatter) const noexcept {
 }
 
 OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept {
-  OverrideRequest request;
-  request.time = input.now;
-  request.claimsSpeed = true;
-  request.claimsFeed = true;
-  request.reason = reason_.code == ReasonCode::NothingToDoAt ? nothingToDoAt(input) : finite(reason_);
+  OverrideRequest request = speedWish(input, target_, reason_);
   if (phase_ == Phase::Resigned) request.kind = RequestKind::Release;
-  if (target_.value <= 0.0) return request;
-  request.kind = RequestKind::Set;
-  request.speed = target_;
-  request.feed = feedFollowing(target_, input.machine);
   return request;
 }
 

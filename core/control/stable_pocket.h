@@ -2,7 +2,9 @@
 // takes to leave the rule on without watching it:
 //   watch   the cut; an alarm must stand for a moment at one frequency (chatter_judge.h)
 //   move    once, to a target that no longer changes; where modes are known it is checked against the lobes
-//   settle  until the spindle is there and what chattered has had time to ring down
+//   settle  until the spindle is there and what chattered has had time to ring down. There is also where it stands
+//           although the order is in force: slip under load is not waited for. A target that a turned knob has put out
+//           of reach is given up
 //   judge   with fresh verdicts: quiet, or an onset that does not grow: stay. Chatter again: the next pocket
 //           The gate has let go of the speed while it chattered (a sensor at its limit): that speed is not gone to
 //           again
@@ -36,8 +38,10 @@ class StablePocket final : public Strategy {
   enum class Phase { Watch, Settle, Resigned };
 
   void watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) noexcept;
+  void giveUpTarget() noexcept;
   void listen(const StrategyInput& input) noexcept;
   void settle(const StrategyInput& input, Rpm present) noexcept;
+  bool standsAsOrdered(const StrategyInput& input, Rpm present) noexcept;
   void choose(const MachineState& machine, Rpm present) noexcept;
   void resign(const Reason& why) noexcept;
   Reason nothingQuiet(Hertz chatter) const noexcept;
@@ -59,10 +63,12 @@ class StablePocket final : public Strategy {
   bool arrived_ = false;
   Hertz heardThere_{};  // of the last alarm at the target; 0: quiet since, or not there yet
   int moves_ = 0;
-  double inPhase_ = 0.0;  // [s] in Settle at speed, or in Resigned
-  double waiting_ = 0.0;  // [s] that the spindle has not begun to move
-  double quiet_ = 0.0;    // [s] without an alarm
-  Metres path_{};         // of feed since the first alarm of what is being dealt with
+  double inPhase_ = 0.0;   // [s] in Settle at speed, or in Resigned
+  double waiting_ = 0.0;   // [s] that the spindle has not begun to move
+  Rpm stands_{};           // where it has stood
+  double standing_ = 0.0;  // [s] ... with the order in force
+  double quiet_ = 0.0;     // [s] without an alarm
+  Metres path_{};          // of feed since the first alarm of what is being dealt with
   Reason reason_;
 };
 

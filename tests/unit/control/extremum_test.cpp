@@ -205,6 +205,36 @@ TEST(MinimumSearch, EndsAStepAwayFromANeighbourThatChattered) {
   EXPECT_NEAR(search.trying().value, 9900.0, 1e-6);
 }
 
+// An override in whole per cents, as most machines have it, puts the spindle up to half a step beside what was asked.
+TEST(MinimumSearch, EndsOnAMachineThatKnowsWholePerCentsOnly) {
+  MinimumSearch search;
+  search.configure({});
+  const Rpm base(10000.0);
+  search.start(Rpm(9645.0), base);
+  Rpm present(9700.0);
+  int steps = 0;
+  for (; steps < 6000 && search.state() == MinimumSearch::State::Searching; ++steps) {
+    const Rpm taken = base * (std::round(100.0 * (search.trying() / base)) / 100.0);
+    present += 0.2 * (taken - present);
+    const double level = 1.0 + std::pow((present.value - 9450.0) / 400.0, 2.0);
+    search.advance({0.01, level, present, {Rpm(5000.0), Rpm(12000.0)}});
+  }
+  EXPECT_EQ(search.state(), MinimumSearch::State::Done);
+  EXPECT_NEAR(search.trying().value, 9450.0, 60.0);
+}
+
+// One that has not begun to move is a whole step away: the speed before is not taken for the next.
+TEST(MinimumSearch, WaitsForASpindleThatHasNotMoved) {
+  MinimumSearch search;
+  search.configure({});
+  search.start(Rpm(9600.0), Rpm(10000.0));
+  const config::SpeedRange reach{Rpm(5000.0), Rpm(12000.0)};
+  while (search.trying() == Rpm(9600.0)) search.advance({0.01, 1.0, Rpm(9600.0), reach});
+  const Rpm next = search.trying();
+  for (int i = 0; i < 1000; ++i) search.advance({0.01, 1.0, Rpm(9600.0), reach});
+  EXPECT_EQ(search.trying(), next);
+}
+
 TEST(MinimumSearch, StaysInReach) {
   MinimumSearch search;
   MinimumSearch::Options options;

@@ -155,6 +155,12 @@ TEST_F(LobeCenterTest, UnusableInputIsNeverASet) {
   in_.machine.valid = true;
   in_.verdict.frequency = Hertz(std::numeric_limits<double>::quiet_NaN());
   EXPECT_EQ(decide().kind, RequestKind::Hold);
+  in_.verdict.frequency = Hertz(2200.0);
+  EXPECT_EQ(decide().kind, RequestKind::Set);
+  for (const double dt : {std::numeric_limits<double>::quiet_NaN(), 0.0, -0.01}) {
+    in_.dt = Seconds(dt);
+    EXPECT_EQ(decide().kind, RequestKind::Hold) << dt;
+  }
 }
 
 TEST_F(LobeCenterTest, StableCutAsksForNothing) {

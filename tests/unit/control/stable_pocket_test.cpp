@@ -293,6 +293,48 @@ TEST_F(StablePocketTest, ASensorAtItsLimitNowAndThenDoesNotHideTheChatter) {
   EXPECT_GE(targets_.size(), 2u);
 }
 
+// A spindle that loses 2 % under load never is where it was sent; it is judged where it stands.
+TEST_F(StablePocketTest, ASpindleThatSlipsIsJudgedWhereItStands) {
+  chatter(936.0);
+  while (targets_.empty()) step();
+  in_.machine.speedOverride = Ratio(targets_[0] / in_.machine.programmedSpeed);
+  chatter(1010.0, 0.9);
+  for (int i = 0; i < 400 && targets_.size() == 1u; ++i) {
+    in_.machine.actualSpeed = targets_[0] * 0.98;
+    step();
+  }
+  EXPECT_GE(targets_.size(), 2u);
+}
+
+// While the order is not in force yet, a spindle that stands is on its way all the same.
+TEST_F(StablePocketTest, ASpindleThatWaitsHalfwayIsNotJudged) {
+  chatter(936.0);
+  while (targets_.empty()) step();
+  chatter(1010.0, 0.9);
+  in_.machine.speedOverride = Ratio(0.9);
+  for (int i = 0; i < 400; ++i) {
+    in_.machine.actualSpeed = in_.machine.programmedSpeed * 0.9;
+    step();
+  }
+  EXPECT_EQ(targets_.size(), 1u);
+}
+
+// The operator's knob at 60 %: 7020 rpm is out of reach now, and chatter at the speed in force is judged for itself.
+TEST_F(StablePocketTest, ATargetThatAKnobPutsOutOfReachIsGivenUp) {
+  chatter(936.0);
+  while (targets_.empty()) step();
+  in_.machine.operatorSpeed = Ratio(0.6);
+  in_.machine.speedOverride = Ratio(0.6);
+  chatter(905.0, 0.9);
+  const Rpm highest = in_.machine.programmedSpeed * (0.6 * 1.2);
+  for (int i = 0; i < 400 && targets_.size() == 1u; ++i) {
+    in_.machine.actualSpeed = in_.machine.programmedSpeed * 0.6;
+    step();
+  }
+  ASSERT_GE(targets_.size(), 2u);
+  EXPECT_LE(targets_[1].value, highest.value + 1e-6);
+}
+
 // A link that was lost at a speed that was quiet says nothing against that speed.
 TEST_F(StablePocketTest, AQuietSpeedThatWasLetGoOfIsGoneToAgain) {
   chatter(936.0);
