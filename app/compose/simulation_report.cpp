@@ -54,8 +54,8 @@ std::string outcomeOf(const RunHistory& run) {
   if (!inCut.empty() && share(inCut, &Point::usable) < 0.5) return "hold";
   if (share(finalPoints(run.points()), &Point::chattering) < 0.5) return "stable";
   const ReasonCode why = run.lastRequestReason();
-  const bool resigned =
-      why == ReasonCode::TargetOutOfRange || why == ReasonCode::NoStableSpeed || why == ReasonCode::NoStableSpeedTried;
+  const bool resigned = why == ReasonCode::TargetOutOfRange || why == ReasonCode::AlreadyThere ||
+                        why == ReasonCode::NoStableSpeed || why == ReasonCode::NoStableSpeedTried;
   return resigned ? "no-stable-speed" : "chatter";
 }
 

@@ -163,11 +163,19 @@ NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
   const Rpm edge = view.reach.high;
   const double left = view.chatter / toothPassing(edge, teeth_) - waves;
   if (first > edge && left <= kQuarterWave && !wasTried(edge, here)) {
-    return {edge, {ReasonCode::NextPocketInRange, {edge.value, waves, first.value, view.chatter.value}}};
+    return {edge, {ReasonCode::QuarterWave, {edge.value, waves + left, view.chatter.value, view.present.value}}};
   }
-  NextSpeed best{
-      {},
-      {ReasonCode::TargetOutOfRange, {first.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
+  // The rule's own speed may be out of reach, or have chattered.
+  const bool reached = view.reach.contains(first);
+  const auto whyThere = [&](Rpm speed, int candidate, Hertz heard) -> Reason {
+    const auto between = static_cast<double>(candidate);
+    if (reached) return {ReasonCode::CentreOfNextPocket, {speed.value, between, heard.value, view.present.value}};
+    return {ReasonCode::NextPocketInRange, {speed.value, between, first.value, heard.value}};
+  };
+  NextSpeed best;
+  best.reason = {ReasonCode::TargetOutOfRange,
+                 {first.value, view.reach.low.value, view.reach.high.value, view.chatter.value}};
+  if (reached) best.reason = {ReasonCode::AlreadyThere, {first.value, view.chatter.value}};
   for (std::size_t i = tried_; i-- > 0;) {
     const Hertz heard = failure_[i].chatter;
     const int p = pocketOf(heard, view.present);
@@ -178,9 +186,7 @@ NextSpeed PocketSearch::fromRule(const SearchView& view) const STILLCUT_RT {
       const bool nearer = best.speed.value <= 0.0 ||
                           std::abs((speed - view.present).value) < std::abs((best.speed - view.present).value);
       if (!nearer) continue;
-      best = {speed,
-              {ReasonCode::NextPocketInRange,
-               {speed.value, static_cast<double>(candidate), first.value, view.chatter.value}}};
+      best = {speed, whyThere(speed, candidate, heard)};
     }
     if (best.speed.value > 0.0) break;  // the newest frequency decides; older ones only where it leaves nothing
   }

@@ -37,8 +37,14 @@ TEST_F(Search, NeverGoesWhereItWasOrWhereNobodyReaches) {
       view.chatter = mode * between(0.98, 1.05);
       heard.push_back(view.present);
       const NextSpeed next = search.next(view);
+      // What is said to be out of reach is, what is said to be here is.
+      const std::array<double, 4>& said = next.reason.n;
+      if (next.reason.code == ReasonCode::NextPocketInRange) {
+        EXPECT_FALSE(view.reach.contains(Rpm(said[2])));
+      }
       if (next.speed.value <= 0.0) {
-        EXPECT_EQ(next.reason.code, ReasonCode::TargetOutOfRange);
+        const bool here = view.reach.contains(Rpm(said[0]));
+        EXPECT_EQ(next.reason.code, here ? ReasonCode::AlreadyThere : ReasonCode::TargetOutOfRange);
         ++ends;
         break;
       }
@@ -129,7 +135,10 @@ TEST_F(Search, TheEdgeOfTheReachIsTakenWhereAQuarterWaveIsLeft) {
   PocketSearch search;
   search.prepare(setupOf(4));
   const config::SpeedRange reach{Rpm(2612.0), Rpm(6269.0)};
-  EXPECT_EQ(search.next({Hertz(444.0), Rpm(5224.0), reach}).speed, Rpm(6269.0));
+  const NextSpeed edge = search.next({Hertz(444.0), Rpm(5224.0), reach});
+  EXPECT_EQ(edge.speed, Rpm(6269.0));
+  EXPECT_EQ(edge.reason.code, ReasonCode::QuarterWave);  // it is no pocket's centre, and is not said to be one
+  EXPECT_NEAR(edge.reason.n[1], 444.0 * 60.0 / (6269.0 * 4.0), 1e-9);
   EXPECT_EQ(search.next({Hertz(460.0), Rpm(6269.0), reach}).reason.n[1], 2.0);  // chatters there too: the next pocket
   PocketSearch other;
   other.prepare(setupOf(4));
