@@ -7204,6 +7204,10 @@
         <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
         <translation>Gelernt: %1-mal. Bewegte Regeln dieser Tafel: %2, am weitesten um %3</translation>
     </message>
+    <message>
+        <source>These values cannot be used together: rules must fall as coherence rises, and the energy limit must be above its reference. Those before them still act</source>
+        <translation>Diese Werte passen nicht zusammen: Regeln müssen mit steigender Kohärenz fallen, und die Energiegrenze muss über dem Energie-Sollwert liegen. Die vorherigen wirken weiter</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::RuleGrid</name>

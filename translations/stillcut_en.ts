@@ -7203,6 +7203,10 @@
         <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
         <translation>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</translation>
     </message>
+    <message>
+        <source>These values cannot be used together: rules must fall as coherence rises, and the energy limit must be above its reference. Those before them still act</source>
+        <translation>These values cannot be used together: rules must fall as coherence rises, and the energy limit must be above its reference. Those before them still act</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::RuleGrid</name>

@@ -7204,6 +7204,10 @@
         <source>Lessons: %1. Rules of this table that moved: %2, the furthest by %3</source>
         <translation>学习次数：%1。此表变动的规则：%2，最大变动 %3</translation>
     </message>
+    <message>
+        <source>These values cannot be used together: rules must fall as coherence rises, and the energy limit must be above its reference. Those before them still act</source>
+        <translation>这些值不能一起使用：相干性升高时规则值必须下降，且能量限值必须高于能量基准。之前的值继续起作用</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::RuleGrid</name>

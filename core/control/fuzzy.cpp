@@ -4,8 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/control/machine_speed.h"
-#include "core/control/plain_reasons.h"
+#include "core/control/speed_wish.h"
 
 namespace stillcut::control {
 namespace {
@@ -42,12 +41,15 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
   const FuzzyOptions options = fuzzyOptions(params);
   if (const Status usable = checkFuzzyOptions(options); !usable) throw std::runtime_error(usable.error().line());
   options_ = options;
+  shownRefused_.store(false, std::memory_order_relaxed);
   reset();
 }
 
 void Fuzzy::retune(const config::ParamSet& params) noexcept {
   const FuzzyOptions options = fuzzyOptions(params);
-  if (!usableTogether(options)) return;
+  const bool refused = !usableTogether(options);
+  shownRefused_.store(refused, std::memory_order_relaxed);
+  if (refused) return;
   // A rule that a person has changed counts as said; what was learned of the others stays.
   for (std::size_t i = 0; i < speedRules_.size(); ++i) {
     for (std::size_t j = 0; j < speedRules_[i].size(); ++j) {
@@ -75,10 +77,12 @@ void Fuzzy::tellRules(RuleTables& into) const noexcept {
     into.feed[row][column] = shownRules_[kCells + k].load(std::memory_order_relaxed);
   }
   into.lessons = shownLessons_.load(std::memory_order_relaxed);
+  into.refused = shownRefused_.load(std::memory_order_relaxed);
 }
 
 void Fuzzy::letGo() noexcept {
   speed_ = feed_ = 1.0;
+  heldFrom_ = 0.0;
   moved_ = false;
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
@@ -102,12 +106,8 @@ void Fuzzy::reset() noexcept {
 
 OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
   if (!allUsable(input)) {
-    OverrideRequest hold;
-    hold.time = input.now;
-    hold.kind = moved_ ? RequestKind::Hold : RequestKind::None;
     const MachineState& m = input.machine;
-    hold.reason = nothingUsable(moved_ ? m.programmedSpeed * (m.operatorSpeed.value * speed_) : Rpm(), m);
-    return hold;
+    return keepOrNothing(input, moved_ ? m.programmedSpeed * (m.operatorSpeed.value * speed_) : Rpm());
   }
   if (otherSpeedWord(input.machine, programmed_)) {
     reset();
@@ -189,7 +189,11 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   in.energyKnown = known;
   lastCoherence_ = coherence;
   reason_ = said(input, coherence, energy);
-  if (input.verdict.phase == CutPhase::Air) return;  // nothing is cut that another speed could quieten, or that taught
+  if (input.verdict.phase == CutPhase::Air) {
+    if (feed_ < heldFrom_) feedAgain(in, input.machine);
+    reason_ = said(input, coherence, energy);
+    return;  // nothing is cut that another speed could quieten, or that taught
+  }
   if (coherence > options_.coherenceRef || (known && energy > options_.energyRef)) sinceAlarm_ = 0.0;
   const bool works = known && energy > options_.energyRef && energy < kFalling * energy1_;
   const double stronger = overshoot(energy) * tune(in);
@@ -197,9 +201,18 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
          stronger * infer(feedRules_, in, options_.centres), elapsed_ / options_.rangeTime, input.machine);
   learn(in);
   // Table 3.1, and what an impact comes to.
+  if (feed_ >= heldFrom_) heldFrom_ = 0.0;
+  const double before = feed_;
   if (energy > options_.energyUp) feed_ = std::min(feed_, limits_.lowestFeed.value);
   if (energy > 2.0 * options_.energyUp) feed_ = 0.0;
+  if (feed_ <= 0.0) heldFrom_ = std::max(heldFrom_, before);
   reason_ = said(input, coherence, energy);
+}
+
+// Without feed there is no cut, and to whoever listens that is air: what was held there by us would stay held.
+void Fuzzy::feedAgain(const FuzzyInputs& in, const MachineState& machine) noexcept {
+  moveBy(0.0, infer(feedRules_, in, options_.centres), elapsed_ / options_.rangeTime, machine);
+  feed_ = std::min(feed_, heldFrom_);
 }
 
 Reason Fuzzy::said(const StrategyInput& input, double coherence, double energy) const noexcept {

@@ -28,7 +28,7 @@
 //   references being where the method says chatter.
 // - (f, v) = 0 above the upper limit (table 3.1) is a feed hold: the spindle never stops in the cut. The gate stops the
 //   feed where it may (gate.lowest-feed-override and gate.lowest-feed-per-tooth 0), and goes to the lowest feed where
-//   not.
+//   not. A held feed makes air of the cut: it comes back by its rules to where it was held from, also then.
 // - Nothing rises above `fuzzy.highest` of the programme, and for `fuzzy.rest` seconds after an alarm the speed does
 //   not rise at all: the rules as printed would climb back to the speed that chattered.
 // - The paper lets the whole range go in a second. A pocket 2 % wide is then passed in less time than chatter needs to
@@ -84,12 +84,14 @@ class Fuzzy : public Strategy {
   Reason said(const StrategyInput& input, double coherence, double energy) const noexcept;
   FuzzyInputs scaled(double coherence, double energy) noexcept;
   double overshoot(double energy) noexcept;
+  void feedAgain(const FuzzyInputs& in, const MachineState& machine) noexcept;
   void moveBy(double speed, double feed, double step, const MachineState& machine) noexcept;
   OverrideRequest answer(const StrategyInput& input) const noexcept;
 
   config::OverrideLimits limits_;
   Rpm programmed_{};
   double speed_ = 1.0, feed_ = 1.0;  // factors on programme and knob
+  double heldFrom_ = 0.0;            // the feed that was held from; 0: none is held
   bool moved_ = false;
 
   double elapsed_ = 0.0, levelSum_ = 0.0, coherenceMax_ = 0.0, counted_ = 0.0;  // of the cycle in hand
@@ -107,6 +109,7 @@ class Fuzzy : public Strategy {
   static constexpr std::size_t kCells = std::size_t{kCoherenceSets} * kCoherenceSets;
   std::array<std::atomic<float>, 2 * kCells> shownRules_{};  // speed, then feed
   std::atomic<std::uint32_t> shownLessons_{0};
+  std::atomic<bool> shownRefused_{false};
 };
 
 class FuzzyLearning final : public Fuzzy {

@@ -13,6 +13,7 @@ struct RuleTables {
   using Table = std::array<std::array<float, kRuleSets>, kRuleSets>;
   Table speed{}, feed{};
   std::uint32_t lessons = 0;  // times that learning has changed them; 0: they are as set
+  bool refused = false;       // what was set last cannot be used together; what was set before acts
 };
 
 }  // namespace stillcut

@@ -1,6 +1,7 @@
 // The Tune page, driven as a person would.
 #include <QLineEdit>
 #include <QListView>
+#include <algorithm>
 
 #include "tests/ui/fake_tuning.h"
 #include "tests/ui/page_picture.h"
@@ -205,12 +206,17 @@ TEST_F(TunePageTest, FuzzyRulesAreShownChangedUndoneAndWhatWasLearnedIsTold) {
   tuning_.rules = now;
   tick(40);
   EXPECT_TRUE(grid->cellText(80).endsWith(QStringLiteral("learned 2.4"))) << grid->cellText(80).toStdString();
-  bool told = false;
-  for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
-    told = told ||
-           label->text() == QStringLiteral("Lessons: 3. Rules of this table that moved: 1, the furthest by \u22120.6");
-  }
-  EXPECT_TRUE(told);
+  const auto told = [this](const QString& start) {
+    const auto labels = window_->findChildren<TextLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [&](const TextLabel* l) { return l->text().startsWith(start); });
+  };
+  EXPECT_TRUE(told(QStringLiteral("Lessons: 3. Rules of this table that moved: 1, the furthest by \u22120.6")));
+  tuning_.rules->refused = true;
+  tick(40);
+  EXPECT_TRUE(told(QStringLiteral("These values cannot be used together: rules must fall as coherence rises")));
+  tuning_.rules->refused = false;
+  tick(40);
+  EXPECT_FALSE(told(QStringLiteral("These values cannot be used together")));
 }
 
 TEST_F(TunePageTest, FuzzySetsFollowTheirPeaks) {

@@ -104,7 +104,9 @@ void RuleEditor::refresh(const RuleTables* told) {
   for (std::size_t k = 0; k < centres.size(); ++k) centres[k] = desk_->value(*part_->setCentres[k]);
   sets_->display(centres);
   learned_->setVisible(hasNow_);
-  learned_->setText(now_.lessons == 0 ? tr("Nothing has been learned")
+  learned_->setText(now_.refused ? tr("These values cannot be used together: rules must fall as coherence rises, and "
+                                      "the energy limit must be above its reference. Those before them still act")
+                    : now_.lessons == 0 ? tr("Nothing has been learned")
                     : learned == 0
                         ? tr("Lessons: %1. No rule of this table has moved").arg(now_.lessons)
                         : tr("Lessons: %1. Rules of this table that moved: %2, the furthest by %3")

@@ -124,6 +124,10 @@ TEST(FuzzyRules, ATableThatRisesIsRefusedAndATouchOfOneRuleIsNot) {
       fuzzy.tellRules(told);
       EXPECT_EQ(told.speed[0][0], 8.0F) << "on the running cut it changes nothing";
       EXPECT_EQ(told.feed[8][0], 4.0F);
+      EXPECT_TRUE(told.refused);
+      fuzzy.retune({});
+      fuzzy.tellRules(told);
+      EXPECT_FALSE(told.refused);
     }
   }
   for (const config::ParamDecl* cell : cells) {
@@ -211,6 +215,22 @@ TEST_P(FuzzyTest, AboveTheUpperLimitTheFeedIsHeldWhileTheSpindleTurns) {
   const OverrideRequest r = run(1.0, 0.9, 25.0);
   EXPECT_EQ(r.feed.value, 0.0);
   EXPECT_GT(r.speed.value, 0.0);
+}
+
+// Without feed nothing is cut, which sounds like air: that must not keep the feed held.
+TEST_P(FuzzyTest, AHeldFeedComesBackThoughNothingIsCut) {
+  config::ParamSet mayStop;
+  ASSERT_TRUE(mayStop.set(config::kLowestFeedOverride, 0.0, "test").ok());
+  ASSERT_TRUE(mayStop.set(config::kLowestFeedPerTooth, 0.0, "test").ok());
+  strategy_->prepare(setup_, mayStop);
+  run(2.0, 0.01, 2.0);
+  const OverrideRequest held = run(1.0, 0.9, 25.0);
+  ASSERT_EQ(held.feed.value, 0.0);
+  in_.verdict.phase = CutPhase::Air;
+  const OverrideRequest after = run(10.0, 0.0, 0.1);
+  EXPECT_GT(after.feed.value, 0.5 * in_.machine.programmedFeed.value);
+  EXPECT_LE(after.feed / in_.machine.programmedFeed, after.speed.value / 800.0 + 1e-9);
+  EXPECT_EQ(after.speed, held.speed) << "in air nothing else is learned or moved";
 }
 
 TEST_P(FuzzyTest, OneCycleMovesNoFurtherThanItsStep) {
