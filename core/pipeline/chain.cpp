@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/control/plain_reasons.h"
 #include "core/model/event_slots.h"
 #include "core/safety/gate_checks.h"
 
@@ -160,31 +161,36 @@ void Chain::keep(const Event& event) noexcept {
 
 void Chain::tellStrategy(const StepInput& input) noexcept {
   for (int i = 0; i < input.inputCount; ++i) {
-    const OperatorAction action = input.inputs[static_cast<std::size_t>(i)].action;
-    const bool another = action == OperatorAction::SetAuthority || action == OperatorAction::GrantBySimulation;
-    if (another || action == OperatorAction::BackToProgrammed) parts_.strategy->letGo();
+    const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
+    const Authority granted = asked.action == OperatorAction::GrantBySimulation ? Authority::Auto : asked.authority;
+    const bool asksFor =
+        asked.action == OperatorAction::SetAuthority || asked.action == OperatorAction::GrantBySimulation;
+    // The same again, or one that the gate refuses, changes nothing: what is in force keeps its author.
+    const bool another = asksFor && granted != gate_.authority() && gate_.grants(granted);
+    if (another || asked.action == OperatorAction::BackToProgrammed) parts_.strategy->letGo();
   }
 }
 
 OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const Verdict& verdict = step_.output.verdicts[static_cast<std::size_t>(inCharge_)];
+  const control::StrategyInput seen{.now = input.block.end(),
+                                    .dt = dt_,
+                                    .verdict = verdict,
+                                    .machine = gate_.seenByWishes(machine_),
+                                    .perturbation = read(perturbation_),
+                                    .vibration = step_.vibrationRms,
+                                    .coherence = read(coherence_),
+                                    .energy = read(energy_)};
   if (!strategyFailed_) {
     try {
-      return parts_.strategy->decide({.now = input.block.end(),
-                                      .dt = dt_,
-                                      .verdict = verdict,
-                                      .machine = gate_.seenByWishes(machine_),
-                                      .perturbation = read(perturbation_),
-                                      .vibration = step_.vibrationRms,
-                                      .coherence = read(coherence_),
-                                      .energy = read(energy_)});
+      return parts_.strategy->decide(seen);
     } catch (...) {
       strategyFailed_ = true;  // never asked again; the gate lets go at once
     }
   }
   OverrideRequest none;
   none.time = input.block.end();
-  none.reason = {ReasonCode::Monitoring, {}};
+  none.reason = control::monitoringAt(seen);
   return none;
 }
 

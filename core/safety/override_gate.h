@@ -34,6 +34,8 @@ class OverrideGate {
   GateOutput step(const GateInput& in) STILLCUT_RT;
 
   Authority authority() const STILLCUT_RT { return authority_; }
+  // Whether it would be given to whoever asks for it.
+  bool grants(Authority wanted) const STILLCUT_RT;
   bool commanding() const STILLCUT_RT { return commanding_; }
   // The machine as the next step() takes absolute wishes: with the operator's knobs by which they are divided. A knob
   // that is turned while something of ours is in force scales what is in force; a strategy that saw it turned would

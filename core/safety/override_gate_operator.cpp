@@ -43,9 +43,13 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
   }
 }
 
+bool OverrideGate::grants(Authority wanted) const STILLCUT_RT {
+  if (wanted == Authority::Auto) return limits_.autoAllowed;
+  return wanted == Authority::Off || wanted == Authority::Advise;
+}
+
 void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT {
-  const bool known = wanted == Authority::Off || wanted == Authority::Advise || wanted == Authority::Auto;
-  if (!known || (wanted == Authority::Auto && !limits_.autoAllowed)) {
+  if (!grants(wanted)) {
     report(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
     return;
   }

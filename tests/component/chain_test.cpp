@@ -72,7 +72,7 @@ TEST(Chain, AStrategyThatThrowsIsNeverAskedAgain) {
     const Chain::Step& step = chain.process(stepInput(i));
     EXPECT_TRUE(step.strategyFailed);
     EXPECT_EQ(step.output.request.kind, RequestKind::None);
-    EXPECT_EQ(step.output.request.reason.code, ReasonCode::Monitoring);
+    EXPECT_EQ(step.output.request.reason.code, ReasonCode::MonitoringAt);
     told += step.output.eventCount;
   }
   EXPECT_EQ(asked, 1);
@@ -84,6 +84,43 @@ TEST(Chain, AStrategyThatThrowsIsNeverAskedAgain) {
   chain.prepare(test::setup(), {}, {});
   chain.process(stepInput(0));
   EXPECT_EQ(asked, 2);
+}
+
+// Counts how often it was told that the machine has another author.
+class Owned final : public control::Strategy {
+ public:
+  explicit Owned(int& told) : told_(told) {}
+  control::StrategyInfo describe() const override { return {"owned", "Owned", "test"}; }
+  void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
+  OverrideRequest decide(const control::StrategyInput& /*input*/) override { return {}; }
+  void reset() noexcept override {}
+  void letGo() noexcept override { ++told_; }
+
+ private:
+  int& told_;
+};
+
+// What is in force keeps its author when authority is asked for that is there already, or that the gate refuses.
+TEST(Chain, AStrategyIsToldOfAnotherAuthorityOnlyWhereThereIsOne) {
+  int told = 0;
+  ChainParts parts = test::scriptedChain();
+  parts.strategy = std::make_unique<Owned>(told);
+  Chain chain(std::move(parts));
+  auto ask = [&, number = 0](const OperatorInput& input) mutable {
+    StepInput in = stepInput(number++);
+    in.inputCount = 1;
+    in.inputs[0] = input;
+    chain.process(in);
+    return told;
+  };
+  safety::GateLimits limits;
+  chain.prepare(test::setup(), {}, limits);
+  EXPECT_EQ(ask({OperatorAction::SetAuthority, Authority::Off}), 0);
+  EXPECT_EQ(ask({OperatorAction::SetAuthority, Authority::Advise}), 1);
+  EXPECT_EQ(ask({OperatorAction::SetAuthority, Authority::Advise}), 1);
+  EXPECT_EQ(ask({OperatorAction::SetAuthority, Authority::Auto}), 1) << "nobody has allowed it";
+  EXPECT_EQ(ask({OperatorAction::GrantBySimulation, Authority::Off}), 1) << "nor that";
+  EXPECT_EQ(ask({OperatorAction::BackToProgrammed, Authority::Off}), 2);
 }
 
 TEST(Chain, AStrategyThatThrowsLosesTheMachineInThatBlock) {
@@ -255,21 +292,9 @@ TEST(Chain, HandsOnTheIndicatorsThatStrategiesWeighFromWhicheverDetectorNamesThe
 
 // A target of before "Back to 100 %" may not come back with the next grant.
 TEST(Chain, WhatAStrategyAskedForEndsWhenTheOperatorTakesTheMachineBack) {
-  class Stubborn final : public control::Strategy {
-   public:
-    explicit Stubborn(int& told) : told_(told) {}
-    control::StrategyInfo describe() const override { return {"stubborn", "", ""}; }
-    void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
-    OverrideRequest decide(const control::StrategyInput& /*input*/) override { return {}; }
-    void reset() noexcept override {}
-    void letGo() noexcept override { ++told_; }
-
-   private:
-    int& told_;
-  };
   int told = 0;
   ChainParts parts = test::scriptedChain();
-  parts.strategy = std::make_unique<Stubborn>(told);
+  parts.strategy = std::make_unique<Owned>(told);
   Chain chain(std::move(parts));
   chain.prepare(test::setup(), {}, {});
   StepInput in = stepInput(0);
@@ -283,7 +308,7 @@ TEST(Chain, WhatAStrategyAskedForEndsWhenTheOperatorTakesTheMachineBack) {
   EXPECT_EQ(told, 1);
   in = stepInput(2);
   in.inputCount = 1;
-  in.inputs[0] = {OperatorAction::SetAuthority, Authority::Auto};
+  in.inputs[0] = {OperatorAction::SetAuthority, Authority::Advise};
   chain.process(in);
   EXPECT_EQ(told, 2);
 }
