@@ -29,7 +29,9 @@ class LinkRunner {
   LinkRunner& operator=(const LinkRunner&) = delete;
 
   void tick(Instant now) noexcept;
-  // Releases if anything is in force. Later ticks only read.
+  // Releases if anything is in force, at once and in one step: whoever ends the run has no gate any more that could
+  // ramp, and the machine's own acceleration is the ramp. Links keep the order of feed and speed (cnc/move_order.h).
+  // Later ticks only read.
   void finish() noexcept;
 
   // Any thread.

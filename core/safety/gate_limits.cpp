@@ -94,8 +94,7 @@ Error refuse(std::string_view where, const ParamDecl& key, const std::string& wh
 Status fitToLink(GateLimits& limits, const config::ParamSet& params, Seconds linkPeriod, Seconds block,
                  std::string_view where) {
   const bool automatic = params.isAutomatic(kMachineAge);
-  limits.machineAge = automatic ? std::max(kYoungestStale, linkPeriod * kStalePeriods) + block
-                                : Seconds(params.real(kMachineAge) / 1000.0);
+  limits.machineAge = automatic ? staleAfter(linkPeriod, block) : Seconds(params.real(kMachineAge) / 1000.0);
   const Seconds fewest = linkPeriod * kFewestPeriods;
   const std::string why = "the link reads the machine every " + std::to_string(std::lround(1e3 * linkPeriod.value)) +
                           " ms: at least two of its periods";
@@ -109,6 +108,10 @@ Status fitToLink(GateLimits& limits, const config::ParamSet& params, Seconds lin
 }
 
 }  // namespace
+
+Seconds staleAfter(Seconds linkPeriod, Seconds step) {
+  return std::max(kYoungestStale, linkPeriod * kStalePeriods) + step;
+}
 
 config::ParamTable gateParams() {
   return kAll;

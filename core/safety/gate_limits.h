@@ -39,6 +39,9 @@ struct GateLimits {
   Seconds lease{0.2};       // of every Set
 };
 
+// A machine state is stale after three of its link's periods and `step`, the time between two looks at it.
+Seconds staleAfter(Seconds linkPeriod, Seconds step);
+
 // All `gate.*` declarations, those of the override limits included.
 config::ParamTable gateParams();
 

@@ -291,6 +291,23 @@ TEST(OverrideGate, ACoolDownIsSaidOnceAndKeepsOneFlight) {
   EXPECT_EQ(h.causes, std::vector<ReasonCode>{ReasonCode::GateChangesPerMinute});
 }
 
+// The minute may have room again: until the pause is over no change is made, and then one is.
+TEST(OverrideGate, ACoolDownOutlastsTheMinuteThatWasUsedUp) {
+  GateLimits limits = promptLimits();
+  limits.changesPerMinute = 1;
+  limits.coolDown = Seconds(20.0);
+  GateHarness h(limits);
+  h.settleAt(9000, 900);  // at 0 s
+  h.run(53.0);
+  h.ask(9500, 950);  // at 55 s: refused until 75 s, though the change of 0 s is forgotten at 60 s
+  h.run(15.0);
+  EXPECT_EQ(h.last.reason.code, ReasonCode::GateCoolDown);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.9, 1e-6);
+  h.run(7.0);
+  EXPECT_NEAR(h.lastCommand().speed.value, 0.95, 1e-6);
+  EXPECT_EQ(h.last.authority, Authority::Auto);
+}
+
 TEST(OverrideGate, AReleaseFromInsideTheDeadBandArrivesToo) {
   GateHarness h;
   h.settleAt(9000, 900);
