@@ -39,8 +39,9 @@ bool measure(rt::Scheduling scheduling, double seconds) {
               static_cast<unsigned long long>(latency.count()), ms(latency.quantile(0.5)), ms(latency.quantile(0.99)),
               ms(latency.quantile(0.999)), ms(latency.worst()), static_cast<unsigned long long>(engine.droppedBlocks()),
               scheduling == rt::Scheduling::Fifo && !fifo ? "  (FIFO was asked for and not granted)" : "");
-  rig.stop();
-  return true;
+  const Status stopped = rig.stop();
+  if (!stopped) std::fprintf(stderr, "%s\n", stopped.error().line().c_str());
+  return stopped.ok();
 }
 
 }  // namespace

@@ -102,10 +102,13 @@ void gate(benchmark::State& state) {
       [&](std::size_t i) {
         const StepInput& in = demo.inputs[i];
         const StepOutput& out = demo.steps[i].output;
-        benchmark::DoNotOptimize(
-            gate.step({in.block.end(), Seconds(demo.blockSeconds()), out.request,
-                       out.verdicts[static_cast<std::size_t>(out.inCharge)], in.machine,
-                       std::span<const OperatorInput>(in.inputs.data(), static_cast<std::size_t>(in.inputCount))}));
+        const std::span<const OperatorInput> inputs(in.inputs.data(), static_cast<std::size_t>(in.inputCount));
+        benchmark::DoNotOptimize(gate.step({.now = in.block.end(),
+                                            .dt = Seconds(demo.blockSeconds()),
+                                            .request = out.request,
+                                            .verdict = out.verdicts[static_cast<std::size_t>(out.inCharge)],
+                                            .machine = in.machine,
+                                            .inputs = inputs}));
       },
       [&] { gate.prepare(demo.limits); });
 }
