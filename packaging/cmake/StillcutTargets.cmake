@@ -39,10 +39,16 @@ function(stillcut_room name)
   endif()
 endfunction()
 
+# A test that hangs is ended after this many seconds. A thread sanitizer takes up to a hundred times as long.
+set(test_timeout 300)
+if(STILLCUT_SANITIZE)
+  set(test_timeout 1200)
+endif()
+
 # stillcut_test(unit_detect SOURCES ... LINKS ...) : one gtest program, its cases registered with ctest.
 function(stillcut_test name)
   cmake_parse_arguments(TEST "" "" "SOURCES;LINKS;ENVIRONMENT" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE stillcut_options test_support ${TEST_LINKS} GTest::gmock GTest::gtest_main)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 300 LABELS ${name} ENVIRONMENT "${TEST_ENVIRONMENT}")
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT ${test_timeout} LABELS ${name} ENVIRONMENT "${TEST_ENVIRONMENT}")
 endfunction()
