@@ -183,7 +183,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.angleStep = angleStep_.data();
   out_.afterGap = false;
   out_.feed = feedNow(machine, setup_.nominalFeed);
-  speed_.listen(machine, out_.frames);
+  speed_.listen(machine, out_.frames, out_.end());
   out_.valid = usable(block);
   if (!out_.valid) {
     gapPending_ = true;  // whatever follows starts anew

@@ -77,7 +77,8 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
 void SpeedTracker::reset() noexcept {
   told_ = before_ = turning_ = recent_ = nominal_;
   measured_ = riding_ = moving_ = false;
-  heard_ = 0.0;
+  machine_.reset();
+  toldSd_ = heard_ = 0.0;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
   locked_ = proven_ = trusted_ = returning_ = false;
@@ -94,34 +95,29 @@ void SpeedTracker::restart() noexcept {
   if (locked_) tracker_.start(spindle(), sd());
 }
 
-void SpeedTracker::listen(const MachineState& machine, int frames) noexcept {
+void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) noexcept {
   blockFrames_ = std::max(frames, 1);
   blockDone_ = 0;
-  double told = nominal_;
-  bool measured = false;
   before_ = told_;
-  if (machine.valid && machine.linkUp) {
-    if (machine.actualSpeed.value > 0.0) {
-      told = toHertz(machine.actualSpeed).value;
-      measured = true;
-    } else if (machine.targetSpeed().value > 0.0) {
-      told = toHertz(machine.targetSpeed()).value;
-    }
-  }
-  if (measured != measured_ || !(before_ > 0.0))
+  const MachineSpeed::Word word = machine_.hear(machine, end);
+  const double told = word.hertz > 0.0 ? word.hertz : nominal_;
+  toldSd_ = word.sd;
+  if (word.measured != measured_ || !(before_ > 0.0))
     before_ = turning_ = recent_ = told;  // another kind of word, no change of speed
-  measured_ = measured;
+  measured_ = word.measured;
   if (!(told > 0.0) && locked_) return;  // nobody says more than the signal did
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
   if (told_ > 0.0 && told > 0.0 && locked_ && !riding_) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
-  if (!locked_) source_ = told > 0.0 ? (measured ? SpeedSource::Machine : SpeedSource::Told) : SpeedSource::None;
+  if (!locked_) source_ = told > 0.0 ? (measured_ ? SpeedSource::Machine : SpeedSource::Told) : SpeedSource::None;
 }
 
 Hertz SpeedTracker::sd() const noexcept {
   // A speed that changes is followed with some delay.
-  if (locked_ && !astray()) return Hertz(std::hypot(tracker_.sd().value, tracker_.spindle().value - heard_));
-  return Hertz(told_ * (measured_ ? kMachineRange : range_));
+  if (locked_ && !astray()) {
+    return Hertz(std::hypot(tracker_.sd().value, tracker_.spindle().value - heard_, riding_ ? toldSd_ : 0.0));
+  }
+  return Hertz(std::hypot(told_ * (measured_ ? kMachineRange : range_), toldSd_));
 }
 
 void SpeedTracker::remember(const double* const* samples, int frames) noexcept {
@@ -303,9 +299,10 @@ void SpeedTracker::followMachine(double seconds) noexcept {
   const double recent = std::max(kRecentSeconds, kRecentTurns / told_);
   recent_ += (1.0 - std::exp(-seconds / recent)) * (told_ - recent_);
   const double away = std::abs(turning_ / recent_ - 1.0);
-  moving_ = away > (moving_ ? kArrived : kMoving);
+  const double doubt = toldSd_ / told_;
+  moving_ = away > (moving_ ? kArrived : kMoving) || doubt > kMoving;
   const bool rode = riding_;
-  riding_ = away > (riding_ ? kArrived : kRide);
+  riding_ = away > (riding_ ? kArrived : kRide) || doubt > kRide;
   if (!rode || riding_ || !locked_) return;
   proven_ = false;  // the ratio of true to told speed need not have stayed the same
   tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));

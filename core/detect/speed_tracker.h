@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/detect/machine_speed.h"
 #include "core/detect/phase_tracker.h"
 #include "core/detect/speed_search.h"
 #include "core/model/cut_setup.h"
@@ -27,8 +28,8 @@ class SpeedTracker {
   // After a gap the angle means nothing any more; the speed still holds.
   void restart() noexcept;
 
-  // Before each block of so many frames: what the machine says now.
-  void listen(const MachineState& machine, int frames) noexcept;
+  // Before each block of so many frames, up to `end`: what the machine says.
+  void listen(const MachineState& machine, int frames, Instant end) noexcept;
   // A new cut began: what was found in the last one is only a hint.
   void beginCut() noexcept;
   // Conditioned samples of a block or a part of it, channel c at samples[c]; fills angle [rad, wrapped] and step [rad]
@@ -91,7 +92,9 @@ class SpeedTracker {
   double range_ = 0.03;
   int teeth_ = 0;
   double nominal_ = 0.0;  // Hz, from the setup
+  MachineSpeed machine_;
   double told_ = 0.0;     // Hz, now
+  double toldSd_ = 0.0;   // Hz, because it was read some time ago
   double ratio_ = 1.0;    // true over told
   double before_ = 0.0;   // Hz, told with the block before
   double turning_ = 0.0;  // Hz, told now, or over the last turn of a slow spindle
