@@ -16,9 +16,14 @@ constexpr double kDriftTurns = 6.0;    // memory of the phase
 constexpr double kLeastDrift = 0.012;  // orders: what a spindle known to 0.1 % leaves at the twelfth order
 constexpr double kSteady = 0.8;        // of the power, that turns as one
 constexpr double kStill = 0.01;        // orders
+constexpr double kLeaks = 1.0 / 12.0;  // the sum of 1 / (2 pi d)^2 over all d, up and down
+constexpr double kLeastOthers = 0.1;   // what leaks is known no better
 constexpr double kLouder = 4.0;        // in energy, of what it was
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
+constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
+constexpr double kFloorSeconds = 10.0;  // in which a floor that rises by time doubles
+constexpr double kFallTurns = 10.0;
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
 
 }  // namespace
@@ -41,7 +46,7 @@ void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) {
     c.onset.reset();
     c.counts = false;
-    c.alarmTurns = c.turned = 0.0;
+    c.alarmTurns = c.turned = c.slow = c.outgrown = 0.0;
   }
   order_ = 0.0;
   doubling_ = false;
@@ -67,6 +72,7 @@ void OrderGrowth::follow(const EnergyChain& chain, int channel) noexcept {
     const std::complex<double> now = now_[i];
     o.product += kRate * (now * std::conj(o.before) - o.product);
     o.power += kRate * (std::sqrt(std::norm(now) * std::norm(o.before)) - o.power);
+    o.past += kRate * (std::norm(o.before) - o.past);
     o.before = now;
   }
 }
@@ -110,12 +116,43 @@ bool OrderGrowth::turns(int order) const noexcept {
   return std::abs(o.product) > kSteady * o.power && std::abs(drift(order)) > kLeastDrift;
 }
 
+// Of the other orders' energy, what is the class's own. Of a line that changes by the part c from turn to turn the
+// filter of two turns leaves c, and every order d away from it takes c / (2 pi d) of that line.
+double OrderGrowth::leak(const Class& c) const noexcept {
+  const auto i = static_cast<std::size_t>(c.order - 1);
+  if (c.order < 1 || i >= orders_.size() || !(orders_[i].past > 0.0)) return 0.0;
+  const Order& o = orders_[i];
+  if (std::abs(o.product) < kSteady * o.power) return 0.0;
+  return kLeaks * std::norm(1.0 - o.product / o.past) * c.strongest;
+}
+
+double OrderGrowth::share(const Class& c) const noexcept {
+  const double others = all_ - c.power;
+  return others > 0.0 ? c.power / std::max(others - leak(c), kLeastOthers * others) : 0.0;
+}
+
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
   const double drifts = drift(c.order);
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
   const bool on = louder && one && std::abs(drifts) > kSpeedDoubts * c.order * speedDoubt;
   c.turned = on && drifts * c.turned >= 0.0 ? c.turned + drifts * turns : 0.0;
+}
+
+// A slow spindle gives chatter so few turns to grow in that it becomes its own floor. Where it turns against the
+// spindle as well, faster than the speed is in doubt, it is held against a floor that rises by time alone.
+bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
+  const double now = share(c);
+  if (!c.onset.learned()) return false;
+  if (!(c.slow > 0.0)) c.slow = c.onset.floor();
+  const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
+  const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
+  const bool on = now > std::max(kLouder * c.slow, kSmallestBeside) && one && std::abs(drift(c.order)) > least;
+  c.outgrown = on ? c.outgrown + turns : 0.0;
+  const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
+  if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
+  if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
+  return c.outgrown > kDriftTurns;
 }
 
 void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
@@ -127,7 +164,8 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     c.onset.update(share(c), turns, learn && c.turned == 0.0, c.power);
     const bool turned = std::abs(c.turned) > kWholeTurn;
     const bool grown = c.onset.alarm();
-    c.counts = turned || (grown && (flips(c) || c.counts || this->turns(c.order)));
+    const bool outgrown = outgrew(c, turns, learn, speedDoubt);
+    c.counts = turned || outgrown || (grown && (flips(c) || c.counts || this->turns(c.order)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;
     if (learn && c.alarmTurns > kNewLoadTurns) c.onset.reset();
     if (!c.counts || c.strongest < kLeastPurity * c.power || c.strongest <= strongest) continue;
@@ -148,7 +186,8 @@ double OrderGrowth::severity() const noexcept {
   for (const Class& c : classes_) {
     const double now = share(c);
     if (!c.counts || !(now > 0.0)) continue;
-    const double before = std::abs(c.turned) > kWholeTurn ? c.onset.floorEnergy() / c.power : c.onset.floor() / now;
+    const double before =
+        std::abs(c.turned) > kWholeTurn ? c.onset.floorEnergy() / c.power : std::min(c.onset.floor(), c.slow) / now;
     sum += c.weighted / weightedAll_ * std::max(0.0, 1.0 - before);
   }
   return sum;
