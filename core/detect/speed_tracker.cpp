@@ -191,7 +191,10 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   }
   toothPart_ = now.toothPart;
   proven_ = false;
-  lock(now.spindle, Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
+  // What was found is the speed in the middle of the window.
+  const double lag = riding_ ? 0.5 * look.search.window() / rate_ / recentSeconds() : 0.0;
+  const double gone = lag * (1.0 - recent_ / told_);
+  lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 
 bool SpeedTracker::believed(const Look& look) const noexcept {
@@ -288,6 +291,10 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   judge(look, before);
 }
 
+double SpeedTracker::recentSeconds() const noexcept {
+  return std::max(kRecentSeconds, kRecentTurns / told_);
+}
+
 void SpeedTracker::followMachine(double seconds) noexcept {
   if (!(told_ > 0.0) || !measured_) {
     riding_ = moving_ = false;
@@ -296,8 +303,7 @@ void SpeedTracker::followMachine(double seconds) noexcept {
   // Teeth and chatter shake a slow spindle within its turn: there it is told by the mean over one.
   const double longer = 1.0 / told_ - kRecentSeconds;
   turning_ = longer > 0.0 ? turning_ + (1.0 - std::exp(-seconds / longer)) * (told_ - turning_) : told_;
-  const double recent = std::max(kRecentSeconds, kRecentTurns / told_);
-  recent_ += (1.0 - std::exp(-seconds / recent)) * (told_ - recent_);
+  recent_ += (1.0 - std::exp(-seconds / recentSeconds())) * (told_ - recent_);
   const double away = std::abs(turning_ / recent_ - 1.0);
   const double doubt = toldSd_ / told_;
   moving_ = away > (moving_ ? kArrived : kMoving) || doubt > kMoving;
@@ -351,15 +357,12 @@ void SpeedTracker::catchUp(double angle, double omega) noexcept {
 
 void SpeedTracker::advance(const double* const* samples, int frames, double* angle, double* step) noexcept {
   blockDone_ += frames;
-  if (riding_) {
-    ride(frames, angle, step);
-    forget();
-    return;
-  }
+  if (riding_) ride(frames, angle, step);
+  if (riding_ && !seeksWhileRiding()) return forget();
   remember(samples, frames);
   inCut_ += frames;
-  quick_.since += frames;
-  thorough_.since += frames;
+  for (Look* look : {&quick_, &thorough_}) look->since += frames;
+  if (riding_) return;
   double omega = locked_ ? kTwoPi * tracker_.spindle().value : kTwoPi * spindle().value;
   for (int f = 0; f < frames;) {
     const int first = f;
@@ -385,7 +388,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   followMachine(since.value);
   followSignal(since.value);
   dropUntrusted();
-  if (riding_) return;
+  if (riding_ && !seeksWhileRiding()) return;
   returning_ = returning_ && !tracker_.clean();
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) strongest_ = loneLine_ = Hertz(0.0);

@@ -73,6 +73,9 @@ class SpeedTracker {
   bool astray() const noexcept;
   void followMachine(double seconds) noexcept;
   void followSignal(double seconds) noexcept;
+  double recentSeconds() const noexcept;
+  // A speed that has never stood in this cut is looked for all the same, where it moves little in a window.
+  bool seeksWhileRiding() const noexcept { return !locked_ && !moving_; }
   void ride(int frames, double* angle, double* step) noexcept;
   void catchUp(double angle, double omega) noexcept;
   void lookIfDue(Look& look) noexcept;

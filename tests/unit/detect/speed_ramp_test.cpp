@@ -114,5 +114,38 @@ TEST(SpeedRamp, ThatStopsTheChatterEndsTheAlarm) {
   }
 }
 
+// From the first moment to the last the speed changes by 5 % a second: by the machine's word and a comb that is found
+// on the way, 0.4 % beside it, the cut is judged as if it stood.
+TEST(SpeedRamp, ThatNeverStandsStillHasItsSpeedFound) {
+  const auto speed = [](double t) { return 130.0 * (1.0 + 0.05 * t); };
+  std::mt19937 engine(7);
+  std::normal_distribution<double> normal;
+  Recording r;
+  r.rate = 25600.0;
+  r.channels.assign(1, {});
+  double angle = 0.0;
+  for (int k = 0; k < static_cast<int>(3.0 * r.rate); ++k) {
+    const double t = k / r.rate;
+    angle += kTwoPi * speed(t) / r.rate;
+    double x = 0.02 * normal(engine);
+    for (int h = 1; t > 0.3 && h <= 24; ++h) x += (h % 4 == 0 ? 4.0 / h : 0.05) * std::cos(h * angle + 0.7 * h * h);
+    if (t > 2.0) x += std::min(1.0, 0.02 * std::exp((t - 2.0) / 0.03)) * std::sin(kTwoPi * kChatterHertz * t);
+    r.channels[0].push_back(static_cast<float>(x));
+  }
+  RunOptions o;
+  o.teeth = 4;
+  o.rpm = 60.0 * 130.0;
+  o.machine = [&](double t) {
+    MachineState m;
+    m.valid = m.linkUp = true;
+    m.actualSpeed = Rpm(60.0 * speed(t) * 0.996);
+    return m;
+  };
+  const RunResult result = run(r, o);
+  EXPECT_NEAR(result.at(1.9).spindle.value, speed(1.9), 1.5e-3 * speed(1.9));
+  EXPECT_GT(result.firstAlarm, 2.0);
+  EXPECT_LT(result.firstAlarm, 2.0 + 0.03 * std::log(1.0 / 0.02));
+}
+
 }  // namespace
 }  // namespace stillcut::detect::testing
