@@ -86,16 +86,24 @@ TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   }
 }
 
-// Over all the paper's cuts together, too. The paper compares flat steel alone (figures 4.6, 4.10 to 4.13): of
-// aluminium it shows the plain controller only, and of the walls it says so of none (section 4.4: at the double one
-// "some excessive feed and spindle speed adjustments", at the single one no obvious advantage).
+// Over all the paper's cuts together, and on flat steel and the single wall by themselves. The paper compares flat
+// steel alone (figures 4.6, 4.10 to 4.13): of aluminium it shows the plain controller only, and of the walls it says so
+// of none (section 4.4: at the double one "some excessive feed and spindle speed adjustments", at the single one no
+// obvious advantage). Nor is it so here: on aluminium both move alike (0.52 to 0.53 of the programmed values), at the
+// double wall, which hardly asks for anything (0.03 to 0.04), direct tuning moves up to 0.1.
 TEST(XuCuts, DirectTuningMovesLessThanThePlainController) {
   double plain = 0.0, direct = 0.0;
   for (const std::string name : {"xu-steel", "xu-aluminium", "xu-thin-wall-double", "xu-thin-wall-single"}) {
     const milling::Scenario cut = scenarioNamed(name);
     const app::RunHistory alone = runAlone(cut);
-    plain += fuzzyRun(cut, "fuzzy", alone).travel;
-    direct += fuzzyRun(cut, "fuzzy-direct", alone).travel;
+    const double plainHere = fuzzyRun(cut, "fuzzy", alone).travel;
+    const double directHere = fuzzyRun(cut, "fuzzy-direct", alone).travel;
+    const bool byItself = name == "xu-steel" || name == "xu-thin-wall-single";
+    if (byItself) {
+      EXPECT_LT(directHere, plainHere) << name;
+    }
+    plain += plainHere;
+    direct += directHere;
   }
   EXPECT_LT(direct, plain);
 }
