@@ -93,6 +93,12 @@ void EnergyGrowth::watchStanding(bool unheard) noexcept {
   }
 }
 
+double EnergyGrowth::levelTrend() const noexcept {
+  double turn = 0.0;
+  for (int k = 0; k < kHopsPerTurn; ++k) turn += ago(k).all;
+  return level_ > 0.0 ? turn / (kHopsPerTurn * level_) : 1.0;
+}
+
 double EnergyGrowth::changedIn(int from, int hops) const noexcept {
   double e = 0.0;
   for (int k = from; k < from + hops; ++k) e += ago(k).changed;
@@ -123,14 +129,18 @@ bool EnergyGrowth::explainsEnergy() const noexcept {
 }
 
 bool EnergyGrowth::leaps(Seconds length) const noexcept {
+  const double steepest = std::min(std::exp(2.0 * length.value / kFastest.value), kSteepest);
+  // One that begins within a hop takes two.
+  return leaps(1, kLeap * steepest) || leaps(2, kLeap * steepest * steepest);
+}
+
+bool EnergyGrowth::leaps(int hops, double limit) const noexcept {
   double most = 0.0;
   double all = 0.0;
-  for (int k = 1; k <= kHopsPerTurn; ++k) {
+  for (int k = hops; k < hops + kHopsPerTurn; ++k) {
     most = std::max(most, ago(k).changed);
     all += ago(k).all / kHopsPerTurn;
   }
-  const double steepest = std::min(std::exp(2.0 * length.value / kFastest.value), kSteepest);
-  const double limit = kLeap * steepest;
   return onset_.learned() && ago(0).changed > limit * std::max(most, onset_.floor() * all);
 }
 

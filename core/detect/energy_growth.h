@@ -48,6 +48,9 @@ class EnergyGrowth {
   double energy() const noexcept { return energy_; }
   // E_x of the newest eight turns, per hop.
   double level() const noexcept { return level_; }
+  // E_x of the last turn over that of the newest eight: what grows adds to a vibration, so of one that falls it is not
+  // believed. The tool leaves, or the sensor loses its seat: then its own loss is what does not repeat.
+  double levelTrend() const noexcept;
   // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
   // rises once and decays. Forced vibration that begins to change, as where a ramp of the width of cut begins, rises
   // ever less steeply; growth out of a floor is a sum of exponentials, whose logarithm is convex: the ratios rise.
@@ -77,6 +80,7 @@ class EnergyGrowth {
   bool grows(int hops, double factor) const noexcept;
   bool steepens(int hops, double scatter) const noexcept;
   bool leaps(Seconds length) const noexcept;
+  bool leaps(int hops, double limit) const noexcept;
   bool leapt() const noexcept { return sinceLeap_ < kLeapHops; }
   bool explainsEnergy() const noexcept;
 

@@ -10,6 +10,9 @@
 // - `onset` is not a fixed ratio: on the reference cuts the second axis shows an energy ratio of 1.6 % when chatter has
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
+// - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by
+// what
+//   it no longer hears.
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
 // - The frequency of chatter is that of the strongest line of the turn difference (line_finder.h), or, while that line
 // is

@@ -67,9 +67,22 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
     floor_ = onset.floor();
     changed_ = growth.changed();
   }
-  grown_ = grown_ || onset.alarm();
   learned_ = learned_ && onset.learned();
-  growing_ = growing_ || (onset.grown() && growth.steadyGrowth());
+}
+
+// What speaks for an alarm in a channel whose vibration does not fall.
+void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
+  const OnsetTest& onset = c.growth.onset();
+  const OnsetTest& news = c.news.onset();
+  grown_ = grown_ || c.orders.grown() || onset.alarm() || news.alarm();
+  if (c.orders.order() > 0.0) {
+    onOrder_ = c.orders.order();
+    doubling_ = c.orders.doubling();
+  }
+  growing_ = growing_ || (onset.grown() && c.growth.steadyGrowth());
+  newsGrowing_ = newsGrowing_ || (news.grown() && c.news.steadyGrowth());
+  // What is new also holds forced vibration that changes: for the fast only.
+  rising_ = rising_ || ((c.growth.rising() || c.news.rising()) && c.growth.steadyGrowth() && c.news.steadyGrowth());
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
@@ -80,18 +93,10 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   for (const RatioChannel& c : channels) {
     severity_ = std::max(severity_, c.ratio);
     severity_ = std::max(severity_, c.orders.severity());
-    grown_ = grown_ || c.orders.grown();
-    if (c.orders.order() > 0.0) {
-      onOrder_ = c.orders.order();
-      doubling_ = c.orders.doubling();
-    }
     forced_ = forced_ || c.forced.stands();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
-    // What is new also holds forced vibration that changes: for the fast only.
-    rising_ = rising_ || ((c.growth.rising() || c.news.rising()) && c.growth.steadyGrowth() && c.news.steadyGrowth());
-    grown_ = grown_ || c.news.onset().alarm();
-    newsGrowing_ = newsGrowing_ || (c.news.onset().grown() && c.news.steadyGrowth());
+    if (alarming() || c.growth.levelTrend() > kFalling) gatherGrowth(c);
     double unrepeated = 0.0;
     double all = 0.0;
     for (const RatioChannel& other : channels) {

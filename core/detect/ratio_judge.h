@@ -67,6 +67,7 @@ class RatioJudge {
   bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;
   bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
+  void gatherGrowth(const RatioChannel& c) noexcept;
   bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop, bool high) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;

@@ -199,6 +199,21 @@ TEST(EnergyGrowth, ExponentialGrowthRises) {
   }
 }
 
+TEST(EnergyGrowth, TellsHowItsVibrationFalls) {
+  EnergyGrowth growth;
+  const auto turn = [&](double size) {
+    for (int hop = 0; hop < kHopsPerTurn; ++hop) {
+      growth.add(std::array<double, 1>{size}, std::array<double, 1>{0.0});
+      growth.endHop(kHopsPerTurn, Seconds(1e-3));
+    }
+  };
+  EXPECT_DOUBLE_EQ(growth.levelTrend(), 1.0);
+  for (int k = 0; k < 8; ++k) turn(2.0);
+  EXPECT_DOUBLE_EQ(growth.levelTrend(), 1.0);
+  turn(1.0);  // a quarter of the energy
+  EXPECT_NEAR(growth.levelTrend(), 0.25 / ((7.0 + 0.25) / 8.0), 1e-12);
+}
+
 TEST(LineFinder, FindsALineAndItsPurity) {
   LineFinder lines;
   lines.prepare(1, 2048, Hertz(kRate));
