@@ -2604,10 +2604,6 @@
         <translation>läuft der Kalibrator, auf diesem Kanal, und ist die Maschine still?</translation>
     </message>
     <message>
-        <source>dominant multiplier</source>
-        <translation>dominanter Multiplikator</translation>
-    </message>
-    <message>
         <source>duration must lie between 0 and 3600 s</source>
         <translation>die Dauer muss zwischen 0 und 3600 s liegen</translation>
     </message>
@@ -3460,10 +3456,6 @@
         <translation>muss true oder false sein</translation>
     </message>
     <message>
-        <source>must lie between 0 and 1 m</source>
-        <translation>muss zwischen 0 und 1 m liegen</translation>
-    </message>
-    <message>
         <source>must take half a second to a minute</source>
         <translation>muss eine halbe Sekunde bis eine Minute dauern</translation>
     </message>
@@ -3940,10 +3932,6 @@
         <translation>größeren Schritt nehmen</translation>
     </message>
     <message>
-        <source>take a smaller depth</source>
-        <translation>kleinere Schnitttiefe nehmen</translation>
-    </message>
-    <message>
         <source>task</source>
         <translation>Aufgabe</translation>
     </message>
@@ -3982,10 +3970,6 @@
     <message>
         <source>the chosen channel has no axis</source>
         <translation>der gewählte Kanal hat keine Achse</translation>
-    </message>
-    <message>
-        <source>the cut is too unstable for double precision</source>
-        <translation>der Schnitt ist zu instabil für doppelte Genauigkeit</translation>
     </message>
     <message>
         <source>the data chunk is missing: a truncated file</source>
@@ -4214,10 +4198,6 @@
     <message>
         <source>the repaired file could not be written</source>
         <translation>die reparierte Datei ließ sich nicht schreiben</translation>
-    </message>
-    <message>
-        <source>the run has ended</source>
-        <translation>der Lauf ist beendet</translation>
     </message>
     <message>
         <source>the sample rate must be above zero</source>
@@ -4524,10 +4504,6 @@
         <translation>das Ende abwarten</translation>
     </message>
     <message>
-        <source>was stopped</source>
-        <translation>wurde angehalten</translation>
-    </message>
-    <message>
         <source>what full scale means must be a number other than 0</source>
         <translation>was Vollausschlag bedeutet, muss eine Zahl ungleich 0 sein</translation>
     </message>
@@ -4594,6 +4570,10 @@
     <message>
         <source>the link reads the machine every %1 ms: at least two of its periods</source>
         <translation>die Verbindung liest die Maschine alle %1 ms: mindestens zwei ihrer Perioden</translation>
+    </message>
+    <message>
+        <source>The run has ended</source>
+        <translation>Der Lauf ist zu Ende</translation>
     </message>
 </context>
 <context>
@@ -5117,8 +5097,8 @@
         <translation>Wiedergabe: %1</translation>
     </message>
     <message>
-        <source>the run has ended</source>
-        <translation>der Lauf ist zu Ende</translation>
+        <source>The run has ended</source>
+        <translation>Der Lauf ist zu Ende</translation>
     </message>
 </context>
 <context>
@@ -6393,6 +6373,34 @@
     <message>
         <source>Feed [%1]</source>
         <translation>Vorschub [%1]</translation>
+    </message>
+    <message>
+        <source>Another run begins on the page Set up: GUIDE or PROFILE</source>
+        <translation>Ein neuer Lauf beginnt auf der Seite Aufbau: ANLEITUNG oder PROFIL</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, ANGEHALTEN</translation>
+    </message>
+    <message>
+        <source>%1, ENDED</source>
+        <translation>%1, BEENDET</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found once</source>
+        <translation>Der Ansatz von Rattern wurde einmal gefunden</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found %1 times</source>
+        <translation>Der Ansatz von Rattern wurde %1 Mal gefunden</translation>
+    </message>
+    <message>
+        <source>; it became no chatter</source>
+        <translation>; es wurde kein Rattern daraus</translation>
+    </message>
+    <message>
+        <source>Onset %1</source>
+        <translation>Ansatz %1</translation>
     </message>
 </context>
 <context>
@@ -7686,6 +7694,10 @@
         <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
         <translation>Tiefster Schnitt des Programms, %1 bis %2; die Seite Stabilität zeigt den Schnitt in dieser Tiefe</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupPage</name>
@@ -8203,10 +8215,6 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, ANGEHALTEN</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8246,10 +8254,6 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>SPEKTRUM, VERALTET: nichts Neues</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, ANGEHALTEN</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8263,10 +8267,6 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>VERALTET: nichts Neues kommt an</translation>
-    </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, ANGEHALTEN</translation>
     </message>
 </context>
 <context>

@@ -2603,10 +2603,6 @@
         <translation>does the calibrator run, on this channel, and is the machine quiet?</translation>
     </message>
     <message>
-        <source>dominant multiplier</source>
-        <translation>dominant multiplier</translation>
-    </message>
-    <message>
         <source>duration must lie between 0 and 3600 s</source>
         <translation>duration must lie between 0 and 3600 s</translation>
     </message>
@@ -3459,10 +3455,6 @@
         <translation>must be true or false</translation>
     </message>
     <message>
-        <source>must lie between 0 and 1 m</source>
-        <translation>must lie between 0 and 1 m</translation>
-    </message>
-    <message>
         <source>must take half a second to a minute</source>
         <translation>must take half a second to a minute</translation>
     </message>
@@ -3939,10 +3931,6 @@
         <translation>take a larger step</translation>
     </message>
     <message>
-        <source>take a smaller depth</source>
-        <translation>take a smaller depth</translation>
-    </message>
-    <message>
         <source>task</source>
         <translation>task</translation>
     </message>
@@ -3981,10 +3969,6 @@
     <message>
         <source>the chosen channel has no axis</source>
         <translation>the chosen channel has no axis</translation>
-    </message>
-    <message>
-        <source>the cut is too unstable for double precision</source>
-        <translation>the cut is too unstable for double precision</translation>
     </message>
     <message>
         <source>the data chunk is missing: a truncated file</source>
@@ -4213,10 +4197,6 @@
     <message>
         <source>the repaired file could not be written</source>
         <translation>the repaired file could not be written</translation>
-    </message>
-    <message>
-        <source>the run has ended</source>
-        <translation>the run has ended</translation>
     </message>
     <message>
         <source>the sample rate must be above zero</source>
@@ -4523,10 +4503,6 @@
         <translation>wait for the end</translation>
     </message>
     <message>
-        <source>was stopped</source>
-        <translation>was stopped</translation>
-    </message>
-    <message>
         <source>what full scale means must be a number other than 0</source>
         <translation>what full scale means must be a number other than 0</translation>
     </message>
@@ -4593,6 +4569,10 @@
     <message>
         <source>the link reads the machine every %1 ms: at least two of its periods</source>
         <translation>the link reads the machine every %1 ms: at least two of its periods</translation>
+    </message>
+    <message>
+        <source>The run has ended</source>
+        <translation>The run has ended</translation>
     </message>
 </context>
 <context>
@@ -5116,8 +5096,8 @@
         <translation>Replay: %1</translation>
     </message>
     <message>
-        <source>the run has ended</source>
-        <translation>the run has ended</translation>
+        <source>The run has ended</source>
+        <translation>The run has ended</translation>
     </message>
 </context>
 <context>
@@ -6392,6 +6372,34 @@
     <message>
         <source>Feed [%1]</source>
         <translation>Feed [%1]</translation>
+    </message>
+    <message>
+        <source>Another run begins on the page Set up: GUIDE or PROFILE</source>
+        <translation>Another run begins on the page Set up: GUIDE or PROFILE</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1, PAUSED</translation>
+    </message>
+    <message>
+        <source>%1, ENDED</source>
+        <translation>%1, ENDED</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found once</source>
+        <translation>The onset of chatter was found once</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found %1 times</source>
+        <translation>The onset of chatter was found %1 times</translation>
+    </message>
+    <message>
+        <source>; it became no chatter</source>
+        <translation>; it became no chatter</translation>
+    </message>
+    <message>
+        <source>Onset %1</source>
+        <translation>Onset %1</translation>
     </message>
 </context>
 <context>
@@ -7685,6 +7693,10 @@
         <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
         <translation>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unknown</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupPage</name>
@@ -8202,10 +8214,6 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, PAUSED</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8245,10 +8253,6 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>SPECTRUM, STALE: nothing new arrives</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, PAUSED</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8262,10 +8266,6 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>STALE: nothing new arrives</translation>
-    </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1, PAUSED</translation>
     </message>
 </context>
 <context>

@@ -2604,10 +2604,6 @@
         <translation>校准器是否在此通道上运行，机床是否安静？</translation>
     </message>
     <message>
-        <source>dominant multiplier</source>
-        <translation>主乘子</translation>
-    </message>
-    <message>
         <source>duration must lie between 0 and 3600 s</source>
         <translation>时长必须在 0 到 3600 s 之间</translation>
     </message>
@@ -3460,10 +3456,6 @@
         <translation>必须为 true 或 false</translation>
     </message>
     <message>
-        <source>must lie between 0 and 1 m</source>
-        <translation>必须在 0 到 1 m 之间</translation>
-    </message>
-    <message>
         <source>must take half a second to a minute</source>
         <translation>须为半秒至一分钟</translation>
     </message>
@@ -3940,10 +3932,6 @@
         <translation>请用更大的步长</translation>
     </message>
     <message>
-        <source>take a smaller depth</source>
-        <translation>请用更小的切深</translation>
-    </message>
-    <message>
         <source>task</source>
         <translation>任务</translation>
     </message>
@@ -3982,10 +3970,6 @@
     <message>
         <source>the chosen channel has no axis</source>
         <translation>所选通道没有轴</translation>
-    </message>
-    <message>
-        <source>the cut is too unstable for double precision</source>
-        <translation>该切削过于不稳定，超出双精度</translation>
     </message>
     <message>
         <source>the data chunk is missing: a truncated file</source>
@@ -4214,10 +4198,6 @@
     <message>
         <source>the repaired file could not be written</source>
         <translation>修复后的文件无法写入</translation>
-    </message>
-    <message>
-        <source>the run has ended</source>
-        <translation>运行已结束</translation>
     </message>
     <message>
         <source>the sample rate must be above zero</source>
@@ -4524,10 +4504,6 @@
         <translation>请等待结束</translation>
     </message>
     <message>
-        <source>was stopped</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
         <source>what full scale means must be a number other than 0</source>
         <translation>满量程的含义必须为非零数</translation>
     </message>
@@ -4594,6 +4570,10 @@
     <message>
         <source>the link reads the machine every %1 ms: at least two of its periods</source>
         <translation>连接每 %1 ms 读取一次机床：至少两个周期</translation>
+    </message>
+    <message>
+        <source>The run has ended</source>
+        <translation>运行已结束</translation>
     </message>
 </context>
 <context>
@@ -5117,7 +5097,7 @@
         <translation>回放：%1</translation>
     </message>
     <message>
-        <source>the run has ended</source>
+        <source>The run has ended</source>
         <translation>运行已结束</translation>
     </message>
 </context>
@@ -6393,6 +6373,34 @@
     <message>
         <source>Feed [%1]</source>
         <translation>进给 [%1]</translation>
+    </message>
+    <message>
+        <source>Another run begins on the page Set up: GUIDE or PROFILE</source>
+        <translation>在“设置”页面的“向导”或“配置”中开始新的运行</translation>
+    </message>
+    <message>
+        <source>%1, PAUSED</source>
+        <translation>%1，已暂停</translation>
+    </message>
+    <message>
+        <source>%1, ENDED</source>
+        <translation>%1，已结束</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found once</source>
+        <translation>发现一次颤振初起</translation>
+    </message>
+    <message>
+        <source>The onset of chatter was found %1 times</source>
+        <translation>发现 %1 次颤振初起</translation>
+    </message>
+    <message>
+        <source>; it became no chatter</source>
+        <translation>；未发展成颤振</translation>
+    </message>
+    <message>
+        <source>Onset %1</source>
+        <translation>初起 %1</translation>
     </message>
 </context>
 <context>
@@ -7686,6 +7694,10 @@
         <source>Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth</source>
         <translation>程序的最大切深，%1 到 %2；叶瓣图页面按此切深显示切削</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>未知</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::SetupPage</name>
@@ -8203,10 +8215,6 @@
         <source>%1×</source>
         <translation>%1×</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1，已暂停</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::SpectrumPlot</name>
@@ -8246,10 +8254,6 @@
         <source>SPECTRUM, STALE: nothing new arrives</source>
         <translation>频谱已过时：没有新数据</translation>
     </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1，已暂停</translation>
-    </message>
 </context>
 <context>
     <name>stillcut::ui::StatusStrip</name>
@@ -8263,10 +8267,6 @@
     <message>
         <source>STALE: nothing new arrives</source>
         <translation>已过时：没有新数据</translation>
-    </message>
-    <message>
-        <source>%1, PAUSED</source>
-        <translation>%1，已暂停</translation>
     </message>
 </context>
 <context>

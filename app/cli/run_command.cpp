@@ -125,7 +125,7 @@ Status record(Rig& rig, const config::Profile& profile, const RunOptions& option
     }
   };
   if (options.record.empty()) return recordAsProfileSays(rig, profile, options.profile, told);
-  const std::string origin = config::profileText(profile, fullCatalog());
+  const std::string origin = profileOrigin(profile, options.profile);
   std::error_code unknown;
   if (std::filesystem::is_directory(options.record, unknown)) return rig.recordInto(options.record, origin, told);
   const std::string path = record::freeSessionPath(options.record);

@@ -119,7 +119,7 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   spec.link = std::move(parts->link);
   spec.linkEffect = cnc::savedDelay(profile.link.settings, cnc::kSavedEffect);
   spec.setup = profile.cut;
-  auto known = stableSpeeds(profile, besideProfile(profile.model, path));
+  auto known = stableSpeeds(profile, modelFile(profile, path));
   if (!known) return known.error();
   spec.setup.stableSpeeds = std::move(known).value();
   spec.params = profile.params;
@@ -136,6 +136,16 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   return Rig::build(std::move(spec), fault);
 }
 
+std::string modelFile(const config::Profile& profile, const std::string& path) {
+  return profile.model.empty() ? "" : besideProfile(profile.model, path);
+}
+
+std::string profileOrigin(const config::Profile& profile, const std::string& path) {
+  config::Profile whole = profile;
+  if (!whole.model.empty()) whole.model = std::filesystem::absolute(modelFile(profile, path)).string();
+  return config::profileText(whole, fullCatalog());
+}
+
 std::string recordingFolder(const config::Profile& profile, const std::string& path) {
   return profile.recording.folder.empty() ? "" : besideProfile(profile.recording.folder, path);
 }
@@ -144,7 +154,7 @@ Status recordAsProfileSays(Rig& rig, const config::Profile& profile, const std::
                            std::function<void(const record::Deleted&)> told) {
   const std::string folder = recordingFolder(profile, path);
   if (folder.empty()) return Done{};
-  return rig.recordInto(folder, config::profileText(profile, fullCatalog()), std::move(told));
+  return rig.recordInto(folder, profileOrigin(profile, path), std::move(told));
 }
 
 }  // namespace stillcut::app

@@ -36,6 +36,12 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
 Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, const std::string& path,
                                              SetUpFault* fault = nullptr);
 
+// The profile as a recording tells what it was made from: files that are named beside `path` by their whole path, for
+// the recording lies elsewhere.
+std::string profileOrigin(const config::Profile& profile, const std::string& path);
+// The file of the cut's modes, as above; empty: it names none.
+std::string modelFile(const config::Profile& profile, const std::string& path);
+
 // Before the first step: `rig` is recorded below the profile's folder, if it names one. `told`: see Rig::recordInto.
 Status recordAsProfileSays(Rig& rig, const config::Profile& profile, const std::string& path,
                            std::function<void(const record::Deleted&)> told);

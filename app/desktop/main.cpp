@@ -236,7 +236,10 @@ int run(int argc, char** argv) {
   ui::MainWindow window(**session, options->theme, options->language);
   if (live) window.restorePlace();
   window.showPage(options->page);
-  if (!live || options->sizeGiven) window.resize(options->size);
+  if (!live || options->sizeGiven) {
+    window.setWindowState(Qt::WindowNoState);
+    window.resize(options->size);
+  }
   if (!live) return takePicture(**session, window, *options);
   (*session)->endWith(window, [](const Error& error) { fail(error.line()); });
   (*session)->keepFlightsIn(defaultFlightsFolder());

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
 #include "app/compose/known_lobes.h"
+#include "app/compose/profile_rig.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_sweep.h"
 #include "ui/models/say.h"
@@ -96,8 +96,7 @@ LobeWorker::LobeWorker(const milling::Scenario& scenario) : LobeWorker(cutOf(sce
 
 Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile& profile, const std::string& path) {
   if (profile.model.empty()) return std::unique_ptr<LobeWorker>();
-  const auto file = std::filesystem::path(path).parent_path() / profile.model;  // an absolute name stays itself
-  auto loaded = milling::loadLobeCase(file.string());
+  auto loaded = milling::loadLobeCase(modelFile(profile, path));
   if (!loaded) return loaded.error();
   const auto reach = speedsInReach(profile, path);
   if (!reach) return reach.error();

@@ -98,8 +98,9 @@ void ReplayDesk::takeOpened(const std::shared_ptr<OpenedRecording>& opened) {
   hand_ = {};
   lobes_ = std::move(opened->lobes);
   info_ = sessionInfo(*opened->rig);
-  info_.setup.machine =
-      QCoreApplication::translate("Session", "Replay: %1").arg(viewText(info_.setup.machine)).toStdString();
+  const std::string& known = info_.setup.machine;
+  const QString machine = known.empty() ? QFileInfo(path_).fileName() : viewText(known);
+  info_.setup.machine = QCoreApplication::translate("Session", "Replay: %1").arg(machine).toStdString();
   lead(opened);
   if (began) began(true);
   readWhole();

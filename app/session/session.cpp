@@ -272,7 +272,7 @@ Result<QString> Session::saveValues(const config::ParamSet& values) {
 ui::LinkStatus Session::link() const {
   if (!rig_->finished()) return {{}, ui::coreSentence(rig_->device().trouble())};
   const std::string fault = rig_->device().fault();
-  return {{}, fault.empty() ? QCoreApplication::translate("Session", "the run has ended") : ui::coreSentence(fault)};
+  return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::coreSentence(fault)};
 }
 
 ui::RecorderStatus Session::recorder() const {
@@ -320,8 +320,7 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Rec
   if (!rig) return rig.error();
   ui::SessionInfo info = sessionInfo(**rig);
   info.wallMsAtStreamZero = wallAtLiveZero();
-  auto session =
-      std::make_unique<Session>(std::move(rig).value(), std::move(info), config::profileText(*profile, catalog));
+  auto session = std::make_unique<Session>(std::move(rig).value(), std::move(info), profileOrigin(*profile, path));
   if (!profile->active.id.empty()) {
     auto parts = makeActiveParts(*profile);
     if (!parts) return parts.error();

@@ -163,7 +163,7 @@ void StablePocket::listen(const StrategyInput& input) noexcept {
   }
   if (judge_.confirmed()) {
     choose(input.machine, even_);
-  } else if (target_.value > 0.0) {
+  } else if (target_.value > 0.0 && arrived_) {  // asked for is not yet kept: the reason to ask stays
     reason_ = {ReasonCode::KeepingSpeed, {target_.value, movedFor_.value}};
   }
 }

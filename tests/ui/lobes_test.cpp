@@ -4,6 +4,7 @@
 #include <QTableView>
 
 #include "tests/ui/ui_fixture.h"
+#include "ui/models/format.h"
 #include "ui/pages/lobes_page.h"
 #include "ui/plots/lobe_chart.h"
 
@@ -41,7 +42,7 @@ class LobesPageTest : public WindowTest {
   FakeLobes& lobes() { return session_.fakeLobes(); }
   bool said(const QString& text) const {
     for (const QLabel* label : window_->findChildren<QLabel*>()) {
-      if (label->text().contains(text)) return true;
+      if (label->isVisible() && label->text().contains(text)) return true;
     }
     return false;
   }
@@ -60,6 +61,21 @@ TEST_F(LobesPageTest, TheFirstLookComputesAndCanBeCancelled) {
   press("method-zoa");
   EXPECT_EQ(lobes().asked()->method, LobeMethod::ZerothOrder);
   EXPECT_EQ(lobes().progress().state, LobeProgress::State::Running);
+}
+
+TEST_F(LobesPageTest, BeforeTheDiagramTheTableIsInTheUnitsOfTheScreenToo) {
+  openPage();
+  const auto head = [this] {
+    return find<QTableView>()->model()->headerData(PocketTable::Removal, Qt::Horizontal).toString();
+  };
+  EXPECT_EQ(head(), removalUnit(UnitSystem::Metric));
+  EXPECT_FALSE(said("In brackets")) << "there are none yet";
+  press("display");
+  press("units-1");
+  tick(40);
+  tick(80);
+  EXPECT_EQ(find<QTableView>()->model()->rowCount(), 0);
+  EXPECT_EQ(head(), removalUnit(UnitSystem::Inch));
 }
 
 TEST_F(LobesPageTest, DraggingTheRingAsksWhatIf) {
@@ -215,6 +231,8 @@ TEST_F(LobesPageTest, WithoutModesThePageSaysWhatToDo) {
   bool said = false;
   for (const QLabel* label : window_->findChildren<QLabel*>()) said = said || label->text().contains("not known");
   EXPECT_TRUE(said);
+  EXPECT_FALSE(find<LobeChart>()->isVisible()) << "axes of nothing";
+  EXPECT_TRUE(find<QDoubleSpinBox>("what-if-speed")->cleanText().isEmpty());
   press("compute");  // nothing to compute, and nothing happens
 }
 

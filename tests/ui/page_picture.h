@@ -17,6 +17,7 @@
 #include "tests/ui/ui_fixture.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
+#include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
 
@@ -43,6 +44,16 @@ inline std::string lookName(const testing::TestParamInfo<PageLook>& look) {
 
 inline constexpr int kDensePixels = 52;  // of 12 mm at 110 dpi
 
+inline void expectWholeRows(const QWidget& window) {
+  for (const QListView* list : window.findChildren<QListView*>()) {
+    if (!list->isVisible() || !list->wordWrap() || list->model() == nullptr) continue;
+    for (int row = 0; row < list->model()->rowCount(); ++row) {
+      const QModelIndex index = list->model()->index(row, 0);
+      EXPECT_GE(list->visualRect(index).height(), wrappedHeight(*list, row)) << index.data().toString().toStdString();
+    }
+  }
+}
+
 inline void expectWholePage(const QWidget& window) {
   const int least = pixelsFor(kTouchMm, &window);
   for (const QAbstractButton* button : window.findChildren<QAbstractButton*>()) {
@@ -66,6 +77,7 @@ inline void expectWholePage(const QWidget& window) {
     if (!list->isVisible() || list->model() == nullptr || list->model()->rowCount() == 0) continue;
     EXPECT_GE(list->sizeHintForRow(0), least) << list->accessibleName().toStdString();
   }
+  expectWholeRows(window);
   for (const TextLabel* label : window.findChildren<TextLabel*>()) {
     if (!label->isVisible() || label->text().isEmpty()) continue;
     const int needed = label->wordWrap() ? label->heightForWidth(label->width()) : label->sizeHint().height();
@@ -92,6 +104,7 @@ inline void expectNothingCut(const QWidget& window, const QString& page, QSize s
     const QRect place(button->mapTo(&window, QPoint()), button->size());
     EXPECT_TRUE(window.rect().contains(place)) << where << ": " << name << " is off the screen";
   }
+  expectWholeRows(window);
   for (const QWidget* widget : window.findChildren<QWidget*>()) {
     if (!widget->isVisible()) continue;
     if (const auto* button = qobject_cast<const TouchButton*>(widget)) {

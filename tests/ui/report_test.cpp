@@ -172,6 +172,11 @@ TEST(ReportText, TellsWhatHappened) {
   EXPECT_EQ(whatHappenedTone(s), Tone::Chatter);
   s.interventions[0].commanded = Instant{};
   EXPECT_TRUE(whatHappened(s, kMetric).endsWith(QStringLiteral("The overrides were not touched.")));
+  s.chatterTime = Seconds();
+  s.chatterLength = Metres();
+  EXPECT_EQ(whatHappened(s, kMetric).toStdString(),
+            "The onset of chatter was found once, first at 1\u202f000\u00a0Hz; it became no chatter. "
+            "The overrides were not touched.");
   s.alarms = 0;
   EXPECT_EQ(whatHappened(s, kMetric), QStringLiteral("No chatter was found."));
   s.session = false;

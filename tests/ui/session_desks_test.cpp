@@ -306,6 +306,10 @@ TEST_F(ReplayDeskTest, AScenarioIsReplayedAsARecordingIs) {
   desk_.exportSpan(Seconds(0.2), Seconds(0.7), file);
   waitForTask();
   EXPECT_GT(QFile(file).size(), 1000);
+  desk_.open(file);
+  test::waitFor(desk_, [&] { return desk_.openedPath() == file; });
+  EXPECT_TRUE(QString::fromStdString(desk_.info().setup.machine).contains(QStringLiteral("own.wav")))
+      << "of a machine that the file does not know: " << desk_.info().setup.machine;
 }
 
 TEST_F(ReplayDeskTest, WhatCannotBeReadIsASentence) {

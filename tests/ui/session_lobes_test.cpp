@@ -1,8 +1,10 @@
 // The lobes behind the Lobes page while a replay is shown: of the cut that was recorded, never of the machine's tool.
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QTemporaryDir>
 
+#include "app/compose/profile_rig.h"
 #include "app/compose/run_text.h"
 #include "app/compose/scenario_rig.h"
 #include "app/session/deletions.h"
@@ -89,6 +91,25 @@ TEST_F(RecordedLobes, AProfilesModesAreLookedForWhereItNamedThem) {
   const std::string origin = config::profileText(profile, {});
   show(origin);
   EXPECT_EQ(session_->lobes(), nullptr) << "the file is gone";
+}
+
+// A profile names its model beside itself, and its recordings lie in a folder of their own.
+TEST_F(RecordedLobes, AProfilesModesAreFoundFromTheFolderOfItsRecordings) {
+  const QTemporaryDir machine;
+  QFile model(machine.filePath(QStringLiteral("modes.toml")));
+  ASSERT_TRUE(model.open(QIODevice::WriteOnly));
+  model.write(
+      "name = \"long tool\"\n[tool]\nteeth = 2\ndiameter_mm = 10.0\n[engagement]\nradial_immersion = 0.5\n"
+      "side = \"up\"\n[chart]\nmax_depth_mm = 6.0\n[material]\ntangential_n_per_m2 = 6e8\n"
+      "radial_n_per_m2 = 2e8\n[[mode]]\nfrequency_hz = 950.0\ndamping = 0.02\nstiffness_n_per_m = 3e6\n"
+      "direction = [1.0, 0.0]\n");
+  model.close();
+  config::Profile profile;
+  profile.cut = cut_.cutSetup();
+  profile.model = "modes.toml";
+  show(profileOrigin(profile, machine.filePath(QStringLiteral("mill.toml")).toStdString()));
+  ASSERT_NE(session_->lobes(), nullptr);
+  EXPECT_EQ(session_->lobes()->frame().name, QStringLiteral("long tool"));
 }
 
 TEST(RunText, SaysWhatItWasMadeFrom) {

@@ -121,6 +121,20 @@ TEST_F(WindowTest, WhatIsKeptIsOnTheDiskASecondLaterNotOnlyAtTheEnd) {
   EXPECT_DOUBLE_EQ(next.findChild<QDoubleSpinBox*>("what-if-depth")->value(), 0.77);
 }
 
+TEST_F(WindowTest, TheFirstTimeItFillsTheScreenHoweverSmall) {
+  const QTemporaryDir folder;
+  session_.keepStateIn(folder.path());
+  open(1300, 810, ThemeKind::Light);
+  window_->restorePlace();
+  EXPECT_TRUE(window_->isMaximized()) << "a title bar over 1280 x 800 pushes the last line off the screen";
+  window_->showNormal();
+  window_->resize(1300, 810);
+  window_->close();
+  MainWindow next(session_, {}, Language::English);
+  next.restorePlace();
+  EXPECT_FALSE(next.isMaximized());
+}
+
 TEST_F(WindowTest, ThemePageAndSizeOutliveARestart) {
   const QTemporaryDir folder;
   session_.keepStateIn(folder.path());

@@ -116,6 +116,11 @@ AdviceView commandInForce(const Picture& picture, const Reason& moveReason) {
 AdviceView nothing(const Picture& picture) {
   AdviceView view;
   view.title = say("WHAT TO DO");
+  if (picture.over()) {
+    view.target = say("No advice");
+    view.reason = say("Another run begins on the page Set up: GUIDE or PROFILE");
+    return view;
+  }
   if (!picture.snapshot || picture.stale) {
     view.target = say("No advice");
     view.reason = say("There is no live picture to advise on");
@@ -126,7 +131,8 @@ AdviceView nothing(const Picture& picture) {
   const bool quiet = picture.verdict().valid && !alarm;
   view.target = quiet ? say("Nothing to do") : say("No advice");
   view.reason = idle(s.request.reason.code) ? QString() : reasonText(s.request.reason);
-  if (view.reason.isEmpty() && s.authority == Authority::Off)
+  const bool wishes = s.request.kind == RequestKind::Set;  // and nobody asks for its reasons
+  if (s.authority == Authority::Off && (view.reason.isEmpty() || wishes))
     view.reason = say("Authority is off: Stillcut only watches");
   if (view.reason.isEmpty() && !quiet && !alarm) view.reason = say("There is no verdict to act on");
   if (view.reason.isEmpty() && alarm) view.reason = say("The strategy has not decided yet");
@@ -142,7 +148,7 @@ QString AdviceView::spoken() const {
 }
 
 AdviceView makeAdviceView(const Picture& picture, const Reason& moveReason) {
-  if (!picture.snapshot || picture.stale) return nothing(picture);
+  if (!picture.snapshot || picture.stale || picture.over()) return nothing(picture);
   const Snapshot& s = *picture.snapshot;
   const bool isMove = s.request.kind == RequestKind::Set || s.request.kind == RequestKind::Release;
   if (s.adviceOpen && isMove) return openAdvice(picture);

@@ -53,11 +53,11 @@ struct RecorderStatus {
 
 struct LinkStatus {
   QString problem;  // a sentence, when there is one; link state and age come with the machine state
-  QString ended;    // why no more samples will come; empty while they may
+  QString ended;    // a sentence: why no more samples will come; empty while they may
 };
 
 // What a plot tells of itself.
-enum class Standing { Moves, Paused, Stale };
+enum class Standing { Moves, Paused, Stale, Ended };
 
 // Everything one display tick shows.
 struct Picture {
@@ -75,7 +75,11 @@ struct Picture {
   const ActiveSnapshot* table = nullptr;  // of the active work-holder; null: there is none, or nothing came yet
   bool replay = false;                    // the pages show a replay: there is nothing to answer or to judge in it
 
-  Standing standing() const { return stale ? Standing::Stale : paused ? Standing::Paused : Standing::Moves; }
+  // Nothing more will come, and it is known why: not stale.
+  bool over() const { return !link.ended.isEmpty(); }
+  Standing standing() const {
+    return over() ? Standing::Ended : stale ? Standing::Stale : paused ? Standing::Paused : Standing::Moves;
+  }
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };
 

@@ -14,6 +14,18 @@ namespace {
 
 constexpr Seconds kEventShownFor{30.0};
 
+// Stream time of the first sample.
+Instant beganAt(const Snapshot& s) {
+  return s.time - toDuration(s.health.blockLength * static_cast<double>(s.health.blocks));
+}
+
+// A machine that had never answered when the run began, and answers now.
+bool onlyBegan(const Event& event, const Snapshot& s) {
+  if (event.reason.code != ReasonCode::LinkLost || !s.machine.linkUp) return false;
+  constexpr Seconds kRounding{1e-3};
+  return secondsBetween(beganAt(s), event.time) <= Seconds(event.reason.n[0]) + kRounding;
+}
+
 // A link that is lost keeps the time of its last answer, though its state is not valid either.
 bool neverRead(const MachineState& machine) {
   return !machine.valid && machine.time == Instant{};
@@ -93,12 +105,13 @@ QString change(const QString& before, const QString& after, const QString& unit)
   return join(QStringLiteral("%1 \u2192 %2").arg(before, after), unit);
 }
 
-// Where the feed is known and nothing was marked, the onset was caught before it became chatter.
+// Where the feed is known and nothing is marked, it has not become chatter.
 QString headlineOf(const Intervention& i, UnitSystem units) {
   const QString at = join(number(i.frequency.value), QStringLiteral("Hz"));
-  const bool caught = i.finished && i.quiet && i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
-  if (caught) return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToQuiet));
-  const QString what = say("Chatter %1").arg(at);
+  const bool onset = i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
+  if (onset && i.finished && i.quiet)
+    return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToQuiet));
+  const QString what = (onset ? say("Onset %1") : say("Chatter %1")).arg(at);
   if (!i.finished) return say("%1, acting").arg(what);
   if (!i.quiet) return say("%1, not quieted").arg(what);
   return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, units));
@@ -180,12 +193,20 @@ CommandView makeCommandView(const Picture& picture) {
   view.inCommand = s.authority == Authority::Auto     ? say("Stillcut is in command")
                    : s.authority == Authority::Advise ? say("You are in command, Stillcut advises")
                                                       : say("You are in command");
-  view.since = say("since %1").arg(clockTime(picture.info->wallMs(s.authoritySince)));
+  // An authority that nobody has changed is as old as the run.
+  view.since = say("since %1").arg(clockTime(picture.info->wallMs(std::max(s.authoritySince, beganAt(s)))));
   if (s.authority == Authority::Auto && picture.info->simulatedMachine) {
     view.since = say("%1, on this simulated machine").arg(view.since);
   }
   if (picture.stale) view.since = say("as last heard, %1 ago").arg(duration(picture.age));
   if (s.operatorHold) view.since = say("held by you, %1").arg(view.since);
+  if (picture.over()) {  // with the samples every lease has ended: nobody but the machine's own knobs commands
+    view.authority = Authority::Off;
+    view.live = view.autoAllowed = view.held = false;
+    view.moved.clear();
+    view.inCommand = say("You are in command");
+    view.since = picture.link.ended;
+  }
   if (picture.replay) view.since = say("live, %1").arg(view.since);
   return view;
 }
@@ -216,6 +237,7 @@ EventLine makeEventLine(const Picture& picture) {
     const Event& event = s.events[(s.eventCount - 1 - k) % kEventsShown];
     if (secondsBetween(event.time, s.time) > kEventShownFor) break;
     if (event.level == EventLevel::Info || event.reason.code == ReasonCode::ChatterBegan) continue;
+    if (onlyBegan(event, s)) continue;
     return {clockTime(picture.info->wallMs(event.time)) + u' ' + reasonText(event.reason),
             event.level == EventLevel::Fault ? Tone::Chatter : Tone::Onset};
   }

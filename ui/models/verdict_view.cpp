@@ -84,6 +84,12 @@ VerdictView noVerdict(const QString& why) {
   return view;
 }
 
+VerdictView overVerdict(const Picture& picture) {
+  VerdictView view = noVerdict(picture.link.ended);
+  view.marked = totals(picture);
+  return view;
+}
+
 VerdictView staleVerdict(const Picture& picture) {
   VerdictView view = noVerdict(say("The picture is stale: nothing new for %1").arg(duration(picture.age)));
   const Verdict& last = picture.verdict();
@@ -109,6 +115,7 @@ void fillAlarm(VerdictView& view, const Picture& picture, Trend trend) {
 
 VerdictView verdictOf(const Picture& picture, Trend trend) {
   if (!picture.snapshot) return noVerdict(say("Waiting for the first samples"));
+  if (picture.over()) return overVerdict(picture);
   if (picture.stale) return staleVerdict(picture);
   if (!picture.snapshot->running) return noVerdict(say("The run has ended"));
   const Verdict& verdict = picture.verdict();

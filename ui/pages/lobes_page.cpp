@@ -164,13 +164,17 @@ void LobesPage::meet(LobeService* service, bool replay) {
   diagram_.reset();
   const bool known = service_ != nullptr;
   side_->setEnabled(known);
+  table_->setPockets({}, units_);
+  reach_->hide();
+  chart_->setVisible(known);  // axes of nothing tell nothing
   if (!known) {
+    for (QDoubleSpinBox* box : {speed_, depth_}) box->clear();
+    progress_->hide();
     chart_->setDiagram(nullptr, {});
     chart_->setWork({}, {});
     chart_->setAdvice({});
     verdict_->clear();
     detail_->clear();
-    table_->setPockets({}, units_);
     state_->setText(
         replay ? tr("The recording does not say which modes its tool has: there is no diagram of this cut. The "
                     "machine's own comes back with its cut.")
@@ -222,6 +226,7 @@ void LobesPage::display(const Picture& picture) {
   absent_.clear();
   if (picture.paused) absent_ = tr("The replay is paused");
   if (picture.snapshot != nullptr && picture.stale) absent_ = tr("Nothing new arrives: the working point is not shown");
+  if (picture.over()) absent_ = picture.link.ended;
   if (!service_->frame().depthKnown) {
     absent_ = tr("The depth of cut is not known: tell it under Set up, MACHINE, and the working point is shown");
   }
@@ -239,7 +244,7 @@ void LobesPage::showWork(const Picture& picture) {
   std::optional<Rpm> advice;
   const Snapshot* s = picture.snapshot;
   const bool known = service_->frame().depthKnown;
-  if (known && s != nullptr && s->machine.valid && !picture.stale) {
+  if (known && s != nullptr && s->machine.valid && !picture.stale && !picture.over()) {
     now = SpeedDepth{s->machine.actualSpeed, service_->depthAt(s->time)};
     if (s->adviceOpen && s->request.claimsSpeed) advice = s->request.speed;
     if (s->commanding && !s->adviceOpen) advice = s->machine.programmedSpeed * s->command.speed.value;

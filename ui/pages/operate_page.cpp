@@ -84,7 +84,7 @@ void OperatePage::display(const Picture& picture) {
   verdict_->display(makeVerdictView(picture, trend_.trend()));
   advice_->display(makeAdviceView(picture, moveReason_.reason()));
   overrides_->display(makeMachineView(picture));
-  const bool live = picture.snapshot && !picture.stale && picture.snapshot->running;
+  const bool live = picture.snapshot && !picture.stale && !picture.over() && picture.snapshot->running;
   const bool alarming = live && picture.verdict().alarming();
   interventions_->display(makeCards(picture), makeEventLine(picture), live, alarming, !picture.replay);
   showBars(picture);
@@ -98,7 +98,9 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   const bool named = channel < static_cast<int>(setup.channels.size());
   const ChannelInfo of = named ? setup.channels[static_cast<std::size_t>(channel)] : ChannelInfo{};
   const std::string_view si = named ? siUnit(of.quantity) : std::string_view();
-  spectrogram_->setSignal(tr("channel %1").arg(named ? QString::fromStdString(of.name) : number(channel + 1)),
+  const QString name = named ? QString::fromStdString(of.name) : number(channel + 1);
+  const QLatin1String prefix("channel ");  // a file without names counts them
+  spectrogram_->setSignal(tr("channel %1").arg(name.startsWith(prefix) ? name.mid(prefix.size()) : name),
                           QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
   spectrogram_->setStanding(picture.standing());
   if (!picture.snapshot) return;

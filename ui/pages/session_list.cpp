@@ -8,6 +8,7 @@
 #include "ui/pages/tool_button.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
+#include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
 SessionList::SessionList(SessionDesk* desk, QWidget* parent)
@@ -42,7 +43,7 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   list_->setObjectName(QStringLiteral("session-list"));
   list_->setAccessibleName(tr("Recordings"));
   list_->setModel(&order_);
-  list_->setWordWrap(true);
+  showWrapped(*list_);
   list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto openIndex = [this](const QModelIndex& index) {

@@ -8,6 +8,7 @@
 #include "ui/widgets/step_list.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
+#include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
 
@@ -37,7 +38,7 @@ void SetupFinder::layOut() {
   column->addLayout(line);
   places_->setObjectName(QStringLiteral("found-places"));
   places_->setAccessibleName(tr("What was found"));
-  places_->setWordWrap(true);
+  showWrapped(*places_);
   places_->setResizeMode(QListView::Adjust);
   places_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   constexpr int kLeastHeight = 80;  // gives way to what the test of a link says

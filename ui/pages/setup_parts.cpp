@@ -89,6 +89,7 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   names->addWidget(feed_, 1);
   names->addWidget(depthLabel_);
   names->addWidget(depth_, 1);
+  depth_->setPlaceholderText(tr("unknown"));
   whole->addLayout(names);
   problem_->setTone(Tone::Onset);
   problem_->hide();

@@ -14,6 +14,7 @@
 #include "ui/models/say.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
+#include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
 namespace {
@@ -52,7 +53,7 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   list_->setModel(&tools_);
   list_->setObjectName(QStringLiteral("tools"));
   list_->setAccessibleName(tr("Tools"));
-  list_->setWordWrap(true);
+  showWrapped(*list_);
   list_->setResizeMode(QListView::Adjust);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   left->addWidget(list_, 1);

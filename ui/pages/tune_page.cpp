@@ -19,6 +19,7 @@
 #include "ui/widgets/param_row.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
+#include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
 namespace {
@@ -48,7 +49,7 @@ void TunePage::build() {
   list_->setObjectName(QStringLiteral("tune-parts"));
   list_->setAccessibleName(tr("Methods"));
   list_->setModel(&parts_);
-  list_->setWordWrap(true);
+  showWrapped(*list_);
   list_->setResizeMode(QListView::Adjust);
   list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // names are broken to the width that stays
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -243,7 +244,7 @@ void TunePage::see(const Picture& picture) {
 }
 
 void TunePage::display(const Picture& picture) {
-  const bool running = picture.snapshot != nullptr && picture.snapshot->running && !picture.stale;
+  const bool running = picture.snapshot != nullptr && picture.snapshot->running && !picture.stale && !picture.over();
   if (params_.setRunning(running)) {
     for (ParamRow* row : rows_) row->refresh();
   }
@@ -260,6 +261,11 @@ void TunePage::showLive(const Picture& picture) {
   live_->setTone(Tone::Normal);
   if (part == nullptr || picture.snapshot == nullptr) {
     live_->setText(tr("Nothing yet"));
+    numbers_->clear();
+    return;
+  }
+  if (picture.over()) {
+    live_->setText(picture.link.ended);
     numbers_->clear();
     return;
   }

@@ -59,6 +59,7 @@ class SessionTimeline : public QWidget, public Themed {
   // Before scaling.
   static constexpr double kNames = 132.0;  // width of the rows' names
   static constexpr double kAxis = 24.0, kRow = 22.0;
+  static constexpr double kFirstTime = 38.0;  // the first time stands as far left of the plot
 
   double length() const;
   double axisEnd() const;

@@ -188,7 +188,8 @@ void SessionTimeline::paintEvent(QPaintEvent*) {
   }
   paintAxis(p, box);
   if (std::ranges::any_of(tracks_, &DetectorTrack::compared)) {
-    paintLegend(p, {double(theme_.px(4)), box.bottom(), double(theme_.px(kNames - 10)), double(theme_.px(kAxis))});
+    paintLegend(p,
+                {double(theme_.px(4)), box.bottom(), double(theme_.px(kNames - kFirstTime)), double(theme_.px(kAxis))});
   }
   if (hasFocus()) {
     p.setPen(QPen(theme_.colors.advice, theme_.px(2)));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "ui/models/format.h"
+#include "ui/models/standing_text.h"
 #include "ui/plots/level_key.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/touch_input.h"
@@ -161,7 +162,7 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
   const QString name = tr("SPECTROGRAM");
-  const QString title = standing_ == Standing::Paused ? tr("%1, PAUSED").arg(name) : name;
+  const QString title = standingTitle(name, standing_);
   p.drawText(QRect(theme_.px(16), 0, plot.right(), line.height()), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int titleEnd = theme_.px(16) + p.fontMetrics().horizontalAdvance(title) + theme_.px(14);
   p.setFont(theme_.font(type_size::kLabel));
@@ -261,7 +262,8 @@ void SpectrogramWidget::drawTeeth(QPainter& p, const QRect& plot) const {
 }
 
 void SpectrogramWidget::drawChatter(QPainter& p, const QRect& plot) const {
-  if (!(chatter_.value > 0) || chatter_ > visibleTop() || standing_ == Standing::Stale) return;
+  if (!(chatter_.value > 0) || chatter_ > visibleTop()) return;
+  if (standing_ == Standing::Stale || standing_ == Standing::Ended) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   const QFontMetrics metrics = p.fontMetrics();
   const double y = yOf(chatter_);

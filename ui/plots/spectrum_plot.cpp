@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "ui/models/format.h"
+#include "ui/models/standing_text.h"
 #include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
@@ -122,11 +123,11 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   p.setPen(theme_.colors.secondary);
   p.setFont(theme_.font(type_size::kLabel, true));
   const bool old = standing_ == Standing::Stale && !spectrum_.atCursor;
-  const QString title = !spectrum_.known                ? tr("SPECTRUM")
-                        : spectrum_.atCursor            ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
-                        : old                           ? tr("SPECTRUM, STALE: nothing new arrives")
-                        : standing_ == Standing::Paused ? tr("%1, PAUSED").arg(tr("SPECTRUM"))
-                                                        : tr("SPECTRUM, NEWEST");
+  const QString title = !spectrum_.known               ? tr("SPECTRUM")
+                        : spectrum_.atCursor           ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
+                        : old                          ? tr("SPECTRUM, STALE: nothing new arrives")
+                        : standing_ == Standing::Moves ? tr("SPECTRUM, NEWEST")
+                                                       : standingTitle(tr("SPECTRUM"), standing_);
   if (old) p.setPen(theme_.colors.onsetText);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   const QString unit =

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "ui/models/format.h"
+#include "ui/models/standing_text.h"
 #include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/touch_input.h"
@@ -83,7 +84,7 @@ void TimePlot::paintEvent(QPaintEvent*) {
   if (plot.height() < 10 || plot.width() < 40) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
-  const QString title = standing_ == Standing::Paused ? tr("%1, PAUSED").arg(title_) : title_;
+  const QString title = standingTitle(title_, standing_);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int after = theme_.px(12 + 14) + p.fontMetrics().horizontalAdvance(title);
   p.setFont(theme_.font(type_size::kTick));

@@ -121,11 +121,15 @@ QString whatHappened(const SessionSummary& s, UnitSystem units) {
         "spectrogram are shown as they are.");
   }
   if (s.alarms == 0) return say("No chatter was found.");
-  QString words = s.alarms == 1 ? say("Chatter began once") : say("Chatter began %1 times").arg(s.alarms);
+  const bool chatter = s.chatterTime.value > 0.0;  // else it was stopped, or went, at its onset
+  QString words = !chatter        ? (s.alarms == 1 ? say("The onset of chatter was found once")
+                                                   : say("The onset of chatter was found %1 times").arg(s.alarms))
+                  : s.alarms == 1 ? say("Chatter began once")
+                                  : say("Chatter began %1 times").arg(s.alarms);
   if (!s.interventions.empty() && s.interventions.front().frequency.value > 0.0) {
     words += say(", first at %1").arg(join(number(s.interventions.front().frequency.value), say("Hz")));
   }
-  words += say("; it lasted %1 in all").arg(duration(s.chatterTime));
+  words += chatter ? say("; it lasted %1 in all").arg(duration(s.chatterTime)) : say("; it became no chatter");
   if (s.chatterLength.value > 0.0) words += say(" and marked %1 of path").arg(lengthText(s.chatterLength, units));
   words += QStringLiteral(". ");
   const std::size_t moved = movedCount(s);

@@ -127,7 +127,12 @@ void MainWindow::meetSession() {
 }
 
 void MainWindow::restorePlace() {
-  restoreGeometry(state_.geometry());
+  const QByteArray kept = state_.geometry();
+  if (kept.isEmpty()) {
+    setWindowState(Qt::WindowMaximized);  // with the title bar all of it is on the screen, however small that is
+  } else {
+    restoreGeometry(kept);
+  }
   showPage(state_.page());
 }
 
@@ -165,7 +170,7 @@ void MainWindow::tick(qint64 nowMs) {
                   paused,
                   nowMs,
                   session_.recorder(),
-                  session_.link(),
+                  replay ? LinkStatus{} : session_.link(),
                   look_.units,
                   &history_,
                   &signal_,
@@ -175,6 +180,7 @@ void MainWindow::tick(qint64 nowMs) {
   pages_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
   // What commands, and what tells how the machine fares, is of the machine whatever the pages show.
   picture.info = &session_.liveInfo();
+  picture.link = session_.link();
   picture.snapshot = live;
   picture.age = liveFreshness_.age();
   picture.stale = live != nullptr && liveFreshness_.stale();
@@ -210,7 +216,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   if (std::abs(scaleForSize(width(), height()) - scale_) > 1e-9) retheme();
 }
 
-// Nobody closes the window of a machine whose main switch is turned.
+// Once a second at most while it runs: nobody closes the window of a machine whose main switch is turned.
 void MainWindow::keepState() {
   stateChanged_ = false;
   keptMs_ = nowMs_;

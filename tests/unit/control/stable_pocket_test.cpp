@@ -367,6 +367,7 @@ TEST_F(StablePocketTest, AdviceThatNobodyTakesIsMadeUpAnewAndCostsNoTry) {
     in_.now += toDuration(kBlock);
     const OverrideRequest r = strategy_.decide(in_);  // the spindle stays where it is
     ASSERT_NE(r.kind, RequestKind::Release);
+    ASSERT_NE(r.reason.code, ReasonCode::KeepingSpeed) << "that nobody has reached";
   }
   EXPECT_EQ(strategy_.decide(in_).reason.code, ReasonCode::CentreOfNextPocket);
 }
