@@ -51,6 +51,8 @@ constexpr double kRide = 2e-3;    // from the mean of the recent past: faster th
 constexpr double kMoving = 1e-2;  // ... than turns can be compared
 constexpr double kSwift = 4e-3;   // the same of the speed that is heard, which lags
 constexpr double kArrived = 1e-3;
+// A comb is sought in what was heard while the told speed moved by less than this.
+constexpr double kSmear = 1e-2;
 constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
 
@@ -191,9 +193,9 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   }
   toothPart_ = now.toothPart;
   proven_ = false;
-  // What was found is the speed in the middle of the window.
-  const double lag = riding_ ? 0.5 * look.search.window() / rate_ / recentSeconds() : 0.0;
-  const double gone = lag * (1.0 - recent_ / told_);
+  // What was found is the speed in the middle of the window; since what is remembered began it has moved evenly.
+  const double sinceMiddle = 0.5 * look.search.window() / static_cast<double>(inCut_);
+  const double gone = riding_ ? sinceMiddle * (turning_ / toldFirst_ - 1.0) : 0.0;
   lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 
@@ -291,10 +293,6 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   judge(look, before);
 }
 
-double SpeedTracker::recentSeconds() const noexcept {
-  return std::max(kRecentSeconds, kRecentTurns / told_);
-}
-
 void SpeedTracker::followMachine(double seconds) noexcept {
   if (!(told_ > 0.0) || !measured_) {
     riding_ = moving_ = false;
@@ -303,7 +301,8 @@ void SpeedTracker::followMachine(double seconds) noexcept {
   // Teeth and chatter shake a slow spindle within its turn: there it is told by the mean over one.
   const double longer = 1.0 / told_ - kRecentSeconds;
   turning_ = longer > 0.0 ? turning_ + (1.0 - std::exp(-seconds / longer)) * (told_ - turning_) : told_;
-  recent_ += (1.0 - std::exp(-seconds / recentSeconds())) * (told_ - recent_);
+  const double recent = std::max(kRecentSeconds, kRecentTurns / told_);
+  recent_ += (1.0 - std::exp(-seconds / recent)) * (told_ - recent_);
   const double away = std::abs(turning_ / recent_ - 1.0);
   const double doubt = toldSd_ / told_;
   moving_ = away > (moving_ ? kArrived : kMoving) || doubt > kMoving;
@@ -359,6 +358,8 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
   blockDone_ += frames;
   if (riding_) ride(frames, angle, step);
   if (riding_ && !seeksWhileRiding()) return forget();
+  if (riding_ && std::abs(turning_ / toldFirst_ - 1.0) > kSmear) forget();
+  if (inCut_ == 0) toldFirst_ = turning_;
   remember(samples, frames);
   inCut_ += frames;
   for (Look* look : {&quick_, &thorough_}) look->since += frames;

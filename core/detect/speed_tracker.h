@@ -73,7 +73,6 @@ class SpeedTracker {
   bool astray() const noexcept;
   void followMachine(double seconds) noexcept;
   void followSignal(double seconds) noexcept;
-  double recentSeconds() const noexcept;
   // A speed that has never stood in this cut is looked for all the same, where it moves little in a window.
   bool seeksWhileRiding() const noexcept { return !locked_ && !moving_; }
   void ride(int frames, double* angle, double* step) noexcept;
@@ -96,12 +95,13 @@ class SpeedTracker {
   int teeth_ = 0;
   double nominal_ = 0.0;  // Hz, from the setup
   MachineSpeed machine_;
-  double told_ = 0.0;     // Hz, now
-  double toldSd_ = 0.0;   // Hz, because it was read some time ago
-  double ratio_ = 1.0;    // true over told
-  double before_ = 0.0;   // Hz, told with the block before
-  double turning_ = 0.0;  // Hz, told now, or over the last turn of a slow spindle
-  double recent_ = 0.0;   // Hz, told over the last while
+  double told_ = 0.0;       // Hz, now
+  double toldSd_ = 0.0;     // Hz, because it was read some time ago
+  double ratio_ = 1.0;      // true over told
+  double before_ = 0.0;     // Hz, told with the block before
+  double turning_ = 0.0;    // Hz, told now, or over the last turn of a slow spindle
+  double toldFirst_ = 0.0;  // Hz, turning_ when what is remembered began
+  double recent_ = 0.0;     // Hz, told over the last while
   bool measured_ = false;
   bool riding_ = false;  // angle and speed come from the machine, since its speed changes
   bool moving_ = false;
