@@ -51,8 +51,7 @@ constexpr double kRide = 2e-3;    // from the mean of the recent past: faster th
 constexpr double kMoving = 1e-2;  // ... than turns can be compared
 constexpr double kSwift = 4e-3;   // the same of the speed that is heard, which lags
 constexpr double kArrived = 1e-3;
-// A comb is sought in what was heard while the told speed moved by less than this.
-constexpr double kSmear = 1e-2;
+constexpr double kSmear = 1e-2;   // a comb is sought in what was heard while the told speed moved by less
 constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
 
