@@ -6,8 +6,7 @@
 //   per cycle is least at sin(phi) = 1).
 // - n = 0 is allowed where nu lets it; a target out of the override's reach is not asked for, and said.
 // - The paper decides once per 512-point spectrum (1.2 s); here the rule is recomputed while chatter is marked, with
-// the
-//   frequency low-passed (frequency_rule.h).
+//   the frequency low-passed (frequency_rule.h).
 // - No quarter wave is promised to be stable: eq. 8 counts the energy of a vibration that is there, not the lobes. On
 //   van Dijk's ramp its target lies outside the stable pocket (tests/component/control_loop_test.cpp).
 //

@@ -11,12 +11,10 @@
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
 // - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by
-// what
-//   it no longer hears.
+//   what it no longer hears.
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
 // - The frequency of chatter is that of the strongest line of the turn difference (line_finder.h), or, while that line
-// is
-//   new, by its phase from turn to turn (new_line.h).
+//   is new, by its phase from turn to turn (new_line.h).
 // - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
 // Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic, and nearer than 0.012 to any other, is not
 // told from forced vibration. Chatter that fills the cut from the entry is alarmed by its line alone where that can be

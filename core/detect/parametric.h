@@ -14,8 +14,7 @@
 // - R_v and R_w belong to a signal of unit variance: the residual is divided by the rms of the vibration, learned while
 //   the cut is stable and held from onset (NLMS does not depend on the scale).
 // - The method works near the paper's 10 kHz: four taps at 100 kHz span 1/25 of a 1 kHz wave, and noise then decides
-// the
-//   roots. Faster input is low-passed and thinned by a whole factor.
+//   the roots. Faster input is low-passed and thinned by a whole factor.
 // - A real root has no frequency: the dominant root is looked for among those that oscillate. Reflection is done where
 //   the model is read, four times a turn, not at every sample. It is read from theta averaged over two turns: at full
 //   chatter the paper's R_v, R_w forget within five samples, and single roots scatter from 0.86 to 1.
