@@ -6402,6 +6402,10 @@
         <source>Onset %1</source>
         <translation>Ansatz %1</translation>
     </message>
+    <message>
+        <source>%1, going on</source>
+        <translation>%1, dauert an</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6755,10 +6759,6 @@
         <translation>Ruhige Bereiche in dieser Tiefe</translation>
     </message>
     <message>
-        <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Mit dem Hammer messen (Aufbau) oder im Profil eine Modelldatei nennen; mehr braucht das Diagramm nicht.</translation>
-    </message>
-    <message>
         <source>CANCEL</source>
         <translation>ABBRECHEN</translation>
     </message>
@@ -6801,6 +6801,10 @@
     <message>
         <source>, depth of cut up to %1</source>
         <translation>, Schnitttiefe bis %1</translation>
+    </message>
+    <message>
+        <source>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</source>
+        <translation>Die Moden dieses Werkzeugs sind nicht bekannt. Ein Klopfversuch gibt die Datei der Moden (F1 sagt wie): unter Aufbau, WERKZEUGE nennen; mehr braucht das Diagramm nicht.</translation>
     </message>
 </context>
 <context>

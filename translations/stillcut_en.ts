@@ -6401,6 +6401,10 @@
         <source>Onset %1</source>
         <translation>Onset %1</translation>
     </message>
+    <message>
+        <source>%1, going on</source>
+        <translation>%1, going on</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6754,10 +6758,6 @@
         <translation>Quiet pockets at this depth</translation>
     </message>
     <message>
-        <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</translation>
-    </message>
-    <message>
         <source>CANCEL</source>
         <translation>CANCEL</translation>
     </message>
@@ -6800,6 +6800,10 @@
     <message>
         <source>, depth of cut up to %1</source>
         <translation>, depth of cut up to %1</translation>
+    </message>
+    <message>
+        <source>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</source>
+        <translation>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</translation>
     </message>
 </context>
 <context>

@@ -6402,6 +6402,10 @@
         <source>Onset %1</source>
         <translation>初起 %1</translation>
     </message>
+    <message>
+        <source>%1, going on</source>
+        <translation>%1，持续中</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ActiveView</name>
@@ -6755,10 +6759,6 @@
         <translation>此切深下的稳定区</translation>
     </message>
     <message>
-        <source>The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in the profile; the diagram needs nothing else.</source>
-        <translation>此刀具的模态未知。请用锤击测量（设置）或在配置中指定模型文件；叶瓣图不需要其他数据。</translation>
-    </message>
-    <message>
         <source>CANCEL</source>
         <translation>取消</translation>
     </message>
@@ -6801,6 +6801,10 @@
     <message>
         <source>, depth of cut up to %1</source>
         <translation>，切深至 %1</translation>
+    </message>
+    <message>
+        <source>The modes of this tool are not known. A tap test gives the file of its modes (F1 tells how): name it under Set up, TOOLS; the diagram needs nothing else.</source>
+        <translation>此刀具的模态未知。锤击试验可得到模态文件（F1 说明方法）：请在“设置”的“刀具”中填写；叶瓣图不需要其他数据。</translation>
     </message>
 </context>
 <context>

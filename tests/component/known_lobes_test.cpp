@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/milling/scenario.h"
 #include "core/milling/stability/lobe_case.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
 namespace {
@@ -19,8 +19,6 @@ namespace {
 class KnownLobes : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "known-lobes";
-    std::filesystem::create_directories(folder_);
     const auto demo = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml");
     ASSERT_TRUE(demo.ok());
     const milling::LobeCase cut{.name = "demo", .model = demo->model, .maxDepth = Metres(5e-3), .reference = {}};
@@ -32,10 +30,9 @@ class KnownLobes : public testing::Test {
     profile_.model = "cut.toml";
     profile_.depth = Metres(1.5e-3);
   }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::string path(const char* file) const { return (folder_ / file).string(); }
+  std::string path(const char* file) const { return folder_ / file; }
 
-  std::filesystem::path folder_;
+  record::TempFolder folder_;
   config::Profile profile_;
 };
 

@@ -33,6 +33,16 @@ TEST(Cards, AnOnsetThatWasCaughtHasMarkedNothing) {
   EXPECT_FALSE(makeVerdictView(s.picture(), Trend::Unknown).marked.contains(QStringLiteral("no chatter")));
 }
 
+TEST(Cards, SayThatStillcutActsOnlyWhereItMay) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  s.snapshot.interventions[0].finished = false;
+  s.snapshot.authority = Authority::Auto;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("acting")));
+  s.snapshot.authority = Authority::Off;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("going on")));
+}
+
 TEST(Cards, TellWhatTheQuietSpeedCostsInTime) {
   Scene s = stableScene();
   s.snapshot.interventionCount = 1;

@@ -106,15 +106,16 @@ QString change(const QString& before, const QString& after, const QString& unit)
 }
 
 // Where the feed is known and nothing is marked, it has not become chatter.
-QString headlineOf(const Intervention& i, UnitSystem units) {
+QString headlineOf(const Intervention& i, const Picture& picture) {
   const QString at = join(number(i.frequency.value), QStringLiteral("Hz"));
   const bool onset = i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
   if (onset && i.finished && i.quiet)
     return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToQuiet));
   const QString what = (onset ? say("Onset %1") : say("Chatter %1")).arg(at);
-  if (!i.finished) return say("%1, acting").arg(what);
+  const bool acts = picture.snapshot && picture.snapshot->authority == Authority::Auto;
+  if (!i.finished) return (acts ? say("%1, acting") : say("%1, going on")).arg(what);
   if (!i.quiet) return say("%1, not quieted").arg(what);
-  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, units));
+  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, picture.units));
 }
 
 // What was cured is the chatter, told as its part of the vibration. The vibration itself may even have risen: at the
@@ -136,7 +137,7 @@ CardView cardOf(const Intervention& i, const Picture& picture) {
   CardView card;
   card.number = i.number;
   card.time = clockTime(info.wallMs(i.began));
-  card.headline = headlineOf(i, picture.units);
+  card.headline = headlineOf(i, picture);
   card.speed = change(number(i.speedBefore.value), number(i.speedAfter.value), QStringLiteral("rpm"));
   const double longer = 1e2 * (i.cycleTime.value - 1.0);
   if (i.finished && longer >= 0.5) card.cost = say("time +%1").arg(join(number(longer), QStringLiteral("%")));

@@ -178,8 +178,8 @@ void LobesPage::meet(LobeService* service, bool replay) {
     state_->setText(
         replay ? tr("The recording does not say which modes its tool has: there is no diagram of this cut. The "
                     "machine's own comes back with its cut.")
-               : tr("The modes of this tool are not known. Measure them with a hammer (Set up) or name a model file in "
-                    "the profile; the diagram needs nothing else."));
+               : tr("The modes of this tool are not known. A tap test gives the file of its modes (F1 tells "
+                    "how): name it under Set up, TOOLS; the diagram needs nothing else."));
     return;
   }
   const LobeFrame& frame = service_->frame();

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
+#include "tests/support/temp_folder.h"
 #include "tests/unit/config/example_params.h"
 
 namespace stillcut::config {
@@ -94,10 +93,10 @@ TEST(Profile, ReadsInSiUnits) {
 TEST(Profile, WhatIsSavedIsWhatIsLoadedAndSavesTheSameAgain) {
   const Result<Profile> first = parseProfile(kMill3, "p.toml", catalog());
   ASSERT_TRUE(first.ok());
-  const std::string path = testing::TempDir() + "profile-test.toml";
+  const record::TempFolder folder;
+  const std::string path = folder / "profile-test.toml";
   ASSERT_TRUE(saveProfile(*first, catalog(), path).ok());
   const Result<Profile> second = loadProfile(path, catalog(), kKnown);
-  std::filesystem::remove(path);
   ASSERT_TRUE(second.ok()) << second.error().line();
   EXPECT_EQ(profileText(*second, catalog()), profileText(*first, catalog()));
   EXPECT_EQ(second->params.values().size(), 3u);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::config {
 namespace {
@@ -16,7 +16,7 @@ std::string lineOf(std::string_view content, const std::function<void(const Toml
   const TomlReader in = TomlReader::text(content, "a.toml");
   ask(in.root());
   const Status status = in.finish();
-  const std::string line = status ? "" : status.error().line();
+  std::string line = status ? "" : status.error().line();
   EXPECT_EQ(line.find('\n'), std::string::npos) << "an error is one line";
   return line;
 }
@@ -128,13 +128,13 @@ TEST(TomlReader, EmptyMissingAndUnreadableFilesSaySo) {
 }
 
 TEST(TomlReader, FileAndTextReadTheSame) {
-  const std::string path = testing::TempDir() + "toml-reader-test.toml";
+  const record::TempFolder folder;
+  const std::string path = folder / "toml-reader-test.toml";
   ASSERT_TRUE(writeFileAtomically(path, "n = 4\n").ok());
   const TomlReader in = TomlReader::file(path);
   EXPECT_EQ(in.root().integer("n"), 4);
   EXPECT_EQ(in.root().place("n"), path + ":1");
   EXPECT_TRUE(in.finish().ok());
-  std::filesystem::remove(path);
 }
 
 TEST(TomlReader, FreeKeysAreListedAndGivenAsText) {

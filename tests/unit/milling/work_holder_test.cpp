@@ -7,6 +7,7 @@
 
 #include "core/milling/scenario.h"
 #include "core/milling/simulated_cut.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::milling {
 namespace {
@@ -78,7 +79,8 @@ TEST(WorkHolder, StandsInItsScenarioAndSurvivesSaving) {
   const Scenario s = ford();
   ASSERT_TRUE(s.workHolder.has_value());
   EXPECT_EQ(s.workHolder->stroke, Metres(3e-6));
-  const std::string path = testing::TempDir() + "/work_holder.toml";
+  const record::TempFolder folder;
+  const std::string path = folder / "work_holder.toml";
   ASSERT_TRUE(saveScenario(s, path).ok());
   EXPECT_EQ(loadScenario(path)->workHolder, s.workHolder);
 }

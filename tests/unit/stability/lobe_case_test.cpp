@@ -2,25 +2,22 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 
 #include "core/milling/stability/lobe_csv.h"
+#include "tests/support/temp_folder.h"
 #include "tests/unit/stability/reference_cases.h"
 
 namespace stillcut::milling {
 namespace {
 
-std::string temporary(const std::string& name) {
-  return (std::filesystem::path(testing::TempDir()) / ("lobe_case_" + name)).string();
-}
-
 TEST(LobeCase, SharedCasesConvertWithoutLoss) {
   STILLCUT_NEEDS_REFERENCE();
+  const record::TempFolder folder;
   for (const char* name : kReferenceNames) {
     const auto imported = loadLobeCase(referenceFile(std::string(name) + ".json").string());
     ASSERT_TRUE(imported.ok());
-    const std::string path = temporary("convert.toml");
+    const std::string path = folder / "convert.toml";
     ASSERT_TRUE(saveLobeCase(*imported, path).ok());
     const auto read = loadLobeCase(path);
     ASSERT_TRUE(read.ok()) << read.error().line();
@@ -38,21 +35,20 @@ TEST(LobeCase, SharedCasesConvertWithoutLoss) {
     EXPECT_EQ(read->model.material.radial, imported->model.material.radial);
     EXPECT_EQ(read->model.engagement.radialImmersion, imported->model.engagement.radialImmersion);
     EXPECT_EQ(read->model.engagement.side, imported->model.engagement.side);
-    std::filesystem::remove(path);
   }
 }
 
 TEST(LobeCase, BadFilesAreRefusedWithOneLine) {
-  const std::string path = temporary("bad.json");
+  const record::TempFolder folder;
+  const std::string path = folder / "bad.json";
   for (const char* text : {"", "{", "[]", "{\"name\": \"x\"}", "{\"name\": \"x\", \"modes\": 3}"}) {
     std::ofstream(path) << text;
     const auto read = loadLobeCase(path);
     ASSERT_FALSE(read.ok()) << text;
     EXPECT_EQ(read.error().line().find('\n'), std::string::npos);
   }
-  std::filesystem::remove(path);
-  EXPECT_FALSE(loadLobeCase(temporary("missing.json")).ok());
-  EXPECT_FALSE(loadLobeCase(temporary("missing.toml")).ok());
+  EXPECT_FALSE(loadLobeCase(folder / "missing.json").ok());
+  EXPECT_FALSE(loadLobeCase(folder / "missing.toml").ok());
 }
 
 TEST(LobeCsv, OneRowPerCrossingAndOneForASpeedWithoutLimit) {
