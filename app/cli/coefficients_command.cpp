@@ -38,6 +38,7 @@ Result<std::vector<double>> feedsOf(const CoefficientsCommand& c) {
                  "one for each, in their order, as --feed 300,900"};
   }
   std::vector<double> feeds;
+  feeds.reserve(given.size());
   for (const double f : given) feeds.push_back(perTooth ? 1e-3 * f : 1e-3 * f / (c.speed * c.teeth));
   return feeds;
 }

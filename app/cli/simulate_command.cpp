@@ -124,13 +124,13 @@ Status checkStrategy(const std::string& id) {
 // said here as well.
 Status check(const SimulateOptions& options, const milling::Scenario& scenario) {
   for (const std::string& id : {options.strategy, scenario.strategy}) {
-    if (const Status known = checkStrategy(id); !known) return known;
+    if (Status known = checkStrategy(id); !known) return known;
   }
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
     return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
   }
-  if (const Status usable = checkOutPath(options.pathRecord, options.out); !usable) return usable;
-  if (const Status usable = checkOutPath(options.out); !usable) return usable;
+  if (Status usable = checkOutPath(options.pathRecord, options.out); !usable) return usable;
+  if (Status usable = checkOutPath(options.out); !usable) return usable;
   return record::checkReplaceable(options.out, record::MayReplace::SimulatedSession);
 }
 

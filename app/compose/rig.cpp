@@ -113,7 +113,7 @@ Status Rig::prepare(SetUpFault& fault) {
                  "a simulated or recorded cut may not drive a real machine", "use the link 'simulated'"};
   }
   fault = SetUpFault::Hardware;
-  if (const Status opened = open(); !opened) return opened;
+  if (Status opened = open(); !opened) return opened;
   fault = SetUpFault::Input;
   if (spec_.link) {
     const Status narrowed = config::narrowToMachine(spec_.params, reach(spec_.link->describe()), "machine");
@@ -123,7 +123,7 @@ Status Rig::prepare(SetUpFault& fault) {
   if (!limits) return limits.error();
   limits->autoAllowed = spec_.autoAllowed;
 
-  if (const Status complete = completeMethods(spec_.methods); !complete) return complete;
+  if (Status complete = completeMethods(spec_.methods); !complete) return complete;
   auto parts = makeParts(spec_.methods);
   if (!parts) return parts.error();
   chain_ = std::make_unique<pipeline::Chain>(std::move(parts).value());

@@ -63,7 +63,8 @@ class ComediDriver final : public daq::PcmDriver {
     std::memmove(raw_.data(), raw_.data() + used, held_ - used);
     held_ -= used;
     const int waiting = std::max(0, ::comedi_get_buffer_contents(device_, subdevice_));
-    const double older = static_cast<double>(static_cast<std::size_t>(waiting) / frameBytes_) / rate_;
+    const std::size_t left = static_cast<std::size_t>(waiting) / frameBytes_;
+    const double older = static_cast<double>(left) / rate_;
     taken = SteadyClock().now() - toDuration(Seconds(older));
     return static_cast<int>(count);
   }

@@ -274,7 +274,7 @@ Status MachineDesk::start(const QString& name) {
   listener_.free();
   if (!begin)
     return Error{QT_TRANSLATE_NOOP("Core", "profile"), QT_TRANSLATE_NOOP("Core", "cannot be put in force here"), ""};
-  const Status begun = begin(profileFile(name));
+  Status begun = begin(profileFile(name));
   std::error_code gone;
   if (begun && !folder_.isEmpty()) std::filesystem::remove(draftFile(), gone);
   return begun;

@@ -103,7 +103,7 @@ Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile,
   const auto putInto = [&](config::ParamSet& params) -> Status {
     for (const config::ParamDecl* decl : catalog.all()) {
       if (keep.values.text(*decl) == keep.started.text(*decl)) continue;
-      if (const Status set = params.set(*decl, keep.values.real(*decl), "tune"); !set) return set;
+      if (Status set = params.set(*decl, keep.values.real(*decl), "tune"); !set) return set;
     }
     return Done{};
   };

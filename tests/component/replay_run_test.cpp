@@ -22,7 +22,7 @@ namespace {
 
 // The demo's cut, recorded; after block 300 the samples of two blocks are missing.
 std::string recorded(const record::TempFolder& folder) {
-  const std::string path = folder / "cut.h5";
+  std::string path = folder / "cut.h5";
   class Losing final : public daq::DaqSource {
    public:
     explicit Losing(std::unique_ptr<daq::DaqSource> source) : source_(std::move(source)) {}

@@ -72,7 +72,7 @@ TEST_P(CoreSentences, OfRefusedFilesLeaveNoEnglishBehind) {
   keep(config::loadProfile(folder.filePath("profile.toml").toStdString(), catalog));
   keep(milling::loadScenario(folder.filePath("scenario.toml").toStdString()));
   const auto write = [&](const char* name, const char* content) {
-    const std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
+    std::string path = folder.filePath(QString::fromUtf8(name)).toStdString();
     std::ofstream(path) << content;
     return path;
   };

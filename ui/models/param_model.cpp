@@ -33,7 +33,7 @@ QString roleText(TunablePart::Role role) {
 
 // "detector, in charge"
 QString placeText(const TunablePart& part) {
-  const QString role = roleText(part.role);
+  QString role = roleText(part.role);
   if (part.role == TunablePart::Role::Active) return role;
   return say("%1, %2").arg(role, part.inCharge ? say("in charge") : part.running ? say("runs") : say("does not run"));
 }

@@ -28,7 +28,7 @@ std::string foreign(const TempFolder& folder, int frames) {
     std::snprintf(line, sizeof line, "%.3f,%d,%d\n", i * 1e-3, i, -i);
     text += line;
   }
-  const std::string path = folder / "foreign.h5";
+  std::string path = folder / "foreign.h5";
   EXPECT_TRUE(convertRecording(folder.file("in.csv", text), path).ok());
   return path;
 }

@@ -24,7 +24,7 @@ constexpr std::int64_t kMade = 1'700'000'000'000'000'000;  // 2023-11-14T22:13:2
 // Ten blocks of 2.5 ms from 1 s on, with these touches in block 4.
 std::string touched(const TempFolder& folder, const std::vector<OperatorAction>& actions,
                     const std::string& operatorName = "Grace") {
-  const std::string path = folder / "cut.h5";
+  std::string path = folder / "cut.h5";
   SessionHeader header = exampleHeader();
   header.operatorName = operatorName;
   auto writer = SessionWriter::create(path, header);

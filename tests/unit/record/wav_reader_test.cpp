@@ -32,7 +32,7 @@ SampleBlock ramp(int channels, int frames) {
 }
 
 std::string writeRamp(const TempFolder& folder, int channels, int frames) {
-  const std::string path = folder / "ramp.wav";
+  std::string path = folder / "ramp.wav";
   auto writer = WavWriter::create(path, channels, Hertz(8000.0));
   EXPECT_TRUE(writer.ok());
   EXPECT_TRUE((*writer)->write(ramp(channels, frames)).ok());
