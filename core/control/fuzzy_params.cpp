@@ -159,10 +159,10 @@ Status checkFuzzyOptions(const FuzzyOptions& options) {
   for (const auto& [table, keys] : {std::pair(&options.speedRules, &kSpeedKeys), {&options.feedRules, &kFeedKeys}}) {
     const auto rising = risingRule(*table);
     if (!rising) continue;
-    const auto key = [&keys](std::size_t row, std::size_t column) {
+    const auto key = [&keys = keys](std::size_t row, std::size_t column) {
       return std::string((*keys)[row * kCoherenceSets + column].view());
     };
-    const auto rule = [&table](std::size_t row, std::size_t column) {
+    const auto rule = [&table = table](std::size_t row, std::size_t column) {
       return config::numberText((*table)[row][column]);
     };
     return Error{key(rising->row, rising->column),

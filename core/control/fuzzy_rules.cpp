@@ -6,6 +6,7 @@
 namespace stillcut::control {
 namespace {
 
+// Named as the paper's figures name them. NOLINTNEXTLINE(readability-identifier-naming)
 constexpr double NB = 2.0, NM = 3.0, NS = 4.0, ZE = kZero, PS = 6.0, PM = 7.0, PB = 8.0;
 
 }  // namespace

@@ -96,7 +96,8 @@ void AliasWatch::look(Channel& c) noexcept {
   const Folded before = c.folded;
   c.folded = {};
   for (std::size_t i = 0; i < c.folds.size(); ++i) {
-    const double turned = static_cast<double>(1 + i / 2) * rate_;
+    const std::size_t turns = 1 + i / 2;  // two folds, up and down, of each
+    const double turned = static_cast<double>(turns) * rate_;
     Fold& fold = c.folds[i];
     const bool away = fold.order != 0 && hidden(std::abs(turned - fold.order * mean_));
     if (!away) follow(fold, strong ? turned + (i % 2 == 0 ? -1.0 : 1.0) * line.frequency.value : 0.0);
