@@ -42,6 +42,16 @@ int followingHops(Seconds hop) noexcept {
   return std::clamp(static_cast<int>(kFollowing / hop), kLookHops, kMostLookHops);
 }
 
+// A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
+// that was found anew moves in every harmonic stands still from the next turn on: the difference hardly holds any of
+// it.
+bool arrives(const RatioChannel& c) noexcept {
+  const auto line = [](const EnergyGrowth& growth, double arrival) {
+    return (growth.changed() - growth.onset().floor()) / arrival;
+  };
+  return line(c.growth, TurnDifference::kDifferenceArrival) > kLeastNews * line(c.news, TurnDifference::kNewsArrival);
+}
+
 }  // namespace
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
@@ -82,7 +92,8 @@ void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
   growing_ = growing_ || (onset.grown() && c.growth.steadyGrowth());
   newsGrowing_ = newsGrowing_ || (news.grown() && c.news.steadyGrowth());
   // What is new also holds forced vibration that changes: for the fast only.
-  rising_ = rising_ || ((c.growth.rising() || c.news.rising()) && c.growth.steadyGrowth() && c.news.steadyGrowth());
+  const bool rises = c.growth.rising() || (c.news.rising() && arrives(c));
+  rising_ = rising_ || (rises && c.growth.steadyGrowth() && c.news.steadyGrowth());
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {

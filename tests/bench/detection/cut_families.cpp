@@ -231,6 +231,26 @@ Orders slowSpindle(int seeds) {
   return orders;
 }
 
+}  // namespace
+
+// At 0.9 of the limit in uneven material, and on the way there.
+std::vector<SimulationOrder> slowStable(int seeds) {
+  constexpr std::array<ToolKind, 1> kTools{ToolKind::FaceMill};
+  Orders orders;
+  each(kTools, seeds, 2000, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double high = 0.9 * limit.depth.value;
+    planDepth(s, kSlowPlan, 0.5 * limit.depth.value, high);
+    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
+    orders.back().name += "-rises";
+    s.programme.unevenness = 1.85e-5;
+    planDepth(s, kSlowPlan, high, high);
+    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
+  });
+  return orders;
+}
+
+namespace {
+
 Orders strongRunout(int seeds) {
   Orders orders;
   each(kFast, seeds, 1100, [&](Scenario& s, const milling::StabilityLimit& limit) {
@@ -304,7 +324,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 16> kFamilies{{
+constexpr std::array<CutFamily, 17> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -317,6 +337,7 @@ constexpr std::array<CutFamily, 16> kFamilies{{
     {"recovery by speed", "chatter ends", recoveryBySpeed},
     {"chatter from entry", "no stable stretch to learn from", entryChatter},
     {"slow spindle", "chatter near an order", slowSpindle},
+    {"stable, slow spindle", "no chatter", slowStable},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},
     {"forced resonance", "no chatter", forcedResonance},

@@ -18,5 +18,7 @@ struct CutFamily {
 };
 
 std::span<const CutFamily> cutFamilies();
+// One of them.
+std::vector<SimulationOrder> slowStable(int seeds);
 
 }  // namespace stillcut::bench

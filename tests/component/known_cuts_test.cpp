@@ -1,0 +1,25 @@
+// Cuts of the detection table (tests/bench/detection), other seeds than it shows: what a new user's first cuts are
+// like.
+#include <gtest/gtest.h>
+
+#include "tests/bench/detection/cut_families.h"
+#include "tests/bench/detection/score.h"
+
+namespace stillcut::bench {
+namespace {
+
+// Of a face mill at 800 rev/min the teeth are heard up to the hundredth order, where a speed found anew by a thousandth
+// moves everything by a radian. Nothing grows.
+TEST(KnownCuts, ASlowSpindleWhoseSpeedIsFoundAnewRaisesNoAlarm) {
+  for (const SimulationOrder& order : slowStable(8)) {
+    if (order.scenario.seed % 1000 <= 5) continue;
+    const KnownCut cut = simulate(order);
+    for (const int channel : {0, 1}) {
+      const Score s = score(cut, {"energy-ratio", {channel}, 0.0});
+      EXPECT_FALSE(s.falseAlarm) << cut.name << " channel " << channel << " at " << s.alarm << " s";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::bench
