@@ -1,13 +1,16 @@
 #include "tests/bench/detection/known_cut.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/milling/noise.h"
 #include "core/milling/simulated_cut.h"
+#include "tests/bench/detection/tools.h"
 
 namespace stillcut::bench {
 namespace {
@@ -39,21 +42,52 @@ void addNoise(KnownCut& cut, const SimulationOrder& order) {
   }
 }
 
+// So many frames earlier, by a sinc under a Hann window; whole frames exactly.
+std::vector<double> delayed(const std::vector<float>& x, double frames) {
+  constexpr int kReach = 16;
+  const auto whole = static_cast<std::ptrdiff_t>(std::floor(frames));
+  const double part = frames - std::floor(frames);
+  std::array<double, 2 * kReach> taps{};
+  for (int k = 0; k < 2 * kReach; ++k) {
+    const double t = k - kReach + 1 - part;
+    const double window = std::cos(0.25 * kTwoPi * t / (kReach + 1));
+    const double sinc = std::abs(t) < 1e-9 ? 1.0 : std::sin(0.5 * kTwoPi * t) / (0.5 * kTwoPi * t);
+    taps[static_cast<std::size_t>(k)] = sinc * window * window;
+  }
+  std::vector<double> out(x.size(), 0.0);
+  const auto size = static_cast<std::ptrdiff_t>(x.size());
+  for (std::ptrdiff_t i = whole + kReach; i < size; ++i) {
+    double sum = 0.0;
+    for (int k = 0; k < 2 * kReach; ++k) {
+      const std::ptrdiff_t at = i - whole - (k - kReach + 1);
+      if (at < size) sum += taps[static_cast<std::size_t>(k)] * static_cast<double>(x[static_cast<std::size_t>(at)]);
+    }
+    out[static_cast<std::size_t>(i)] = sum;
+  }
+  return out;
+}
+
 // Period doubling by its own definition, from the signal before noise: what changes its sign from tooth to tooth, over
 // what does not. With even teeth this lies on spindle harmonics, where a difference over whole turns does not see it.
 // Runout makes some of it in the stable cut; that part is taken off.
-void takeDoubling(KnownCut& cut, const SimulationOrder& order) {
-  const auto tooth = static_cast<std::size_t>(std::lround(60.0 * cut.recording.rate / (cut.rpm * cut.teeth)));
+struct Doubling {
+  double at1 = kNever, at20 = kNever;  // s
+  double hertz = 0.0;
+};
+
+std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& order) {
+  const double exact = 60.0 * cut.recording.rate / (cut.rpm * cut.teeth);
+  const auto tooth = static_cast<std::size_t>(std::lround(exact));
   const std::size_t window = tooth * std::max<std::size_t>(static_cast<std::size_t>(cut.teeth), 4);
   const std::size_t frames = cut.recording.frames();
   std::vector<double> odd(frames, 0.0);
   std::vector<double> even(frames, 0.0);
   for (const auto& x : cut.recording.channels) {
+    const std::vector<double> before = delayed(x, exact);
     for (std::size_t i = tooth; i < frames; ++i) {
       const double now = static_cast<double>(x[i]);
-      const double before = static_cast<double>(x[i - tooth]);
-      odd[i] += 0.25 * (now - before) * (now - before);
-      even[i] += 0.25 * (now + before) * (now + before);
+      odd[i] += 0.25 * (now - before[i]) * (now - before[i]);
+      even[i] += 0.25 * (now + before[i]) * (now + before[i]);
     }
   }
   for (auto* v : {&odd, &even}) {
@@ -65,22 +99,20 @@ void takeDoubling(KnownCut& cut, const SimulationOrder& order) {
   const auto ratio = [&](std::size_t i) { return std::sqrt(std::max(0.0, part(i - window, i) - usual)); };
   std::size_t full = frame(order.quietTo);
   while (full < frames && ratio(full) < 0.5) ++full;
-  if (full == frames) return;
+  if (full == frames) return std::nullopt;
   const auto below = [&](double mark) {
     std::size_t i = full;
     while (i > frame(order.quietTo) && ratio(i) >= mark) --i;
     return static_cast<double>(i) / cut.recording.rate;
   };
-  cut.at20 = below(0.2);
-  cut.at1 = below(0.01);
-  cut.kind = ChatterKind::Flip;
+  Doubling found{below(0.01), below(0.2), cut.chatterHz};
   // An odd multiple of half the tooth-passing frequency; the strongest over the time to full chatter and as long after.
   double strongest = 0.0;
-  const std::size_t from = frame(cut.at20);
+  const std::size_t from = frame(found.at20);
   const std::size_t span = (full - from + 8 * tooth) / (2 * tooth) * (2 * tooth);
-  if (from + span > frames) return;
-  for (int k = 0; (k + 0.5) / static_cast<double>(tooth) < 0.5; ++k) {
-    const double perSample = kTwoPi * (k + 0.5) / static_cast<double>(tooth);
+  if (from + span > frames) return found;
+  for (int k = 0; (k + 0.5) / exact < 0.5; ++k) {
+    const double perSample = kTwoPi * (k + 0.5) / exact;
     double power = 0.0;
     for (const auto& x : cut.recording.channels) {
       std::complex<double> sum;
@@ -91,8 +123,9 @@ void takeDoubling(KnownCut& cut, const SimulationOrder& order) {
     }
     if (power <= strongest) continue;
     strongest = power;
-    cut.chatterHz = (k + 0.5) * cut.recording.rate / static_cast<double>(tooth);
+    found.hertz = (k + 0.5) * cut.recording.rate / exact;
   }
+  return found;
 }
 
 // Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together.
@@ -170,6 +203,31 @@ void takeEarlierInstability(KnownCut& cut, const milling::ChatterTruth& truth) {
   });
 }
 
+// Is the cut of this moment unstable, by the exact lobes?
+bool unstableAt(const milling::Scenario& scenario, double time) {
+  milling::Scenario now = scenario;
+  const milling::Programme& programme = scenario.programme;
+  double& immersion = now.model.engagement.radialImmersion;
+  immersion = programme.immersion.at(time, 0.0, immersion);
+  const auto limit = limitOf(now);
+  return limit && limit->depth.value < programme.depth.at(time, 0.0, 0.0);
+}
+
+// Period doubling with even teeth and runout. The difference over whole turns, which the truth goes by, sees it once it
+// has locked, both its times in one; and the companion that says since when a small disturbance grows begins that from
+// a thousandth of another motion that dies. It grows out of what runout drives, from the limit of the exact lobes on:
+// the 1 % time is when it has exceeded that by 1 % beyond that limit, and the 20 % time no sooner than by 20 %.
+void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
+  constexpr double kStep = 5e-3;     // s
+  constexpr double kFurthest = 0.3;  // s: the lag of the companion is far less
+  if (!order.scenario.programme.speedOverTime.segments.empty()) return;
+  const auto doubling = doublingOf(cut, order);
+  if (!doubling) return;
+  const double least = std::max(doubling->at1, cut.at1 - kFurthest);
+  while (cut.at1 - kStep > least && unstableAt(order.scenario, cut.at1 - kStep)) cut.at1 -= kStep;
+  cut.at20 = std::max(cut.at20, doubling->at20);
+}
+
 void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
   const milling::ChatterOnset onset = truth.onset();
   cut.at1 = onset.at1;
@@ -179,6 +237,7 @@ void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::Chatt
   takeLockedLine(cut, order);
   dropUnseenOnset(cut);
   takeEarlierInstability(cut, truth);
+  if (cut.kind == ChatterKind::Flip && cut.teeth % 2 == 0 && cut.at20 > 0.0) refineDoubling(cut, order);
   if (!order.recovers) return;
   const Hertz chatter = truth.chatterFrequency();
   for (const auto& entry : truth.log()) {
@@ -238,7 +297,12 @@ KnownCut simulate(const SimulationOrder& order) {
   }
   if (order.scenario.programme.exit) cut.silentFrom = order.scenario.programme.exit->at + 0.1;
   if (order.doubling) {
-    takeDoubling(cut, order);
+    if (const auto doubling = doublingOf(cut, order)) {
+      cut.at1 = doubling->at1;
+      cut.at20 = doubling->at20;
+      cut.chatterHz = doubling->hertz;
+      cut.kind = ChatterKind::Flip;
+    }
     // Near the limit runout of alternate teeth is magnified without any chatter; that begins with the instability.
     for (const auto& entry : plant.truth().log()) {
       if (!entry.unstable) continue;
