@@ -35,6 +35,7 @@ void OrderGrowth::prepare(int teeth, int eta, int harmonics) {
   classes_.assign(static_cast<std::size_t>(std::max(teeth, 0) / 2), {});
   orders_.assign(static_cast<std::size_t>(std::max(harmonics, 0)), {});
   now_.assign(orders_.size(), {});
+  stretches_.prepare(teeth, orders_.size());
   relearn();
 }
 
@@ -45,7 +46,7 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) {
     c.onset.reset();
-    c.counts = false;
+    c.counts = c.own = c.unstable = false;
     c.alarmTurns = c.turned = c.slow = c.outgrown = 0.0;
   }
   order_ = 0.0;
@@ -54,6 +55,7 @@ void OrderGrowth::relearn() noexcept {
 
 void OrderGrowth::setSpindle(Hertz spindle) noexcept {
   for (Class& c : classes_) c.onset.setSpindle(spindle);
+  stretches_.setSpindle(spindle);
   if (grown() || std::abs(spindle.value - learnedAt_.value) < kOtherSpeed * spindle.value) return;
   learnedAt_ = spindle;
   relearn();
@@ -67,6 +69,7 @@ void OrderGrowth::follow(const EnergyChain& chain, int channel) noexcept {
   constexpr double kRate = 1.0 / kDriftTurns;
   const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), orders_.size());
   chain.amplitudes(channel, std::span(now_).first(count));
+  stretches_.endTurn(std::span(now_).first(count));
   for (std::size_t i = 0; i < count; ++i) {
     Order& o = orders_[i];
     const std::complex<double> now = now_[i];
@@ -77,10 +80,28 @@ void OrderGrowth::follow(const EnergyChain& chain, int channel) noexcept {
   }
 }
 
+void OrderGrowth::followStretches() noexcept {
+  for (std::size_t i = 0; i < classes_.size(); ++i) {
+    Class& c = classes_[i];
+    const int rest = static_cast<int>(i) + 1;
+    c.own = stretches_.ownGrowth(rest);
+    c.unstable = c.onset.evidence() > 0.0 && (c.unstable || stretches_.unstableGrowth(rest));
+  }
+}
+
+// A share that has grown: is it more than runout that the engagement changes, or that a mode amplifies?
+bool OrderGrowth::begins(const Class& c) const noexcept {
+  if (!flips(c)) return c.own && turns(c.order);
+  return c.unstable || (c.own && (c.onset.floor() < kSmallestBeside || turns(c.order)));
+}
+
 void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
   if (classes_.empty()) return;
   hop_ = (hop_ + 1) % kHopsPerTurn;
-  if (hop_ == 0) follow(chain, channel);
+  if (hop_ == 0) {
+    follow(chain, channel);
+    followStretches();
+  }
   const std::span<const double> powers = chain.harmonicPowers(channel);
   const std::span<const double> weights = chain.orderWeights(eta_);
   weightedAll_ = chain.forced(channel, eta_);
@@ -165,7 +186,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     const bool turned = std::abs(c.turned) > kWholeTurn;
     const bool grown = c.onset.alarm();
     const bool outgrown = outgrew(c, turns, learn, speedDoubt);
-    c.counts = turned || outgrown || (grown && (flips(c) || c.counts || this->turns(c.order)));
+    c.counts = turned || outgrown || (grown && (c.counts || begins(c)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;
     if (learn && c.alarmTurns > kNewLoadTurns) c.onset.reset();
     if (!c.counts || c.strongest < kLeastPurity * c.power || c.strongest <= strongest) continue;

@@ -5,15 +5,17 @@
 // vibration that stays as it is while the load changes. So the share of every such class is tested against its own
 // learned floor (onset_test.h). Near the stability limit a mode amplifies runout as well, without any chatter; that
 // stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
-// strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case.
-// Where runout on a mode is nearly all there is (at full immersion tooth passings cancel), no share can grow. There an
-// order that has become louder and has turned by a whole turn against the spindle, faster than its speed is in doubt,
-// is chatter: a load that changes moves the phase of a forced vibration as well, by the half turn that a mode has at
-// most. On a slow spindle the learned floor follows slow growth up, and what such a line leaks into the other orders
-// keeps its share down: there the share, without the leak, is held against a floor that rises by time alone, and the
-// order must turn as above for some turns (an end mill at 800 rev/min on thin walls, order 15.03, growing twofold in
-// 0.5 s: 2 s earlier than by the whole turn, and in every seed). The tooth-passing orders themselves are not tested:
-// what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
+// strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case
+// but two: not where the engagement changes, and where runout holds a fifth of the amplitude already, only at the rate
+// of an instability (order_stretches.h). Where runout on a mode is nearly all there is (at full immersion tooth
+// passings cancel), no share can grow. There an order that has become louder and has turned by a whole turn against the
+// spindle, faster than its speed is in doubt, is chatter: a load that changes moves the phase of a forced vibration as
+// well, by the half turn that a mode has at most. On a slow spindle the learned floor follows slow growth up, and what
+// such a line leaks into the other orders keeps its share down: there the share, without the leak, is held against a
+// floor that rises by time alone, and the order must turn as above for some turns (an end mill at 800 rev/min on thin
+// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed). The
+// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -22,6 +24,7 @@
 #include "core/detect/energy_chain.h"
 #include "core/detect/energy_growth.h"
 #include "core/detect/onset_test.h"
+#include "core/detect/order_stretches.h"
 
 namespace stillcut::detect {
 
@@ -55,9 +58,13 @@ class OrderGrowth {
     double turned = 0.0;    // turns of the strongest order against the spindle, since it is louder
     double slow = 0.0;      // floor of the share that rises by time alone
     double outgrown = 0.0;  // turns since it is far above that and turns
+    bool own = false;       // grows, and not because the engagement changes
+    bool unstable = false;  // has grown as an instability does since its share began to
     bool counts = false;    // grown, and more than runout that a mode amplifies
     OnsetTest onset;
   };
+  void followStretches() noexcept;
+  bool begins(const Class& c) const noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
   double leak(const Class& c) const noexcept;
@@ -84,6 +91,7 @@ class OrderGrowth {
   };
   std::vector<Order> orders_;
   std::vector<std::complex<double>> now_;
+  OrderStretches stretches_;
 };
 
 }  // namespace stillcut::detect

@@ -1,0 +1,87 @@
+#include "core/detect/order_stretches.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr Seconds kLeastStretch{0.05};
+constexpr Seconds kSlowest{0.06};   // growth constant; a load that rises within 0.3 s amplifies at 110 ms
+constexpr double kMostFolds = 2.0;  // over a long stretch, of a slow spindle
+
+}  // namespace
+
+void OrderStretches::prepare(int teeth, std::size_t orders) {
+  teeth_ = static_cast<std::size_t>(std::max(teeth, 0));
+  orders_ = orders;
+  newest_ = 0;
+  turnsPerRow_ = 1;
+  turns_ = 0;
+  pattern_ = 1.0;
+  rows_.assign(kRows * orders, {});
+}
+
+void OrderStretches::setSpindle(Hertz spindle) noexcept {
+  turnsPerRow_ = std::max(1, static_cast<int>(std::lround(kLeastStretch.value * spindle.value / kStretch)));
+  const double stretch = static_cast<double>(kStretch) * turnsPerRow_ / std::max(spindle.value, 1.0);
+  faster_ = std::exp(std::min(stretch / kSlowest.value, kMostFolds));
+}
+
+OrderStretches::Row OrderStretches::ago(std::size_t rows) const noexcept {
+  return std::span(rows_).subspan((newest_ + kRows - rows) % kRows * orders_, orders_);
+}
+
+double OrderStretches::teethOf(Row row) const noexcept {
+  double power = 0.0;
+  for (std::size_t n = teeth_; n <= orders_; n += teeth_) power += std::norm(row[n - 1]);
+  return std::sqrt(power);
+}
+
+double OrderStretches::added(int rest, std::size_t rowsAgo) const noexcept {
+  const Row now = ago(rowsAgo);
+  const Row before = ago(rowsAgo + kStretch);
+  const double scaleNow = teethOf(now);
+  const double scaleBefore = teethOf(before);
+  if (!(scaleNow > 0.0) || !(scaleBefore > 0.0)) return 0.0;
+  double power = 0.0;
+  const auto one = static_cast<std::size_t>(rest);
+  for (std::size_t n = 1; n <= orders_; ++n) {
+    const std::size_t r = n % teeth_;
+    if (r == one || r + one == teeth_) power += std::norm(now[n - 1] / scaleNow - before[n - 1] / scaleBefore);
+  }
+  return std::sqrt(power);
+}
+
+// Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.
+double OrderStretches::patternChange() const noexcept {
+  const Row now = ago(0);
+  const Row before = ago(kStretch);
+  std::complex<double> product = 0.0;
+  for (std::size_t n = teeth_; n <= orders_; n += teeth_) product += now[n - 1] * std::conj(before[n - 1]);
+  const double scale = teethOf(now) * teethOf(before);
+  const double cosine = scale > 0.0 ? std::abs(product) / scale : 0.0;
+  return std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+}
+
+void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept {
+  if (teeth_ == 0 || ++turns_ < turnsPerRow_) return;
+  turns_ = 0;
+  newest_ = (newest_ + 1) % kRows;
+  const auto row = rows_.begin() + static_cast<std::ptrdiff_t>(newest_ * orders_);
+  const std::size_t count = std::min(now.size(), orders_);
+  std::copy_n(now.begin(), count, row);
+  std::fill(row + static_cast<std::ptrdiff_t>(count), row + static_cast<std::ptrdiff_t>(orders_), 0.0);
+  pattern_ = patternChange();
+}
+
+bool OrderStretches::ownGrowth(int rest) const noexcept {
+  return added(rest, 0) > pattern_;
+}
+
+bool OrderStretches::unstableGrowth(int rest) const noexcept {
+  const double latest = added(rest, 0);
+  return latest > pattern_ && latest > faster_ * added(rest, kStretch);
+}
+
+}  // namespace stillcut::detect

@@ -1,0 +1,56 @@
+// What the last stretch of turns has added to a class of spindle orders, and to the one before: is it growth of its
+// own?
+//
+// Runout drives a vibration on every order, and that grows without any chatter in two cases. Where the arc of
+// engagement changes, what runout leaves on an order depends on it as strongly as what the teeth leave on theirs: the
+// pattern of the tooth passings, one order against the other in size and phase, changes by at least as much (an
+// immersion ramp: the class by 0.05 to 0.4, the pattern by 0.35 to 0.45; where chatter begins in a constant arc: 0.02
+// to 0.8 against 0.01). And where the cut comes nearer to its limit a mode amplifies runout by 1 / (1 - depth / limit):
+// as fast as the load rises, which moves in tenths of a second, and no longer than it does. Beyond the limit a
+// disturbance grows by its multiplier, an e-fold in 5 to 50 ms: then each stretch adds more than twice what the one
+// before it did. All in complex amplitudes over the amplitude of the tooth passings. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+
+class OrderStretches {
+ public:
+  void prepare(int teeth, std::size_t orders);
+  void setSpindle(Hertz spindle) noexcept;
+  // One turn: complex amplitudes against the spindle's angle of the orders 1, 2, ...
+  void endTurn(std::span<const std::complex<double>> now) noexcept;
+
+  // Of the orders n = +-rest modulo the teeth; rest 1 .. teeth / 2: has the last stretch added more than the engagement
+  // has changed,
+  bool ownGrowth(int rest) const noexcept;
+  // ... and at the rate of an instability?
+  bool unstableGrowth(int rest) const noexcept;
+
+ private:
+  using Row = std::span<const std::complex<double>>;
+  static constexpr std::size_t kStretch = 8;  // rows
+  static constexpr std::size_t kRows = 2 * kStretch + 1;
+  Row ago(std::size_t rows) const noexcept;
+  double teethOf(Row row) const noexcept;
+  double added(int rest, std::size_t rowsAgo) const noexcept;
+  double patternChange() const noexcept;
+
+  std::size_t teeth_ = 0;
+  std::size_t orders_ = 0;
+  std::size_t newest_ = 0;
+  int turnsPerRow_ = 1;
+  int turns_ = 0;                           // since the newest row
+  double pattern_ = 1.0;                    // change in the last stretch
+  double faster_ = 1.0;                     // added in a stretch over the one before, of an instability
+  std::vector<std::complex<double>> rows_;  // [row * orders + order - 1]
+};
+
+}  // namespace stillcut::detect
