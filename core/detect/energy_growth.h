@@ -63,6 +63,11 @@ class EnergyGrowth {
   // and the floor of the new one is learned. Where a forced vibration begins to change by the same in each turn, the
   // turn difference holds a bump of two turns: growth does not fall below what was there in them.
   bool steadyGrowth() const noexcept;
+  // ... and it grows on: a burst of narrow-band noise stands at its height for some turns, a line that has come does
+  // not.
+  bool growsOn() const noexcept {
+    return changedIn(0, kHopsPerTurn) > kGrowsOn * changedIn(kHopsPerTurn, kHopsPerTurn);
+  }
   // Turns since the last leap, no further than kLevelHops.
   double turnsSinceLeap() const noexcept { return static_cast<double>(sinceLeap_) / kHopsPerTurn; }
   const OnsetTest& onset() const noexcept { return onset_; }
@@ -85,6 +90,7 @@ class EnergyGrowth {
   bool explainsEnergy() const noexcept;
 
   static constexpr double kNewLevelTurns = 24.0;
+  static constexpr double kGrowsOn = 1.25;  // energy, from turn to turn
   double arrival_ = 1.0;
   double unheardTurns_ = 0.0;  // grown, and nobody alarms, to
   double unheardLevel_ = 0.0;  // ... this

@@ -89,7 +89,10 @@ void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
     onOrder_ = c.orders.order();
     doubling_ = c.orders.doubling();
   }
-  growing_ = growing_ || (onset.grown() && c.growth.steadyGrowth());
+  if (onset.grown() && c.growth.steadyGrowth()) {
+    growing_ = true;
+    mostGrown_ = std::max(mostGrown_, c.growth.changed());
+  }
   newsGrowing_ = newsGrowing_ || (news.grown() && c.news.steadyGrowth());
   // What is new also holds forced vibration that changes: for the fast only.
   const bool rises = c.growth.rising() || (c.news.rising() && arrives(c));
@@ -97,7 +100,7 @@ void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
-  severity_ = joint_ = evidence_ = mostChanged_ = 0.0;
+  severity_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
   grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
   learned_ = true;
@@ -218,10 +221,11 @@ bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
   return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= least;
 }
 
-// Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small.
+// Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small. On the axis
+// that grew: what another one is used to proves nothing.
 bool RatioJudge::lineCounts(Hertz spindle) const noexcept {
   const double offset = dsp::orderOffset(line_.frequency, spindle);
-  return mostChanged_ > kLeastLine * TurnDifference::differenceGain(offset);
+  return mostGrown_ > kLeastLine * TurnDifference::differenceGain(offset);
 }
 
 // Of a line near a harmonic the difference passes little and the news much, but news is also what forced vibration
@@ -235,7 +239,7 @@ bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle
   return std::any_of(channels.begin(), channels.end(), [&](const RatioChannel& c) {
     const double news = c.news.changed() - c.news.onset().floor();
     const double difference = c.growth.changed() - c.growth.onset().floor();
-    return c.news.onset().grown() && c.news.steadyGrowth() && difference > kLeastLine * gain &&
+    return c.news.onset().grown() && c.news.steadyGrowth() && c.news.growsOn() && difference > kLeastLine * gain &&
            difference > kLeastNews * passed * news;
   });
 }

@@ -88,6 +88,7 @@ class RatioJudge {
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
   double mostChanged_ = 0.0;  // turn difference, of any channel
+  double mostGrown_ = 0.0;    // ... of those where it is growing
   double evidence_ = 0.0;
   double floor_ = 0.0;
   bool learned_ = false;

@@ -199,6 +199,18 @@ TEST(EnergyGrowth, ExponentialGrowthRises) {
   }
 }
 
+// A burst of narrow-band noise comes within a turn and stands for some; a line goes on growing, slowly as well.
+TEST(EnergyGrowth, ABurstStandsAndALineGrowsOn) {
+  goesOn([](double t) { return 3e-3 * std::min(1.0, t); },
+         [](const EnergyGrowth& g, double t) { EXPECT_FALSE(t > 2.2 && g.growsOn()) << "turn " << t; });
+  for (const double constant : {1.0, 4.0, 7.0}) {  // turns
+    goesOn([&](double t) { return 1e-3 * std::exp(2.0 * t / constant); },
+           [&](const EnergyGrowth& g, double t) {
+             EXPECT_TRUE(t < 2.2 || g.growsOn()) << constant << " turns, turn " << t;
+           });
+  }
+}
+
 TEST(EnergyGrowth, TellsHowItsVibrationFalls) {
   EnergyGrowth growth;
   const auto turn = [&](double size) {
