@@ -19,14 +19,14 @@ Engine::Engine(const EngineParts& parts, const EngineOptions& options)
 void Engine::start() {
   if (parts_.link != nullptr) {
     linkThread_ = std::make_unique<rt::RealtimeThread>(rt::ThreadRequest{.name = "link"},
-                                                       [this](std::stop_token stop) { link(stop); });
+                                                       [this](const std::stop_token& stop) { link(stop); });
   }
   rt::ThreadRequest request = options_.worker;
   request.name = "worker";
-  workerThread_ = std::make_unique<rt::RealtimeThread>(request, [this](std::stop_token stop) { worker(stop); });
+  workerThread_ = std::make_unique<rt::RealtimeThread>(request, [this](const std::stop_token& stop) { worker(stop); });
   request.name = "driver";  // samples first: a late decision can be waited for, a lost sample cannot
   ++request.priority;
-  driverThread_ = std::make_unique<rt::RealtimeThread>(request, [this](std::stop_token stop) { driver(stop); });
+  driverThread_ = std::make_unique<rt::RealtimeThread>(request, [this](const std::stop_token& stop) { driver(stop); });
 }
 
 void Engine::stop() {
@@ -47,7 +47,7 @@ void Engine::stop() {
   }
 }
 
-void Engine::driver(std::stop_token stop) {
+void Engine::driver(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     StepInput* slot = ring_.reserve();
     StepInput& target = slot != nullptr ? *slot : spare_;
@@ -79,7 +79,7 @@ void Engine::takeLost(SampleBlock& block) {
   lostFrames_ = 0;
 }
 
-void Engine::worker(std::stop_token stop) {
+void Engine::worker(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     StepInput* input = ring_.front();
     if (input == nullptr) {
@@ -95,7 +95,7 @@ void Engine::worker(std::stop_token stop) {
   finished_.store(true, std::memory_order_release);
 }
 
-void Engine::link(std::stop_token stop) {
+void Engine::link(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     parts_.link->tick(parts_.clock.now());
     ends_.waitFor(options_.linkPeriod);

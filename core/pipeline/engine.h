@@ -55,9 +55,9 @@ class Engine {
   }
 
  private:
-  void driver(std::stop_token stop);
-  void worker(std::stop_token stop);
-  void link(std::stop_token stop);
+  void driver(const std::stop_token& stop);
+  void worker(const std::stop_token& stop);
+  void link(const std::stop_token& stop);
   void takeLost(SampleBlock& block);
 
   EngineParts parts_;
