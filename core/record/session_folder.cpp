@@ -86,7 +86,8 @@ std::string freeName(const std::string& stem, const std::string& suffix, const c
   std::string path = stem + suffix;
   std::error_code unknown;
   for (int n = 2; fs::exists(path, unknown) || fs::exists(journalPath(path), unknown); ++n) {
-    path = stem + between + std::to_string(n) + suffix;
+    path = stem;
+    path.append(between).append(std::to_string(n)).append(suffix);
   }
   return path;
 }

@@ -68,7 +68,8 @@ QString duration(Seconds s) {
   const qint64 minutes = whole / 60;
   if (minutes >= 60) {
     const QString rest = QStringLiteral("%1").arg(minutes % 60, 2, 10, QChar(u'0'));
-    return join(number(static_cast<double>(minutes / 60)), QStringLiteral("h")) + kNoBreakSpace +
+    const qint64 hours = minutes / 60;
+    return join(number(static_cast<double>(hours)), QStringLiteral("h")) + kNoBreakSpace +
            join(rest, QStringLiteral("min"));
   }
   return join(number(static_cast<double>(minutes)), QStringLiteral("min")) + kNoBreakSpace +
