@@ -20,6 +20,13 @@ class LowPass4 {
       sections_[i] = {w * w * norm, 2.0 * (w * w - 1.0) * norm, (1.0 - w / quality[i] + w * w) * norm, 0.0, 0.0};
     }
   }
+  // As if x had always been there.
+  void settle(double x) noexcept {
+    for (Section& s : sections_) {
+      s.s2 = (s.b - s.a2) * x;
+      s.s1 = (2.0 * s.b - s.a1) * x + s.s2;
+    }
+  }
   double run(double x) noexcept {
     for (Section& s : sections_) {
       const double y = s.b * x + s.s1;

@@ -21,8 +21,9 @@ Status checkSensor(const Scenario& s, const SensorSettings& c, const std::string
   if (!c.axis.empty() && c.axis != "x" && c.axis != "y") return bad("axis must be x or y");
   if (!c.place.empty() && c.place.size() != s.model.modes.size()) return bad("place needs one weight per mode");
   if (!(c.gain != 0.0) || !std::isfinite(c.gain)) return bad("gain must not be zero");
-  for (double v : {c.noise, c.fullScale, c.step, c.bandwidth.value}) {
-    if (!(v >= 0.0) || !std::isfinite(v)) return bad("noise, full scale, step and bandwidth must not be negative");
+  for (double v : {c.noise, c.fullScale, c.step, c.counts, c.bandwidth.value}) {
+    if (!(v >= 0.0) || !std::isfinite(v))
+      return bad("noise, full scale, step, counts and bandwidth must not be negative");
   }
   for (const Echo& e : c.echoes) {
     if (!(e.delay.value >= 0.0) || e.delay.value > 1.0) return bad("an echo's delay must lie between 0 and 1 s");
@@ -51,6 +52,9 @@ Status checkDrives(const Scenario& s, const std::string& where) {
   const OverrideSettings& o = s.overrides;
   for (double v : {d.inertia, d.torqueLimit, d.bandwidth.value, d.acceleration, d.torquePerAmpere}) {
     if (!(v > 0.0) || !std::isfinite(v)) return Error{where + ": drive", "every value must be above zero", ""};
+  }
+  if (!(d.torqueLoop.value >= 0.0) || !std::isfinite(d.torqueLoop.value)) {
+    return Error{where + ": drive", "the torque loop's bandwidth must not be negative", ""};
   }
   if (!(o.lowestSpeed.value > 0.0) || o.lowestSpeed > o.highestSpeed || o.highestSpeed.value > 3.0) {
     return Error{where + ": overrides", "the speed range must rise from above 0 to at most 300 %", ""};

@@ -73,8 +73,9 @@ std::string workHolderText(const WorkHolderSettings& w) {
 
 std::string drivesText(const DriveSettings& d, const OverrideSettings& o) {
   return "[drive]\n" + line("inertia_kg_m2", d.inertia) + line("torque_limit_nm", d.torqueLimit) +
-         line("bandwidth_hz", d.bandwidth.value) + line("acceleration_rpm_per_s", d.acceleration) +
-         line("torque_nm_per_a", d.torquePerAmpere) + line("friction_nm", d.frictionTorque) + "\n[overrides]\n" +
+         line("bandwidth_hz", d.bandwidth.value) + line("torque_loop_hz", d.torqueLoop.value) +
+         line("acceleration_rpm_per_s", d.acceleration) + line("torque_nm_per_a", d.torquePerAmpere) +
+         line("friction_nm", d.frictionTorque) + "\n[overrides]\n" +
          range("speed_percent", o.lowestSpeed.value, o.highestSpeed.value, kPercent) +
          range("feed_percent", o.lowestFeed.value, o.highestFeed.value, kPercent) +
          line("resolution_percent", o.resolution.value, kPercent) +
@@ -90,7 +91,7 @@ std::string sensorText(const SensorSettings& c) {
     s += "]\n";
   }
   s += line("gain", c.gain) + line("bandwidth_hz", c.bandwidth.value) + line("noise", c.noise) +
-       line("full_scale", c.fullScale) + line("step", c.step);
+       line("full_scale", c.fullScale) + line("step", c.step) + line("counts_per_turn", c.counts);
   if (!c.echoes.empty()) {
     s += "echoes = [";
     for (std::size_t i = 0; i < c.echoes.size(); ++i) {

@@ -83,6 +83,7 @@ DriveSettings readDrive(const TomlTable& t) {
   d.inertia = t.numberOr("inertia_kg_m2", d.inertia);
   d.torqueLimit = t.numberOr("torque_limit_nm", d.torqueLimit);
   d.bandwidth = Hertz(t.numberOr("bandwidth_hz", d.bandwidth.value));
+  d.torqueLoop = Hertz(t.numberOr("torque_loop_hz", d.torqueLoop.value, 0.0));
   d.acceleration = t.numberOr("acceleration_rpm_per_s", d.acceleration);
   d.torquePerAmpere = t.numberOr("torque_nm_per_a", d.torquePerAmpere);
   d.frictionTorque = t.numberOr("friction_nm", d.frictionTorque, 0.0, 1e6);
@@ -122,6 +123,7 @@ SensorSettings readSensor(const TomlTable& t) {
   s.noise = t.numberOr("noise", 0.0, 0.0);
   s.fullScale = t.numberOr("full_scale", 0.0, 0.0);
   s.step = t.numberOr("step", 0.0, 0.0);
+  s.counts = t.numberOr("counts_per_turn", 0.0, 0.0);
   for (const std::vector<double>& e : t.has("echoes") ? t.rows("echoes") : std::vector<std::vector<double>>{}) {
     if (e.size() == 2) {
       s.echoes.push_back({Seconds(inSi(e[0], kMs)), e[1]});

@@ -6,7 +6,11 @@
 namespace stillcut::milling {
 
 Sensor::Sensor(const SensorSettings& settings, Hertz rate, int oversampling, std::uint64_t seed)
-    : settings_(settings), axis_(settings.axis == "y" ? 1 : 0), noise_(seed) {
+    : settings_(settings),
+      axis_(settings.axis == "y" ? 1 : 0),
+      noise_(seed),
+      finePerMinute_(60.0 * rate.value * oversampling),
+      samplesPerMinute_(60.0 * rate.value) {
   const double fine = rate.value * oversampling;
   const double most = 0.45 * rate.value;
   const double cut = settings.bandwidth.value > 0.0 ? std::min(settings.bandwidth.value, most) : most;
@@ -57,6 +61,12 @@ double Sensor::quantity(const RegenerativeCut& cut, const SpindleDrive& drive) c
   return sum;
 }
 
+// It was there before the recording began.
+void Sensor::settle(double si) noexcept {
+  settled_ = true;
+  lowPass_.settle(si);
+}
+
 void Sensor::push(double si) noexcept {
   if (!taps_.empty()) {
     line_[head_] = si;
@@ -64,7 +74,19 @@ void Sensor::push(double si) noexcept {
     for (const Tap& t : taps_) si += t.gain * line_[(head_ + line_.size() - t.delay) % line_.size()];
     head_ = (head_ + 1) % line_.size();
   }
+  if (!settled_) settle(si);
   filtered_ = lowPass_.run(si);
+  turned_ += filtered_ / finePerMinute_;
+}
+
+// Whole places passed since the last sample, the last of them as uncertain as any converter's last bit: white in the
+// angle, and the higher the frequency the more of it in the speed. Errors within a line of the encoder are left out.
+double Sensor::counted() noexcept {
+  const double before = place_;
+  place_ = std::floor(turned_ * settings_.counts + 0.5 * noise_.normal());
+  const bool first = !counting_;
+  counting_ = true;
+  return first ? filtered_ : (place_ - before) / settings_.counts * samplesPerMinute_;
 }
 
 double Sensor::withFault(double value, double seconds) noexcept {
@@ -77,7 +99,7 @@ double Sensor::withFault(double value, double seconds) noexcept {
 }
 
 float Sensor::take(double seconds) noexcept {
-  double v = settings_.gain * filtered_;
+  double v = settings_.gain * (settings_.counts > 0.0 ? counted() : filtered_);
   v = withFault(v, seconds) + settings_.noise * noise_.normal();
   clipped_ = settings_.fullScale > 0.0 && std::abs(v) > settings_.fullScale;
   if (clipped_) v = std::copysign(settings_.fullScale, v);

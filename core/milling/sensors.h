@@ -1,5 +1,5 @@
 // Sensor: one channel of the simulated measurement. From the modal motion to device units:
-// place in the structure, echoes (microphone), bandwidth, gain, white noise, fault, clipping, quantisation.
+// place in the structure, echoes (microphone), bandwidth, encoder, gain, white noise, fault, clipping, quantisation.
 // It is fed at a multiple of the channel rate, so that its low-pass of 4th order also keeps out what would fold back.
 // Thread: one. After construction nothing allocates; push() and take() are real-time safe.
 #pragma once
@@ -35,6 +35,7 @@ struct SensorSettings {
   double noise = 0.0;         // white, rms in device units
   double fullScale = 0.0;     // clipping level in device units; 0: none
   double step = 0.0;          // quantisation in device units; 0: none
+  double counts = 0.0;        // speed: places an encoder tells apart in a turn, of which it is made; 0: as it is
   std::vector<Echo> echoes;   // sound: the direct way is the first
   SensorFault fault = SensorFault::None;
   Seconds faultFrom{};
@@ -54,6 +55,8 @@ class Sensor {
  private:
   double weight(int mode) const noexcept;
   double withFault(double value, double seconds) noexcept;
+  void settle(double si) noexcept;
+  double counted() noexcept;
 
   SensorSettings settings_;
   int axis_;
@@ -67,7 +70,10 @@ class Sensor {
   std::size_t head_ = 0;
   NoiseSource noise_;
   double filtered_ = 0.0, looseGain_ = 1.0;
+  double finePerMinute_, samplesPerMinute_;
+  double turned_ = 0.0, place_ = 0.0;  // turns; the encoder's last place [counts]
   bool clipped_ = false;
+  bool settled_ = false, counting_ = false;
 };
 
 }  // namespace stillcut::milling

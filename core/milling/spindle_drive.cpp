@@ -23,9 +23,11 @@ void SpindleDrive::advance(Seconds dt, double cuttingTorque) noexcept {
   const double error = reference_ - omega_;
   reference_ += move;
   const double wanted = proportional * error + integral_ + settings_.inertia * move / h;
-  torque_ = std::clamp(wanted, -settings_.torqueLimit, settings_.torqueLimit);
+  const double asked = std::clamp(wanted, -settings_.torqueLimit, settings_.torqueLimit);
   // The integral rests while the torque is at its limit and the error would push it further.
-  if (torque_ == wanted || error * wanted < 0.0) integral_ += integrating * error * h;
+  if (asked == wanted || error * wanted < 0.0) integral_ += integrating * error * h;
+  const double lag = kTwoPi * settings_.torqueLoop.value * h;
+  torque_ += (asked - torque_) * (lag > 0.0 ? 1.0 - std::exp(-lag) : 1.0);
   omega_ += (torque_ - settings_.frictionTorque - cuttingTorque) / settings_.inertia * h;
   // A stalled spindle stays a number the model can step with.
   omega_ = std::max(omega_, 1.0);

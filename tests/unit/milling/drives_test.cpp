@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <limits>
 
 #include "core/milling/override_path.h"
@@ -55,6 +57,58 @@ TEST(SpindleDrive, LoadDrawsCurrentAndSpeedRecovers) {
   EXPECT_LT(lowest, 2990.0);
   EXPECT_NEAR(drive.speed().value, 3000.0, 0.5);
   EXPECT_NEAR(drive.current(), (4.0 + s.frictionTorque) / s.torquePerAmpere, 0.01);
+}
+
+// Amplitudes that a cutting torque of 1 N m at `hz` leaves in speed and current.
+struct Answer {
+  double speed = 0.0;    // [rad/s]
+  double current = 0.0;  // [A]
+};
+
+Answer answerTo(const DriveSettings& s, double hz) {
+  constexpr double kStep = 1e-5;
+  SpindleDrive drive(s, Rpm(9000.0));
+  std::complex<double> speed, current;
+  const int settle = 40000, count = 40000;  // whole periods
+  for (int i = 0; i < settle + count; ++i) {
+    const double angle = kTwoPi * hz * kStep * i;
+    drive.advance(Seconds(kStep), 2.0 + std::sin(angle));
+    if (i < settle) continue;
+    const std::complex<double> turn = std::polar(2.0 / count, -angle);
+    speed += turn * drive.radPerSecond();
+    current += turn * drive.current();
+  }
+  return {std::abs(speed), std::abs(current)};
+}
+
+// The equations of spindle_drive.h, below, at and far above the loops' bandwidths.
+TEST(SpindleDrive, SpeedAndCurrentAnswerTheCuttingTorqueAsTheirEquationsSay) {
+  DriveSettings s;
+  s.bandwidth = Hertz(100.0);
+  s.torqueLoop = Hertz(800.0);
+  for (const double hz : {20.0, 100.0, 500.0, 1000.0, 2500.0}) {
+    const std::complex<double> p(0.0, kTwoPi * hz);
+    const double w = kTwoPi * s.bandwidth.value;
+    const std::complex<double> loop =
+        (2.0 * w * s.inertia + w * w * s.inertia / p) / (1.0 + p / (kTwoPi * s.torqueLoop.value));
+    const std::complex<double> speed = -1.0 / (s.inertia * p + loop);
+    const Answer heard = answerTo(s, hz);
+    EXPECT_NEAR(heard.speed / std::abs(speed), 1.0, 0.02) << hz << " Hz";
+    EXPECT_NEAR(heard.current / (std::abs(speed * loop) / s.torquePerAmpere), 1.0, 0.03) << hz << " Hz";
+  }
+}
+
+// Above the loops' bandwidths both are integrators of the torque (Caliskan 2018 section 4): why their signals weigh as
+// a velocity does. A torque loop that is slower takes the current further down, the speed not at all.
+TEST(SpindleDrive, SpeedAndCurrentFallWithTheFrequencyAboveTheLoops) {
+  DriveSettings s;
+  const Answer low = answerTo(s, 400.0), high = answerTo(s, 1600.0);
+  EXPECT_NEAR(low.speed / high.speed, 4.0, 0.05);
+  EXPECT_NEAR(low.current / high.current, 4.0, 0.05);
+  s.torqueLoop = Hertz(400.0);
+  const Answer lagged = answerTo(s, 1600.0);
+  EXPECT_NEAR(lagged.speed / high.speed, 1.0, 0.02);
+  EXPECT_NEAR(high.current / lagged.current, std::hypot(1.0, 4.0), 0.15);
 }
 
 TEST(SpindleDrive, OverloadStallsButStaysFinite) {

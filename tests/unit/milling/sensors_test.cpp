@@ -84,6 +84,41 @@ TEST(Sensor, EveryWayOfTheSoundArrivesInItsTimeAndSize) {
   EXPECT_NEAR(sumAround(0.040) / sumAround(0.010), 0.25, 0.01);
 }
 
+// An encoder tells whole places: of a speed it leaves the mean, and the doubt of the last place, which the difference
+// makes the louder the higher the frequency.
+// What was there before a recording begins is no step in it.
+TEST(Sensor, BeginsAtRest) {
+  SensorSettings s = plain();
+  s.quantity = SensorQuantity::SpindleSpeed;
+  const auto steady = [](double) { return 8500.0; };
+  for (const double v : heard(s, steady, 50)) EXPECT_NEAR(v, 8500.0, 1e-3);
+  s.counts = 1 << 24;
+  for (const double v : heard(s, steady, 50)) EXPECT_NEAR(v, 8500.0, 0.2);
+}
+
+TEST(Sensor, AnEncoderCountsPlaces) {
+  SensorSettings s = plain();
+  s.quantity = SensorQuantity::SpindleSpeed;
+  s.axis.clear();
+  s.counts = 1 << 20;
+  const double place = 60.0 * kRate / s.counts;  // [rev/min]
+  const auto v = heard(
+      s, [](double t) { return 8531.0 + 3.0 * std::sin(kTwoPi * 700.0 * t); }, 20000);
+  double mean = 0.0;
+  std::vector<double> error;
+  for (std::size_t i = 100; i < v.size(); ++i) {
+    mean += v[i] / static_cast<double>(v.size() - 100);
+    EXPECT_NEAR(v[i] / place, std::round(v[i] / place), 1e-3);
+  }
+  EXPECT_NEAR(mean, 8531.0, 0.01);
+  s.counts = 0.0;
+  const auto exact = heard(
+      s, [](double t) { return 8531.0 + 3.0 * std::sin(kTwoPi * 700.0 * t); }, 20000);
+  // The mean over the sample before, half a sample late, of which a sine keeps sinc(f / rate).
+  for (std::size_t i = 101; i < v.size(); ++i) error.push_back(v[i] - 0.5 * (exact[i] + exact[i - 1]));
+  EXPECT_NEAR(rmsOf(error, 0) / place, std::sqrt(2.0 * (1.0 / 12.0 + 0.25)), 0.05) << "two places, each rounded";
+}
+
 TEST(Sensor, FaultsBeginWhenTheyAreDue) {
   SensorSettings s = plain();
   s.fault = SensorFault::Dead;
