@@ -3536,10 +3536,6 @@
         <translation>niemand hat die Befugnis erneuert</translation>
     </message>
     <message>
-        <source>noise, full scale, step and bandwidth must not be negative</source>
-        <translation>Rauschen, Vollausschlag, Schritt und Bandbreite dürfen nicht negativ sein</translation>
-    </message>
-    <message>
         <source>noise, or a sensor that is not on the table</source>
         <translation>Rauschen, oder ein Sensor, der nicht auf dem Tisch sitzt</translation>
     </message>
@@ -4574,6 +4570,190 @@
     <message>
         <source>The run has ended</source>
         <translation>Der Lauf ist zu Ende</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>wie gesetzt</translation>
+    </message>
+    <message>
+        <source>a quarter of the told spindle frequency</source>
+        <translation>ein Viertel der genannten Spindelfrequenz</translation>
+    </message>
+    <message>
+        <source>low enough for any spindle, as no speed was told</source>
+        <translation>tief genug für jede Spindel, da keine Drehzahl genannt ist</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>nobody has told it, and the signal has not shown it</source>
+        <translation>niemand hat sie genannt, und das Signal hat sie nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>as told</source>
+        <translation>wie genannt</translation>
+    </message>
+    <message>
+        <source>as the machine reads it</source>
+        <translation>wie die Maschine sie misst</translation>
+    </message>
+    <message>
+        <source>found in the signal, and followed</source>
+        <translation>im Signal gefunden und verfolgt</translation>
+    </message>
+    <message>
+        <source>Doubt of the speed</source>
+        <translation>Zweifel an der Drehzahl</translation>
+    </message>
+    <message>
+        <source>no speed is known</source>
+        <translation>keine Drehzahl bekannt</translation>
+    </message>
+    <message>
+        <source>of what was told</source>
+        <translation>dessen, was genannt ist</translation>
+    </message>
+    <message>
+        <source>of what the signal shows</source>
+        <translation>dessen, was das Signal zeigt</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 1</source>
+        <translation>Rauschen in Luft, Kanal 1</translation>
+    </message>
+    <message>
+        <source>no air has been heard yet</source>
+        <translation>noch keine Luft gehört</translation>
+    </message>
+    <message>
+        <source>the quietest fifth of a second so far</source>
+        <translation>die leiseste Fünftelsekunde bisher</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 2</source>
+        <translation>Rauschen in Luft, Kanal 2</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 3</source>
+        <translation>Rauschen in Luft, Kanal 3</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 4</source>
+        <translation>Rauschen in Luft, Kanal 4</translation>
+    </message>
+    <message>
+        <source>as many as the working rate hears at this speed</source>
+        <translation>so viele, wie die Arbeitsrate bei dieser Drehzahl hört</translation>
+    </message>
+    <message>
+        <source>32, where the forced vibration of most cuts ends</source>
+        <translation>32: so weit reicht die erzwungene Schwingung der meisten Schnitte</translation>
+    </message>
+    <message>
+        <source>a memory of two turns at this speed</source>
+        <translation>Gedächtnis von zwei Umdrehungen bei dieser Drehzahl</translation>
+    </message>
+    <message>
+        <source>leaves 1 % of each harmonic</source>
+        <translation>lässt 1 % jeder Harmonischen übrig</translation>
+    </message>
+    <message>
+        <source>thinned by a whole factor to the paper&apos;s 10 kHz or somewhat more</source>
+        <translation>um einen ganzen Faktor ausgedünnt, auf die 10 kHz der Arbeit oder etwas mehr</translation>
+    </message>
+    <message>
+        <source>the sampling rate itself</source>
+        <translation>die Abtastrate selbst</translation>
+    </message>
+    <message>
+        <source>not yet: it is learned in the steady cut</source>
+        <translation>noch nicht: wird im gleichmäßigen Schnitt gelernt</translation>
+    </message>
+    <message>
+        <source>four times the noise floor, or the least growth that counts</source>
+        <translation>das Vierfache des Rauschpegels oder das kleinste Wachstum, das zählt</translation>
+    </message>
+    <message>
+        <source>Scale of the signal</source>
+        <translation>Maßstab des Signals</translation>
+    </message>
+    <message>
+        <source>mean of the stable cut so far</source>
+        <translation>Mittel des bisherigen stabilen Schnitts</translation>
+    </message>
+    <message>
+        <source>held while an alarm lasts</source>
+        <translation>gehalten, solange ein Alarm dauert</translation>
+    </message>
+    <message>
+        <source>Noise floor</source>
+        <translation>Rauschpegel</translation>
+    </message>
+    <message>
+        <source>28 turns at the told speed</source>
+        <translation>28 Umdrehungen bei der genannten Drehzahl</translation>
+    </message>
+    <message>
+        <source>1.5 s, the most, which 28 turns would exceed</source>
+        <translation>1.5 s, die größte Länge; 28 Umdrehungen wären länger</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s, as no speed was told</source>
+        <translation>die der Arbeit, da keine Drehzahl genannt ist</translation>
+    </message>
+    <message>
+        <source>as many as the sampling rate hears at this speed</source>
+        <translation>so viele, wie die Abtastrate bei dieser Drehzahl hört</translation>
+    </message>
+    <message>
+        <source>the least there are, for a tool of few teeth</source>
+        <translation>die kleinste Zahl, für ein Werkzeug mit wenigen Zähnen</translation>
+    </message>
+    <message>
+        <source>12 tooth passings</source>
+        <translation>12 Zahneingriffe</translation>
+    </message>
+    <message>
+        <source>Growth that is an onset</source>
+        <translation>Wachstum, das als Einsatz gilt</translation>
+    </message>
+    <message>
+        <source>four times the noise floor in energy</source>
+        <translation>das Vierfache des Rauschpegels, in Energie</translation>
+    </message>
+    <message>
+        <source>the smallest onset, as set, which the noise does not reach</source>
+        <translation>der kleinste Einsatz, wie gesetzt; das Rauschen reicht nicht so weit</translation>
+    </message>
+    <message>
+        <source>12 turns at the told speed</source>
+        <translation>12 Umdrehungen bei der genannten Drehzahl</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s, which 12 turns would exceed</source>
+        <translation>die der Arbeit; 12 Umdrehungen wären länger</translation>
+    </message>
+    <message>
+        <source>12 turns of a slow spindle, as no speed was told</source>
+        <translation>12 Umdrehungen einer langsamen Spindel, da keine Drehzahl genannt ist</translation>
+    </message>
+    <message>
+        <source>of what changes from turn to turn: four times the noise floor, or the least that counts</source>
+        <translation>für das, was sich von Umdrehung zu Umdrehung ändert: das Vierfache des Rauschpegels oder das Kleinste, das zählt</translation>
+    </message>
+    <message>
+        <source>Usual coherence</source>
+        <translation>Übliche Kohärenz</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step, counts and bandwidth must not be negative</source>
+        <translation>Rauschen, Vollausschlag, Stufe, Impulse und Bandbreite dürfen nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>the torque loop&apos;s bandwidth must not be negative</source>
+        <translation>die Bandbreite des Drehmomentreglers darf nicht negativ sein</translation>
     </message>
 </context>
 <context>
@@ -7023,6 +7203,18 @@
         <source>Default</source>
         <translation>Vorgabe</translation>
     </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>chose %1 (%2)</source>
+        <translation>gewählt %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ParamRow</name>
@@ -8469,6 +8661,10 @@
     <message>
         <source>The replay is paused</source>
         <translation>Die Wiedergabe ist angehalten</translation>
+    </message>
+    <message>
+        <source>Learned by itself</source>
+        <translation>Selbst gelernt</translation>
     </message>
 </context>
 <context>

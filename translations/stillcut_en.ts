@@ -3535,10 +3535,6 @@
         <translation>nobody renewed the lease</translation>
     </message>
     <message>
-        <source>noise, full scale, step and bandwidth must not be negative</source>
-        <translation>noise, full scale, step and bandwidth must not be negative</translation>
-    </message>
-    <message>
         <source>noise, or a sensor that is not on the table</source>
         <translation>noise, or a sensor that is not on the table</translation>
     </message>
@@ -4573,6 +4569,190 @@
     <message>
         <source>The run has ended</source>
         <translation>The run has ended</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>as set</translation>
+    </message>
+    <message>
+        <source>a quarter of the told spindle frequency</source>
+        <translation>a quarter of the told spindle frequency</translation>
+    </message>
+    <message>
+        <source>low enough for any spindle, as no speed was told</source>
+        <translation>low enough for any spindle, as no speed was told</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindle speed</translation>
+    </message>
+    <message>
+        <source>nobody has told it, and the signal has not shown it</source>
+        <translation>nobody has told it, and the signal has not shown it</translation>
+    </message>
+    <message>
+        <source>as told</source>
+        <translation>as told</translation>
+    </message>
+    <message>
+        <source>as the machine reads it</source>
+        <translation>as the machine reads it</translation>
+    </message>
+    <message>
+        <source>found in the signal, and followed</source>
+        <translation>found in the signal, and followed</translation>
+    </message>
+    <message>
+        <source>Doubt of the speed</source>
+        <translation>Doubt of the speed</translation>
+    </message>
+    <message>
+        <source>no speed is known</source>
+        <translation>no speed is known</translation>
+    </message>
+    <message>
+        <source>of what was told</source>
+        <translation>of what was told</translation>
+    </message>
+    <message>
+        <source>of what the signal shows</source>
+        <translation>of what the signal shows</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 1</source>
+        <translation>Noise in air, channel 1</translation>
+    </message>
+    <message>
+        <source>no air has been heard yet</source>
+        <translation>no air has been heard yet</translation>
+    </message>
+    <message>
+        <source>the quietest fifth of a second so far</source>
+        <translation>the quietest fifth of a second so far</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 2</source>
+        <translation>Noise in air, channel 2</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 3</source>
+        <translation>Noise in air, channel 3</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 4</source>
+        <translation>Noise in air, channel 4</translation>
+    </message>
+    <message>
+        <source>as many as the working rate hears at this speed</source>
+        <translation>as many as the working rate hears at this speed</translation>
+    </message>
+    <message>
+        <source>32, where the forced vibration of most cuts ends</source>
+        <translation>32, where the forced vibration of most cuts ends</translation>
+    </message>
+    <message>
+        <source>a memory of two turns at this speed</source>
+        <translation>a memory of two turns at this speed</translation>
+    </message>
+    <message>
+        <source>leaves 1 % of each harmonic</source>
+        <translation>leaves 1 % of each harmonic</translation>
+    </message>
+    <message>
+        <source>thinned by a whole factor to the paper's 10 kHz or somewhat more</source>
+        <translation>thinned by a whole factor to the paper's 10 kHz or somewhat more</translation>
+    </message>
+    <message>
+        <source>the sampling rate itself</source>
+        <translation>the sampling rate itself</translation>
+    </message>
+    <message>
+        <source>not yet: it is learned in the steady cut</source>
+        <translation>not yet: it is learned in the steady cut</translation>
+    </message>
+    <message>
+        <source>four times the noise floor, or the least growth that counts</source>
+        <translation>four times the noise floor, or the least growth that counts</translation>
+    </message>
+    <message>
+        <source>Scale of the signal</source>
+        <translation>Scale of the signal</translation>
+    </message>
+    <message>
+        <source>mean of the stable cut so far</source>
+        <translation>mean of the stable cut so far</translation>
+    </message>
+    <message>
+        <source>held while an alarm lasts</source>
+        <translation>held while an alarm lasts</translation>
+    </message>
+    <message>
+        <source>Noise floor</source>
+        <translation>Noise floor</translation>
+    </message>
+    <message>
+        <source>28 turns at the told speed</source>
+        <translation>28 turns at the told speed</translation>
+    </message>
+    <message>
+        <source>1.5 s, the most, which 28 turns would exceed</source>
+        <translation>1.5 s, the most, which 28 turns would exceed</translation>
+    </message>
+    <message>
+        <source>the paper's, as no speed was told</source>
+        <translation>the paper's, as no speed was told</translation>
+    </message>
+    <message>
+        <source>as many as the sampling rate hears at this speed</source>
+        <translation>as many as the sampling rate hears at this speed</translation>
+    </message>
+    <message>
+        <source>the least there are, for a tool of few teeth</source>
+        <translation>the least there are, for a tool of few teeth</translation>
+    </message>
+    <message>
+        <source>12 tooth passings</source>
+        <translation>12 tooth passings</translation>
+    </message>
+    <message>
+        <source>Growth that is an onset</source>
+        <translation>Growth that is an onset</translation>
+    </message>
+    <message>
+        <source>four times the noise floor in energy</source>
+        <translation>four times the noise floor in energy</translation>
+    </message>
+    <message>
+        <source>the smallest onset, as set, which the noise does not reach</source>
+        <translation>the smallest onset, as set, which the noise does not reach</translation>
+    </message>
+    <message>
+        <source>12 turns at the told speed</source>
+        <translation>12 turns at the told speed</translation>
+    </message>
+    <message>
+        <source>the paper's, which 12 turns would exceed</source>
+        <translation>the paper's, which 12 turns would exceed</translation>
+    </message>
+    <message>
+        <source>12 turns of a slow spindle, as no speed was told</source>
+        <translation>12 turns of a slow spindle, as no speed was told</translation>
+    </message>
+    <message>
+        <source>of what changes from turn to turn: four times the noise floor, or the least that counts</source>
+        <translation>of what changes from turn to turn: four times the noise floor, or the least that counts</translation>
+    </message>
+    <message>
+        <source>Usual coherence</source>
+        <translation>Usual coherence</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step, counts and bandwidth must not be negative</source>
+        <translation>noise, full scale, step, counts and bandwidth must not be negative</translation>
+    </message>
+    <message>
+        <source>the torque loop's bandwidth must not be negative</source>
+        <translation>the torque loop's bandwidth must not be negative</translation>
     </message>
 </context>
 <context>
@@ -7022,6 +7202,18 @@
         <source>Default</source>
         <translation>Default</translation>
     </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>chose %1 (%2)</source>
+        <translation>chose %1 (%2)</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ParamRow</name>
@@ -8468,6 +8660,10 @@
     <message>
         <source>The replay is paused</source>
         <translation>The replay is paused</translation>
+    </message>
+    <message>
+        <source>Learned by itself</source>
+        <translation>Learned by itself</translation>
     </message>
 </context>
 <context>

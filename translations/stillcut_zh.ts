@@ -3536,10 +3536,6 @@
         <translation>授权未被续期</translation>
     </message>
     <message>
-        <source>noise, full scale, step and bandwidth must not be negative</source>
-        <translation>噪声、满量程、步长与带宽不得为负</translation>
-    </message>
-    <message>
         <source>noise, or a sensor that is not on the table</source>
         <translation>噪声，或传感器不在工作台上</translation>
     </message>
@@ -4574,6 +4570,190 @@
     <message>
         <source>The run has ended</source>
         <translation>运行已结束</translation>
+    </message>
+    <message>
+        <source>as set</source>
+        <translation>按设定值</translation>
+    </message>
+    <message>
+        <source>a quarter of the told spindle frequency</source>
+        <translation>给定主轴频率的四分之一</translation>
+    </message>
+    <message>
+        <source>low enough for any spindle, as no speed was told</source>
+        <translation>对任何主轴都够低，因为没有给定转速</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>主轴转速</translation>
+    </message>
+    <message>
+        <source>nobody has told it, and the signal has not shown it</source>
+        <translation>无人给定，信号也未显示</translation>
+    </message>
+    <message>
+        <source>as told</source>
+        <translation>按给定值</translation>
+    </message>
+    <message>
+        <source>as the machine reads it</source>
+        <translation>按机床读数</translation>
+    </message>
+    <message>
+        <source>found in the signal, and followed</source>
+        <translation>在信号中找到并跟踪</translation>
+    </message>
+    <message>
+        <source>Doubt of the speed</source>
+        <translation>转速的不确定度</translation>
+    </message>
+    <message>
+        <source>no speed is known</source>
+        <translation>转速未知</translation>
+    </message>
+    <message>
+        <source>of what was told</source>
+        <translation>给定值的</translation>
+    </message>
+    <message>
+        <source>of what the signal shows</source>
+        <translation>信号所示值的</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 1</source>
+        <translation>空切噪声，通道 1</translation>
+    </message>
+    <message>
+        <source>no air has been heard yet</source>
+        <translation>尚未听到空切</translation>
+    </message>
+    <message>
+        <source>the quietest fifth of a second so far</source>
+        <translation>迄今最安静的五分之一秒</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 2</source>
+        <translation>空切噪声，通道 2</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 3</source>
+        <translation>空切噪声，通道 3</translation>
+    </message>
+    <message>
+        <source>Noise in air, channel 4</source>
+        <translation>空切噪声，通道 4</translation>
+    </message>
+    <message>
+        <source>as many as the working rate hears at this speed</source>
+        <translation>该转速下工作采样率所能听到的全部</translation>
+    </message>
+    <message>
+        <source>32, where the forced vibration of most cuts ends</source>
+        <translation>32：多数切削的强迫振动到此为止</translation>
+    </message>
+    <message>
+        <source>a memory of two turns at this speed</source>
+        <translation>该转速下两转的记忆</translation>
+    </message>
+    <message>
+        <source>leaves 1 % of each harmonic</source>
+        <translation>每个谐波留下 1 %</translation>
+    </message>
+    <message>
+        <source>thinned by a whole factor to the paper&apos;s 10 kHz or somewhat more</source>
+        <translation>按整数倍抽取到论文的 10 kHz 或稍高</translation>
+    </message>
+    <message>
+        <source>the sampling rate itself</source>
+        <translation>采样率本身</translation>
+    </message>
+    <message>
+        <source>not yet: it is learned in the steady cut</source>
+        <translation>尚无：在稳定进行的切削中学习</translation>
+    </message>
+    <message>
+        <source>four times the noise floor, or the least growth that counts</source>
+        <translation>噪声底的四倍，或计入的最小增长</translation>
+    </message>
+    <message>
+        <source>Scale of the signal</source>
+        <translation>信号的尺度</translation>
+    </message>
+    <message>
+        <source>mean of the stable cut so far</source>
+        <translation>迄今稳定切削的平均值</translation>
+    </message>
+    <message>
+        <source>held while an alarm lasts</source>
+        <translation>报警期间保持不变</translation>
+    </message>
+    <message>
+        <source>Noise floor</source>
+        <translation>噪声底</translation>
+    </message>
+    <message>
+        <source>28 turns at the told speed</source>
+        <translation>给定转速下的 28 转</translation>
+    </message>
+    <message>
+        <source>1.5 s, the most, which 28 turns would exceed</source>
+        <translation>1.5 s，上限；28 转会超过它</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s, as no speed was told</source>
+        <translation>论文的值，因为没有给定转速</translation>
+    </message>
+    <message>
+        <source>as many as the sampling rate hears at this speed</source>
+        <translation>该转速下采样率所能听到的全部</translation>
+    </message>
+    <message>
+        <source>the least there are, for a tool of few teeth</source>
+        <translation>最少数目，用于齿数少的刀具</translation>
+    </message>
+    <message>
+        <source>12 tooth passings</source>
+        <translation>12 次齿通</translation>
+    </message>
+    <message>
+        <source>Growth that is an onset</source>
+        <translation>视为起振的增长</translation>
+    </message>
+    <message>
+        <source>four times the noise floor in energy</source>
+        <translation>噪声底能量的四倍</translation>
+    </message>
+    <message>
+        <source>the smallest onset, as set, which the noise does not reach</source>
+        <translation>按设定的最小起振值，噪声达不到它</translation>
+    </message>
+    <message>
+        <source>12 turns at the told speed</source>
+        <translation>给定转速下的 12 转</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s, which 12 turns would exceed</source>
+        <translation>论文的值；12 转会超过它</translation>
+    </message>
+    <message>
+        <source>12 turns of a slow spindle, as no speed was told</source>
+        <translation>慢速主轴的 12 转，因为没有给定转速</translation>
+    </message>
+    <message>
+        <source>of what changes from turn to turn: four times the noise floor, or the least that counts</source>
+        <translation>针对逐转变化的部分：噪声底的四倍，或计入的最小值</translation>
+    </message>
+    <message>
+        <source>Usual coherence</source>
+        <translation>通常的相干</translation>
+    </message>
+    <message>
+        <source>noise, full scale, step, counts and bandwidth must not be negative</source>
+        <translation>噪声、满量程、步长、计数和带宽不能为负</translation>
+    </message>
+    <message>
+        <source>the torque loop&apos;s bandwidth must not be negative</source>
+        <translation>转矩环的带宽不能为负</translation>
     </message>
 </context>
 <context>
@@ -7023,6 +7203,18 @@
         <source>Default</source>
         <translation>默认</translation>
     </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1：%2（%3）</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>chose %1 (%2)</source>
+        <translation>选了 %1（%2）</translation>
+    </message>
 </context>
 <context>
     <name>stillcut::ui::ParamRow</name>
@@ -8469,6 +8661,10 @@
     <message>
         <source>The replay is paused</source>
         <translation>回放已暂停</translation>
+    </message>
+    <message>
+        <source>Learned by itself</source>
+        <translation>自行学得</translation>
     </message>
 </context>
 <context>

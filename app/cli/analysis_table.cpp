@@ -21,6 +21,25 @@ double frequencyError(const RecordedTruth& truth, const VerdictLog::Summary& s) 
                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
+void printOwnValues(const std::vector<OwnValueLog::Entry>& values) {
+  if (!values.empty()) std::printf("set by itself, as last known\n");
+  for (const OwnValueLog::Entry& e : values) {
+    const std::string value = std::isfinite(e.value) ? figure(e.value, "%.4g ") + std::string(e.decl->unit) : "-";
+    std::printf("  %-26s %-12s %s\n", std::string(e.decl->key).c_str(), value.c_str(), std::string(e.why).c_str());
+  }
+}
+
+nlohmann::json ownJson(const std::vector<OwnValueLog::Entry>& values) {
+  nlohmann::json array = nlohmann::json::array();
+  for (const OwnValueLog::Entry& e : values) {
+    array.push_back({{"key", e.decl->key},
+                     {"value", std::isfinite(e.value) ? nlohmann::json(e.value) : nlohmann::json()},
+                     {"unit", e.decl->unit},
+                     {"why", e.why}});
+  }
+  return array;
+}
+
 void printScore(const AlarmScore& s, double error) {
   const std::string found = s.spans > 0 ? std::to_string(s.found) + "/" + std::to_string(s.spans) : "-";
   std::printf(" %7s %10s %9s %6d", found.c_str(), figure(s.delayQuantile(0.5), "%.3f s").c_str(),
@@ -67,6 +86,7 @@ void printTable(const Analysis& a) {
       std::printf("%-14s no valid verdict: %s\n", "", s.lastReason.c_str());
     }
   }
+  printOwnValues(a.own);
 }
 
 void printJson(const Analysis& a) {
@@ -77,7 +97,8 @@ void printJson(const Analysis& a) {
                         {"length_s", a.format.length().value},
                         {"remarks", a.remarks},
                         {"truth", a.truth ? nlohmann::json(a.truth->from) : nlohmann::json()},
-                        {"detectors", nlohmann::json::array()}};
+                        {"detectors", nlohmann::json::array()},
+                        {"own_values", ownJson(a.own)}};
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
     nlohmann::json row;
     toJson(row, a.detectors[d]);

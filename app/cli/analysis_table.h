@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/compose/own_value_log.h"
 #include "app/compose/recorded_truth.h"
 #include "app/compose/verdict_log.h"
 #include "core/record/recording_reader.h"
@@ -18,7 +19,8 @@ struct Analysis {
   std::vector<std::string> remarks;  // what the answer rests on that nobody has told
   std::vector<VerdictLog::Summary> detectors;
   std::optional<RecordedTruth> truth;
-  std::vector<AlarmScore> scores;  // of each detector, where there is a truth
+  std::vector<AlarmScore> scores;         // of each detector, where there is a truth
+  std::vector<OwnValueLog::Entry> own{};  // what is to be told of them
 };
 
 void printTable(const Analysis& analysis);

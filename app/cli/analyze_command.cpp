@@ -8,6 +8,7 @@
 #include "app/cli/out_path.h"
 #include "app/cli/reading_options.h"
 #include "app/cli/setting_options.h"
+#include "app/compose/own_value_log.h"
 #include "app/compose/recording_rig.h"
 #include "app/compose/series_log.h"
 #include "app/compose/verdict_log.h"
@@ -24,7 +25,7 @@ struct AnalyzeOptions {
   std::string recording, speedLog, detector, events, series;
   int teeth = 0;
   double speed = 0.0;
-  bool json = false, teethGiven = false, speedGiven = false;
+  bool json = false, values = false, teethGiven = false, speedGiven = false;
   ReadingOptions reading;
   SettingOptions settings;
 };
@@ -121,6 +122,7 @@ int analyze(const AnalyzeOptions& given) {
   std::vector<AlarmList> alarms(infos.size());
   std::optional<SeriesLog> series;
   std::optional<Instant> begin;
+  OwnValueLog own(rig.chain());
   rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
     if (!begin) {
       begin = in.block.firstSample;
@@ -132,6 +134,7 @@ int analyze(const AnalyzeOptions& given) {
       alarms[d].observe(secondsBetween(*begin, out.verdicts[d].time), out.verdicts[d]);
     }
     if (series) series->observe({out.verdicts.data(), logs.size()});
+    own.observe();
   });
   if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({"", fault, ""});
 
@@ -142,6 +145,7 @@ int analyze(const AnalyzeOptions& given) {
     analysis.detectors.push_back(logs[d].summary());
     if (analysis.truth) analysis.scores.push_back(scoreAlarms(analysis.truth->spans, alarms[d].alarms()));
   }
+  if (given.values || given.json) analysis.own = own.entries();
   given.json ? printJson(analysis) : printTable(analysis);
   return kExitDone;
 }
@@ -159,6 +163,7 @@ void addAnalyze(CLI::App& app, int& exitCode) {
   command->add_option("--detector", o->detector, "Detector id, or all");
   command->add_option("--events", o->events, "Write every change of state to OUT.json");
   command->add_option("--series", o->series, "Write the indicators of every block to OUT.csv");
+  command->add_flag("--values", o->values, "Also print what the program set itself, and why");
   command->add_flag("--json", o->json, "Print one JSON object");
   o->settings.add(*command);
   command->callback([o, teeth, speed, &exitCode] {

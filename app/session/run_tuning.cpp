@@ -58,6 +58,18 @@ ui::TunablePart detectorPart(const detect::DetectorRow& row, const Rig& rig) {
   return shown;
 }
 
+template <class Part>
+std::vector<ui::OwnReading> readingsOf(const Part& part) {
+  std::vector<ui::OwnReading> readings;
+  const detect::OwnValueTable table = part.ownValues();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const detect::OwnValue now = part.own(i);
+    readings.push_back(
+        {table[i].key, text(table[i].label), text(table[i].unit), text(table[i].whys[now.why]), now.value});
+  }
+  return readings;
+}
+
 // The cells of a fuzzy strategy's tables are shown as tables.
 void takeRules(ui::TunablePart& shown) {
   const config::ParamTable rules = control::fuzzyRuleParams(), centres = control::fuzzyCentreParams();
@@ -95,6 +107,13 @@ std::vector<ui::TunablePart> tunableParts(const Rig& rig) {
   parts.push_back(
       part(Role::Active, "active", QT_TRANSLATE_NOOP("Core", "Active work-holder"), active::activeParams()));
   return parts;
+}
+
+std::vector<ui::OwnReading> ownReadings(const Rig& rig, const ui::TunablePart& part) {
+  if (part.role == Role::Conditioner) return readingsOf(rig.chain().conditioner());
+  const auto& detectors = rig.chain().parts().detectors;
+  if (part.detector < 0 || static_cast<std::size_t>(part.detector) >= detectors.size()) return {};
+  return readingsOf(*detectors[static_cast<std::size_t>(part.detector)]);
 }
 
 Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile, const QString& folder) {

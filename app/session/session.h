@@ -16,6 +16,7 @@
 #include "app/session/lobe_worker.h"
 #include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
+#include "app/session/run_tuning.h"
 #include "ui/models/tuning.h"
 #include "ui/shell/session_facade.h"
 
@@ -89,6 +90,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::uint32_t tuningRun() const override { return generation(); }
   const std::vector<ui::TunablePart>& tunableParts() const override;
   const RuleTables* rulesNow() override;
+  std::vector<ui::OwnReading> ownNow(const ui::TunablePart& part) override { return ownReadings(shownRig(), part); }
   ui::TuneDesk& desk() override { return shown() ? replayTuned_ : cutTuned_; }
   Result<QString> saveValues(const config::ParamSet& values) override;
 

@@ -15,6 +15,20 @@ constexpr std::array<const config::ParamDecl*, 11> kParams{&kCohForm,   &kCohSha
 constexpr std::array<std::string_view, 7> kIndicators{"gamma_max", "energy", "frequency_hz", "lead_s",
                                                       "changed",   "floor",  "purity"};
 
+enum Own : std::size_t { OwnSegment, OwnEnergyRef, OwnFloor, OwnUsual };
+constexpr std::array<std::string_view, 4> kWhySegment{kSetByHand, "12 turns at the told speed",
+                                                      "the paper's, which 12 turns would exceed",
+                                                      "12 turns of a slow spindle, as no speed was told"};
+constexpr std::array<std::string_view, 3> kWhyEnergyRef{
+    kNotLearned, kSetByHand, "of what changes from turn to turn: four times the noise floor, or the least that counts"};
+constexpr std::array<std::string_view, 3> kWhyLearned{kNotLearned, kMeanOfStable, kHeldInAlarm};
+constexpr std::array<OwnValueDecl, 4> kOwnValues{{
+    {"coherence.segment", "Segment", "s", kWhySegment},
+    {"coherence.energy-ref", "Energy reference", "", kWhyEnergyRef},
+    {"coherence.floor", "Noise floor", "", kWhyLearned},
+    {"coherence.usual", "Usual coherence", "", kWhyLearned},
+}};
+
 constexpr double kSegmentTurns = 12.0;
 constexpr double kPaperSegment = 1.0;  // s
 constexpr int kMostFrames = 1 << 16;
@@ -69,6 +83,11 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   before_.assign(static_cast<std::size_t>(spectrum_.bins()), {});
   retune(params);
   reset();
+  const std::size_t why = !params.isAutomatic(kCohSegment)    ? 0
+                          : !(setup.nominalSpeed.value > 0.0) ? 3
+                          : seconds < kPaperSegment           ? 1
+                                                              : 2;
+  own_.set(OwnSegment, spectrum_.segment() / rate_, why);
 }
 
 void CoherenceDetector::retune(const config::ParamSet& params) noexcept {
@@ -193,10 +212,28 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
   const bool grown = energyRef_ > 0.0 ? energy_ > energyRef_ : onset_.alarm();
   const bool entry = energyRef_ <= 0.0 && settled && fromEntry(part, turns);
   const bool lasts = (grown || part >= 0.5 * chatterRatio_) && peak_.purity >= kLostPurity;
+  tellOwn();
   const bool before = judge_.alarming();
   judge_.judge({(grown && coherent) || entry, lasts, part}, block, Seconds(seconds));
   if (!before && judge_.alarming() && warned_) lead_ = warnedSeconds_;
   judge_.follow(peak_.frequency, Hertz(0.25 * spectrum_.binWidth()));
+}
+
+OwnValueTable CoherenceDetector::ownValues() const {
+  return kOwnValues;
+}
+
+void CoherenceDetector::tellOwn() noexcept {
+  const bool known = onset_.learned();
+  own_.set(OwnFloor, known ? onset_.floor() : config::kAutomatic, !known ? 0 : judge_.calm() ? 1 : 2);
+  const bool usual = usual_.looks >= kUsualLooks;
+  own_.set(OwnUsual, usual ? usual_.mean : config::kAutomatic, !usual ? 0 : judge_.calm() ? 1 : 2);
+  if (energyRef_ > 0.0) {
+    own_.set(OwnEnergyRef, energyRef_, 1);
+    return;
+  }
+  const double least = std::max(OnsetTest::kGrowth * onset_.floor(), kSmallest * kSmallest);
+  own_.set(OwnEnergyRef, known ? energy_ * std::sqrt(least) : config::kAutomatic, known ? 2 : 0);
 }
 
 Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const noexcept {

@@ -77,12 +77,15 @@ class CoherenceDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
+  OwnValueTable ownValues() const override;
+  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
   static constexpr int kOverlap = 8;
   static constexpr int kRow = 256;  // frames compared at once
 
+  void tellOwn() noexcept;
   struct Channel {
     double sum = 0.0;      // of |x| since the last look (eq. 3-7)
     double changed = 0.0;  // of |d|
@@ -127,6 +130,7 @@ class CoherenceDetector final : public Detector {
   double changedEnergy_ = 0.0;  // the same of the turn difference
   CoherencePeak peak_;
   Usual usual_;
+  OwnValues own_;
   bool warned_ = false;
   double warnedSeconds_ = 0.0;
   double lead_ = 0.0;

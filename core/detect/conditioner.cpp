@@ -12,6 +12,27 @@ namespace stillcut::detect {
 namespace {
 
 constexpr std::array<const config::ParamDecl*, 4> kParams{&kHighPass, &kSpeedRange, &kCutLevel, &kVibrationLimit};
+enum Own : std::size_t { OwnHighPass, OwnSpeed, OwnSpeedSd, OwnNoise };
+constexpr std::size_t kNoises = 4;  // channels that tell theirs
+constexpr std::array<std::string_view, 3> kWhyHighPass{kSetByHand, "a quarter of the told spindle frequency",
+                                                       "low enough for any spindle, as no speed was told"};
+// By SpeedSource.
+constexpr std::array<std::string_view, 4> kWhySpeed{"nobody has told it, and the signal has not shown it", "as told",
+                                                    "as the machine reads it", "found in the signal, and followed"};
+constexpr std::array<std::string_view, 3> kWhySpeedSd{"no speed is known", "of what was told",
+                                                      "of what the signal shows"};
+constexpr std::array<std::string_view, 2> kWhyNoise{"no air has been heard yet",
+                                                    "the quietest fifth of a second so far"};
+constexpr std::array<OwnValueDecl, OwnNoise + kNoises> kOwnValues{{
+    {"conditioner.high-pass", "High-pass edge", "Hz", kWhyHighPass},
+    {"conditioner.speed", "Spindle speed", "rpm", kWhySpeed},
+    {"conditioner.speed-doubt", "Doubt of the speed", "rpm", kWhySpeedSd},
+    {"conditioner.noise-1", "Noise in air, channel 1", "", kWhyNoise},
+    {"conditioner.noise-2", "Noise in air, channel 2", "", kWhyNoise},
+    {"conditioner.noise-3", "Noise in air, channel 3", "", kWhyNoise},
+    {"conditioner.noise-4", "Noise in air, channel 4", "", kWhyNoise},
+}};
+
 constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the first order whole
 constexpr Hertz kHighPassUnknown{2.0};   // no speed known
 constexpr int kFilterOrder = 2;
@@ -63,6 +84,7 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   gate_.prepare(setup);
   retune(params);
   reset();
+  own_.set(OwnHighPass, highPass_.value, !params.isAutomatic(kHighPass) ? 0 : spindle.value > 0.0 ? 1 : 2);
 }
 
 void Conditioner::retune(const config::ParamSet& params) noexcept {
@@ -171,6 +193,21 @@ void Conditioner::checkSensors(const SampleBlock& block) noexcept {
   out_.reason = doubt;
 }
 
+OwnValueTable Conditioner::ownValues() {
+  return kOwnValues;
+}
+
+void Conditioner::tellOwn() noexcept {
+  const bool known = speed_.known();
+  own_.set(OwnSpeed, known ? toRpm(speed_.spindle()).value : config::kAutomatic,
+           known ? static_cast<std::size_t>(speed_.source()) : 0);
+  own_.set(OwnSpeedSd, known ? toRpm(speed_.sd()).value : config::kAutomatic, !known ? 0 : speed_.locked() ? 2 : 1);
+  for (std::size_t c = 0; c < kNoises && c < static_cast<std::size_t>(channels_); ++c) {
+    const double air = gate_.airFloor(static_cast<int>(c));
+    own_.set(OwnNoise + c, air > 0.0 ? std::sqrt(air) : config::kAutomatic, air > 0.0 ? 1 : 0);
+  }
+}
+
 const ConditionedBlock& Conditioner::process(const SampleBlock& block, const MachineState& machine) noexcept {
   out_.sequence = block.sequence;
   out_.firstSample = block.firstSample;
@@ -205,6 +242,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.phase = gate_.phase();
   out_.levelTrend = gate_.trend();
   checkSensors(block);
+  tellOwn();
   return out_;
 }
 

@@ -10,6 +10,7 @@
 #include "core/detect/conditioned_block.h"
 #include "core/detect/cut_gate.h"
 #include "core/detect/input_check.h"
+#include "core/detect/own_values.h"
 #include "core/detect/sensor_check.h"
 #include "core/detect/speed_tracker.h"
 #include "core/dsp/butterworth.h"
@@ -43,6 +44,9 @@ class Conditioner {
   // As Detector::retune() and Detector::chosen().
   void retune(const config::ParamSet& params) noexcept;
   double chosen(const config::ParamDecl& decl) const;
+  // As Detector::ownValues() and Detector::own().
+  static OwnValueTable ownValues();
+  OwnValue own(std::size_t index) const noexcept { return own_.read(index); }
   // The returned block and what it points at are good until the next call.
   const ConditionedBlock& process(const SampleBlock& block, const MachineState& machine) noexcept;
   void reset() noexcept;
@@ -59,7 +63,9 @@ class Conditioner {
   void addSquares(int from, int frames) noexcept;
   void advanceGate() noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
+  void tellOwn() noexcept;
 
+  OwnValues own_;
   CutSetup setup_;
   int capacity_ = 0;
   int channels_ = 0;

@@ -7,6 +7,7 @@
 
 #include "core/config/param_set.h"
 #include "core/detect/conditioned_block.h"
+#include "core/detect/own_values.h"
 #include "core/model/cut_setup.h"
 #include "core/model/verdict.h"
 
@@ -41,6 +42,11 @@ class Detector {
   // After prepare(): what the detector chose for a parameter left automatic, in the declaration's unit. Not a number:
   // it depends on what is learned while running. Set-up thread.
   virtual double chosen(const config::ParamDecl& /*decl*/) const { return config::kAutomatic; }
+
+  // What it has set itself, by parameters that are automatic and by what it learns: the value now and its reason, in
+  // the order of ownValues(), which is the same always. own(): any thread.
+  virtual OwnValueTable ownValues() const { return {}; }
+  virtual OwnValue own(std::size_t /*index*/) const noexcept { return {}; }
 
   // Forgets everything learned. Real-time.
   virtual void reset() noexcept = 0;

@@ -14,6 +14,21 @@ constexpr std::array<const config::ParamDecl*, 6> kParams{&kErHarmonics, &kErLam
                                                           &kErChatter,   &kErOnsetAmplitude, &kErEvidence};
 constexpr std::array<std::string_view, 6> kIndicators{"er", "frequency_hz", "changed", "floor", "evidence", "purity"};
 
+enum Own : std::size_t { OwnHarmonics, OwnLambda, OwnFloor, OwnOnset };
+constexpr std::array<std::string_view, 4> kWhyHarmonics{kSetByHand, "as many as the sampling rate hears at this speed",
+                                                        "the least there are, for a tool of few teeth",
+                                                        "12 tooth passings"};
+constexpr std::array<std::string_view, 2> kWhyLambda{kSetByHand, "a memory of two turns at this speed"};
+constexpr std::array<std::string_view, 3> kWhyFloor{kNotLearned, kMeanOfStable, kHeldInAlarm};
+constexpr std::array<std::string_view, 3> kWhyOnset{kNotLearned, "four times the noise floor in energy",
+                                                    "the smallest onset, as set, which the noise does not reach"};
+constexpr std::array<OwnValueDecl, 4> kOwnValues{{
+    {"energy-ratio.harmonics", "Harmonics", "", kWhyHarmonics},
+    {"energy-ratio.lambda", "Process noise ratio", "", kWhyLambda},
+    {"energy-ratio.floor", "Noise floor", "", kWhyFloor},
+    {"energy-ratio.onset", "Growth that is an onset", "", kWhyOnset},
+}};
+
 constexpr double kMemoryTurns = 2.0;  // of the harmonic filter
 constexpr int kLeastHarmonics = 32;
 constexpr int kToothHarmonics = 12;
@@ -41,7 +56,8 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   const double nominal = setup.nominalSpeed.value > 0.0 ? toHertz(setup.nominalSpeed).value : kSpindleUnknown.value;
   const int allowed = std::max(1, static_cast<int>(EnergyChain::kUsableBand * rate_ / (0.8 * nominal)));
   int harmonics = std::clamp(std::max(kLeastHarmonics, kToothHarmonics * teeth_), 1, kMostHarmonics);
-  if (!params.isAutomatic(kErHarmonics)) harmonics = static_cast<int>(std::lround(params.real(kErHarmonics)));
+  harmonicsSet_ = !params.isAutomatic(kErHarmonics);
+  if (harmonicsSet_) harmonics = static_cast<int>(std::lround(params.real(kErHarmonics)));
   harmonics = std::min(harmonics, allowed);
   harmonics_ = harmonics;
   const int perBand = teeth_ > 0 ? teeth_ : kBandOrdersUnknown;
@@ -91,6 +107,34 @@ double EnergyRatioDetector::chosen(const config::ParamDecl& decl) const {
   return decl.key == kErHarmonics.key ? harmonics_ : config::kAutomatic;
 }
 
+OwnValueTable EnergyRatioDetector::ownValues() const {
+  return kOwnValues;
+}
+
+void EnergyRatioDetector::tellOwn(double gain) noexcept {
+  const int active = chain_.active();
+  const int teeth = kToothHarmonics * teeth_;
+  own_.set(OwnHarmonics, active,
+           harmonicsSet_                               ? 0
+           : active < std::max(teeth, kLeastHarmonics) ? 1
+           : teeth < kLeastHarmonics                   ? 2
+                                                       : 3);
+  own_.set(OwnLambda, lambdaForGain(gain, active), fixedGain_ > 0.0 ? 0 : 1);
+  const OnsetTest* lead = nullptr;
+  for (const RatioChannel& s : channelStates_) {
+    const OnsetTest& onset = s.growth.onset();
+    if (lead == nullptr || onset.evidence() > lead->evidence()) lead = &onset;
+  }
+  if (lead == nullptr || !lead->learned()) {
+    own_.set(OwnFloor, config::kAutomatic, 0);
+    own_.set(OwnOnset, config::kAutomatic, 0);
+    return;
+  }
+  const double grown = OnsetTest::kGrowth * lead->floor();
+  own_.set(OwnFloor, lead->floor(), judge_.alarming() ? 2 : 1);
+  own_.set(OwnOnset, std::max(grown, smallest_), grown > smallest_ ? 1 : 2);
+}
+
 void EnergyRatioDetector::reset() noexcept {
   spindle_ = {};
   judge_.setState(CutState::Air);
@@ -132,7 +176,9 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   hopFrames_ = std::max(1L, std::lround(turn / kHopsPerTurn));
   windowHops_ = std::clamp(static_cast<int>(std::ceil(kLeastSamples / static_cast<double>(hopFrames_))), kHopsPerTurn,
                            EnergyGrowth::kLevelHops / 2);
-  chain_.tune(spindle_, fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn));
+  const double gain = fixedGain_ > 0.0 ? fixedGain_ : 2.0 / (kMemoryTurns * turn);
+  chain_.tune(spindle_, gain);
+  tellOwn(gain);
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->setSpindle(spindle_);
     s.orders.setSpindle(spindle_);

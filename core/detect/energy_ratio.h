@@ -66,6 +66,8 @@ class EnergyRatioDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
+  OwnValueTable ownValues() const override;
+  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
@@ -81,7 +83,10 @@ class EnergyRatioDetector final : public Detector {
   void compare(const ConditionedBlock& block, int first, int frames) noexcept;
   void endHop(const ConditionedBlock& block) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
+  void tellOwn(double gain) noexcept;
 
+  OwnValues own_;
+  bool harmonicsSet_ = false;
   double rate_ = 0.0;
   int teeth_ = 0;
   int channels_ = 0;

@@ -16,7 +16,6 @@ constexpr double kSure = 2.0;       // standard deviations of a learned mean
 constexpr double kOrdinary = 2.0;   // ... of single turns, to which one may pull the mean up, plus 1 / k for the skew
 constexpr double kCutOff = 0.3;     // relative loss of variance by that, at k = 1
 constexpr double kFallen = 3.0;     // standard deviations by which a short mean must lie below to take its place
-constexpr double kGrowth = 4.0;     // in energy: twice the amplitude, or it is not worth the word
 constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 5.0;  // times the limit

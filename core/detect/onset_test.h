@@ -49,6 +49,7 @@ class OnsetTest {
   // Mean of the energies that the floor was learned with.
   double floorEnergy() const noexcept { return meanEnergy_; }
   static constexpr double kLearnTurns = 8.0;
+  static constexpr double kGrowth = 4.0;  // in energy: twice the amplitude, or it is not worth the word
 
  private:
   void follow(double ratio, double turns, double energy) noexcept;

@@ -15,6 +15,26 @@ constexpr std::array<const config::ParamDecl*, 11> kParams{&kParHarmonics, &kPar
                                                            &kParRoot,      &kParEvidence, &kParChatter};
 constexpr std::array<std::string_view, 6> kIndicators{"variance", "h", "root", "frequency_hz", "part", "floor"};
 
+enum Own : std::size_t { OwnHarmonics, OwnMu, OwnLambda, OwnRate, OwnVariance, OwnScale, OwnFloor };
+constexpr std::array<std::string_view, 3> kWhyHarmonics{kSetByHand, "as many as the working rate hears at this speed",
+                                                        "32, where the forced vibration of most cuts ends"};
+constexpr std::array<std::string_view, 2> kWhyMu{kSetByHand, "a memory of two turns at this speed"};
+constexpr std::array<std::string_view, 2> kWhyLambda{kSetByHand, "leaves 1 % of each harmonic"};
+constexpr std::array<std::string_view, 3> kWhyRate{
+    kSetByHand, "thinned by a whole factor to the paper's 10 kHz or somewhat more", "the sampling rate itself"};
+constexpr std::array<std::string_view, 3> kWhyVariance{kNotLearned, kSetByHand,
+                                                       "four times the noise floor, or the least growth that counts"};
+constexpr std::array<std::string_view, 3> kWhyLearned{kNotLearned, kMeanOfStable, kHeldInAlarm};
+constexpr std::array<OwnValueDecl, 7> kOwnValues{{
+    {"parametric.harmonics", "Harmonics", "", kWhyHarmonics},
+    {"parametric.mu", "NLMS step", "", kWhyMu},
+    {"parametric.lambda", "NLMS leak", "", kWhyLambda},
+    {"parametric.rate", "Working rate", "Hz", kWhyRate},
+    {"parametric.variance", "Variance limit", "", kWhyVariance},
+    {"parametric.scale", "Scale of the signal", "", kWhyLearned},
+    {"parametric.floor", "Noise floor", "", kWhyLearned},
+}};
+
 constexpr double kPaperRate = 10000.0;  // Hz
 constexpr int kMostHarmonics = 32;
 constexpr double kUsableBand = 0.4;  // of the working rate
@@ -60,6 +80,8 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   rate_ = setup.rate.value / factor_;
   const double nominal = setup.nominalSpeed.value > 0.0 ? toHertz(setup.nominalSpeed).value : kSpindleUnknown.value;
   const int allowed = std::max(1, static_cast<int>(kUsableBand * rate_ / (0.8 * nominal)));
+  harmonicsSet_ = !params.isAutomatic(kParHarmonics);
+  rateSet_ = !params.isAutomatic(kParRate);
   const int wanted =
       params.isAutomatic(kParHarmonics) ? kMostHarmonics : static_cast<int>(std::lround(params.real(kParHarmonics)));
   harmonics_ = std::min(wanted, allowed);
@@ -139,6 +161,30 @@ void ParametricDetector::tune(const ConditionedBlock& block) noexcept {
   const double mu = mu_ > 0.0 ? mu_ : std::min(1.0, active / (kMemoryTurns * turn));
   const double lambda = lambda_ > 0.0 ? lambda_ : 1.0 - kLeakLeaves * mu / active;
   recursions_.tune(active, mu, lambda);
+  tellOwn(active, mu, lambda);
+}
+
+OwnValueTable ParametricDetector::ownValues() const {
+  return kOwnValues;
+}
+
+void ParametricDetector::tellOwn(int active, double mu, double lambda) noexcept {
+  own_.set(OwnHarmonics, active, harmonicsSet_ ? 0 : active < kMostHarmonics ? 1 : 2);
+  own_.set(OwnMu, mu, mu_ > 0.0 ? 0 : 1);
+  own_.set(OwnLambda, lambda, lambda_ > 0.0 ? 0 : 1);
+  own_.set(OwnRate, rate_, rateSet_ ? 0 : factor_ > 1 ? 1 : 2);
+  if (channels_.empty()) return;
+  const Channel& c = channels_[leading_];
+  const bool known = c.onset.learned();
+  const std::size_t held = judge_.calm() ? 1 : 2;
+  own_.set(OwnScale, c.scale > 0.0 ? 1.0 / c.scale : config::kAutomatic, c.scale > 0.0 ? held : 0);
+  own_.set(OwnFloor, known ? shareOf(c.onset.floor()) : config::kAutomatic, known ? held : 0);
+  if (varianceLimit_ > 0.0) {
+    own_.set(OwnVariance, varianceLimit_, 1);
+  } else {
+    const double least = std::max(OnsetTest::kGrowth * c.onset.floor(), kSmallest * kSmallest);
+    own_.set(OwnVariance, known ? least * std::max(c.taken, kLeastTaken * c.power) : config::kAutomatic, known ? 2 : 0);
+  }
 }
 
 // Low-passes every frame of the block and keeps one of `factor`. Number of frames kept.

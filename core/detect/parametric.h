@@ -79,6 +79,8 @@ class ParametricDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
+  OwnValueTable ownValues() const override;
+  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
@@ -118,7 +120,11 @@ class ParametricDetector final : public Detector {
   double severity(std::size_t channel) const noexcept;
   bool fromEntry(const Channel& c) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
+  void tellOwn(int active, double mu, double lambda) noexcept;
 
+  OwnValues own_;
+  bool harmonicsSet_ = false;
+  bool rateSet_ = false;
   AlarmJudge judge_;
   dsp::kernels::Kernels kernels_;
   ParametricRecursions recursions_;

@@ -14,6 +14,19 @@ constexpr std::array<const config::ParamDecl*, 7> kParams{&kSpeWindow, &kSpeOver
                                                           &kSpePurity, &kSpeEvidence, &kSpeChatter};
 constexpr std::array<std::string_view, 6> kIndicators{"peak", "frequency_hz", "part", "floor", "evidence", "purity"};
 
+enum Own : std::size_t { OwnWindow, OwnThreshold, OwnFloor };
+constexpr std::array<std::string_view, 4> kWhyWindow{kSetByHand, "28 turns at the told speed",
+                                                     "1.5 s, the most, which 28 turns would exceed",
+                                                     "the paper's, as no speed was told"};
+constexpr std::array<std::string_view, 3> kWhyThreshold{kNotLearned, kSetByHand,
+                                                        "four times the noise floor, or the least growth that counts"};
+constexpr std::array<std::string_view, 3> kWhyFloor{kNotLearned, kMeanOfStable, kHeldInAlarm};
+constexpr std::array<OwnValueDecl, 3> kOwnValues{{
+    {"spectral.window", "Window", "s", kWhyWindow},
+    {"spectral.threshold", "Line threshold", "", kWhyThreshold},
+    {"spectral.floor", "Noise floor", "", kWhyFloor},
+}};
+
 constexpr double kWindowTurns = 28.0;
 constexpr double kLongest = 1.5;  // s
 constexpr double kPaperWindow = 0.512;
@@ -81,6 +94,8 @@ void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& pa
   }
   retune(params);
   reset();
+  const std::size_t why = !params.isAutomatic(kSpeWindow) ? 0 : !(nominal > 0.0) ? 3 : seconds < kLongest ? 1 : 2;
+  own_.set(OwnWindow, spectrum_.segment() / rate_, why);
 }
 
 void SpectralDetector::retune(const config::ParamSet& params) noexcept {
@@ -162,6 +177,24 @@ void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   const bool entry = threshold_ <= 0.0 && settled && fromEntry(line, turns);
   judge_.judge({begins || entry, lasts, severity}, block, Seconds(step));
   judge_.follow(line.frequency, Hertz(0.25 * spectrum_.binWidth()));
+  tellOwn();
+}
+
+OwnValueTable SpectralDetector::ownValues() const {
+  return kOwnValues;
+}
+
+void SpectralDetector::tellOwn() noexcept {
+  const Channel& c = channels_[leading_];
+  const bool known = c.onset.learned();
+  own_.set(OwnFloor, known ? c.onset.floor() : config::kAutomatic, !known ? 0 : judge_.calm() ? 1 : 2);
+  if (threshold_ > 0.0) {
+    own_.set(OwnThreshold, threshold_, 1);
+    return;
+  }
+  const double least = std::max(OnsetTest::kGrowth * c.onset.floor(), kSmallest * kSmallest);
+  const bool heard = known && c.line.part > 0.0;  // a line's amplitude goes with the root of its part
+  own_.set(OwnThreshold, heard ? c.line.amplitude * std::sqrt(least / c.line.part) : config::kAutomatic, known ? 2 : 0);
 }
 
 Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept {

@@ -69,6 +69,8 @@ class SpectralDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
+  OwnValueTable ownValues() const override;
+  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
   int window() const { return static_cast<int>(ring_.window()); }
@@ -85,7 +87,9 @@ class SpectralDetector final : public Detector {
   void look(Channel& c, int index) noexcept;
   bool fromEntry(const LineOutside& line, double turns) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
+  void tellOwn() noexcept;
 
+  OwnValues own_;
   dsp::kernels::Kernels kernels_;
   AlarmJudge judge_;
   FrameRing ring_;

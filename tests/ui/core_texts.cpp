@@ -19,6 +19,7 @@
 #include "core/daq/axis_knock.h"
 #include "core/daq/device_words.h"
 #include "core/daq/registry.h"
+#include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
 #include "tests/support/reason_codes.h"
 
@@ -76,6 +77,13 @@ void addPart(Lines& lines, const std::string& link, const std::string& source) {
   });
 }
 
+void addOwnValues(Lines& lines, detect::OwnValueTable table) {
+  for (const detect::OwnValueDecl& decl : table) {
+    lines.add("Core", decl.label);
+    for (const std::string_view why : decl.whys) lines.add("Core", why);
+  }
+}
+
 std::string fileText() {
   Lines lines;
   const config::ParamCatalog catalog = app::fullCatalog();
@@ -86,6 +94,8 @@ std::string fileText() {
   }
   for (const auto& entry : detect::detectorTable())
     lines.add("Core", detect::makeDetector(entry.id).value()->describe().label);
+  addOwnValues(lines, detect::Conditioner::ownValues());
+  for (const auto& entry : detect::detectorTable()) addOwnValues(lines, entry.make()->ownValues());
   for (const auto& entry : control::strategyTable())
     lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);

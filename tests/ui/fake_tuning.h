@@ -59,6 +59,11 @@ class FakeTuning final : public Tuning {
   }
 
   const RuleTables* rulesNow() override { return rules ? &*rules : nullptr; }
+  std::vector<OwnReading> ownNow(const TunablePart& part) override {
+    return part.inCharge && part.role == TunablePart::Role::Detector ? own : std::vector<OwnReading>();
+  }
+
+  std::vector<OwnReading> own;
 
   std::optional<RuleTables> rules;
   bool refuse = false;

@@ -5,6 +5,7 @@
 
 #include "tests/ui/fake_tuning.h"
 #include "tests/ui/page_picture.h"
+#include "ui/models/format.h"
 #include "ui/pages/tune_page.h"
 #include "ui/plots/membership_plot.h"
 #include "ui/widgets/param_row.h"
@@ -160,6 +161,34 @@ TEST_F(TunePageTest, LockedRowsSayWhyAndCannotBeMoved) {
   // Out of automatic it begins at what the method chose.
   press("energy-ratio.harmonics-auto");
   EXPECT_EQ(locked->view().value, QStringLiteral("48"));
+}
+
+// What a detector sets itself while the cut runs stands in the row of its parameter, with the reason; what it learns
+// besides stands above the rows.
+TEST_F(TunePageTest, WhatItHasSetItselfIsToldWithItsReasonAsItChanges) {
+  openTune();
+  ParamRow* lambda = row("energy-ratio.lambda");
+  ASSERT_NE(lambda, nullptr);
+  const auto* own = find<TextLabel>("tune-own");
+  EXPECT_FALSE(own->isVisible()) << "nothing told yet";
+  tuning_.own = {{"energy-ratio.lambda", {}, {}, QStringLiteral("a memory of two turns at this speed"), 1.25e-5},
+                 {"energy-ratio.floor",
+                  QStringLiteral("Noise floor"),
+                  {},
+                  QStringLiteral("not yet: it is learned in the steady cut"),
+                  config::kAutomatic}};
+  play(0.1);
+  EXPECT_TRUE(lambda->view().automatic.contains(QStringLiteral("a memory of two turns")));
+  EXPECT_TRUE(lambda->view().automatic.contains(significant(1.25e-5, 3)));
+  EXPECT_TRUE(own->isVisible());
+  EXPECT_TRUE(own->text().contains(QStringLiteral("Noise floor: not yet")));
+  tuning_.own[1].value = 0.0042;
+  tuning_.own[1].why = QStringLiteral("mean of the stable cut so far");
+  play(0.1);
+  EXPECT_TRUE(own->text().contains(QStringLiteral("Noise floor: 0.0042"))) << own->text().toStdString();
+  choosePart("coherence");
+  play(0.1);
+  EXPECT_FALSE(own->isVisible()) << "another part has told nothing";
 }
 
 // Xu's tables on a run that learns: chosen by touch and keys, changed on the running cut, undone, and what learning

@@ -55,6 +55,7 @@ void ParamModel::work(TuneDesk& desk) {
 void ParamModel::show(const TunablePart* part) {
   beginResetModel();
   part_ = part;
+  own_.clear();
   endResetModel();
 }
 
@@ -77,8 +78,33 @@ QString ParamModel::lockReason(const ParamDecl& decl) const {
   }
 }
 
+double ParamModel::ownValue(const ParamDecl& decl) const {
+  const auto own = std::find_if(own_.begin(), own_.end(), [&](const OwnReading& r) { return r.key == decl.key; });
+  if (own != own_.end()) return own->value;
+  const auto found = part_->chosen.find(decl.key);
+  return found != part_->chosen.end() ? found->second : config::kAutomatic;
+}
+
+QString ParamModel::otherOwnText() const {
+  QStringList lines;
+  for (const OwnReading& own : own_) {
+    const auto isParam = [&](const ParamDecl* d) { return d->key == own.key; };
+    if (std::any_of(part_->params.begin(), part_->params.end(), isParam)) continue;
+    const QString label = sayCore(own.label.toStdString()), why = sayCore(own.why.toStdString());
+    const QString value = join(significant(own.value, 3), sayCore(own.unit.toStdString()));
+    lines << (std::isfinite(own.value) ? tr("%1: %2 (%3)").arg(label, value, why) : tr("%1: %2").arg(label, why));
+  }
+  return lines.join(u'\n');
+}
+
 QString ParamModel::automaticText(const ParamDecl& decl) const {
   if (!decl.mayBeAutomatic || std::isfinite(desk_->value(decl))) return {};
+  const auto own = std::find_if(own_.begin(), own_.end(), [&](const OwnReading& r) { return r.key == decl.key; });
+  if (own != own_.end()) {
+    const QString why = sayCore(own->why.toStdString());
+    if (!std::isfinite(own->value)) return why;
+    return tr("chose %1 (%2)").arg(join(significant(own->value, 3), sayCore(std::string(decl.unit))), why);
+  }
   const auto found = part_->chosen.find(decl.key);
   if (found == part_->chosen.end() || !std::isfinite(found->second)) {
     return part_->running && part_->role == TunablePart::Role::Detector ? tr("follows what is learned from the cut")

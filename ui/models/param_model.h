@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <utility>
+#include <vector>
 
 #include "ui/models/tune_desk.h"
 #include "ui/models/tuning.h"
@@ -37,6 +39,13 @@ class ParamModel : public QAbstractTableModel {
   // True: that has changed.
   bool setRunning(bool running);
 
+  // What the part has set itself, now.
+  void tell(std::vector<OwnReading> own) { own_ = std::move(own); }
+  // Not a number: it has set nothing for this parameter.
+  double ownValue(const config::ParamDecl& decl) const;
+  // Of those that are no parameter: a line each, with the reason.
+  QString otherOwnText() const;
+
   const TunablePart* part() const { return part_; }
   const config::ParamDecl& decl(int row) const { return *part_->params[static_cast<std::size_t>(row)]; }
   ParamView view(int row) const;
@@ -55,6 +64,7 @@ class ParamModel : public QAbstractTableModel {
   TuneDesk* desk_ = nullptr;
   const TunablePart* part_ = nullptr;
   bool running_ = false;
+  std::vector<OwnReading> own_;
 };
 
 // The parts of a run as a list: those that run first.

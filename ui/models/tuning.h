@@ -32,6 +32,13 @@ struct TunablePart {
   std::map<std::string_view, double> chosen;  // by key: what the part chose for an automatic parameter when it was made
 };
 
+// What a part has set itself, now: of an automatic parameter, or of a key of its own ("energy-ratio.floor").
+struct OwnReading {
+  std::string_view key;
+  QString label, unit, why;  // in English; shown by sayCore()
+  double value = 0.0;        // not a number: not known yet
+};
+
 class Tuning {
  public:
   virtual ~Tuning() = default;
@@ -42,6 +49,8 @@ class Tuning {
   // The rules of the fuzzy strategy that runs, as they are at this moment, what it has learned included; null: no such
   // strategy runs. Valid until the next call.
   virtual const RuleTables* rulesNow() { return nullptr; }
+  // What a part of the run has set itself at this moment; empty where it sets nothing or does not run.
+  virtual std::vector<OwnReading> ownNow(const TunablePart& /*part*/) { return {}; }
   // Of the run that is shown. It is the run's, not the page's: pages come and go, what was set stays.
   virtual TuneDesk& desk() = 0;
   // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.

@@ -74,6 +74,9 @@ void TunePage::build() {
   rowsLayout_->setContentsMargins(0, 0, 0, 0);
   rowsLayout_->setSpacing(0);
   rules_ = new RuleEditor(none_);
+  own_ = new TextLabel({type_size::kLabel, false, true, true});
+  own_->setObjectName(QStringLiteral("tune-own"));
+  rowsLayout_->addWidget(own_);
   rowsLayout_->addWidget(active_);
   rowsLayout_->addWidget(rules_);
   rowsBefore_ = rowsLayout_->count();
@@ -218,6 +221,8 @@ void TunePage::showPart(const TunablePart* part) {
     rows_.push_back(row);
   }
   rules_->show(part);
+  own_->clear();
+  own_->hide();
   active_->setVisible(part != nullptr && part->role == TunablePart::Role::Active);
   scroll_->ensureVisible(0, 0);
 }
@@ -251,9 +256,20 @@ void TunePage::display(const Picture& picture) {
   const TunablePart* part = params_.part();
   if (running && part != nullptr && part->running && rules_->isVisible()) rules_->refresh(tuning_->rulesNow());
   if (active_->isVisible()) active_->display();
+  if (running) showOwn();
   showLive(picture);
   tallyA_->setText(QStringLiteral("A: ") + tallyText(desk_->tally().side(0)));
   tallyB_->setText(QStringLiteral("B: ") + tallyText(desk_->tally().side(1)));
+}
+
+void TunePage::showOwn() {
+  const TunablePart* part = params_.part();
+  if (part == nullptr || !part->running) return;
+  params_.tell(tuning_->ownNow(*part));
+  for (ParamRow* row : rows_) row->seeAutomatic();
+  const QString others = params_.otherOwnText();
+  own_->setText(others.isEmpty() ? QString() : tr("Learned by itself") + u'\n' + others);
+  own_->setVisible(!others.isEmpty());
 }
 
 void TunePage::showLive(const Picture& picture) {

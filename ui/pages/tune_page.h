@@ -49,6 +49,7 @@ class TunePage : public Page {
   void showPart(const TunablePart* part);
   std::vector<const config::ParamDecl*> openParams() const;
   void refreshTools();
+  void showOwn();
   void showLive(const Picture& picture);
   void save();
 
@@ -72,7 +73,7 @@ class TunePage : public Page {
   TouchButton *undo_ = nullptr, *redo_ = nullptr, *reset_ = nullptr, *start_ = nullptr, *save_ = nullptr;
   TouchButton *useA_ = nullptr, *useB_ = nullptr, *copy_ = nullptr;
   TextLabel *title_ = nullptr, *source_ = nullptr, *live_ = nullptr, *numbers_ = nullptr, *tallyA_ = nullptr,
-            *tallyB_ = nullptr, *note_ = nullptr, *differs_ = nullptr;
+            *tallyB_ = nullptr, *note_ = nullptr, *differs_ = nullptr, *own_ = nullptr;
   Panel *sidePanel_ = nullptr, *rowsPanel_ = nullptr;
 };
 

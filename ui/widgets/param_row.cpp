@@ -5,6 +5,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/models/format.h"
 #include "ui/models/param_scale.h"
@@ -86,10 +87,8 @@ void ParamRow::makeNumber() {
   automatic_->setCheckable(true);
   connect(automatic_, &TouchButton::clicked, this, [this] {
     // Leaving automatic begins at what the part chose, where it is known.
-    const TunablePart& part = *model_.part();
-    const auto chosen = part.chosen.find(decl_.key);
-    const double own =
-        chosen != part.chosen.end() && config::isLegal(decl_, chosen->second) ? chosen->second : valueAt(decl_, 0.5);
+    const double chosen = model_.ownValue(decl_);
+    const double own = std::isfinite(chosen) && config::isLegal(decl_, chosen) ? chosen : valueAt(decl_, 0.5);
     set(view_.isAutomatic ? own : config::kAutomatic);
     desk_.settle();
   });
@@ -163,6 +162,10 @@ void ParamRow::refresh() {
     automatic_->setChecked(view_.isAutomatic);
     automatic_->setEnabled(open);
   }
+}
+
+void ParamRow::seeAutomatic() {
+  if (model_.view(row_).automatic != view_.automatic) refresh();
 }
 
 void ParamRow::applyTheme(const Theme& theme) {

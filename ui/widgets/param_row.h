@@ -24,6 +24,8 @@ class ParamRow : public QWidget, public Themed {
   ParamRow(ParamModel& model, TuneDesk& desk, int row, QWidget* parent = nullptr);
 
   void refresh();
+  // Only where what the part set itself has changed: what is being typed and said stays.
+  void seeAutomatic();
   const ParamView& view() const { return view_; }
   void applyTheme(const Theme& theme) override;
 

@@ -69,6 +69,30 @@ TEST_F(Analyze, NamesTheChatterAndStaysQuietWithoutIt) {
   EXPECT_THAT(quiet["remarks"], testing::IsEmpty());
 }
 
+// What the program set itself is told with its reason; --set shows in both.
+TEST_F(Analyze, TellsWhatItSetItselfAndWhy) {
+  writeSound(folder_ / "stable.wav", {cutSignal(false)});
+  const auto own = [this](const Arguments& more, const std::string& key) {
+    const json answer = analyze("stable.wav", told(more));
+    for (const json& value : answer["own_values"]) {
+      if (value["key"] == key) return value;
+    }
+    return json();
+  };
+  const json harmonics = own({}, "energy-ratio.harmonics");
+  EXPECT_EQ(harmonics["value"], 40);
+  EXPECT_EQ(harmonics["why"], "as many as the sampling rate hears at this speed");
+  EXPECT_NEAR(own({}, "conditioner.speed")["value"], 8500.0, 0.03 * 8500.0);
+  EXPECT_EQ(own({}, "conditioner.speed")["unit"], "rpm");
+  EXPECT_GT(own({}, "energy-ratio.floor")["value"], 0.0);
+  EXPECT_EQ(own({"--set", "energy-ratio.harmonics=20"}, "energy-ratio.harmonics")["why"], "as set");
+  const Outcome plain = runCli(folder_ / "", {"analyze", "stable.wav", "--teeth", "4", "--speed", "8500"});
+  EXPECT_THAT(plain.out, testing::Not(testing::HasSubstr("set by itself")));
+  const Outcome asked = runCli(folder_ / "", {"analyze", "stable.wav", "--teeth", "4", "--speed", "8500", "--values"});
+  EXPECT_THAT(asked.out, testing::HasSubstr("energy-ratio.harmonics"));
+  EXPECT_THAT(asked.out, testing::HasSubstr("as many as the sampling rate hears"));
+}
+
 TEST_F(Analyze, ScoresEveryDetectorWhereTheTruthIsKnown) {
   std::vector<float> second = cutSignal(true);  // another sensor: later, with noise of its own
   std::rotate(second.begin(), second.end() - 3, second.end());
