@@ -36,8 +36,16 @@ constexpr std::array<OwnValueDecl, OwnNoise + kNoises> kOwnValues{{
 constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the first order whole
 constexpr Hertz kHighPassUnknown{2.0};   // no speed known
 constexpr int kFilterOrder = 2;
+constexpr Hertz kHighestChatter{2500.0};
+constexpr int kLowPassOrder = 4;
 constexpr Seconds kTurnUnknown{0.02};
 constexpr Seconds kStep{1e-3};
+
+// Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
+// adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
+bool hasLowPass(SensorQuantity q) {
+  return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
+}
 
 void refuse(const CutSetup& setup) {
   const auto count = static_cast<int>(setup.channels.size());
@@ -73,6 +81,9 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   const auto frames = static_cast<std::size_t>(capacity_);
   kernels_ = dsp::kernels::bestKernels();
   filters_.assign(count, {});
+  const bool any = std::any_of(setup.channels.begin(), setup.channels.end(),
+                               [](const ChannelInfo& c) { return hasLowPass(c.quantity); });
+  integrals_.assign(any && kHighestChatter < setup.rate * 0.45 ? count : 0, {});
   offset_.assign(count, 0.0);
   samples_.assign(count * frames, 0.0);
   angle_.assign(frames, 0.0);
@@ -112,6 +123,10 @@ void Conditioner::restart() noexcept {
     filter.reset();
     filter.highPass(kFilterOrder, highPass_, setup_.rate);
   }
+  for (auto& filter : integrals_) {
+    filter.reset();
+    filter.lowPass(kLowPassOrder, kHighestChatter, setup_.rate);
+  }
   speed_.restart();
   stepDone_ = 0;
   squares_ = {};
@@ -143,6 +158,11 @@ void Conditioner::makeSi(const SampleBlock& block) noexcept {
   }
   dsp::Butterworth::process(filters_, samples_.data(), capacity_, samples_.data(), capacity_,
                             static_cast<std::size_t>(block.frames), kernels_);
+  for (std::size_t c = 0; c < integrals_.size(); ++c) {
+    if (!hasLowPass(setup_.channels[c].quantity)) continue;
+    double* row = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
+    for (int f = 0; f < block.frames; ++f) row[f] = integrals_[c].process(row[f]);
+  }
   primed_ = true;
 }
 

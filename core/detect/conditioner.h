@@ -79,6 +79,7 @@ class Conditioner {
   CutGate gate_;
   dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;
+  std::vector<dsp::Butterworth> integrals_;  // low-pass of speed and current; none where there is neither
   std::vector<double> offset_;
   std::vector<double> samples_;
   std::vector<double> angle_;

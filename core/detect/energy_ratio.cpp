@@ -85,6 +85,11 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
     s.forced.prepare(teeth_, integrationFactor(s.quantity));
     s.orders.prepare(teeth_, integrationFactor(s.quantity), harmonics_);
   }
+  const auto all = [&](auto is) {
+    return std::all_of(setup.channels.begin(), setup.channels.end(), [&](const auto& c) { return is(c.quantity); });
+  };
+  integrals_ = all([](SensorQuantity q) { return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current; });
+  sideLines_ = integrals_ || all([](SensorQuantity q) { return q == SensorQuantity::Force; });
   retune(params);
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
   for (auto* v : {&compared_, &difference_, &news_}) v->assign(static_cast<std::size_t>(channels_ * kRow), 0.0);
@@ -184,6 +189,7 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
     s.orders.setSpindle(spindle_);
   }
   followBand();
+  lines_.setSideLines(sideLines_ ? spindle_ * teeth_ : Hertz(), integrals_);
   if (!block.speedMoving) turns_.setTurn(spindle_);
   if (turnsCompare_ && !block.turnsCompare) {
     relearn();

@@ -110,6 +110,8 @@ class EnergyRatioDetector final : public Detector {
   int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;
   bool turnsCompare_ = true;
+  bool integrals_ = false;  // every channel is an integral of the cutting torque,
+  bool sideLines_ = false;  // ... or a force
   double steadyTurns_ = 0.0;
 };
 

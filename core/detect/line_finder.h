@@ -18,6 +18,7 @@ namespace stillcut::detect {
 struct FoundLine {
   Hertz frequency{};
   double purity = 0.0;  // part of the power within the line's main lobe
+  Hertz spread{};       // of the lines that may be the one (setSideLines()), by their power; 0: there is only one
 };
 
 class LineFinder {
@@ -29,6 +30,14 @@ class LineFinder {
   void push(const double* rest, std::ptrdiff_t stride, std::size_t frames) noexcept;
   // Strongest line over all channels, each normalised to its own power; nothing until the window is half full.
   FoundLine find(Hertz low, Hertz high) noexcept;
+  // Of a force, or of what is made of the cutting torque: nothing amplifies the mode's own frequency there, and teeth
+  // that come and go make side lines of it, a tooth passing apart, that may be as strong. Of these find() gives the one
+  // that is strongest in the force itself, and how far they leave it open. integrals: the signals hold the integral of
+  // it (speed, current), which turns the order of the lines round. toothPassing 0: the mode itself is heard.
+  void setSideLines(Hertz toothPassing, bool integrals) noexcept {
+    tooth_ = toothPassing;
+    integrals_ = integrals;
+  }
   // In the spectrum of the last find(): the strongest within `reach` of `middle`. Empty where there is no peak.
   struct Peak {
     Hertz frequency{};
@@ -48,6 +57,8 @@ class LineFinder {
   double power(std::size_t place) const noexcept;
   std::size_t highest(std::size_t from, std::size_t to) const noexcept;
   Hertz refined(std::size_t place) const noexcept;
+  void choose(FoundLine& found, Hertz low, Hertz high) const noexcept;
+  bool standsOut(const Peak& peak) const noexcept;
 
   dsp::kernels::Kernels kernels_;
   std::size_t window_ = 0;
@@ -56,6 +67,8 @@ class LineFinder {
   bool asked_ = false;    // since the last push(), with
   Hertz low_{}, high_{};  // ... these, and answered
   FoundLine found_;       // ... with this
+  Hertz tooth_{};
+  bool integrals_ = false;
   std::size_t lobe_ = 0;  // half width of what counts as the line, in places
   std::vector<Channel> channels_;
   std::vector<double> power_;  // of every bin, all channels

@@ -264,6 +264,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   const double spindle = hop.spindle.value;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
+  spread_ = line.spread.value;
   // A line between the harmonics that is larger than what grows on them is what those orders have caught a part of.
   const double offset = std::abs(dsp::orderOffset(line.frequency, hop.spindle));
   const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity &&
@@ -272,6 +273,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   if (onOrder_ > 0.0 && !between) {
     frequency_ = hop.spindle * onOrder_;
     frequencySd_ = kOnOrderSd * frequency_.value;
+    spread_ = 0.0;
     lostTurns_ = 0.0;
     return;
   }
@@ -311,7 +313,7 @@ void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
   v.state = v.phase == CutPhase::Air ? CutState::Air : state_;
   v.severity = Ratio(severity_);
   v.frequency = frequency_;
-  v.frequencySd = Hertz(frequencySd_);
+  v.frequencySd = Hertz(std::hypot(frequencySd_, alarming() ? spread_ : 0.0));
   v.sinceOnset = Seconds(sinceOnset_);
   v.feedSinceOnset = Metres(feedSinceOnset_);
   v.indicators = {severity_, frequency_.value, changed_, floor_, evidence_, purity_};

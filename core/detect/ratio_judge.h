@@ -105,6 +105,7 @@ class RatioJudge {
   bool doubled_ = false;   // the alarm is one of period doubling with even teeth
   Hertz frequency_{};
   double frequencySd_ = 0.0;
+  double spread_ = 0.0;  // Hz, of the lines that may be the chatter's
   double purity_ = 0.0;
   FoundLine line_;
   double sinceOnset_ = 0.0;

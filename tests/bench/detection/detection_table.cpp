@@ -15,6 +15,7 @@
 #include "tests/bench/detection/cut_families.h"
 #include "tests/bench/detection/growth.h"
 #include "tests/bench/detection/score.h"
+#include "tests/bench/detection/sensor_kinds.h"
 
 namespace stillcut::bench {
 namespace {
@@ -106,7 +107,8 @@ class Table {
       if (!options_.detector.empty() && row.id != options_.detector) continue;
       for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {
         const bool single = cut.recording.channels.size() == 1;
-        if (single ? !channels.empty() : !channels.empty() && row.id == "coherence") continue;
+        if (!channels.empty() && (single || row.id == "coherence")) continue;
+        if (single && row.id == "coherence") continue;  // invalid, as it must be
         for (const double error : cut.toldErrors) {
           const Trial trial{std::string(row.id), channels, error};
           const Score s = score(cut, trial);
@@ -147,6 +149,11 @@ void tabulate(const Options& options) {
     }
   }
   for (const CutFamily& family : cutFamilies()) {
+    if (!wanted(family.name)) continue;
+    for (const SimulationOrder& order : family.make(options.seeds)) table.run(simulate(order));
+    table.flush();
+  }
+  for (const CutFamily& family : sensorKindFamilies()) {
     if (!wanted(family.name)) continue;
     for (const SimulationOrder& order : family.make(options.seeds)) table.run(simulate(order));
     table.flush();

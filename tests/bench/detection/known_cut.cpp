@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -295,6 +296,13 @@ KnownCut simulate(const SimulationOrder& order) {
     }
     if (order.machineTells) cut.machine.push_back(plant.machineState());
   }
+  std::vector<std::vector<float>> heard;
+  if (order.heard > 0) {
+    const auto first = cut.recording.channels.begin();
+    const auto last = first + order.heard;
+    heard.assign(std::make_move_iterator(first), std::make_move_iterator(last));
+    cut.recording.channels.erase(first, last);
+  }
   if (order.scenario.programme.exit) cut.silentFrom = order.scenario.programme.exit->at + 0.1;
   if (order.doubling) {
     if (const auto doubling = doublingOf(cut, order)) {
@@ -313,6 +321,7 @@ KnownCut simulate(const SimulationOrder& order) {
     takeTruth(cut, order, plant.truth());
   }
   if (order.scenario.programme.speedOverTime.segments.empty()) cut.clean = cut.recording.channels;
+  if (order.heard > 0) cut.recording.channels = std::move(heard);
   addNoise(cut, order);
   return cut;
 }

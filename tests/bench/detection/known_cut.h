@@ -21,6 +21,8 @@ enum class AlarmRule {
   Ramp,     // from 1 % to one revolution after 20 %
   Slow,     // from 1 % to 40 ms after 20 %
   Present,  // chatter from the entry on: within 0.3 s of 20 %
+  Weak,     // by a sensor that hears forced vibration more than the tip's acceleration does: from 50 ms before 1 % to
+            // 150 ms after 20 %
   Growth,   // of a made signal: between its start and `latest`
 };
 
@@ -61,6 +63,8 @@ struct SimulationOrder {
   double quietFrom = 0.0, quietTo = 0.0;  // s: a stretch of stable cut, to which the sensor's noise is scaled
   double noise = 0.02;                    // rms of it over the rms of that stretch
   double block = 0.0;                     // s, of the blocks that a detector is given; 0: 64 frames
+  int heard = 0;                          // of the scenario's sensors, the first that a detector is given; the others
+                                          // (acceleration of the tip) tell the truth. 0: all do both
   bool machineTells = false;
   bool recovers = false;
   bool doubling = false;  // period doubling at constant speed with whole samples from tooth to tooth

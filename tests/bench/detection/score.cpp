@@ -12,6 +12,7 @@ constexpr const char* kInCharge = "energy-ratio";
 constexpr double kOthersLate = 0.15;
 constexpr double kFrequencyBand = 0.005;
 constexpr double kClear = 0.25;
+constexpr double kStated = 2.0;  // standard deviations
 
 struct Window {
   double from, to;
@@ -24,6 +25,8 @@ Window windowFor(const KnownCut& cut, const std::string& detector) {
   switch (cut.rule) {
     case AlarmRule::Ramp:
       return {cut.at1, cut.at20 + 60.0 / cut.rpm};
+    case AlarmRule::Weak:
+      return {cut.at1 - 0.05, cut.at20 + kOthersLate};
     case AlarmRule::Slow:
       return {cut.at1, cut.at20 + 0.04};
     default:
@@ -73,7 +76,9 @@ Score score(const KnownCut& cut, const Trial& trial) {
   s.kind = v.kind;
   s.kindWrong = v.kind != cut.kind;
   s.frequencyError = cut.chatterHz > 0.0 ? v.frequency / frequencyAt(cut, sinceEpoch(v.time)) - 1.0 : kNever;
-  s.frequencyOff = !(std::abs(s.frequencyError) <= kFrequencyBand);
+  // A sensor that cannot tell the chatter's line from its side lines has to say so.
+  const double stated = cut.rule == AlarmRule::Weak ? kStated * v.frequencySd.value / cut.chatterHz : 0.0;
+  s.frequencyOff = !(std::abs(s.frequencyError) <= std::max(kFrequencyBand, stated));
   if (cut.lastAbove > 0.0) {
     double last = 0.0;
     for (const Verdict& verdict : run.verdicts) {
