@@ -214,7 +214,9 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   chain_.endHop();
   marks_.endHop();
   steadyTurns_ = phase == CutPhase::Steady && turnsCompare_ ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
-  const bool test = phase == CutPhase::Steady && steadyTurns_ >= RatioJudge::kSettleTurns && turnsCompare_;
+  // An alarm may end while the cut becomes so much quieter that the tool might leave.
+  const bool ends = judge_.alarming() && phase == CutPhase::Exit && turnsCompare_;
+  const bool test = ends || (phase == CutPhase::Steady && steadyTurns_ >= RatioJudge::kSettleTurns && turnsCompare_);
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];

@@ -21,5 +21,23 @@ TEST(KnownCuts, ASlowSpindleWhoseSpeedIsFoundAnewRaisesNoAlarm) {
   }
 }
 
+// Period doubling of two flutes that ends with the depth: the vibration falls by 12 dB, as if the tool left, and the
+// order that it was on keeps its runout.
+TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {
+  for (const CutFamily& family : cutFamilies()) {
+    if (family.name != "recovery by depth") continue;
+    for (const SimulationOrder& order : family.make(5)) {
+      if (order.name != "Z2-703" && order.name != "Z2-705") continue;
+      const KnownCut cut = simulate(order);
+      ASSERT_EQ(cut.kind, ChatterKind::Flip);
+      for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {
+        const Score s = score(cut, {"energy-ratio", channels, 0.0});
+        EXPECT_TRUE(s.alarmed && !s.late && !s.early) << cut.name;
+        EXPECT_FALSE(s.clearLate) << cut.name << ' ' << s.clearDelay << " s";
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::bench

@@ -73,6 +73,7 @@ std::vector<double> delayed(const std::vector<float>& x, double frames) {
 // Runout makes some of it in the stable cut; that part is taken off.
 struct Doubling {
   double at1 = kNever, at20 = kNever;  // s
+  double lastAbove = kNever;           // s, 20 %; middle of the window
   double hertz = 0.0;
 };
 
@@ -106,7 +107,9 @@ std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& o
     while (i > frame(order.quietTo) && ratio(i) >= mark) --i;
     return static_cast<double>(i) / cut.recording.rate;
   };
-  Doubling found{below(0.01), below(0.2), cut.chatterHz};
+  std::size_t last = frames - 1;
+  while (last > full && ratio(last) < 0.2) --last;
+  Doubling found{below(0.01), below(0.2), static_cast<double>(last - window / 2) / cut.recording.rate, cut.chatterHz};
   // An odd multiple of half the tooth-passing frequency; the strongest over the time to full chatter and as long after.
   double strongest = 0.0;
   const std::size_t from = frame(found.at20);
@@ -153,7 +156,13 @@ double linePart(const KnownCut& cut, double hz, double from, double turns) {
 void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
   constexpr double kTurns = 16.0;
   constexpr double kThere = 1e-3;  // of the power: a twentieth of what the line has at an amplitude of 20 %
-  if (!(cut.chatterHz > 0.0) || linePart(cut, cut.chatterHz, cut.at20, kTurns) > kThere) return;
+  if (!(cut.chatterHz > 0.0)) return;
+  // Within the resolution of so many turns it is there only where it stands above the order beside it.
+  const double orders = cut.chatterHz * 60.0 / cut.rpm;
+  const double beside = linePart(cut, std::round(orders) * cut.rpm / 60.0, cut.at20, kTurns);
+  const double line = linePart(cut, cut.chatterHz, cut.at20, kTurns);
+  const bool apart = std::abs(orders - std::round(orders)) > 2.0 / kTurns;
+  if (line > kThere && (apart || line > beside)) return;
   double most = 0.0;
   for (int n = 1; n < 8 * cut.teeth; ++n) {
     if (n % cut.teeth == 0) continue;
@@ -217,7 +226,9 @@ bool unstableAt(const milling::Scenario& scenario, double time) {
 // Period doubling with even teeth and runout. The difference over whole turns, which the truth goes by, sees it once it
 // has locked, both its times in one; and the companion that says since when a small disturbance grows begins that from
 // a thousandth of another motion that dies. It grows out of what runout drives, from the limit of the exact lobes on:
-// the 1 % time is when it has exceeded that by 1 % beyond that limit, and the 20 % time no sooner than by 20 %.
+// the 1 % time is when it has exceeded that by 1 % beyond that limit, and the 20 % time no sooner than by 20 %. Where
+// it ends, the truth's companion loses sight of it as soon as the linearised cut is not sure to double: it lasts as
+// long as it changes its sign.
 void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
   constexpr double kStep = 5e-3;     // s
   constexpr double kFurthest = 0.3;  // s: the lag of the companion is far less
@@ -227,6 +238,7 @@ void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
   const double least = std::max(doubling->at1, cut.at1 - kFurthest);
   while (cut.at1 - kStep > least && unstableAt(order.scenario, cut.at1 - kStep)) cut.at1 -= kStep;
   cut.at20 = std::max(cut.at20, doubling->at20);
+  if (order.recovers) cut.lastAbove = doubling->lastAbove;
 }
 
 void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
@@ -242,9 +254,9 @@ void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::Chatt
   if (!order.recovers) return;
   const Hertz chatter = truth.chatterFrequency();
   for (const auto& entry : truth.log()) {
-    if (static_cast<double>(entry.time) > cut.at20 && truth.ratioAt(entry, chatter) > 0.2) {
-      cut.lastAbove = static_cast<double>(entry.time);
-    }
+    const auto time = static_cast<double>(entry.time);
+    const bool above = time > cut.at20 && truth.ratioAt(entry, chatter) > 0.2;
+    if (above && !(cut.lastAbove >= time)) cut.lastAbove = time;
   }
 }
 
