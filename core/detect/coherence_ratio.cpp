@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/peak_shift.h"
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {

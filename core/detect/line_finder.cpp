@@ -6,6 +6,7 @@
 #include <complex>
 #include <numbers>
 
+#include "core/detect/peak_shift.h"
 #include "core/dsp/kernels/choose.h"
 #include "core/dsp/order.h"
 
@@ -217,13 +218,8 @@ void LineFinder::choose(FoundLine& found, Hertz low, Hertz high) const noexcept 
   found.spread = Hertz(std::sqrt(std::max(variance, 0.0) + away * away));
 }
 
-// The top of the parabola through the logarithms of the peak and its neighbours.
 Hertz LineFinder::refined(std::size_t place) const noexcept {
-  const double left = std::log(power(place - 1) + 1e-300);
-  const double mid = std::log(power(place) + 1e-300);
-  const double right = std::log(power(place + 1) + 1e-300);
-  const double curve = left - 2.0 * mid + right;
-  const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
+  const double shift = peakShift(power(place - 1), power(place), power(place + 1));
   return Hertz((static_cast<double>(place) + shift) * binWidth() / kPlaces);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/detect/peak_shift.h"
 #include "core/dsp/fft.h"
 #include "core/dsp/kernels/choose.h"
 

@@ -54,10 +54,4 @@ class HarmonicMask {
   std::array<std::vector<double>, 3> weights_;
 };
 
-// Place of a peak between bins, from a parabola through the logarithms of three powers: -0.5 .. 0.5.
-double peakShift(double left, double middle, double right) noexcept;
-// The same towards `beside`, from the peak and one neighbour, for a line under a Hann window: amplitudes in the ratio
-// a stand (2 a - 1) / (1 + a) apart (Grandke 1983).
-double hannShift(double peak, double beside) noexcept;
-
 }  // namespace stillcut::detect

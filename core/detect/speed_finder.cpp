@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/peak_shift.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -46,10 +48,7 @@ void SpeedFinder::collectPeaks() noexcept {
   for (std::size_t b = 1; b + 1 < power_.size(); ++b) {
     const double p = power_[b];
     if (p < kLeastPeak * total_ || p < power_[b - 1] || p < power_[b + 1]) continue;
-    const double left = std::log(power_[b - 1] + 1e-300);
-    const double right = std::log(power_[b + 1] + 1e-300);
-    const double curve = left - 2.0 * std::log(p) + right;
-    const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
+    const double shift = peakShift(power_[b - 1], p, power_[b + 1]);
     const Peak peak{(static_cast<double>(b) + shift) * binWidth_, p};
     // Sidelobes of a line that is there already say nothing new.
     const auto end = found_.begin() + peaks_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/detect/peak_shift.h"
 #include "core/dsp/kernels/choose.h"
 #include "core/dsp/order.h"
 
@@ -160,8 +161,7 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
   const double peak = trials_[best];
   const double left = best > 0 ? trials_[best - 1] : peak;
   const double right = best + 1 < count ? trials_[best + 1] : peak;
-  const double curve = left - 2.0 * peak + right;
-  const double shift = curve < 0.0 ? std::clamp(0.5 * (left - right) / curve, -0.5, 0.5) : 0.0;
+  const double shift = peakShift(left, peak, right);
   found.spindle = Hertz(low.value + (static_cast<double>(best) + shift) * step);
   found.sd = Hertz(step);
   found.part = std::min(peak, 1.0);
@@ -179,13 +179,8 @@ SpeedSearch::Line SpeedSearch::strongest() const noexcept {
   for (std::size_t b = peak - std::min<std::size_t>(peak, kLobe); b <= std::min(peak + kLobe, power_.size() - 1); ++b) {
     lobe += power_[b];
   }
-  double shift = 0.0;
-  if (peak > 0 && peak + 1 < power_.size() && power_[peak - 1] > 0.0 && power_[peak + 1] > 0.0) {
-    const double left = std::log(power_[peak - 1]);
-    const double right = std::log(power_[peak + 1]);
-    const double curve = left - 2.0 * std::log(power_[peak]) + right;
-    if (curve < 0.0) shift = std::clamp(0.5 * (left - right) / curve, -0.5, 0.5);
-  }
+  const bool between = peak > 0 && peak + 1 < power_.size();
+  const double shift = between ? peakShift(power_[peak - 1], power_[peak], power_[peak + 1]) : 0.0;
   return {Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth()), lobe / std::max(added_, 1)};
 }
 

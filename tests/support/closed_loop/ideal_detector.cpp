@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "core/detect/spectral_frames.h"
+#include "core/detect/peak_shift.h"
 
 namespace stillcut::test {
 namespace {
