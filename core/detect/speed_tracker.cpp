@@ -28,32 +28,22 @@ constexpr double kReturnHigh = 1.3;        // ... to 120 %
 constexpr int kReturnTurns = 4;            // after that what was found must be followed cleanly
 constexpr double kGone = 0.6;              // the old comb holds so much less
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
-constexpr double kLonePart = 0.6;
-constexpr double kSuspectDrift = 0.02;
-constexpr double kLoneDrift = 2.0;  // bins of the window from one to the next
-constexpr double kReadBack = 2e-3;  // of a measured speed, while it stands
-constexpr double kSlipped = 0.5;    // scatter of phases that are not held
+constexpr double kSlipped = 0.5;           // scatter of phases that are not held
 constexpr double kFine = 7e-4;
 // A comb that carries half of all power needs no other proof; a weaker one must stand out of all other combs. In air
 // and on machine noise the contrast stays below 2, on cuts it is 3 to 80.
 constexpr double kClearPart = 0.5;
 constexpr double kLeastPart = 0.1;
 constexpr double kContrast = 3.0;
-constexpr double kAgreement = 1.5e-3;    // two windows in a row say the same speed
-constexpr double kMoved = 2.5e-3;        // a lock this far off a better comb is given up ...
-constexpr double kBetter = 2.0;          // ... if that comb carries so much more
-constexpr double kMargin = 1.2;          // past the stated doubt, so that its end is still a peak
-constexpr double kMachineRange = 0.01;   // a measured speed is better than a programmed one
-constexpr double kSameSpeed = 1e-4;      // a read-back that moves less did not move
-constexpr double kRecentSeconds = 0.05;  // at least, and
-constexpr double kRecentTurns = 2.0;
-constexpr double kRide = 2e-3;    // from the mean of the recent past: faster than the phases can be followed
-constexpr double kMoving = 1e-2;  // ... than turns can be compared
-constexpr double kSwift = 4e-3;   // the same of the speed that is heard, which lags
-constexpr double kArrived = 1e-3;
-constexpr double kSmear = 1e-2;   // a comb is sought in what was heard while the told speed moved by less
-constexpr double kRideSd = 1e-3;  // of a speed taken from the machine, once its ratio to the truth is known
-constexpr int kRideFrames = 16;   // a speed that changes does so in steps this long
+constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
+constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
+constexpr double kBetter = 2.0;         // ... if that comb carries so much more
+constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
+constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
+constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
+constexpr double kSmear = 1e-2;         // a comb is sought in what was heard while the told speed moved by less
+constexpr double kRideSd = 1e-3;        // of a speed taken from the machine, once its ratio to the truth is known
+constexpr int kRideFrames = 16;         // a speed that changes does so in steps this long
 
 }  // namespace
 
@@ -70,21 +60,23 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
   thorough_.search.prepare(window, setup.rate, setup.teeth);
   quick_.search.prepare(std::max(128, static_cast<int>(window * part)), setup.rate, setup.teeth);
   tracker_.prepare(channels_, setup.rate, setup.teeth);
+  lone_.prepare(setup.teeth, setup.rate);
   for (auto& ring : ring_) ring.assign(static_cast<std::size_t>(window), 0.0);
   unrolled_.assign(static_cast<std::size_t>(window), 0.0);
   reset();
 }
 
 void SpeedTracker::reset() noexcept {
-  told_ = before_ = turning_ = recent_ = nominal_;
-  measured_ = riding_ = moving_ = false;
+  told_ = before_ = nominal_;
+  measured_ = false;
+  motion_.reset(nominal_);
   machine_.reset();
-  toldSd_ = heard_ = 0.0;
+  toldSd_ = 0.0;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
   locked_ = proven_ = trusted_ = returning_ = false;
   toothPart_ = 0.0;
-  suspect_ = {};
+  lone_.reset();
   angle_ = 0.0;
   restart();
   tracker_.start(Hertz(told_), Hertz(told_ * range_));
@@ -103,12 +95,14 @@ void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) 
   const MachineSpeed::Word word = machine_.hear(machine, end);
   const double told = word.hertz > 0.0 ? word.hertz : nominal_;
   toldSd_ = word.sd;
-  if (word.measured != measured_ || !(before_ > 0.0))
-    before_ = turning_ = recent_ = told;  // another kind of word, no change of speed
+  if (word.measured != measured_ || !(before_ > 0.0)) {
+    before_ = told;
+    motion_.retell(told);
+  }
   measured_ = word.measured;
   if (!(told > 0.0) && locked_) return;  // nobody says more than the signal did
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
-  if (told_ > 0.0 && told > 0.0 && locked_ && !riding_) tracker_.nudge(Hertz(told * ratio_));
+  if (told_ > 0.0 && told > 0.0 && locked_ && !riding()) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
   if (!locked_) source_ = told > 0.0 ? (measured_ ? SpeedSource::Machine : SpeedSource::Told) : SpeedSource::None;
 }
@@ -116,7 +110,7 @@ void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) 
 Hertz SpeedTracker::sd() const noexcept {
   // A speed that changes is followed with some delay.
   if (locked_ && !astray()) {
-    return Hertz(std::hypot(tracker_.sd().value, tracker_.spindle().value - heard_, riding_ ? toldSd_ : 0.0));
+    return Hertz(std::hypot(tracker_.sd().value, tracker_.spindle().value - motion_.heard(), riding() ? toldSd_ : 0.0));
   }
   return Hertz(std::hypot(told_ * (measured_ ? kMachineRange : range_), toldSd_));
 }
@@ -135,7 +129,7 @@ void SpeedTracker::lock(Hertz spindle, Hertz sd) noexcept {
   if (!(told_ > 0.0)) told_ = spindle.value;
   ratio_ = spindle.value / told_;
   source_ = SpeedSource::Signal;
-  heard_ = spindle.value;
+  motion_.startHearing(spindle.value);
   tracker_.start(spindle, sd);
   slew_ = 0.0;
 }
@@ -148,7 +142,7 @@ void SpeedTracker::beginCut() noexcept {
   }
   locked_ = proven_ = trusted_ = returning_ = false;
   toothPart_ = 0.0;
-  suspect_ = {};
+  lone_.reset();
   restart();
 }
 
@@ -194,7 +188,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   proven_ = false;
   // What was found is the speed in the middle of the window; since what is remembered began it has moved evenly.
   const double sinceMiddle = 0.5 * look.search.window() / static_cast<double>(inCut_);
-  const double gone = riding_ ? sinceMiddle * (turning_ / toldFirst_ - 1.0) : 0.0;
+  const double gone = riding() ? sinceMiddle * (motion_.told() / toldFirst_ - 1.0) : 0.0;
   lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
 }
 
@@ -238,32 +232,14 @@ void SpeedTracker::dropUntrusted() noexcept {
   forget();
 }
 
-// Forced vibration is strongest at multiples of the teeth. What holds most of the vibration elsewhere is no part of it,
-// whatever the exact speed, and needs no comb to be told apart: that takes longer where chatter fills the cut.
-void SpeedTracker::watchLoneLine(const SpeedSearch& search) noexcept {
-  const SpeedSearch::Line line = search.strongest();
-  const Hertz before = strongest_;
-  strongest_ = line.part > kLonePart ? line.frequency : Hertz(0.0);
-  loneLine_ = {};
-  if (teeth_ < 2 || !(told_ > 0.0) || !(strongest_.value > 0.0) || !(before.value > 0.0)) return;
-  if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
-  const double range = kMargin * (measured_ ? kReadBack : range_);
-  if (search.mayBeForced(strongest_, Hertz(told_ * (1.0 - range)), Hertz(told_ * (1.0 + range)))) return;
-  // A mode can make runout's harmonic the only line there is; a measured speed says where they are.
-  const Hertz told(told_);
-  const double doubt = rate_ / (search.window() * told_) + kReadBack * (strongest_ / told);
-  if (measured_ && std::abs(dsp::orderOffset(strongest_, told)) < doubt) return;
-  loneLine_ = suspect_ = strongest_;
-}
-
 // The comb must not lie on the line that is known not to be forced, whatever was told: in the middle between two orders
 // is where chatter is most itself.
 void SpeedTracker::stepAside(const SpeedSearch& search) noexcept {
-  const SpeedSearch::Line line = search.strongest();
-  if (std::abs(line.frequency / suspect_ - 1.0) < kSuspectDrift) suspect_ = line.frequency;
-  if (std::abs(dsp::orderOffset(suspect_, spindle())) > SpeedSearch::kOnComb || !(told_ > 0.0)) return;
+  lone_.followSuspect(search);
+  const Hertz line = lone_.suspect();
+  if (std::abs(dsp::orderOffset(line, spindle())) > SpeedSearch::kOnComb || !(told_ > 0.0)) return;
   locked_ = false;
-  ratio_ = suspect_.value / ((std::floor(suspect_.value / told_) + 0.5) * told_);
+  ratio_ = line.value / ((std::floor(line.value / told_) + 0.5) * told_);
 }
 
 void SpeedTracker::lookIfDue(Look& look) noexcept {
@@ -271,7 +247,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
-  if (locked_ && proven_ && !astray() && !(suspect_.value > 0.0)) return;
+  if (locked_ && proven_ && !astray() && !(lone_.suspect().value > 0.0)) return;
   look.search.begin();
   const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
   const auto head = static_cast<std::ptrdiff_t>(head_);
@@ -280,44 +256,28 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
     std::copy(ring.begin(), ring.begin() + head, std::copy(ring.begin() + head, ring.end(), unrolled_.begin()));
     look.search.add(std::span<const double>(unrolled_).subspan(static_cast<std::size_t>(size - window)));
   }
-  if (&look == &quick_) watchLoneLine(look.search);
+  if (&look == &quick_) {
+    lone_.watch(look.search, Hertz(told_), kMargin * (measured_ ? LoneLine::kReadBack : range_), measured_);
+  }
   if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
   if (!(told_ > 0.0)) return;
   const double range = kMargin * (measured_ ? kMachineRange : range_);
   const SpeedCandidate before = look.last;
   // A speed found far from the told one has its own neighbourhood.
   const double middle = locked_ && std::abs(ratio_ - 1.0) > range ? told_ * ratio_ : told_;
-  if (suspect_.value > 0.0) stepAside(look.search);
-  look.last = look.search.search(Hertz(middle * (1.0 - range)), Hertz(middle * (1.0 + range)), suspect_);
+  if (lone_.suspect().value > 0.0) stepAside(look.search);
+  look.last = look.search.search(Hertz(middle * (1.0 - range)), Hertz(middle * (1.0 + range)), lone_.suspect());
   judge(look, before);
 }
 
-void SpeedTracker::followMachine(double seconds) noexcept {
+void SpeedTracker::followMotion(double seconds) noexcept {
   if (!(told_ > 0.0) || !measured_) {
-    riding_ = moving_ = false;
-    return;
+    motion_.noMachine();
+  } else if (motion_.followMachine(told_, toldSd_, seconds) && locked_) {
+    proven_ = false;  // the ratio of true to told speed need not have stayed the same
+    tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
   }
-  // Teeth and chatter shake a slow spindle within its turn: there it is told by the mean over one.
-  const double longer = 1.0 / told_ - kRecentSeconds;
-  turning_ = longer > 0.0 ? turning_ + (1.0 - std::exp(-seconds / longer)) * (told_ - turning_) : told_;
-  const double recent = std::max(kRecentSeconds, kRecentTurns / told_);
-  recent_ += (1.0 - std::exp(-seconds / recent)) * (told_ - recent_);
-  const double away = std::abs(turning_ / recent_ - 1.0);
-  const double doubt = toldSd_ / told_;
-  moving_ = away > (moving_ ? kArrived : kMoving) || doubt > kMoving;
-  const bool rode = riding_;
-  riding_ = away > (riding_ ? kArrived : kRide) || doubt > kRide;
-  if (!rode || riding_ || !locked_) return;
-  proven_ = false;  // the ratio of true to told speed need not have stayed the same
-  tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
-}
-
-// Without a machine that says so: the vibration itself shows that the speed changes.
-void SpeedTracker::followSignal(double seconds) noexcept {
-  if (!locked_ || riding_) return;
-  const double now = tracker_.spindle().value;
-  heard_ += (1.0 - std::exp(-seconds / kRecentSeconds)) * (now - heard_);
-  moving_ = moving_ || std::abs(now / heard_ - 1.0) > kSwift;
+  if (locked_ && !riding()) motion_.followSignal(tracker_.spindle().value, seconds);
 }
 
 void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
@@ -344,7 +304,7 @@ void SpeedTracker::forget() noexcept {
     look->agreeing = 0;
     look->since = 0;
   }
-  strongest_ = loneLine_ = Hertz(0.0);
+  lone_.forget();
 }
 
 // Within the next turn; never more than 2 % of the speed, so that the angle stays monotone.
@@ -355,14 +315,14 @@ void SpeedTracker::catchUp(double angle, double omega) noexcept {
 
 void SpeedTracker::advance(const double* const* samples, int frames, double* angle, double* step) noexcept {
   blockDone_ += frames;
-  if (riding_) ride(frames, angle, step);
-  if (riding_ && !seeksWhileRiding()) return forget();
-  if (riding_ && std::abs(turning_ / toldFirst_ - 1.0) > kSmear) forget();
-  if (inCut_ == 0) toldFirst_ = turning_;
+  if (riding()) ride(frames, angle, step);
+  if (riding() && !seeksWhileRiding()) return forget();
+  if (riding() && std::abs(motion_.told() / toldFirst_ - 1.0) > kSmear) forget();
+  if (inCut_ == 0) toldFirst_ = motion_.told();
   remember(samples, frames);
   inCut_ += frames;
   for (Look* look : {&quick_, &thorough_}) look->since += frames;
-  if (riding_) return;
+  if (riding()) return;
   double omega = locked_ ? kTwoPi * tracker_.spindle().value : kTwoPi * spindle().value;
   for (int f = 0; f < frames;) {
     const int first = f;
@@ -385,13 +345,12 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
 }
 
 void SpeedTracker::look(Seconds since, bool leaving) noexcept {
-  followMachine(since.value);
-  followSignal(since.value);
+  followMotion(since.value);
   dropUntrusted();
-  if (riding_ && !seeksWhileRiding()) return;
+  if (riding() && !seeksWhileRiding()) return;
   returning_ = returning_ && !tracker_.clean();
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
-  if (sure) strongest_ = loneLine_ = Hertz(0.0);
+  if (sure) lone_.forget();
   if (locked_ && leaving) return;
   if (!sure || astray()) lookIfDue(quick_);
   lookIfDue(thorough_);

@@ -8,8 +8,10 @@
 #include <span>
 #include <vector>
 
+#include "core/detect/lone_line.h"
 #include "core/detect/machine_speed.h"
 #include "core/detect/phase_tracker.h"
+#include "core/detect/speed_motion.h"
 #include "core/detect/speed_search.h"
 #include "core/model/cut_setup.h"
 #include "core/model/machine_state.h"
@@ -45,14 +47,13 @@ class SpeedTracker {
   bool locked() const noexcept { return locked_; }
   // Told, or found in the signal and followed since.
   bool known() const noexcept { return spindle().value > 0.0 && (source_ != SpeedSource::Signal || trusted_); }
-  // Without a lock: one line that holds most of the vibration, window after window, and can be no tooth passing at any
-  // speed that was told. 0: none.
-  Hertz loneLine() const noexcept { return loneLine_; }
+  // Without a lock (lone_line.h); 0: none.
+  Hertz loneLine() const noexcept { return lone_.line(); }
   // The speed changes and the angle follows the machine's word. Where it follows the vibration, what it catches up of
   // its own lag is no turning of the spindle, and turns are told by the speed alone.
-  bool riding() const noexcept { return riding_; }
+  bool riding() const noexcept { return motion_.riding(); }
   // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
-  bool moving() const noexcept { return moving_ || astray(); }
+  bool moving() const noexcept { return motion_.moving() || astray(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
   bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
   double scatter() const noexcept { return tracker_.scatter(); }
@@ -71,16 +72,14 @@ class SpeedTracker {
   };
   // What was followed is no longer where it was.
   bool astray() const noexcept;
-  void followMachine(double seconds) noexcept;
-  void followSignal(double seconds) noexcept;
+  void followMotion(double seconds) noexcept;
   // A speed that has never stood in this cut is looked for all the same, where it moves little in a window.
-  bool seeksWhileRiding() const noexcept { return !locked_ && !moving_; }
+  bool seeksWhileRiding() const noexcept { return !locked_ && !motion_.moving(); }
   void ride(int frames, double* angle, double* step) noexcept;
   void catchUp(double angle, double omega) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
   void seek(Look& look) noexcept;
-  void watchLoneLine(const SpeedSearch& search) noexcept;
   void stepAside(const SpeedSearch& search) noexcept;
   void dropUntrusted() noexcept;
   bool believed(const Look& look) const noexcept;
@@ -95,26 +94,20 @@ class SpeedTracker {
   int teeth_ = 0;
   double nominal_ = 0.0;  // Hz, from the setup
   MachineSpeed machine_;
+  SpeedMotion motion_;
   double told_ = 0.0;       // Hz, now
   double toldSd_ = 0.0;     // Hz, because it was read some time ago
   double ratio_ = 1.0;      // true over told
   double before_ = 0.0;     // Hz, told with the block before
-  double turning_ = 0.0;    // Hz, told now, or over the last turn of a slow spindle
-  double toldFirst_ = 0.0;  // Hz, turning_ when what is remembered began
-  double recent_ = 0.0;     // Hz, told over the last while
+  double toldFirst_ = 0.0;  // Hz, told when what is remembered began
   bool measured_ = false;
-  bool riding_ = false;  // angle and speed come from the machine, since its speed changes
-  bool moving_ = false;
-  double heard_ = 0.0;  // Hz, of the tracker over the last while
   SpeedSource source_ = SpeedSource::None;
   bool locked_ = false;
   bool proven_ = false;     // the comb of the lock carried most of the power
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
   bool trusted_ = false;    // told roughly, or followed cleanly
   double toothPart_ = 0.0;
-  Hertz strongest_{};  // line of the last window
-  Hertz loneLine_{};
-  Hertz suspect_{};  // the lone line of this cut: the comb that it lies on is not the spindle's
+  LoneLine lone_;
 
   double angle_ = 0.0;
   double slew_ = 0.0;    // rad per frame, by which an angle error is caught up within a turn

@@ -1,0 +1,38 @@
+// One line that holds most of the vibration, window after window, and can be no tooth passing at any speed that was
+// told. Forced vibration is strongest at multiples of the teeth: what holds most of the vibration elsewhere is no part
+// of it, whatever the exact speed, and needs no comb to be told apart. A comb takes longer where chatter fills the cut.
+// Thread: worker; real-time.
+#pragma once
+
+#include "core/detect/speed_search.h"
+
+namespace stillcut::detect {
+
+class LoneLine {
+ public:
+  void prepare(int teeth, Hertz rate);
+  // Another cut.
+  void reset() noexcept;
+  // The windows seen so far belong to something else; what is known of the cut stays.
+  void forget() noexcept { strongest_ = line_ = Hertz(0.0); }
+
+  static constexpr double kReadBack = 2e-3;  // doubt of a measured speed, while it stands
+
+  // After each window that `search` was given. told: 0 where nobody says a speed; range: its doubt, as a ratio;
+  // measured: by the machine.
+  void watch(const SpeedSearch& search, Hertz told, double range, bool measured) noexcept;
+  // Now; 0: none.
+  Hertz line() const noexcept { return line_; }
+  // The last one of this cut, where it is now: the comb that it lies on is not the spindle's. 0: none.
+  Hertz suspect() const noexcept { return suspect_; }
+  void followSuspect(const SpeedSearch& search) noexcept;
+
+ private:
+  int teeth_ = 0;
+  double rate_ = 0.0;
+  Hertz strongest_{};  // of the last window
+  Hertz line_{};
+  Hertz suspect_{};
+};
+
+}  // namespace stillcut::detect
