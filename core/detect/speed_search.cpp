@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kMostHarmonics = 40;
 constexpr double kUsableBand = 0.45;  // of the rate; above it the filters before the converter bend the lines
-constexpr double kOnComb = 0.15;      // orders
 constexpr int kPadding = 2;
 constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
 constexpr double kLoneDoubt = 1.0;   // bins of the window: a line whose amplitude changes is known to that
