@@ -22,6 +22,8 @@ constexpr double kUsualMemory = 0.5;   // [s]
 constexpr double kMeanTurns = 2.0;     // the teeth's load makes a slow spindle's speed ripple by some percent
 constexpr double kFlicker = 0.05;      // [s]; slow growth is measured below zero for so long at most
 constexpr double kLeastForced = 0.05;  // of the strongest forced vibration so far: a cut that fades out
+// A drift of the speed by this much takes a line along by far less; a speed that somebody turns passes it at once.
+constexpr double kTurned = 1e-2;
 
 // `least`: what counts as forced in any case.
 double ratioOf(double chatterRms, double totalRms, double least) {
@@ -38,7 +40,7 @@ ChatterTruth::ChatterTruth(const Settings& settings) : settings_(settings), perR
   for (auto& p : past_) p.assign(static_cast<std::size_t>(2 * perRev_ / settings.periodsPerRevolution), 0.0);
   for (Power* p : {&chatter_, &total_, &forced_, &departure_}) p->squares.assign(window_, 0.0);
   difference_.assign(static_cast<std::size_t>(1.1 * spectrumLength_ * settings.fastestHz * perRev_) + 1, 0.0);
-  departures_ = difference_;
+  departures_ = differenceTimes_ = difference_;
   log_.reserve(static_cast<std::size_t>(settings.duration * 1000.0) + 16);
 }
 
@@ -89,6 +91,7 @@ void ChatterTruth::add(const TruthSample& s) noexcept {
   if (!frozen_) {
     difference_[differenceAt_] = sum;
     departures_[differenceAt_] = away;
+    differenceTimes_[differenceAt_] = s.time;
     differenceAt_ = (differenceAt_ + 1) % difference_.size();
   }
   note(s, chatter_.rms());
@@ -158,7 +161,7 @@ void ChatterTruth::decide(const TruthSample& s, double middle, bool settled) noe
   }
   // Freeze once the window lies in the chatter, or as soon as somebody turns the speed.
   if (eventTime_ >= 0.0 && !frozen_) {
-    frozen_ = s.time >= freezeAt_ || std::abs(rate / differenceRate_ - 1.0) > 1e-3;
+    frozen_ = s.time >= freezeAt_ || std::abs(rate / differenceRate_ - 1.0) > kTurned;
   }
 }
 
@@ -233,19 +236,17 @@ bool ChatterTruth::expected(double hz) const noexcept {
 Hertz ChatterTruth::chatterFrequency() const {
   if (eventTime_ < 0.0 || !(differenceRate_ > 0.0)) return Hertz(0.0);
   const std::size_t n = std::min(difference_.size(), static_cast<std::size_t>(spectrumLength_ * differenceRate_));
-  std::vector<double> d(n);
+  std::vector<double> d(n), times(n);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t at = (differenceAt_ + difference_.size() - n + i) % difference_.size();
     const double u = std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
     d[i] = (differenceShows_ ? difference_ : departures_)[at] * u * u;
+    times[i] = differenceTimes_[at];
   }
+  // Samples come at equal angles, which is not at equal times where the speed drifts.
   const auto power = [&](double hz) {
-    const std::complex<double> turn = std::polar(1.0, -kTwoPi * hz / differenceRate_);
-    std::complex<double> phase = 1.0, sum = 0.0;
-    for (double v : d) {
-      sum += v * phase;
-      phase *= turn;
-    }
+    std::complex<double> sum = 0.0;
+    for (std::size_t i = 0; i < n; ++i) sum += d[i] * std::polar(1.0, -kTwoPi * hz * times[i]);
     return std::norm(sum);
   };
   double best = 0.0, bestPower = -1.0, loudest = 0.0, loudestPower = -1.0;

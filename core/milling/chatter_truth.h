@@ -134,8 +134,8 @@ class ChatterTruth {
   double aboveSince_ = -1.0;
   bool sustained_ = false;
   double liveGain_ = 1.0;  // of what is there now
-  // Difference and departure around the first chatter.
-  std::vector<double> difference_, departures_;
+  // Difference and departure around the first chatter, and when.
+  std::vector<double> difference_, departures_, differenceTimes_;
   std::size_t differenceAt_ = 0;
   double meanHz_ = 0.0;  // of the spindle
   bool frozen_ = false;

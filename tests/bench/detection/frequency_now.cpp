@@ -13,6 +13,7 @@ constexpr double kLeastSeconds = 0.05;
 constexpr double kOnOrder = 0.02;  // there it repeats from turn to turn
 constexpr double kReach = 0.02;
 constexpr double kMost = 0.5;  // of the power
+constexpr double kAsLoud = 0.5;
 
 // x(t) - 2 x(t - T) + x(t - 2T) under a Hann window, T to a sample: at an exact speed the spindle's part all but goes.
 struct Stretch {
@@ -20,15 +21,26 @@ struct Stretch {
   double power = 0.0;
 };
 
-Stretch cutOut(const KnownCut& cut, double time) {
+double rpmAt(const KnownCut& cut, double time) {
+  if (cut.spindleRpm.empty()) return cut.rpm;
+  const auto i = static_cast<std::size_t>(std::max(0.0, time / cut.machineStep));
+  return cut.spindleRpm[std::min(i, cut.spindleRpm.size() - 1)];
+}
+
+// channels: empty: all.
+Stretch cutOut(const KnownCut& cut, double time, const std::vector<int>& channels) {
   const double rate = cut.recording.rate;
-  const auto turn = static_cast<std::size_t>(std::lround(60.0 * rate / cut.rpm));
-  const double seconds = std::max(kTurns * 60.0 / cut.rpm, kLeastSeconds);
+  const double rpm = rpmAt(cut, time);
+  const auto turn = static_cast<std::size_t>(std::lround(60.0 * rate / rpm));
+  const double seconds = std::max(kTurns * 60.0 / rpm, kLeastSeconds);
   const auto length = static_cast<std::size_t>(seconds * rate);
   const auto first = static_cast<std::size_t>(std::max(0.0, (time - 0.5 * seconds) * rate));
   Stretch s;
   if (first < 2 * turn || cut.clean.empty() || first + length > cut.clean.front().size()) return s;
-  for (const auto& x : cut.clean) {
+  for (std::size_t c = 0; c < cut.clean.size(); ++c) {
+    if (!channels.empty() && std::find(channels.begin(), channels.end(), static_cast<int>(c)) == channels.end())
+      continue;
+    const auto& x = cut.clean[c];
     auto& out = s.channels.emplace_back(length);
     for (std::size_t i = 0; i < length; ++i) {
       const std::size_t at = first + i;
@@ -63,9 +75,9 @@ double partAt(const Stretch& s, double hz, double rate) {
 
 Hertz frequencyAt(const KnownCut& cut, Seconds time) {
   const double rate = cut.recording.rate;
-  const double orders = cut.chatterHz * 60.0 / cut.rpm;
+  const double orders = cut.chatterHz * 60.0 / rpmAt(cut, time.value);
   if (std::abs(orders - std::round(orders)) < kOnOrder) return Hertz(cut.chatterHz);
-  const Stretch s = cutOut(cut, time.value);
+  const Stretch s = cutOut(cut, time.value, {});
   if (!(s.power > 0.0)) return Hertz(cut.chatterHz);
   double step = 0.25 * rate / static_cast<double>(s.channels.front().size());
   double best = cut.chatterHz;
@@ -85,6 +97,25 @@ Hertz frequencyAt(const KnownCut& cut, Seconds time) {
     step *= 0.5;
   }
   return Hertz(most > kMost ? best : cut.chatterHz);
+}
+
+double frequencyOffBy(const KnownCut& cut, Seconds time, Hertz told, const std::vector<int>& channels) {
+  const Hertz truth = frequencyAt(cut, time);
+  const double spindle = rpmAt(cut, time.value) / 60.0;
+  const Stretch s = cutOut(cut, time.value, channels);
+  double nearest = truth.value;
+  double there = 0.0;
+  double loudest = 0.0;
+  const double top = 2.0 * truth.value;
+  for (int k = -static_cast<int>((top + truth.value) / spindle); truth.value + k * spindle < top; ++k) {
+    const double hz = std::abs(truth.value + k * spindle);
+    const double part = partAt(s, hz, cut.recording.rate);
+    loudest = std::max(loudest, part);
+    if (std::abs(hz - told.value) > std::abs(nearest - told.value)) continue;
+    nearest = hz;
+    there = part;
+  }
+  return told.value / (there > kAsLoud * loudest ? nearest : truth.value) - 1.0;
 }
 
 }  // namespace stillcut::bench

@@ -298,6 +298,7 @@ KnownCut simulate(const SimulationOrder& order) {
   cut.recording.channels.assign(order.scenario.sensors.size(), {});
   cut.machineStep = kBlock / cut.recording.rate;
   if (order.block > 0.0) cut.blockFrames = std::max(1, static_cast<int>(order.block * cut.recording.rate));
+  const bool moves = !order.scenario.programme.speedOverTime.segments.empty();
   SampleBlock block;
   block.allocate(static_cast<int>(order.scenario.sensors.size()), kBlock);
   while (plant.fill(block)) {
@@ -307,6 +308,7 @@ KnownCut simulate(const SimulationOrder& order) {
       channel.insert(channel.end(), samples.begin(), samples.end());
     }
     if (order.machineTells) cut.machine.push_back(plant.machineState());
+    if (moves) cut.spindleRpm.push_back(plant.machineState().actualSpeed.value);
   }
   std::vector<std::vector<float>> heard;
   if (order.heard > 0) {
@@ -332,7 +334,7 @@ KnownCut simulate(const SimulationOrder& order) {
   } else {
     takeTruth(cut, order, plant.truth());
   }
-  if (order.scenario.programme.speedOverTime.segments.empty()) cut.clean = cut.recording.channels;
+  cut.clean = cut.recording.channels;
   if (order.heard > 0) cut.recording.channels = std::move(heard);
   addNoise(cut, order);
   return cut;

@@ -31,7 +31,7 @@ inline constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 struct KnownCut {
   std::string family, name;
   detect::testing::Recording recording;
-  std::vector<std::vector<float>> clean;  // the same before noise; empty: not known, or the spindle's speed changes
+  std::vector<std::vector<float>> clean;  // the same before noise; empty: not known
   SensorQuantity quantity = SensorQuantity::Acceleration;
   int teeth = 0;
   double rpm = 0.0;  // what a told speed without error says
@@ -48,6 +48,7 @@ struct KnownCut {
   double silentFrom = kNever;         // s: out of the material for good
   std::vector<MachineState> machine;  // read-back, one per `machineStep`; empty: there is none
   double machineStep = 0.0;           // s
+  std::vector<double> spindleRpm;     // the true speed, one per `machineStep`; empty: it stands
   int blockFrames = 64;               // that a detector is given at once
 };
 

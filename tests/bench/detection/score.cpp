@@ -75,7 +75,8 @@ Score score(const KnownCut& cut, const Trial& trial) {
   const Verdict& v = run.at(s.alarm + 0.05);
   s.kind = v.kind;
   s.kindWrong = v.kind != cut.kind;
-  s.frequencyError = cut.chatterHz > 0.0 ? v.frequency / frequencyAt(cut, sinceEpoch(v.time)) - 1.0 : kNever;
+  s.frequencyError =
+      cut.chatterHz > 0.0 ? frequencyOffBy(cut, sinceEpoch(v.time), v.frequency, trial.channels) : kNever;
   // A sensor that cannot tell the chatter's line from its side lines has to say so.
   const double stated = cut.rule == AlarmRule::Weak ? kStated * v.frequencySd.value / cut.chatterHz : 0.0;
   s.frequencyOff = !(std::abs(s.frequencyError) <= std::max(kFrequencyBand, stated));

@@ -129,6 +129,28 @@ TEST(Truth, RippleOfTheSpeedAndAFlickerOfTheGrowthMoveNothing) {
   EXPECT_NEAR(truth.chatterFrequency().value, kChatter, 0.003 * kChatter);
 }
 
+// A line stays where it is while the spindle's speed drifts by 5 % a second: samples at equal angles are not at equal
+// times.
+TEST(Truth, ADriftOfTheSpeedMovesNoLine) {
+  constexpr int kSamples = 128;
+  constexpr double kSpindle = 105.0, kChatter = 790.0, kBegins = 0.5, kConstant = 0.03;
+  ChatterTruth truth({kSamples, 1, kSpindle, 1.1 * kSpindle, 2.0, 0.1, 1000.0});
+  double time = 0.0;
+  for (int i = 0; time < 1.5; ++i) {
+    TruthSample s;
+    s.spindleHz = kSpindle * (1.0 - 0.05 * time);
+    time += 1.0 / (kSamples * s.spindleHz);
+    s.time = time;
+    s.forced = {std::cos(3.0 * kTwoPi * i / kSamples), 0.0};
+    const double grown = time > kBegins ? std::min(1.0, 0.002 * std::exp((time - kBegins) / kConstant)) : 0.0;
+    s.acceleration = {s.forced[0] + grown * std::cos(kTwoPi * kChatter * time), 0.0};
+    s.growth = time > 0.4 ? 30.0 : -1.0;
+    s.cutting = true;
+    truth.add(s);
+  }
+  EXPECT_NEAR(truth.chatterFrequency().value, kChatter, 1e-3 * kChatter);
+}
+
 TEST(Truth, ShakingAStableCutIsNotChatter) {
   Scenario s = noisyCut(1e-3);
   s.programme.randomForce = 1.0;
