@@ -1,9 +1,9 @@
-// Cuts of the detection table (tests/bench/detection), other seeds than it shows: what a new user's first cuts are
-// like.
+// Families of simulated cuts with known truth, other seeds than the detection table shows: what a new user's first cuts
+// are like.
 #include <gtest/gtest.h>
 
-#include "tests/bench/detection/cut_families.h"
-#include "tests/bench/detection/score.h"
+#include "tests/support/known_cuts/cut_families.h"
+#include "tests/support/known_cuts/score.h"
 
 namespace stillcut::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/detection/known_cut.h"
+#include "tests/support/known_cuts/known_cut.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "core/milling/noise.h"
 #include "core/milling/simulated_cut.h"
-#include "tests/bench/detection/tools.h"
+#include "tests/support/known_cuts/tools.h"
 
 namespace stillcut::bench {
 namespace {

@@ -1,8 +1,8 @@
-#include "tests/bench/detection/sensor_kinds.h"
+#include "tests/support/known_cuts/sensor_kinds.h"
 
 #include <array>
 
-#include "tests/bench/detection/tools.h"
+#include "tests/support/known_cuts/tools.h"
 
 namespace stillcut::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "tests/bench/detection/tools.h"
+#include "tests/support/known_cuts/tools.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "tests/bench/detection/cut_families.h"
+#include "tests/support/known_cuts/cut_families.h"
 
 namespace stillcut::bench {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tests/bench/detection/known_cut.h"
+#include "tests/support/known_cuts/known_cut.h"
 
 namespace stillcut::bench {
 

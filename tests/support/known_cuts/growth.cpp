@@ -1,4 +1,4 @@
-#include "tests/bench/detection/growth.h"
+#include "tests/support/known_cuts/growth.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/bench/detection/known_cut.h"
+#include "tests/support/known_cuts/known_cut.h"
 
 namespace stillcut::bench {
 

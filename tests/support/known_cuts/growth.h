@@ -4,7 +4,7 @@
 // Thread: one; not the sample path.
 #pragma once
 
-#include "tests/bench/detection/known_cut.h"
+#include "tests/support/known_cuts/known_cut.h"
 
 namespace stillcut::bench {
 

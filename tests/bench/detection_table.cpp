@@ -12,10 +12,10 @@
 #include <string>
 
 #include "core/detect/registry.h"
-#include "tests/bench/detection/cut_families.h"
-#include "tests/bench/detection/growth.h"
-#include "tests/bench/detection/score.h"
-#include "tests/bench/detection/sensor_kinds.h"
+#include "tests/support/known_cuts/cut_families.h"
+#include "tests/support/known_cuts/growth.h"
+#include "tests/support/known_cuts/score.h"
+#include "tests/support/known_cuts/sensor_kinds.h"
 
 namespace stillcut::bench {
 namespace {

@@ -1,9 +1,9 @@
-#include "tests/bench/detection/cut_families.h"
+#include "tests/support/known_cuts/cut_families.h"
 
 #include <array>
 #include <cmath>
 
-#include "tests/bench/detection/tools.h"
+#include "tests/support/known_cuts/tools.h"
 
 namespace stillcut::bench {
 namespace {

@@ -1,9 +1,9 @@
-#include "tests/bench/detection/score.h"
+#include "tests/support/known_cuts/score.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "tests/bench/detection/frequency_now.h"
+#include "tests/support/known_cuts/frequency_now.h"
 
 namespace stillcut::bench {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/units.h"
-#include "tests/bench/detection/known_cut.h"
+#include "tests/support/known_cuts/known_cut.h"
 
 namespace stillcut::bench {
 

@@ -1,4 +1,4 @@
-#include "tests/bench/detection/frequency_now.h"
+#include "tests/support/known_cuts/frequency_now.h"
 
 #include <algorithm>
 #include <cmath>
