@@ -156,13 +156,16 @@ double linePart(const KnownCut& cut, double hz, double from, double turns) {
 void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
   constexpr double kTurns = 16.0;
   constexpr double kThere = 1e-3;  // of the power: a twentieth of what the line has at an amplitude of 20 %
+  constexpr double kOnOrder = 0.01;
   if (!(cut.chatterHz > 0.0)) return;
-  // Within the resolution of so many turns it is there only where it stands above the order beside it.
+  // What lies nearer to an order of period doubling than so many turns resolve, and is weaker, is that order's skirt.
   const double orders = cut.chatterHz * 60.0 / cut.rpm;
-  const double beside = linePart(cut, std::round(orders) * cut.rpm / 60.0, cut.at20, kTurns);
+  const int nearest = static_cast<int>(std::lround(orders));
+  const double away = std::abs(orders - nearest);
   const double line = linePart(cut, cut.chatterHz, cut.at20, kTurns);
-  const bool apart = std::abs(orders - std::round(orders)) > 2.0 / kTurns;
-  if (line > kThere && (apart || line > beside)) return;
+  const bool doubles = 2 * (nearest % cut.teeth) == cut.teeth && away > kOnOrder && away < 2.0 / kTurns;
+  const bool skirt = doubles && line < linePart(cut, nearest * cut.rpm / 60.0, cut.at20, kTurns);
+  if (line > kThere && !skirt) return;
   double most = 0.0;
   for (int n = 1; n < 8 * cut.teeth; ++n) {
     if (n % cut.teeth == 0) continue;
