@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <optional>
 #include <random>
 
@@ -106,9 +107,12 @@ int table(int plants, unsigned seed, bool own) {
 }  // namespace
 }  // namespace stillcut::app
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const int plants = argc > 1 ? std::atoi(argv[1]) : 20;
   const unsigned seed = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 1U;
   const bool own = argc <= 3 || std::string_view(argv[3]) != "fixed";
   return stillcut::app::table(plants, seed, own);
+} catch (const std::exception& wrong) {
+  std::fprintf(stderr, "active_table: %s\n", wrong.what());
+  return 1;
 }

@@ -135,7 +135,8 @@ void coherenceUpdate(benchmark::State& state) {
   CoherenceRatio ratio;
   ratio.prepare(first.bins(), first.binWidth(), {});
   constexpr std::size_t kHop = 128;
-  constexpr double kUpdates = static_cast<double>((kFrames - kSegment) / kHop);
+  constexpr std::size_t kTransforms = (kFrames - kSegment) / kHop;
+  constexpr auto kUpdates = static_cast<double>(kTransforms);
   bench::bestOf(state, {kUpdates, 2000.0, kHop / kRate}, [&] {
     double sum = 0.0;
     for (std::size_t k = 0; k + kSegment < kFrames; k += kHop) {
