@@ -109,7 +109,8 @@ std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& o
   };
   std::size_t last = frames - 1;
   while (last > full && ratio(last) < 0.2) --last;
-  Doubling found{below(0.01), below(0.2), static_cast<double>(last - window / 2) / cut.recording.rate, cut.chatterHz};
+  const std::size_t middle = last - window / 2;
+  Doubling found{below(0.01), below(0.2), static_cast<double>(middle) / cut.recording.rate, cut.chatterHz};
   // An odd multiple of half the tooth-passing frequency; the strongest over the time to full chatter and as long after.
   double strongest = 0.0;
   const std::size_t from = frame(found.at20);
