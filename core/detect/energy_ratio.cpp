@@ -128,7 +128,7 @@ void EnergyRatioDetector::tellOwn(double gain) noexcept {
   const OnsetTest* lead = nullptr;
   for (const RatioChannel& s : channelStates_) {
     const OnsetTest& onset = s.growth.onset();
-    if (lead == nullptr || onset.evidence() > lead->evidence()) lead = &onset;
+    if (lead == nullptr || onset.evidence() >= lead->evidence()) lead = &onset;  // as RatioJudge::weigh
   }
   if (lead == nullptr || !lead->learned()) {
     own_.set(OwnFloor, config::kAutomatic, 0);
