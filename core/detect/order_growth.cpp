@@ -19,6 +19,13 @@ constexpr double kStill = 0.01;        // orders
 constexpr double kLeaks = 1.0 / 12.0;  // the sum of 1 / (2 pi d)^2 over all d, up and down
 constexpr double kLeastOthers = 0.1;   // what leaks is known no better
 constexpr double kLouder = 4.0;        // in energy, of what it was
+// A line that has locked to its order, without turning: how much more it adds than the engagement changes, as
+// amplitude;
+constexpr double kClearly = 10.0;
+constexpr double kMostOfAll = 1.0;  // in energy: more than all other orders together,
+// and than runout becomes: a mode amplifies it by 1 / (1 - depth / limit), five times as much at nine tenths of the
+// limit as at half of it.
+constexpr double kBeyond = 25.0;
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
 constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
@@ -85,13 +92,33 @@ void OrderGrowth::followStretches() noexcept {
     Class& c = classes_[i];
     const int rest = static_cast<int>(i) + 1;
     c.own = stretches_.ownGrowth(rest);
-    c.unstable = c.onset.evidence() > 0.0 && (c.unstable || stretches_.unstableGrowth(rest));
+    c.unstable = c.onset.evidence() > 0.0 && (c.unstable || stretches_.unstableGrowth(rest, flips(c) ? 1.0 : kClearly));
   }
 }
 
-// A share that has grown: is it more than runout that the engagement changes, or that a mode amplifies?
+// Teeth that leave the material multiply what the orders hold with itself: of shares s of runout on the rests a and b
+// they make as much as s_a s_b on a + b and a - b.
+double OrderGrowth::products(const Class& c) const noexcept {
+  const int rest = static_cast<int>(&c - classes_.data()) + 1;
+  double most = 0.0;
+  for (int a = 1; a <= static_cast<int>(classes_.size()); ++a) {
+    for (const int other : {rest - a, rest + a}) {
+      const int b = std::min(std::abs(other), teeth_ - std::abs(other));
+      if (b < 1 || a == rest || b == rest) continue;
+      const auto share = [&](int r) { return this->share(classes_[static_cast<std::size_t>(r - 1)]); };
+      most = std::max(most, share(a) * share(b));
+    }
+  }
+  return most;
+}
+
+// A share that has grown: is it more than runout that the engagement changes, that a mode amplifies, or that teeth
+// multiply which leave the material?
 bool OrderGrowth::begins(const Class& c) const noexcept {
-  if (!flips(c)) return c.own && turns(c.order);
+  const double now = share(c);
+  if (now < products(c)) return false;
+  if (!flips(c))
+    return (c.own && turns(c.order)) || (c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor()));
   return c.unstable || (c.own && (c.onset.floor() < kSmallestBeside || turns(c.order)));
 }
 

@@ -7,15 +7,18 @@
 // stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
 // strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case
 // but two: not where the engagement changes, and where runout holds a fifth of the amplitude already, only at the rate
-// of an instability (order_stretches.h). Where runout on a mode is nearly all there is (at full immersion tooth
-// passings cancel), no share can grow. There an order that has become louder and has turned by a whole turn against the
-// spindle, faster than its speed is in doubt, is chatter: a load that changes moves the phase of a forced vibration as
-// well, by the half turn that a mode has at most. On a slow spindle the learned floor follows slow growth up, and what
-// such a line leaks into the other orders keeps its share down: there the share, without the leak, is held against a
-// floor that rises by time alone, and the order must turn as above for some turns (an end mill at 800 rev/min on thin
-// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed). The
-// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
-// worker; everything but prepare() is real-time.
+// of an instability (order_stretches.h). In another class a line that has locked to its order stands still as well: it
+// counts where it grows at that rate to more than all other orders together, and further than runout is amplified in a
+// stable cut. Teeth that leave the material make of runout on two classes some vibration on a third, in a stable cut
+// as well: a class that holds no more than their product is not believed. Where runout on a mode is nearly all there is
+// (at full immersion tooth passings cancel), no share can grow. There an order that has become louder and has turned by
+// a whole turn against the spindle, faster than its speed is in doubt, is chatter: a load that changes moves the phase
+// of a forced vibration as well, by the half turn that a mode has at most. On a slow spindle the learned floor follows
+// slow growth up, and what such a line leaks into the other orders keeps its share down: there the share, without the
+// leak, is held against a floor that rises by time alone, and the order must turn as above for some turns (an end mill
+// at 800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every
+// seed). The tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018.
+// Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -64,6 +67,7 @@ class OrderGrowth {
     OnsetTest onset;
   };
   void followStretches() noexcept;
+  double products(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;

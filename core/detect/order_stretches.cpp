@@ -79,9 +79,9 @@ bool OrderStretches::ownGrowth(int rest) const noexcept {
   return added(rest, 0) > pattern_;
 }
 
-bool OrderStretches::unstableGrowth(int rest) const noexcept {
+bool OrderStretches::unstableGrowth(int rest, double beyond) const noexcept {
   const double latest = added(rest, 0);
-  return latest > pattern_ && latest > faster_ * added(rest, kStretch);
+  return latest > beyond * pattern_ && latest > faster_ * added(rest, kStretch);
 }
 
 }  // namespace stillcut::detect

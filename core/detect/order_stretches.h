@@ -31,8 +31,8 @@ class OrderStretches {
   // Of the orders n = +-rest modulo the teeth; rest 1 .. teeth / 2: has the last stretch added more than the engagement
   // has changed,
   bool ownGrowth(int rest) const noexcept;
-  // ... and at the rate of an instability?
-  bool unstableGrowth(int rest) const noexcept;
+  // ... beyond that by a factor, and at the rate of an instability?
+  bool unstableGrowth(int rest, double beyond) const noexcept;
 
  private:
   using Row = std::span<const std::complex<double>>;

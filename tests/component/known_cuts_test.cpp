@@ -39,5 +39,39 @@ TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {
   }
 }
 
+KnownCut knownCut(std::string_view familyName, int seeds, std::string_view name) {
+  for (const CutFamily& family : cutFamilies()) {
+    if (family.name != familyName) continue;
+    for (const SimulationOrder& order : family.make(seeds)) {
+      if (order.name == name) return simulate(order);
+    }
+  }
+  return {};
+}
+
+const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
+
+// Six teeth, chatter at order 9.99 that locks to the tenth: it stands still against the spindle as runout does, and
+// grows out of it by 30 dB.
+TEST(KnownCuts, ChatterThatLocksToAnOrderIsHeard) {
+  const KnownCut cut = knownCut("varied", 8, "Z4-1429-Z6");
+  ASSERT_EQ(cut.teeth, 6);
+  for (const std::vector<int>& channels : kAxes) {
+    const Score s = score(cut, {"energy-ratio", channels, 0.0});
+    EXPECT_TRUE(s.good()) << s.alarm << " s, frequency off by " << s.frequencyError;
+  }
+}
+
+// Four teeth whose runout is as strong as their load, while the arc widens: teeth that leave the material make of it
+// as much on the orders of period doubling as its own square, in a cut that is stable until 0.6 s later.
+TEST(KnownCuts, TeethThatLeaveTheMaterialMakeNoDoubling) {
+  const KnownCut cut = knownCut("immersion ramp", 2, "Z4-302");
+  ASSERT_GT(cut.at1, 1.5);
+  for (const std::vector<int>& channels : kAxes) {
+    const Score s = score(cut, {"energy-ratio", channels, 0.0});
+    EXPECT_TRUE(s.timely()) << s.alarm << " s";
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::bench

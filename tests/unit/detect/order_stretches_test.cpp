@@ -38,7 +38,7 @@ Seen over(Hertz spindle, double from, double to, const std::function<Orders(doub
     s.endTurn(at(t));
     if (t < from) continue;
     seen.own = seen.own || s.ownGrowth(kRest);
-    seen.unstable = seen.unstable || s.unstableGrowth(kRest);
+    seen.unstable = seen.unstable || s.unstableGrowth(kRest, 1.0);
   }
   return seen;
 }
