@@ -4,7 +4,7 @@
 namespace stillcut::record {
 namespace {
 
-using T = ColumnType;
+using T = FieldType;
 
 constexpr std::size_t kReasonCode = offsetof(ReasonRow, code);
 constexpr std::size_t kReasonNumbers = offsetof(ReasonRow, n);
@@ -12,21 +12,21 @@ constexpr std::size_t kReasonNumbers = offsetof(ReasonRow, n);
 }  // namespace
 
 template <>
-std::span<const Column> columnsOf<BlockRow>() {
-  static constexpr std::array<Column, 8> kColumns{{{"sequence", offsetof(BlockRow, sequence), T::U64},
-                                                   {"first_sample_ns", offsetof(BlockRow, firstSample), T::I64},
-                                                   {"rate_hz", offsetof(BlockRow, rate), T::F64},
-                                                   {"lost_frames", offsetof(BlockRow, lostFrames), T::U64},
-                                                   {"offset", offsetof(BlockRow, offset), T::U64},
-                                                   {"source", offsetof(BlockRow, source), T::U32},
-                                                   {"frames", offsetof(BlockRow, frames), T::I32},
-                                                   {"flags", offsetof(BlockRow, flags), T::U32}}};
+std::span<const RowField> columnsOf<BlockRow>() {
+  static constexpr std::array<RowField, 8> kColumns{{{"sequence", offsetof(BlockRow, sequence), T::U64},
+                                                     {"first_sample_ns", offsetof(BlockRow, firstSample), T::I64},
+                                                     {"rate_hz", offsetof(BlockRow, rate), T::F64},
+                                                     {"lost_frames", offsetof(BlockRow, lostFrames), T::U64},
+                                                     {"offset", offsetof(BlockRow, offset), T::U64},
+                                                     {"source", offsetof(BlockRow, source), T::U32},
+                                                     {"frames", offsetof(BlockRow, frames), T::I32},
+                                                     {"flags", offsetof(BlockRow, flags), T::U32}}};
   return kColumns;
 }
 
 template <>
-std::span<const Column> columnsOf<MachineRow>() {
-  static constexpr std::array<Column, 26> kColumns{
+std::span<const RowField> columnsOf<MachineRow>() {
+  static constexpr std::array<RowField, 26> kColumns{
       {{"time_ns", offsetof(MachineRow, time), T::I64},
        {"valid", offsetof(MachineRow, valid), T::U8},
        {"link_up", offsetof(MachineRow, linkUp), T::U8},
@@ -57,8 +57,8 @@ std::span<const Column> columnsOf<MachineRow>() {
 }
 
 template <>
-std::span<const Column> columnsOf<DecisionRow>() {
-  static constexpr std::array<Column, 10> kColumns{
+std::span<const RowField> columnsOf<DecisionRow>() {
+  static constexpr std::array<RowField, 10> kColumns{
       {{"time_ns", offsetof(DecisionRow, time), T::I64},
        {"kind", offsetof(DecisionRow, kind), T::U8},
        {"claims_speed", offsetof(DecisionRow, claimsSpeed), T::U8},
@@ -73,19 +73,19 @@ std::span<const Column> columnsOf<DecisionRow>() {
 }
 
 template <>
-std::span<const Column> columnsOf<InputRow>() {
-  static constexpr std::array<Column, 6> kColumns{{{"step", offsetof(InputRow, step), T::U64},
-                                                   {"action", offsetof(InputRow, action), T::U8},
-                                                   {"authority", offsetof(InputRow, authority), T::U8},
-                                                   {"advice", offsetof(InputRow, advice), T::U32, 1, true},
-                                                   {"parameter", offsetof(InputRow, parameter), T::U32, 1, true},
-                                                   {"value", offsetof(InputRow, value), T::F64, 1, true}}};
+std::span<const RowField> columnsOf<InputRow>() {
+  static constexpr std::array<RowField, 6> kColumns{{{"step", offsetof(InputRow, step), T::U64},
+                                                     {"action", offsetof(InputRow, action), T::U8},
+                                                     {"authority", offsetof(InputRow, authority), T::U8},
+                                                     {"advice", offsetof(InputRow, advice), T::U32, 1, true},
+                                                     {"parameter", offsetof(InputRow, parameter), T::U32, 1, true},
+                                                     {"value", offsetof(InputRow, value), T::F64, 1, true}}};
   return kColumns;
 }
 
 template <>
-std::span<const Column> columnsOf<VerdictRow>() {
-  static constexpr std::array<Column, 18> kColumns{
+std::span<const RowField> columnsOf<VerdictRow>() {
+  static constexpr std::array<RowField, 18> kColumns{
       {{"step", offsetof(VerdictRow, step), T::U64},
        {"detector", offsetof(VerdictRow, detector), T::I32},
        {"time_ns", offsetof(VerdictRow, time), T::I64},
@@ -108,8 +108,8 @@ std::span<const Column> columnsOf<VerdictRow>() {
 }
 
 template <>
-std::span<const Column> columnsOf<CommandRow>() {
-  static constexpr std::array<Column, 10> kColumns{
+std::span<const RowField> columnsOf<CommandRow>() {
+  static constexpr std::array<RowField, 10> kColumns{
       {{"step", offsetof(CommandRow, step), T::U64},
        {"time_ns", offsetof(CommandRow, time), T::I64},
        {"sequence", offsetof(CommandRow, sequence), T::U64},
@@ -124,8 +124,8 @@ std::span<const Column> columnsOf<CommandRow>() {
 }
 
 template <>
-std::span<const Column> columnsOf<EventRow>() {
-  static constexpr std::array<Column, 6> kColumns{
+std::span<const RowField> columnsOf<EventRow>() {
+  static constexpr std::array<RowField, 6> kColumns{
       {{"step", offsetof(EventRow, step), T::U64},
        {"time_ns", offsetof(EventRow, time), T::I64},
        {"number", offsetof(EventRow, number), T::U64},
@@ -136,39 +136,40 @@ std::span<const Column> columnsOf<EventRow>() {
 }
 
 template <>
-std::span<const Column> columnsOf<SegmentRow>() {
-  static constexpr std::array<Column, 4> kColumns{{{"step", offsetof(SegmentRow, step), T::U64},
-                                                   {"offset", offsetof(SegmentRow, offset), T::U64},
-                                                   {"first_sample_ns", offsetof(SegmentRow, firstSample), T::I64},
-                                                   {"rate_hz", offsetof(SegmentRow, rate), T::F64}}};
+std::span<const RowField> columnsOf<SegmentRow>() {
+  static constexpr std::array<RowField, 4> kColumns{{{"step", offsetof(SegmentRow, step), T::U64},
+                                                     {"offset", offsetof(SegmentRow, offset), T::U64},
+                                                     {"first_sample_ns", offsetof(SegmentRow, firstSample), T::I64},
+                                                     {"rate_hz", offsetof(SegmentRow, rate), T::F64}}};
   return kColumns;
 }
 
 template <>
-std::span<const Column> columnsOf<MarkerRow>() {
-  static constexpr std::array<Column, 8> kColumns{{{"number", offsetof(MarkerRow, number), T::U64},
-                                                   {"begin_ns", offsetof(MarkerRow, begin), T::I64},
-                                                   {"end_ns", offsetof(MarkerRow, end), T::I64},
-                                                   {"made_utc_ns", offsetof(MarkerRow, made), T::I64},
-                                                   {"removed", offsetof(MarkerRow, removed), T::U8},
-                                                   {"label", offsetof(MarkerRow, label), T::Text, kMarkerLabelSize},
-                                                   {"author", offsetof(MarkerRow, author), T::Text, kMarkerAuthorSize},
-                                                   {"note", offsetof(MarkerRow, note), T::Text, kMarkerNoteSize}}};
+std::span<const RowField> columnsOf<MarkerRow>() {
+  static constexpr std::array<RowField, 8> kColumns{
+      {{"number", offsetof(MarkerRow, number), T::U64},
+       {"begin_ns", offsetof(MarkerRow, begin), T::I64},
+       {"end_ns", offsetof(MarkerRow, end), T::I64},
+       {"made_utc_ns", offsetof(MarkerRow, made), T::I64},
+       {"removed", offsetof(MarkerRow, removed), T::U8},
+       {"label", offsetof(MarkerRow, label), T::Text, kMarkerLabelSize},
+       {"author", offsetof(MarkerRow, author), T::Text, kMarkerAuthorSize},
+       {"note", offsetof(MarkerRow, note), T::Text, kMarkerNoteSize}}};
   return kColumns;
 }
 
 template <>
-std::span<const Column> columnsOf<TruthRow>() {
-  static constexpr std::array<Column, 2> kColumns{
+std::span<const RowField> columnsOf<TruthRow>() {
+  static constexpr std::array<RowField, 2> kColumns{
       {{"name", offsetof(TruthRow, name), T::Text, kTruthNameSize}, {"value", offsetof(TruthRow, value), T::F64}}};
   return kColumns;
 }
 
 template <>
-std::span<const Column> columnsOf<TruthSampleRow>() {
-  static constexpr std::array<Column, 3> kColumns{{{"name", offsetof(TruthSampleRow, name), T::Text, kTruthNameSize},
-                                                   {"time_ns", offsetof(TruthSampleRow, time), T::I64},
-                                                   {"value", offsetof(TruthSampleRow, value), T::F64}}};
+std::span<const RowField> columnsOf<TruthSampleRow>() {
+  static constexpr std::array<RowField, 3> kColumns{{{"name", offsetof(TruthSampleRow, name), T::Text, kTruthNameSize},
+                                                     {"time_ns", offsetof(TruthSampleRow, time), T::I64},
+                                                     {"value", offsetof(TruthSampleRow, value), T::F64}}};
   return kColumns;
 }
 

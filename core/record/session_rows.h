@@ -14,12 +14,12 @@
 
 namespace stillcut::record {
 
-enum class ColumnType : std::uint8_t { U8, U16, U32, I32, U64, I64, F64, Text };
+enum class FieldType : std::uint8_t { U8, U16, U32, I32, U64, I64, F64, Text };
 
-struct Column {
+struct RowField {
   const char* name;
   std::size_t offset;
-  ColumnType type;
+  FieldType type;
   std::size_t count = 1;  // over 1: a small array; for Text its length in bytes
   bool later = false;     // added since the oldest version that is read: where a file lacks it, it is 0
 };
@@ -134,7 +134,7 @@ struct MarkerRow {
 };
 
 template <class Row>
-std::span<const Column> columnsOf();
+std::span<const RowField> columnsOf();
 
 // Reason codes are numbers of one version of the program; a file lists their identifiers, and reading goes by those.
 std::string reasonIdentifiers();  // one a line, in the order of the numbers

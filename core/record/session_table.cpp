@@ -3,23 +3,23 @@
 namespace stillcut::record {
 namespace {
 
-Hdf5Id nativeType(const Column& column) {
+Hdf5Id nativeType(const RowField& column) {
   switch (column.type) {
-    case ColumnType::U8:
+    case FieldType::U8:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_UINT8));
-    case ColumnType::U16:
+    case FieldType::U16:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_UINT16));
-    case ColumnType::U32:
+    case FieldType::U32:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_UINT32));
-    case ColumnType::I32:
+    case FieldType::I32:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_INT32));
-    case ColumnType::U64:
+    case FieldType::U64:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_UINT64));
-    case ColumnType::I64:
+    case FieldType::I64:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_INT64));
-    case ColumnType::F64:
+    case FieldType::F64:
       return Hdf5Id(H5Tcopy(H5T_NATIVE_DOUBLE));
-    case ColumnType::Text:
+    case FieldType::Text:
       break;
   }
   Hdf5Id text(H5Tcopy(H5T_C_S1));
@@ -27,11 +27,11 @@ Hdf5Id nativeType(const Column& column) {
   return text;
 }
 
-Hdf5Id rowType(std::span<const Column> columns, std::size_t rowSize) {
+Hdf5Id rowType(std::span<const RowField> columns, std::size_t rowSize) {
   Hdf5Id row(H5Tcreate(H5T_COMPOUND, rowSize));
-  for (const Column& column : columns) {
+  for (const RowField& column : columns) {
     Hdf5Id type = nativeType(column);
-    if (column.count > 1 && column.type != ColumnType::Text) {
+    if (column.count > 1 && column.type != FieldType::Text) {
       const hsize_t count = column.count;
       type = Hdf5Id(H5Tarray_create2(type.get(), 1, &count));
     }
@@ -42,7 +42,7 @@ Hdf5Id rowType(std::span<const Column> columns, std::size_t rowSize) {
 
 }  // namespace
 
-bool SessionTable::create(hid_t file, const char* path, std::span<const Column> columns, std::size_t rowSize) {
+bool SessionTable::create(hid_t file, const char* path, std::span<const RowField> columns, std::size_t rowSize) {
   memory_ = rowType(columns, rowSize);
   const Hdf5Id packed(H5Tcopy(memory_.get()));
   H5Tpack(packed.get());
@@ -58,13 +58,13 @@ bool SessionTable::create(hid_t file, const char* path, std::span<const Column> 
   return static_cast<bool>(dataset_);
 }
 
-bool SessionTable::open(hid_t file, const char* path, std::span<const Column> columns, std::size_t rowSize) {
+bool SessionTable::open(hid_t file, const char* path, std::span<const RowField> columns, std::size_t rowSize) {
   memory_ = rowType(columns, rowSize);
   dataset_ = Hdf5Id(H5Dopen2(file, path, H5P_DEFAULT));
   if (!dataset_) return false;
   const Hdf5Id stored(H5Dget_type(dataset_.get()));
   if (H5Tget_class(stored.get()) != H5T_COMPOUND) return false;
-  for (const Column& column : columns) {
+  for (const RowField& column : columns) {
     if (!column.later && H5Tget_member_index(stored.get(), column.name) < 0) return false;
   }
   const std::optional<std::uint64_t> length = lengthOf(dataset_.get());

@@ -16,8 +16,8 @@ namespace stillcut::record {
 class SessionTable {
  public:
   // False: hdf5Cause() says why.
-  bool create(hid_t file, const char* path, std::span<const Column> columns, std::size_t rowSize);
-  bool open(hid_t file, const char* path, std::span<const Column> columns, std::size_t rowSize);
+  bool create(hid_t file, const char* path, std::span<const RowField> columns, std::size_t rowSize);
+  bool open(hid_t file, const char* path, std::span<const RowField> columns, std::size_t rowSize);
   bool append(const void* rows, std::uint64_t count);
   bool read(std::uint64_t first, std::uint64_t count, void* rows) const;
   bool flush() { return H5Dflush(dataset_.get()) >= 0; }
