@@ -37,6 +37,7 @@ constexpr int kMostBands = 24;
 constexpr int kBandOrdersUnknown = 4;   // teeth not told
 constexpr double kRatioTurns = 2.0;     // smoothing of the energy ratio
 constexpr double kLeastSamples = 96.0;  // in the average of the turn difference: fewer scatter too much
+constexpr double kNoiseInOrder = 1.5;   // of white noise, times frames a turn: in a Hann window of two turns
 constexpr Hertz kSpindleUnknown{20.0};
 constexpr Hertz kLeastBand{2500.0};  // tools chatter up to there at any speed
 constexpr int kBandOrder = 4;
@@ -83,6 +84,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
     s.quantity = setup.channels[static_cast<std::size_t>(c)].quantity;
     s.forced.prepare(teeth_, integrationFactor(s.quantity));
+    s.load.prepare(teeth_);
     s.orders.prepare(teeth_, integrationFactor(s.quantity), harmonics_);
   }
   const auto all = [&](auto is) {
@@ -164,7 +166,10 @@ void EnergyRatioDetector::restart() noexcept {
 
 void EnergyRatioDetector::leaveCut() noexcept {
   relearn();
-  for (RatioChannel& s : channelStates_) s.forced.reset();
+  for (RatioChannel& s : channelStates_) {
+    s.forced.reset();
+    s.load.reset();
+  }
   judge_.leaveCut();
 }
 
@@ -213,6 +218,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   inHop_ = 0;
   chain_.endHop();
   marks_.endHop();
+  hopOfTurn_ = (hopOfTurn_ + 1) % kHopsPerTurn;
   steadyTurns_ = phase == CutPhase::Steady && turnsCompare_ ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
   // An alarm may end while the cut becomes so much quieter that the tool might leave.
   const bool ends = judge_.alarming() && phase == CutPhase::Exit && turnsCompare_;
@@ -230,8 +236,12 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     if (s.news.standsStill()) s.news.relearn();
     s.orders.endHop(chain_, c);
     s.forced.endHop(chain_, c);
-    // A load that leaps takes its own pattern of runout along.
-    const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns;
+    if (hopOfTurn_ == 0) {
+      const double noise = kNoiseInOrder * s.growth.onset().floor() * spindle_.value / rate_;
+      s.load.endTurn(chain_, newLine_, c, spindle_, noise);
+    }
+    // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
+    const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns || s.load.changesQuickly();
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();
     if (test && !held)
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);

@@ -17,9 +17,10 @@
 //   is new, by its phase from turn to turn (new_line.h).
 // - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
 // Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic, and nearer than 0.012 to any other, is not
-// told from forced vibration. Chatter that fills the cut from the entry is alarmed by its line alone where that can be
-// no tooth passing (speed_tracker.h).
-// Thread: worker. See detector.h.
+// told from forced vibration. While the load changes by more than 5 % a turn, as it may on a slow spindle, chatter
+// beside an order is told by more than that change explains, a turn or three later (load_watch.h). Chatter that fills
+// the cut from the entry is alarmed by its line alone where that can be no tooth passing (speed_tracker.h). Thread:
+// worker. See detector.h.
 #pragma once
 
 #include <array>
@@ -109,6 +110,7 @@ class EnergyRatioDetector final : public Detector {
   long hopFrames_ = 1;
   int windowHops_ = kHopsPerTurn;  // over which the turn difference is averaged
   long inHop_ = 0;
+  int hopOfTurn_ = 0;
   bool turnsCompare_ = true;
   bool integrals_ = false;  // every channel is an integral of the cutting torque,
   bool sideLines_ = false;  // ... or a force

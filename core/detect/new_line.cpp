@@ -62,24 +62,31 @@ void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) n
   seen_ = std::min(seen_ + frames, window_);
 }
 
-// w: the rough frequency [rad per frame]; turn [frames]. 0: no line has come.
-std::complex<double> NewLine::advance(std::span<const double> newest, double w, double turn) const noexcept {
+// E_k; w: the rough frequency [rad per frame]; turn [frames]. False where less is remembered.
+bool NewLine::windowOf(std::span<const double> newest, double w, double turn, std::size_t k,
+                       std::complex<double>& out) const noexcept {
   const auto window = static_cast<std::size_t>(std::lround(kWindowTurns * turn));
   const double slow = kTwoPi / static_cast<double>(window);
+  const double turned = static_cast<double>(k) * turn;
+  const auto back = static_cast<std::size_t>(std::lround(turned));
+  if (back + window > newest.size()) return false;
+  dsp::kernels::HannRun run{newest.data() + (newest.size() - window - back),
+                            window,
+                            std::cos(w),
+                            -std::sin(w),
+                            std::cos(slow),
+                            std::sin(slow)};
+  kernels_.demodulate(run);
+  // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be.
+  out = std::complex(run.re, run.im) * std::polar(1.0, w * (static_cast<double>(back) - turned));
+  return true;
+}
+
+// 0: no line has come.
+std::complex<double> NewLine::advance(std::span<const double> newest, double w, double turn) const noexcept {
   Turns e{};
   for (std::size_t k = 0; k < e.size(); ++k) {
-    const double turned = static_cast<double>(k) * turn;
-    const auto back = static_cast<std::size_t>(std::lround(turned));
-    if (back + window > newest.size()) return 0.0;
-    dsp::kernels::HannRun run{newest.data() + (newest.size() - window - back),
-                              window,
-                              std::cos(w),
-                              -std::sin(w),
-                              std::cos(slow),
-                              std::sin(slow)};
-    kernels_.demodulate(run);
-    // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be.
-    e[k] = std::complex(run.re, run.im) * std::polar(1.0, w * (static_cast<double>(back) - turned));
+    if (!windowOf(newest, w, turn, k, e[k])) return 0.0;
     if (k < kStillTurns) continue;
     const std::complex<double> found = turning(e, k + 1 - kStillTurns);
     if (found != 0.0) return found * std::polar(1.0, -w * turn);
@@ -87,14 +94,28 @@ std::complex<double> NewLine::advance(std::span<const double> newest, double w, 
   return 0.0;
 }
 
+std::span<const double> NewLine::newest(int channel) noexcept {
+  const auto ring = rings_.begin() + static_cast<std::ptrdiff_t>(channel) * static_cast<std::ptrdiff_t>(window_);
+  std::rotate_copy(ring, ring + static_cast<std::ptrdiff_t>(head_), ring + static_cast<std::ptrdiff_t>(window_),
+                   row_.begin());
+  return std::span<const double>(row_).last(seen_);
+}
+
+bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) noexcept {
+  const double w = kTwoPi * rough.value / rate_;
+  const double turn = rate_ / spindle.value;
+  const std::span<const double> all = newest(channel);
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    if (!windowOf(all, w, turn, k, out[k])) return false;
+  }
+  return true;
+}
+
 Hertz NewLine::frequency(Hertz rough, Hertz spindle) noexcept {
   if (!(spindle.value > 0.0) || !(rough.value > 0.0)) return Hertz(0.0);
   std::complex<double> all = 0.0;
-  for (std::size_t c = 0; c * window_ < rings_.size(); ++c) {
-    const auto ring = rings_.begin() + static_cast<std::ptrdiff_t>(c * window_);
-    std::rotate_copy(ring, ring + static_cast<std::ptrdiff_t>(head_), ring + static_cast<std::ptrdiff_t>(window_),
-                     row_.begin());
-    all += advance(std::span<const double>(row_).last(seen_), kTwoPi * rough.value / rate_, rate_ / spindle.value);
+  for (int c = 0; static_cast<std::size_t>(c) * window_ < rings_.size(); ++c) {
+    all += advance(newest(c), kTwoPi * rough.value / rate_, rate_ / spindle.value);
   }
   return std::abs(all) > 0.0 ? rough + spindle * (std::arg(all) / kTwoPi) : Hertz(0.0);
 }

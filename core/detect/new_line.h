@@ -30,8 +30,13 @@ class NewLine {
   // Of the line near `rough`, at most half a spindle order from it, over all channels by its part of them. 0 where none
   // has come within the last twelve turns, and where the forced vibration before it was too restless to tell.
   Hertz frequency(Hertz rough, Hertz spindle) noexcept;
+  // E_0, E_1, ... of one channel; false where not so many turns are remembered.
+  bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) noexcept;
 
  private:
+  std::span<const double> newest(int channel) noexcept;
+  bool windowOf(std::span<const double> newest, double w, double turn, std::size_t k,
+                std::complex<double>& out) const noexcept;
   std::complex<double> advance(std::span<const double> newest, double w, double turn) const noexcept;
 
   dsp::kernels::Kernels kernels_;

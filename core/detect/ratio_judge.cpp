@@ -180,7 +180,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
-             (entry || (hop.levelTrend > kFalling && (rising_ || onOrder_ > 0.0 || lineGrows(channels, lines, hop))))) {
+             (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
     state_ = CutState::Stable;
@@ -248,6 +248,19 @@ bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle
 bool RatioJudge::lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   if ((!growing_ && !newsGrowing_) || !lineStands(lines, hop)) return false;
   return (growing_ && lineCounts(hop.spindle)) || (newsGrowing_ && lineIsNew(channels, hop.spindle));
+}
+
+// ... or growth too fast for one, or on an order; and none of it is the load's.
+bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+  double order = onOrder_;
+  if (rising_ || !(order > 0.0)) {
+    if (!rising_ && !lineGrows(channels, lines, hop)) return false;
+    order = lines.find(hop.spindle * 0.5, hop.highest).frequency / hop.spindle;
+  }
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    if (!channels[i].load.explains(*hop.newLine, static_cast<int>(i), order, hop.spindle)) return true;
+  }
+  return channels.empty();
 }
 
 void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {

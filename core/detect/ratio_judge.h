@@ -9,6 +9,7 @@
 #include "core/detect/energy_growth.h"
 #include "core/detect/forced_resonance.h"
 #include "core/detect/line_finder.h"
+#include "core/detect/load_watch.h"
 #include "core/detect/new_line.h"
 #include "core/detect/order_growth.h"
 #include "core/model/channel.h"
@@ -22,6 +23,7 @@ struct RatioChannel {
   EnergyGrowth news;    // of the news (turn_difference.h)
   OrderGrowth orders;
   ForcedResonance forced;
+  LoadWatch load;
   double ratio = 0.0;  // ER, smoothed
   SensorQuantity quantity = SensorQuantity::Acceleration;
 };
@@ -72,6 +74,7 @@ class RatioJudge {
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;
   bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
+  bool grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineIsNew(std::span<const RatioChannel> channels, Hertz spindle) const noexcept;
   void track(LineFinder& lines, const RatioHop& hop) noexcept;
   ChatterKind kind(Hertz spindle) const noexcept;

@@ -21,6 +21,41 @@ TEST(KnownCuts, ASlowSpindleWhoseSpeedIsFoundAnewRaisesNoAlarm) {
   }
 }
 
+// A load that doubles within six turns has side lines as broad as chatter's beside every order, and runout on a mode
+// turns its phase by as much.
+TEST(KnownCuts, ALoadThatRisesWithinAFewTurnsRaisesNoAlarm) {
+  int cuts = 0;
+  for (const SimulationOrder& order : quickRise(12)) {
+    const bool faceMill = order.scenario.programme.speed.value < 1000.0;
+    if (!faceMill || order.scenario.seed % 100 <= 9) continue;
+    const KnownCut cut = simulate(order);
+    for (const int channel : {0, 1}) {
+      const Score s = score(cut, {"energy-ratio", {channel}, 0.02});
+      EXPECT_FALSE(s.falseAlarm) << cut.name << " channel " << channel << " at " << s.alarm << " s";
+    }
+    ++cuts;
+  }
+  EXPECT_GE(cuts, 4);
+}
+
+// ... and where it rises beyond the limit, it is chatter's alarm all the same, a few turns later.
+TEST(KnownCuts, ChatterAfterAQuickRiseIsFound) {
+  for (SimulationOrder& order : quickRise(2)) {
+    if (order.name != "F4-2101" && order.name != "F4-2102") continue;
+    for (auto& segment : order.scenario.programme.depth.segments) {
+      if (segment.from >= 3.0) segment.toValue *= 1.3 / 0.9;
+    }
+    order.rule = AlarmRule::Slow;
+    const KnownCut cut = simulate(order);
+    ASSERT_GT(cut.at20, 3.0);
+    for (const int channel : {0, 1}) {
+      const Score s = score(cut, {"energy-ratio", {channel}, 0.0});
+      EXPECT_TRUE(s.alarmed && !s.early) << cut.name;
+      EXPECT_LT(s.after20, 3.0 * 60.0 / cut.rpm) << cut.name;
+    }
+  }
+}
+
 // Period doubling of two flutes that ends with the depth: the vibration falls by 12 dB, as if the tool left, and the
 // order that it was on keeps its runout.
 TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {

@@ -249,6 +249,32 @@ std::vector<SimulationOrder> slowStable(int seeds) {
   return orders;
 }
 
+// To 0.9 of the limit within half a second, from the slowest spindle to the fastest: a load that changes, and no more.
+std::vector<SimulationOrder> quickRise(int seeds) {
+  constexpr std::array<ToolKind, 4> kTools{ToolKind::FaceMill, ToolKind::TwoFlute, ToolKind::ThreeFlute,
+                                           ToolKind::FourFlute};
+  constexpr DepthPlan kQuick{.entry = 0.5, .entered = 0.7, .rise = 3.0, .risen = 3.5, .end = 5.0};
+  Orders orders;
+  const auto add = [&](Scenario s, const char* what) {
+    const auto limit = limitOf(s);
+    if (!limit) return;
+    planDepth(s, kQuick, 0.4 * limit->depth.value, 0.9 * limit->depth.value);
+    orders.push_back(order("stable, quick rise", s, AlarmRule::Silent, kQuick));
+    orders.back().name += what;
+  };
+  each(kTools, seeds, 2100, [&](Scenario& s, const milling::StabilityLimit&) {
+    add(s, "");
+    if (s.programme.speed.value > 1000.0) return;
+    s.programme.speed = s.programme.speed * 1.9;
+    add(s, "-faster");
+    s.programme.speed = s.programme.speed * 0.5;
+    s.model.tool.teeth = 6;
+    s.model.tool.runout.insert(s.model.tool.runout.end(), {Metres(0.0), s.model.tool.runout.front()});
+    add(s, "-Z6");
+  });
+  return orders;
+}
+
 namespace {
 
 Orders strongRunout(int seeds) {
@@ -324,7 +350,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 17> kFamilies{{
+constexpr std::array<CutFamily, 18> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -338,6 +364,7 @@ constexpr std::array<CutFamily, 17> kFamilies{{
     {"chatter from entry", "no stable stretch to learn from", entryChatter},
     {"slow spindle", "chatter near an order", slowSpindle},
     {"stable, slow spindle", "no chatter", slowStable},
+    {"stable, quick rise", "no chatter", quickRise},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},
     {"forced resonance", "no chatter", forcedResonance},

@@ -20,5 +20,6 @@ struct CutFamily {
 std::span<const CutFamily> cutFamilies();
 // One of them.
 std::vector<SimulationOrder> slowStable(int seeds);
+std::vector<SimulationOrder> quickRise(int seeds);
 
 }  // namespace stillcut::bench

@@ -1,0 +1,51 @@
+// Does the load change so quickly that what an order does is the load's?
+//
+// A load that changes modulates every order of the forced vibration: symmetric side lines, locked to the order. Where
+// it changes within a few turns, as on a slow spindle, they are as broad as chatter's line, and an order on a mode
+// changes by more than the load does, and in phase as well: a share s of the load makes s p / (1 - s g) of it, whose
+// logarithm changes by ds / s / (1 - s g), up to five times as much as the load's at 80 % of the limit. Chatter beside
+// an order turns it and grows whether the load changes or not. So the load is measured where that line is not: on the
+// tooth passings but the two that it lies between, whichever two leave the least. While it changes quickly, and
+// some turns after, an order must change by more than that from one turn to the next. Not in Caliskan 2018.
+// Thread: worker; real-time.
+#pragma once
+
+#include <array>
+
+#include "core/detect/energy_chain.h"
+#include "core/detect/new_line.h"
+
+namespace stillcut::detect {
+
+class LoadWatch {
+ public:
+  void prepare(int teeth) noexcept;
+  void reset() noexcept;
+  // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage
+  // tell.
+  // noise: its power in one order of a window of two turns, over that of all forced vibration. Where tooth passings
+  // cancel, as at full immersion, noise is most of what they change by.
+  void endTurn(const EnergyChain& chain, NewLine& vibration, int channel, Hertz spindle, double noise) noexcept;
+
+  // The load has changed by so much from one turn to the next that an order's change of size may be its doing.
+  bool changesQuickly() const noexcept { return most() > kQuickly; }
+  // ... and is: that of the order next to `order`, which may be a fraction.
+  bool explains(NewLine& vibration, int channel, double order, Hertz spindle) const noexcept;
+
+ private:
+  static constexpr std::size_t kTeeth = 6;  // passings that tell the load
+  static constexpr std::size_t kTurns = 6;  // for which a change is remembered: the filters' and the windows' memory
+  // Of the amplitude in a turn: what is slower leaves less in the turn difference than the smallest onset, 3 %, for at
+  // five times the load that is twenty times the change's square and twice as much again by its own curvature.
+  static constexpr double kQuickly = 0.05;
+  using Powers = std::array<double, kTeeth>;  // of the tooth passings
+  static double least(const Powers& now, const Powers& before, double noise) noexcept;
+  double most() const noexcept;
+
+  int teeth_ = 0;
+  Powers before_{};  // a turn ago
+  std::array<double, kTurns> changes_{};
+  std::size_t newest_ = 0;
+};
+
+}  // namespace stillcut::detect
