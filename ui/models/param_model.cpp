@@ -78,9 +78,13 @@ QString ParamModel::lockReason(const ParamDecl& decl) const {
   }
 }
 
-double ParamModel::ownValue(const ParamDecl& decl) const {
+const OwnReading* ParamModel::reading(const ParamDecl& decl) const {
   const auto own = std::find_if(own_.begin(), own_.end(), [&](const OwnReading& r) { return r.key == decl.key; });
-  if (own != own_.end()) return own->value;
+  return own != own_.end() ? &*own : nullptr;
+}
+
+double ParamModel::ownValue(const ParamDecl& decl) const {
+  if (const OwnReading* own = reading(decl)) return own->value;
   const auto found = part_->chosen.find(decl.key);
   return found != part_->chosen.end() ? found->second : config::kAutomatic;
 }
@@ -99,8 +103,7 @@ QString ParamModel::otherOwnText() const {
 
 QString ParamModel::automaticText(const ParamDecl& decl) const {
   if (!decl.mayBeAutomatic || std::isfinite(desk_->value(decl))) return {};
-  const auto own = std::find_if(own_.begin(), own_.end(), [&](const OwnReading& r) { return r.key == decl.key; });
-  if (own != own_.end()) {
+  if (const OwnReading* own = reading(decl)) {
     const QString why = sayCore(own->why.toStdString());
     if (!std::isfinite(own->value)) return why;
     return tr("chose %1 (%2)").arg(join(significant(own->value, 3), sayCore(std::string(decl.unit))), why);

@@ -60,6 +60,7 @@ class ParamModel : public QAbstractTableModel {
  private:
   QString lockReason(const config::ParamDecl& decl) const;
   QString automaticText(const config::ParamDecl& decl) const;
+  const OwnReading* reading(const config::ParamDecl& decl) const;  // null: the part tells none of it
 
   TuneDesk* desk_ = nullptr;
   const TunablePart* part_ = nullptr;
