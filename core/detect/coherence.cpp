@@ -232,8 +232,7 @@ void CoherenceDetector::tellOwn() noexcept {
     own_.set(OwnEnergyRef, energyRef_, 1);
     return;
   }
-  const double least = std::max(OnsetTest::kGrowth * onset_.floor(), kSmallest * kSmallest);
-  own_.set(OwnEnergyRef, known ? energy_ * std::sqrt(least) : config::kAutomatic, known ? 2 : 0);
+  own_.set(OwnEnergyRef, known ? energy_ * std::sqrt(onset_.leastGrowth()) : config::kAutomatic, known ? 2 : 0);
 }
 
 Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const noexcept {

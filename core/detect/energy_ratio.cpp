@@ -137,9 +137,9 @@ void EnergyRatioDetector::tellOwn(double gain) noexcept {
     own_.set(OwnOnset, config::kAutomatic, 0);
     return;
   }
-  const double grown = OnsetTest::kGrowth * lead->floor();
+  const double least = lead->leastGrowth();
   own_.set(OwnFloor, lead->floor(), judge_.alarming() ? 2 : 1);
-  own_.set(OwnOnset, std::max(grown, smallest_), grown > smallest_ ? 1 : 2);
+  own_.set(OwnOnset, least, least > smallest_ ? 1 : 2);
 }
 
 void EnergyRatioDetector::reset() noexcept {

@@ -16,6 +16,8 @@
 // Thread: worker; real-time.
 #pragma once
 
+#include <algorithm>
+
 #include "core/base/units.h"
 
 namespace stillcut::detect {
@@ -46,6 +48,8 @@ class OnsetTest {
   double floor() const noexcept { return mean_; }
   double shape() const noexcept;
   double correlation() const noexcept;
+  // E_d / E_x from which the newest turn is growth, at the floor of now.
+  double leastGrowth() const noexcept { return std::max(kGrowth * mean_, limits_.smallestRatio); }
   // Mean of the energies that the floor was learned with.
   double floorEnergy() const noexcept { return meanEnergy_; }
   static constexpr double kLearnTurns = 8.0;

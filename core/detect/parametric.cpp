@@ -182,7 +182,7 @@ void ParametricDetector::tellOwn(int active, double mu, double lambda) noexcept 
   if (varianceLimit_ > 0.0) {
     own_.set(OwnVariance, varianceLimit_, 1);
   } else {
-    const double least = std::max(OnsetTest::kGrowth * c.onset.floor(), kSmallest * kSmallest);
+    const double least = c.onset.leastGrowth();
     own_.set(OwnVariance, known ? least * std::max(c.taken, kLeastTaken * c.power) : config::kAutomatic, known ? 2 : 0);
   }
 }

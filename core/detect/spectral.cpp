@@ -193,7 +193,7 @@ void SpectralDetector::tellOwn() noexcept {
     own_.set(OwnThreshold, threshold_, 1);
     return;
   }
-  const double least = std::max(OnsetTest::kGrowth * c.onset.floor(), kSmallest * kSmallest);
+  const double least = c.onset.leastGrowth();
   const bool heard = known && c.line.part > 0.0;  // a line's amplitude goes with the root of its part
   own_.set(OwnThreshold, heard ? c.line.amplitude * std::sqrt(least / c.line.part) : config::kAutomatic, known ? 2 : 0);
 }
