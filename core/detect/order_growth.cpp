@@ -19,13 +19,15 @@ constexpr double kStill = 0.01;        // orders
 constexpr double kLeaks = 1.0 / 12.0;  // the sum of 1 / (2 pi d)^2 over all d, up and down
 constexpr double kLeastOthers = 0.1;   // what leaks is known no better
 constexpr double kLouder = 4.0;        // in energy, of what it was
-// A line that has locked to its order, without turning: how much more it adds than the engagement changes, as
-// amplitude;
-constexpr double kClearly = 10.0;
-constexpr double kMostOfAll = 1.0;  // in energy: more than all other orders together,
-// and than runout becomes: a mode amplifies it by 1 / (1 - depth / limit), five times as much at nine tenths of the
-// limit as at half of it.
+// In energy. A mode amplifies runout by 1 / (1 - depth / limit), from half of the limit to nine tenths of it fivefold,
+// to within a twentieth tenfold. What has become more is no runout: by the first at the rate of an instability, by the
+// second in any case.
 constexpr double kBeyond = 25.0;
+constexpr double kFarBeyond = 100.0;
+// A line that has locked to its order: how much more it adds than the engagement changes, as amplitude ...
+constexpr double kClearly = 10.0;
+constexpr double kMostOfAll = 1.0;      // ... to more than all other orders together, in energy
+constexpr double kDoublingTurns = 2.0;  // of two teeth each, at least
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
 constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
@@ -53,7 +55,7 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) {
     c.onset.reset();
-    c.counts = c.own = c.unstable = false;
+    c.counts = c.own = c.unstable = c.doubles = false;
     c.alarmTurns = c.turned = c.slow = c.outgrown = 0.0;
   }
   order_ = 0.0;
@@ -117,9 +119,9 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  if (!flips(c))
-    return (c.own && turns(c.order)) || (c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor()));
-  return c.unstable || (c.own && (c.onset.floor() < kSmallestBeside || turns(c.order)));
+  if (c.own && turns(c.order)) return true;
+  if (!flips(c)) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
+  return c.unstable || (c.own && c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor());
 }
 
 void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
@@ -187,8 +189,9 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
   c.turned = on && drifts * c.turned >= 0.0 ? c.turned + drifts * turns : 0.0;
 }
 
-// A slow spindle gives chatter so few turns to grow in that it becomes its own floor. Where it turns against the
-// spindle as well, faster than the speed is in doubt, it is held against a floor that rises by time alone.
+// A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
+// slowly. Where it turns against the spindle as well, faster than the speed is in doubt, or doubles and is more than
+// runout becomes, it is held against a floor that rises by time alone.
 bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
   if (!c.onset.learned()) return false;
@@ -196,11 +199,13 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
   const bool on = now > std::max(kLouder * c.slow, kSmallestBeside) && one && std::abs(drift(c.order)) > least;
-  c.outgrown = on ? c.outgrown + turns : 0.0;
+  const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
+  c.doubles = beyond && (c.doubles || (c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2)));
+  c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
   if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
   if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
-  return c.outgrown > kDriftTurns;
+  return c.outgrown > (c.doubles ? kDoublingTurns : kDriftTurns);
 }
 
 void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {

@@ -5,20 +5,20 @@
 // vibration that stays as it is while the load changes. So the share of every such class is tested against its own
 // learned floor (onset_test.h). Near the stability limit a mode amplifies runout as well, without any chatter; that
 // stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
-// strongest order turns, and in the class of period doubling, which stands still itself once it is full, in any case
-// but two: not where the engagement changes, and where runout holds a fifth of the amplitude already, only at the rate
-// of an instability (order_stretches.h). In another class a line that has locked to its order stands still as well: it
-// counts where it grows at that rate to more than all other orders together, and further than runout is amplified in a
-// stable cut. Teeth that leave the material make of runout on two classes some vibration on a third, in a stable cut
-// as well: a class that holds no more than their product is not believed. Where runout on a mode is nearly all there is
-// (at full immersion tooth passings cancel), no share can grow. There an order that has become louder and has turned by
-// a whole turn against the spindle, faster than its speed is in doubt, is chatter: a load that changes moves the phase
-// of a forced vibration as well, by the half turn that a mode has at most. On a slow spindle the learned floor follows
-// slow growth up, and what such a line leaks into the other orders keeps its share down: there the share, without the
-// leak, is held against a floor that rises by time alone, and the order must turn as above for some turns (an end mill
-// at 800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every
-// seed). The tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018.
-// Thread: worker; everything but prepare() is real-time.
+// strongest order turns. Period doubling stands still itself once it is full: its class counts where it grows at the
+// rate of an instability (order_stretches.h), or, where runout holds less than a fifth of the amplitude, while the
+// engagement does not change and further than runout is amplified in a stable cut. In another class a line that has
+// locked to its order stands still as well: it counts where it grows at that rate, as far, and to more than all other
+// orders together. Teeth that leave the material make of runout on two classes some vibration on a third, in a stable
+// cut as well: a class that holds no more than their product is not believed. Where runout on a mode is nearly all
+// there is (at full immersion tooth passings cancel), no share can grow. There an order that has become louder and has
+// turned by a whole turn against the spindle, faster than its speed is in doubt, is chatter: a load that changes moves
+// the phase of a forced vibration as well, by the half turn that a mode has at most. On a slow spindle the learned
+// floor follows slow growth up, and what such a line leaks into the other orders keeps its share down: there the share,
+// without the leak, is held against a floor that rises by time alone, and the order must turn as above for some turns
+// (an end mill at 800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn,
+// and in every seed). The tooth-passing orders themselves are not tested: what grows there may be the load. Not in
+// Caliskan 2018. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -62,6 +62,7 @@ class OrderGrowth {
     double slow = 0.0;      // floor of the share that rises by time alone
     double outgrown = 0.0;  // turns since it is far above that and turns
     bool own = false;       // grows, and not because the engagement changes
+    bool doubles = false;   // far above what runout becomes, by growth of its own
     bool unstable = false;  // has grown as an instability does since its share began to
     bool counts = false;    // grown, and more than runout that a mode amplifies
     OnsetTest onset;

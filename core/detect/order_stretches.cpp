@@ -8,6 +8,7 @@ namespace {
 
 constexpr Seconds kLeastStretch{0.05};
 constexpr Seconds kSlowest{0.06};   // growth constant; a load that rises within 0.3 s amplifies at 110 ms
+constexpr double kGrowsOn = 1.25;   // over a stretch: an e-fold in four of them or so
 constexpr double kMostFolds = 2.0;  // over a long stretch, of a slow spindle
 
 }  // namespace
@@ -53,6 +54,18 @@ double OrderStretches::added(int rest, std::size_t rowsAgo) const noexcept {
   return std::sqrt(power);
 }
 
+double OrderStretches::size(int rest, std::size_t rowsAgo) const noexcept {
+  const Row now = ago(rowsAgo);
+  const double scale = teethOf(now);
+  double power = 0.0;
+  const auto one = static_cast<std::size_t>(rest);
+  for (std::size_t n = 1; n <= orders_; ++n) {
+    const std::size_t r = n % teeth_;
+    if (r == one || r + one == teeth_) power += std::norm(now[n - 1]);
+  }
+  return scale > 0.0 ? std::sqrt(power) / scale : 0.0;
+}
+
 // Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.
 double OrderStretches::patternChange() const noexcept {
   const Row now = ago(0);
@@ -77,6 +90,10 @@ void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept
 
 bool OrderStretches::ownGrowth(int rest) const noexcept {
   return added(rest, 0) > pattern_;
+}
+
+bool OrderStretches::growsOn(int rest) const noexcept {
+  return ownGrowth(rest) && size(rest, 0) > kGrowsOn * size(rest, kStretch);
 }
 
 bool OrderStretches::unstableGrowth(int rest, double beyond) const noexcept {

@@ -31,7 +31,9 @@ class OrderStretches {
   // Of the orders n = +-rest modulo the teeth; rest 1 .. teeth / 2: has the last stretch added more than the engagement
   // has changed,
   bool ownGrowth(int rest) const noexcept;
-  // ... beyond that by a factor, and at the rate of an instability?
+  // ... and made it larger,
+  bool growsOn(int rest) const noexcept;
+  // ... or beyond that by a factor, and at the rate of an instability?
   bool unstableGrowth(int rest, double beyond) const noexcept;
 
  private:
@@ -41,6 +43,8 @@ class OrderStretches {
   Row ago(std::size_t rows) const noexcept;
   double teethOf(Row row) const noexcept;
   double added(int rest, std::size_t rowsAgo) const noexcept;
+  // Amplitude of the class over that of the tooth passings.
+  double size(int rest, std::size_t rowsAgo) const noexcept;
   double patternChange() const noexcept;
 
   std::size_t teeth_ = 0;

@@ -24,7 +24,7 @@ Orders cut(double doubling, double turned = 0.0) {
 }
 
 struct Seen {
-  bool own = false, unstable = false;
+  bool own = false, growsOn = false, unstable = false;
 };
 
 // Over all turns from `from` on, t in seconds.
@@ -38,6 +38,7 @@ Seen over(Hertz spindle, double from, double to, const std::function<Orders(doub
     s.endTurn(at(t));
     if (t < from) continue;
     seen.own = seen.own || s.ownGrowth(kRest);
+    seen.growsOn = seen.growsOn || s.growsOn(kRest);
     seen.unstable = seen.unstable || s.unstableGrowth(kRest, 1.0);
   }
   return seen;
@@ -49,6 +50,7 @@ TEST_P(OrderStretch, AnInstabilityGrowsByItselfAndFast) {
   const Seen seen = over(Hertz(GetParam()), 1.1, 1.2,
                          [](double t) { return cut(t < 1.0 ? 0.1 : 0.1 + 0.01 * std::exp((t - 1.0) / 0.04)); });
   EXPECT_TRUE(seen.own);
+  EXPECT_TRUE(seen.growsOn);
   EXPECT_TRUE(seen.unstable);
 }
 
@@ -74,6 +76,17 @@ TEST_P(OrderStretch, RunoutThatTheEngagementChangesDoesNotGrowByItself) {
   });
   EXPECT_FALSE(seen.own);
   EXPECT_FALSE(seen.unstable);
+}
+
+// A speed that is a thousandth off lets every order turn by itself; its size is what it was.
+TEST_P(OrderStretch, AnOrderThatTurnsDoesNotGrowOn) {
+  const Seen seen = over(Hertz(GetParam()), 0.5, 2.0, [](double t) {
+    Orders a = cut(0.1);
+    a[5] *= std::polar(1.0, 3.0 * t);
+    return a;
+  });
+  EXPECT_TRUE(seen.own);
+  EXPECT_FALSE(seen.growsOn);
 }
 
 INSTANTIATE_TEST_SUITE_P(Spindles, OrderStretch, ::testing::Values(100.0, 180.0, 500.0));
