@@ -12,6 +12,13 @@ constexpr double kMemoryTurns = 16.0;  // of the references and their scatter
 // A spindle under load wanders by about 0.1 % with one second of memory; this is that, as a random walk.
 constexpr double kWander = 1.0e-3;
 constexpr double kWanderSeconds = 1.0;
+// A drift is thought of only once it is shown (drift_watch.h), by phases that go along with it: were it always thought
+// of, chatter that beats slowly beside an order (1.5 Hz at 800 rev/min) would be taken for one, and so would a width of
+// cut that changes, which turns all phases as far as the middle of the arc moves, and then no further. Nobody knows how
+// long it lasts: without a word from the phases it is forgotten within seconds.
+constexpr double kDriftDoubt = 0.3;  // of what is shown
+constexpr double kDriftSeconds = 2.0;
+constexpr double kDriftScatter = 0.2;
 constexpr double kLargestStep = 0.3;  // rad of the highest order in use; beyond it the phase may have slipped
 // An angle error this many standard deviations large that one common turn of all phases explains is a spindle that
 // changes its speed faster than it wanders (an override, a run-up). Chatter scatters the phases instead.
@@ -42,9 +49,11 @@ void PhaseTracker::prepare(int channels, Hertz rate, int teeth) {
 
 void PhaseTracker::start(Hertz spindle, Hertz sd) noexcept {
   omega_ = kTwoPi * spindle.value;
-  p00_ = 0.0;
-  p01_ = 0.0;
+  p00_ = p01_ = 0.0;
+  forgetDrift();
   p11_ = kTwoPi * sd.value * kTwoPi * sd.value;
+  drift_.reset();
+  time_ = angleSum_ = 0.0;
   frames_ = 0;
   turns_ = 0;
   scatter_ = 0.0;
@@ -78,6 +87,7 @@ void PhaseTracker::accumulate(double angle, double step, const double* const* sa
     all_[0] += x[f] * x[f];
     all_[1] += y[f] * y[f];
   }
+  angleSum_ += frames * (angle + 0.5 * (frames - 1) * step);
   frames_ += frames;
 }
 
@@ -132,6 +142,38 @@ PhaseTracker::CommonTurn PhaseTracker::commonTurn() const noexcept {
     }
   }
   return {{delta, 0.5 * left / weight}, left / all};
+}
+
+// Over a turn that is over.
+void PhaseTracker::predict(double seconds) noexcept {
+  const double t = seconds;
+  const double keep = std::exp(-t / kDriftSeconds);
+  const double wandered = wander();
+  omega_ += alpha_ * t;
+  alpha_ *= keep;
+  p00_ += t * (2.0 * p01_ + t * (p11_ + p02_ + t * (p12_ + 0.25 * t * p22_))) + wandered * t * t * t / 3.0;
+  p01_ += t * (p11_ + p02_ + t * (1.5 * p12_ + 0.5 * t * p22_)) + 0.5 * wandered * t * t;
+  p02_ = keep * (p02_ + t * (p12_ + 0.5 * t * p22_));
+  p11_ += t * (2.0 * p12_ + t * p22_) + wandered * t;
+  p12_ = keep * (p12_ + t * p22_);
+  p22_ *= keep * keep;
+}
+
+// Returns the angle by which the spindle is ahead.
+double PhaseTracker::correct(Angle error) noexcept {
+  const double all = p00_ + error.variance;
+  const double gain0 = p00_ / all;
+  const double gain1 = p01_ / all;
+  const double gain2 = p02_ / all;
+  omega_ += gain1 * error.delta;
+  alpha_ += gain2 * error.delta;
+  p11_ -= gain1 * p01_;
+  p12_ -= gain1 * p02_;
+  p22_ -= gain2 * p02_;
+  p00_ *= 1.0 - gain0;
+  p01_ *= 1.0 - gain0;
+  p02_ *= 1.0 - gain0;
+  return gain0 * error.delta;
 }
 
 // A spindle that changes its speed: the doubt grows to what the error says.
@@ -196,6 +238,34 @@ bool PhaseTracker::lost() const noexcept {
   return clean_ && retained_ < kLeastRetained;
 }
 
+double PhaseTracker::wander() const noexcept {
+  return 2.0 * kWander * kWander * omega_ * omega_ / kWanderSeconds;
+}
+
+void PhaseTracker::forgetDrift() noexcept {
+  alpha_ = p02_ = p12_ = p22_ = 0.0;
+}
+
+void PhaseTracker::mayDrift(bool may) noexcept {
+  mayDrift_ = may;
+  drift_.reset();
+  if (!may) forgetDrift();
+}
+
+void PhaseTracker::watchDrift(double seconds, double angle) noexcept {
+  drift_.add(seconds, angle);
+  if (p22_ > 0.0) {
+    if (drift_.over(wander())) forgetDrift();
+    return;
+  }
+  if (scatter_ > kDriftScatter) return;
+  const auto shown = drift_.shown(wander());
+  if (!shown) return;
+  omega_ = shown->omega;
+  alpha_ = shown->alpha;
+  p22_ = kDriftDoubt * alpha_ * kDriftDoubt * alpha_;
+}
+
 double PhaseTracker::completeTurn() noexcept {
   if (frames_ < 4) return 0.0;
   const double seconds = static_cast<double>(frames_) / rate_;
@@ -209,6 +279,10 @@ double PhaseTracker::completeTurn() noexcept {
   const bool hidden = drowned();
   sums_ = {};
   all_ = {};
+  const double middle = time_ + 0.5 * seconds;
+  const double where = kTwoPi * turns_ + angleSum_ / static_cast<double>(frames_);
+  time_ += seconds;
+  angleSum_ = 0.0;
   frames_ = 0;
   if (turns_ == 0) {
     reference_ = now_;
@@ -216,15 +290,14 @@ double PhaseTracker::completeTurn() noexcept {
     ++turns_;
     return 0.0;
   }
-  // Predict over the turn.
   const double known = p11_;
-  const double q = 2.0 * kWander * kWander * omega_ * omega_ / kWanderSeconds;
-  p00_ += 2.0 * seconds * p01_ + seconds * seconds * p11_ + q * seconds * seconds * seconds / 3.0;
-  p01_ += seconds * p11_ + 0.5 * q * seconds * seconds;
-  p11_ += q * seconds;
+  predict(seconds);
   if (hidden) {
     // A spindle that nobody looks at wanders no further than it does.
-    p11_ = std::min(p11_, std::max(known, kWander * kWander * omega_ * omega_));
+    const double most = std::max(known, kWander * kWander * omega_ * omega_);
+    if (p11_ > most) p12_ *= std::sqrt(most / p11_);
+    p11_ = std::min(p11_, most);
+    drift_.reset();
     ++turns_;
     return 0.0;
   }
@@ -232,17 +305,9 @@ double PhaseTracker::completeTurn() noexcept {
   Angle angle = measure();
   angle.delta = std::clamp(angle.delta, -limit, limit);
   angle = manoeuvred(angle, seconds);
-  double step = 0.0;
-  if (angle.variance > 0.0) {
-    const double gain0 = p00_ / (p00_ + angle.variance);
-    const double gain1 = p01_ / (p00_ + angle.variance);
-    step = gain0 * angle.delta;
-    omega_ += gain1 * angle.delta;
-    p11_ -= gain1 * p01_;
-    p01_ *= 1.0 - gain0;
-    p00_ *= 1.0 - gain0;
-  }
+  const double step = angle.variance > 0.0 ? correct(angle) : 0.0;
   learn(angle.delta);
+  if (mayDrift_) watchDrift(middle, where + angle.delta);
   ++turns_;
   return step;
 }

@@ -1,17 +1,18 @@
 // Keeps the spindle angle on the forced vibration: each turn the phases of the tooth-passing harmonics are compared
-// with their own slow mean, and one angle error common to all of them is fed to a two-state Kalman filter (angle,
-// speed). A harmonic counts by the inverse of its own recent scatter, so chatter, which scatters them, takes the
-// weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md section 4). When all
-// phases turn together, and further than a spindle wanders, the machine changes its speed, and the filter follows. A
-// line beside the harmonics leaks into all of them, turning each by the same, and where it is much louder than they are
-// would pull the angle along until it lies on an order itself: there nothing is measured and nothing is learned.
-// Thread: worker; everything but prepare() is real-time.
+// with their own slow mean, and one angle error common to all of them is fed to a Kalman filter of three states (angle,
+// speed, drift of the speed). A harmonic counts by the inverse of its own recent scatter, so chatter, which scatters
+// them, takes the weight away by itself and the speed coasts: tracking is held exactly when it must be (methods.md
+// section 4). When all phases turn together, and further than a spindle wanders, the machine changes its speed, and the
+// filter follows. A line beside the harmonics leaks into all of them, turning each by the same, and where it is much
+// louder than they are would pull the angle along until it lies on an order itself: there nothing is measured and
+// nothing is learned. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <array>
 #include <complex>
 
 #include "core/base/units.h"
+#include "core/detect/drift_watch.h"
 #include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
@@ -23,6 +24,8 @@ class PhaseTracker {
 
   // Orders 1..8 times the teeth (1..8 when the teeth are unknown), as far as the rate allows.
   void prepare(int channels, Hertz rate, int teeth);
+  // Is a drift to be looked for? Not where a machine tells how the speed changes.
+  void mayDrift(bool may) noexcept;
   // Starts anew at a speed known to `sd`.
   void start(Hertz spindle, Hertz sd) noexcept;
   // The cut changed and the speed did not: the references follow.
@@ -37,6 +40,8 @@ class PhaseTracker {
   double completeTurn() noexcept;
 
   Hertz spindle() const noexcept { return Hertz(omega_ / kTwoPi); }
+  // Relative change of the speed per second; 0 unless it is shown.
+  double drift() const noexcept { return omega_ > 0.0 ? alpha_ / omega_ : 0.0; }
   Hertz sd() const noexcept;
   // Part of the tracked amplitude that does not repeat from turn to turn (0: purely forced).
   double scatter() const noexcept { return scatter_; }
@@ -65,6 +70,11 @@ class PhaseTracker {
   Angle measure() const noexcept;
   CommonTurn commonTurn() const noexcept;
   Angle manoeuvred(Angle angle, double seconds) noexcept;
+  void predict(double seconds) noexcept;
+  double correct(Angle error) noexcept;
+  double wander() const noexcept;
+  void forgetDrift() noexcept;
+  void watchDrift(double seconds, double angle) noexcept;
   void learn(double delta) noexcept;
   bool drowned() noexcept;
 
@@ -72,8 +82,14 @@ class PhaseTracker {
   int orders_ = kOrders;
   int stride_ = 1;  // order of the first tracked line: the number of teeth
   double rate_ = 0.0;
-  double omega_ = 0.0;                        // rad/s
-  double p00_ = 0.0, p01_ = 0.0, p11_ = 0.0;  // covariance of angle and omega
+  double omega_ = 0.0;  // rad/s
+  double alpha_ = 0.0;  // rad/s^2
+  // Covariance of angle, omega and alpha.
+  double p00_ = 0.0, p01_ = 0.0, p02_ = 0.0, p11_ = 0.0, p12_ = 0.0, p22_ = 0.0;
+  bool mayDrift_ = true;
+  DriftWatch drift_;
+  double time_ = 0.0;      // s, since the start
+  double angleSum_ = 0.0;  // rad, of the frames of this turn
   long frames_ = 0;
   int turns_ = 0;
   double scatter_ = 0.0;

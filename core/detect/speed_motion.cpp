@@ -37,7 +37,8 @@ bool SpeedMotion::followMachine(double told, double sd, double seconds) noexcept
   return rode && !riding_;
 }
 
-void SpeedMotion::followSignal(double hertz, double seconds) noexcept {
+void SpeedMotion::followSignal(double hertz, double drift, double seconds) noexcept {
+  heard_ *= 1.0 + drift * seconds;
   heard_ += share(seconds, kRecentSeconds) * (hertz - heard_);
   moving_ = moving_ || std::abs(hertz / heard_ - 1.0) > kSwift;
 }

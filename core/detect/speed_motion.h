@@ -19,8 +19,8 @@ class SpeedMotion {
   bool followMachine(double told, double sd, double seconds) noexcept;
   // There is no such machine.
   void noMachine() noexcept { riding_ = moving_ = false; }
-  // What the vibration that is followed says, while no machine does.
-  void followSignal(double hertz, double seconds) noexcept;
+  // What the vibration that is followed says, while no machine does; drift: relative, per second, of the speed.
+  void followSignal(double hertz, double drift, double seconds) noexcept;
 
   // The machine says that the speed changes, faster than the vibration can be followed.
   bool riding() const noexcept { return riding_; }
@@ -28,7 +28,7 @@ class SpeedMotion {
   bool moving() const noexcept { return moving_; }
   // Told now, or over the last turn of a slow spindle.
   double told() const noexcept { return turning_; }
-  // Heard on average, recently.
+  // Heard on average, recently, led along its drift.
   double heard() const noexcept { return heard_; }
 
  private:

@@ -27,11 +27,12 @@ void SpeedSearch::prepare(int window, Hertz rate, int teeth) {
   rate_ = rate.value;
   teeth_ = teeth;
   for (auto* v : {&power_, &square_, &powers_}) v->assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
-  scratch_.assign(static_cast<std::size_t>(window), 0.0);
+  for (auto* v : {&scratch_, &evened_}) v->assign(static_cast<std::size_t>(window), 0.0);
   trials_.assign(kMostTrials, 0.0);
 }
 
-void SpeedSearch::begin() noexcept {
+void SpeedSearch::begin(double drift) noexcept {
+  drift_ = drift;
   std::fill(power_.begin(), power_.end(), 0.0);
   std::fill(square_.begin(), square_.end(), 0.0);
   added_ = 0;
@@ -45,7 +46,28 @@ void SpeedSearch::addSpectrum(std::span<const double> samples, std::vector<doubl
   if (total > 0.0) kernels_.addScaled(1.0 / total, powers_.data() + kLobe, power.data() + kLobe, usable - kLobe);
 }
 
-void SpeedSearch::add(std::span<const double> samples) noexcept {
+// The spindle has turned by f_m (t + drift t^2 / 2) at a time t from the middle, f_m its speed there: as far as at an
+// even speed at t + drift t^2 / 2. Cubic interpolation; the window is silent where samples beyond its ends would be
+// wanted.
+std::span<const double> SpeedSearch::evened(std::span<const double> samples) noexcept {
+  if (drift_ == 0.0) return samples;
+  const double last = static_cast<double>(samples.size()) - 1.0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double even = static_cast<double>(i) - 0.5 * last;
+    const double place = std::clamp(static_cast<double>(i) - 0.5 * drift_ / rate_ * even * even, 1.0, last - 2.0);
+    const auto at = static_cast<std::size_t>(place);
+    const double u = place - static_cast<double>(at);
+    const double* x = samples.data() + at;
+    const double before = 0.5 * (x[1] - x[-1]);
+    const double after = 0.5 * (x[2] - x[0]);
+    const double rise = x[1] - x[0];
+    evened_[i] = x[0] + u * (before + u * (3.0 * rise - 2.0 * before - after + u * (before + after - 2.0 * rise)));
+  }
+  return evened_;
+}
+
+void SpeedSearch::add(std::span<const double> raw) noexcept {
+  const std::span<const double> samples = evened(raw);
   addSpectrum(samples, power_);
   kernels_.multiply(samples.data(), samples.data(), scratch_.data(), scratch_.size());
   const double mean = kernels_.sum(scratch_.data(), scratch_.size()) / static_cast<double>(scratch_.size());

@@ -36,7 +36,9 @@ class SpeedSearch {
   int window() const { return spectrum_.segment(); }
 
   // Adds one channel to the evidence. Call begin() first, then add() per channel, then search().
-  void begin() noexcept;
+  // drift: of the speed, relative, per second. The samples are read as if the spindle had turned evenly at the speed
+  // of the window's middle, so that its lines are as sharp as if it did.
+  void begin(double drift = 0.0) noexcept;
   void add(std::span<const double> samples) noexcept;
   // notForced: a line that is known not to be forced (0: none); combs that it lies on are left out.
   SpeedCandidate search(Hertz low, Hertz high, Hertz notForced = Hertz(0.0)) noexcept;
@@ -63,6 +65,7 @@ class SpeedSearch {
  private:
   static constexpr int kMostTrials = 4096;
 
+  std::span<const double> evened(std::span<const double> samples) noexcept;
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   // Part of the square's power on the comb of `spindle`, but for what one line of the vibration leaves at twice its
   // frequency, which lies on every comb that the line lies on.
@@ -79,10 +82,12 @@ class SpeedSearch {
   double rate_ = 0.0;
   int teeth_ = 0;
   int added_ = 0;
+  double drift_ = 0.0;
   std::vector<double> power_;   // of the vibration, each channel normalised to sum 1
   std::vector<double> square_;  // of its square, the same
   std::vector<double> powers_;  // of one transform; both spectra together in a search
   std::vector<double> scratch_;
+  std::vector<double> evened_;
   std::vector<double> trials_;
 };
 

@@ -69,6 +69,7 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
 void SpeedTracker::reset() noexcept {
   told_ = before_ = nominal_;
   measured_ = false;
+  tracker_.mayDrift(true);
   motion_.reset(nominal_);
   machine_.reset();
   toldSd_ = 0.0;
@@ -99,6 +100,7 @@ void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) 
     before_ = told;
     motion_.retell(told);
   }
+  if (word.measured != measured_) tracker_.mayDrift(!word.measured);
   measured_ = word.measured;
   if (!(told > 0.0) && locked_) return;  // nobody says more than the signal did
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
@@ -176,8 +178,8 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   if (locked_ && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
     // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only, and has
     // little beside it.
-    const SpeedSearch::Parts here = look.search.restAt(spindle());
-    const SpeedSearch::Parts there = look.search.restAt(now.spindle);
+    const SpeedSearch::Parts here = look.search.restAt(spindle() / look.gone);
+    const SpeedSearch::Parts there = look.search.restAt(now.spindle / look.gone);
     if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) {
       // What else there is has stayed in its place: it is chatter that made it look lost.
       if (here.vibration > there.vibration && here.square > there.square) tracker_.stay();
@@ -186,7 +188,8 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   }
   toothPart_ = now.toothPart;
   proven_ = false;
-  // What was found is the speed in the middle of the window; since what is remembered began it has moved evenly.
+  // What was found is the speed in the middle of the window; while a machine tells its change, it has moved evenly
+  // since what is remembered began.
   const double sinceMiddle = 0.5 * look.search.window() / static_cast<double>(inCut_);
   const double gone = riding() ? sinceMiddle * (motion_.told() / toldFirst_ - 1.0) : 0.0;
   lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
@@ -248,7 +251,9 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
   if (locked_ && proven_ && !astray() && !(lone_.suspect().value > 0.0)) return;
-  look.search.begin();
+  const double drift = locked_ && !astray() ? tracker_.drift() : 0.0;
+  look.gone = 1.0 + 0.5 * drift * static_cast<double>(window) / rate_;
+  look.search.begin(drift);
   const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
   const auto head = static_cast<std::ptrdiff_t>(head_);
   for (int c = 0; c < channels_; ++c) {
@@ -267,6 +272,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   const double middle = locked_ && std::abs(ratio_ - 1.0) > range ? told_ * ratio_ : told_;
   if (lone_.suspect().value > 0.0) stepAside(look.search);
   look.last = look.search.search(Hertz(middle * (1.0 - range)), Hertz(middle * (1.0 + range)), lone_.suspect());
+  look.last.spindle *= look.gone;
   judge(look, before);
 }
 
@@ -277,7 +283,7 @@ void SpeedTracker::followMotion(double seconds) noexcept {
     proven_ = false;  // the ratio of true to told speed need not have stayed the same
     tracker_.start(Hertz(told_ * ratio_), Hertz(told_ * kRideSd));
   }
-  if (locked_ && !riding()) motion_.followSignal(tracker_.spindle().value, seconds);
+  if (locked_ && !riding()) motion_.followSignal(tracker_.spindle().value, tracker_.drift(), seconds);
 }
 
 void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
@@ -307,6 +313,12 @@ void SpeedTracker::forget() noexcept {
   lone_.forget();
 }
 
+// Mean speed of the turn that has begun [rad/s].
+double SpeedTracker::turnToCome() const noexcept {
+  const double hertz = tracker_.spindle().value;
+  return kTwoPi * (hertz + 0.5 * tracker_.drift());
+}
+
 // Within the next turn; never more than 2 % of the speed, so that the angle stays monotone.
 void SpeedTracker::catchUp(double angle, double omega) noexcept {
   const double turn = omega > 0.0 ? kTwoPi / omega * rate_ : 1.0;
@@ -323,7 +335,7 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
   inCut_ += frames;
   for (Look* look : {&quick_, &thorough_}) look->since += frames;
   if (riding()) return;
-  double omega = locked_ ? kTwoPi * tracker_.spindle().value : kTwoPi * spindle().value;
+  double omega = locked_ ? turnToCome() : kTwoPi * spindle().value;
   for (int f = 0; f < frames;) {
     const int first = f;
     const double begin = angle_;
@@ -338,7 +350,7 @@ void SpeedTracker::advance(const double* const* samples, int frames, double* ang
     angle_ -= kTwoPi;
     if (!locked_) continue;
     const double ahead = tracker_.completeTurn();
-    omega = kTwoPi * tracker_.spindle().value;
+    omega = turnToCome();
     if (told_ > 0.0) ratio_ = tracker_.spindle().value / told_;
     catchUp(ahead, omega);
   }

@@ -67,8 +67,9 @@ class SpeedTracker {
     SpeedSearch search;
     SpeedCandidate last;
     FoundSpeed found;
-    int agreeing = 0;  // times in a row that a wide search found the same
-    long since = 0;    // frames since the last search
+    int agreeing = 0;   // times in a row that a wide search found the same
+    long since = 0;     // frames since the last search
+    double gone = 1.0;  // speed now over that in the middle of the window, by the drift that is known
   };
   // What was followed is no longer where it was.
   bool astray() const noexcept;
@@ -76,6 +77,7 @@ class SpeedTracker {
   // A speed that has never stood in this cut is looked for all the same, where it moves little in a window.
   bool seeksWhileRiding() const noexcept { return !locked_ && !motion_.moving(); }
   void ride(int frames, double* angle, double* step) noexcept;
+  double turnToCome() const noexcept;
   void catchUp(double angle, double omega) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
