@@ -32,6 +32,10 @@ void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool m
   if (teeth_ < 2 || !(told.value > 0.0) || !(strongest_.value > 0.0) || !(before.value > 0.0)) return;
   if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
   if (search.mayBeForced(strongest_, told * (1.0 - range), told * (1.0 + range))) return;
+  if (!measured) {
+    const double further = range + SpeedSearch::kRunAway;
+    if (search.mayBePassing(strongest_, told * (1.0 - further), told * (1.0 + further))) return;
+  }
   // A mode can make runout's harmonic the only line there is; a measured speed says where they are.
   const double orders = rate_ / (search.window() * told.value) + kReadBack * (strongest_ / told);
   if (measured && std::abs(dsp::orderOffset(strongest_, told)) < orders) return;

@@ -165,6 +165,14 @@ bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept 
   return false;
 }
 
+bool SpeedSearch::mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept {
+  const int every = std::max(teeth_, 1);
+  for (int k = static_cast<int>(std::ceil(line / high / every)); k * every * low.value <= line.value; ++k) {
+    if (k > 0 && squareBeside(line, line / (k * every)) > kLoneSquare) return true;
+  }
+  return false;
+}
+
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
   SpeedCandidate found;
   const int harmonics = std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / std::max(high.value, 1e-3)));

@@ -30,6 +30,9 @@ struct SpeedCandidate {
 class SpeedSearch {
  public:
   static constexpr double kOnComb = 0.15;  // orders from a harmonic, within which a line may be on the comb
+  // A speed of which nobody measures anything may have run away since it was told; so far it is looked for, past what
+  // the told speed may be off.
+  static constexpr double kRunAway = 0.05;
 
   // window: samples per channel that search() gets.
   void prepare(int window, Hertz rate, int teeth);
@@ -61,6 +64,8 @@ class SpeedSearch {
   Parts restAt(Hertz spindle) const noexcept;
   // May this line of the vibration be forced at some speed in low..high: a tooth passing, or one of a comb of lines?
   bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
+  // ... or one tooth passing among others on a comb of low..high?
+  bool mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept;
 
  private:
   static constexpr int kMostTrials = 4096;

@@ -45,6 +45,11 @@ constexpr double kSmear = 1e-2;         // a comb is sought in what was heard wh
 constexpr double kRideSd = 1e-3;        // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;         // a speed that changes does so in steps this long
 
+// Is this comb the spindle's, if another window says so too?
+bool stands(const SpeedCandidate& c) noexcept {
+  return !c.atEdge && (c.part > kClearPart || (c.part > kLeastPart && c.contrast > kContrast));
+}
+
 }  // namespace
 
 void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
@@ -153,16 +158,13 @@ bool SpeedTracker::astray() const noexcept {
 }
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
-  const auto good = [](const SpeedCandidate& c) {
-    return !c.atEdge && (c.part > kClearPart || (c.part > kLeastPart && c.contrast > kContrast));
-  };
   const SpeedCandidate& now = look.last;
-  if (astray() && good(now) && std::abs(now.spindle / spindle() - 1.0) < kFine) {
+  if (astray() && stands(now) && std::abs(now.spindle / spindle() - 1.0) < kFine) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
   }
-  if (!good(now) || !good(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
+  if (!stands(now) || !stands(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
     const double away = std::abs(now.spindle / spindle() - 1.0);
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
@@ -271,7 +273,14 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   // A speed found far from the told one has its own neighbourhood.
   const double middle = locked_ && std::abs(ratio_ - 1.0) > range ? told_ * ratio_ : told_;
   if (lone_.suspect().value > 0.0) stepAside(look.search);
-  look.last = look.search.search(Hertz(middle * (1.0 - range)), Hertz(middle * (1.0 + range)), lone_.suspect());
+  const auto within = [&](double part) {
+    return look.search.search(Hertz(middle * (1.0 - part)), Hertz(middle * (1.0 + part)), lone_.suspect());
+  };
+  look.last = within(range);
+  if (!locked_ && !measured_) {
+    const SpeedCandidate further = within(range + SpeedSearch::kRunAway);
+    if (stands(further) && further.part > std::max(kClearPart, kBetter * look.last.part)) look.last = further;
+  }
   look.last.spindle *= look.gone;
   judge(look, before);
 }

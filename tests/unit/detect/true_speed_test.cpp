@@ -16,6 +16,7 @@ struct Entry {
   double spindle = 60.0;
   int teeth = 4;
   double forced = 1.0;
+  int loudest = 1;                                    // of the tooth passings
   double rampFrom = 0.0, rampTo = 0.0, rampBy = 0.0;  // relative change of the speed
   double lineHertz = 0.0, lineAmplitude = 0.0;
   double cutTo = 1e9, fadeSeconds = 0.1;         // the forced part leaves, what else there is stays
@@ -42,7 +43,7 @@ Recording make(const Entry& e) {
       const double in =
           std::min(1.0, (t - e.cutFrom) / 0.05) * std::clamp(1.0 - (t - e.cutTo) / e.fadeSeconds, 0.0, 1.0);
       const double load = in * e.forced * (t > e.dipFrom && t < e.dipTo ? e.dip : 1.0);
-      for (int h = 1; h <= 5; ++h) x += load / h * std::cos(h * e.teeth * angle + h);
+      for (int h = 1; h <= 5; ++h) x += load / (1 + std::abs(h - e.loudest)) * std::cos(h * e.teeth * angle + h);
       for (int h = 1; h <= 3; ++h) x += 0.05 * load * std::cos(h * angle + 2.0 * h);
       x += (e.lineStays ? 1.0 : in) * e.lineAmplitude * std::sin(kTwoPi * e.lineHertz * t);
     } else {
@@ -205,6 +206,29 @@ TEST(TrueSpeed, IsFollowedThroughAChangeThatNobodyTells) {
       EXPECT_LT(r.firstAlarm, 0.0) << by << " in " << seconds;
       EXPECT_NEAR(r.verdicts.back().spindle.value, e.spindle * (1.0 + by), 2e-3 * e.spindle) << by << " in " << seconds;
       EXPECT_NEAR(r.at(1.9).spindle.value, e.spindle, 1e-3 * e.spindle);
+    }
+  }
+}
+
+// The speed drifts from before the first bite on, away from what was told: when the cut begins it is 4.5 % beside it.
+TEST(TrueSpeed, IsFoundWhereItHasRunAwayAndFollowed) {
+  for (const double by : {-0.1, 0.1}) {
+    for (const int loudest : {1, 2}) {
+      Entry e;
+      e.spindle = 105.0;
+      e.teeth = 3;
+      e.loudest = loudest;
+      e.seconds = 2.0;
+      e.rampTo = e.seconds;
+      e.rampBy = by;
+      e.cutFrom = 0.3;
+      const RunResult r = run(make(e), told(e, 60.0 * e.spindle * (by > 0.0 ? 0.97 : 1.03)));
+      EXPECT_LT(r.firstAlarm, 0.0) << by << ' ' << loudest;
+      for (int i = 4; i < 10; ++i) {
+        const double t = 0.2 * i;
+        const double truth = e.spindle * (1.0 + by * t / e.seconds);
+        EXPECT_NEAR(r.at(t).spindle.value, truth, 2e-3 * truth) << by << ' ' << loudest << ' ' << t;
+      }
     }
   }
 }
