@@ -21,8 +21,7 @@ class LoadWatch {
  public:
   void prepare(int teeth) noexcept;
   void reset() noexcept;
-  // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage
-  // tell.
+  // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage do.
   // noise: its power in one order of a window of two turns, over that of all forced vibration. Where tooth passings
   // cancel, as at full immersion, noise is most of what they change by.
   void endTurn(const EnergyChain& chain, NewLine& vibration, int channel, Hertz spindle, double noise) noexcept;
