@@ -247,9 +247,12 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
+  const double turn = marks_.framesAgo(1.0, rate_ / spindle_.value);
+  const double before = marks_.framesAgo(2.0, 2.0 * rate_ / spindle_.value) - turn;
+  const double speedChange = block.speedMoving ? std::abs(before / turn - 1.0) : 0.0;
   if (judge_.judge(channelStates_, lines_,
-                   {phase, length, spindle_, block.spindleSd, highest_, steadyTurns_, turnsCompare_, block.levelTrend,
-                    &chain_, &newLine_, block.loneLine.value > 0.0}))
+                   {phase, length, spindle_, block.spindleSd, speedChange, highest_, steadyTurns_, turnsCompare_,
+                    block.levelTrend, &chain_, &newLine_, block.loneLine.value > 0.0}))
     relearn();
 }
 

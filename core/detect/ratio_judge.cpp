@@ -31,6 +31,9 @@ constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's spe
 constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
 constexpr double kSpeedDoubts = 4.0;   // ... or within so many standard deviations of the harmonic's place
 constexpr double kMostOffset = 0.25;
+// Orders over a relative change of speed in a turn: an order that moves across a mode of the damping z turns by 1 / (2
+// pi z) of it a turn, here 0.5 %, and the difference's peak stands as far again from it.
+constexpr double kPulled = 64.0;
 
 // A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here. One that is followed
 // need not be looked at more often than verdicts are given, nor less often than every quarter of that spectrum.
@@ -217,7 +220,7 @@ bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
   line_ = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line_.purity;
   const double doubt = kSpeedDoubts * line_.frequency / hop.spindle * (hop.spindleSd / hop.spindle);
-  const double least = std::max(kLeastOffset, std::min(doubt, kMostOffset));
+  const double least = std::max(kLeastOffset, std::min(std::max(doubt, kPulled * hop.speedChange), kMostOffset));
   return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= least;
 }
 

@@ -34,6 +34,7 @@ struct RatioHop {
   Seconds length{};
   Hertz spindle{};
   Hertz spindleSd{};
+  double speedChange = 0.0;  // relative, from the last turn but one to the last, where the speed moves
   Hertz highest{};           // up to which harmonics are removed
   double steadyTurns = 0.0;  // since the cut became steady
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
