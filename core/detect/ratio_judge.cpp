@@ -55,6 +55,10 @@ bool arrives(const RatioChannel& c) noexcept {
   return line(c.growth, TurnDifference::kDifferenceArrival) > kLeastNews * line(c.news, TurnDifference::kNewsArrival);
 }
 
+bool isIntegral(SensorQuantity q) noexcept {
+  return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
+}
+
 }  // namespace
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
@@ -69,6 +73,7 @@ void RatioJudge::leaveCut() noexcept {
   highTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
   learned_ = false;
   calmFloor_ = calmNews_ = {};
+  risingHops_ = {};
   frequency_ = {};
   frequencySd_ = purity_ = sinceOnset_ = feedSinceOnset_ = 0.0;
 }
@@ -84,7 +89,7 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 }
 
 // What speaks for an alarm in a channel whose vibration does not fall.
-void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
+void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
   const OnsetTest& onset = c.growth.onset();
   const OnsetTest& news = c.news.onset();
   grown_ = grown_ || c.orders.grown() || onset.alarm() || news.alarm();
@@ -98,7 +103,11 @@ void RatioJudge::gatherGrowth(const RatioChannel& c) noexcept {
   }
   newsGrowing_ = newsGrowing_ || (news.grown() && c.news.steadyGrowth());
   // What is new also holds forced vibration that changes: for the fast only.
-  const bool rises = c.growth.rising() || (c.news.rising() && arrives(c));
+  bool rises = c.growth.rising() || (c.news.rising() && arrives(c));
+  // Of the torque's integrals a load that ends at once, as where the tool leaves, makes a step. That grows from one
+  // half turn to the next until the newer has taken all of it in.
+  risingHops = rises ? risingHops + 1 : 0;
+  if (isIntegral(c.quantity)) rises = risingHops >= kHopsPerTurn / 2;
   rising_ = rising_ || (rises && c.growth.steadyGrowth() && c.news.steadyGrowth());
 }
 
@@ -107,13 +116,14 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
   learned_ = true;
-  for (const RatioChannel& c : channels) {
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const RatioChannel& c = channels[i];
     severity_ = std::max(severity_, c.ratio);
     severity_ = std::max(severity_, c.orders.severity());
     forced_ = forced_ || c.forced.stands();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
-    if (alarming() || c.growth.levelTrend() > kFalling) gatherGrowth(c);
+    if (alarming() || c.growth.levelTrend() > kFalling) gatherGrowth(c, risingHops_[i]);
     double unrepeated = 0.0;
     double all = 0.0;
     for (const RatioChannel& other : channels) {

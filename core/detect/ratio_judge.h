@@ -70,7 +70,7 @@ class RatioJudge {
   bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;
   bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
-  void gatherGrowth(const RatioChannel& c) noexcept;
+  void gatherGrowth(const RatioChannel& c, int& risingHops) noexcept;
   bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop, bool high) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;
@@ -104,6 +104,7 @@ class RatioJudge {
   bool newsGrowing_ = false;                        // the same of the news
   bool forced_ = false;                             // most of the forced vibration is a resonance, in any channel
   bool rising_ = false;                             // ... so fast that no spectrum is waited for
+  std::array<int, kMaxChannels> risingHops_{};      // on end, of each channel
   double onOrder_ = 0.0;   // where chatter on or near a spindle order stands, in orders; 0: none
   bool doubling_ = false;  // ... and it is period doubling
   bool doubled_ = false;   // the alarm is one of period doubling with even teeth

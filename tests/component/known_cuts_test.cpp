@@ -4,6 +4,7 @@
 
 #include "tests/support/known_cuts/cut_families.h"
 #include "tests/support/known_cuts/score.h"
+#include "tests/support/known_cuts/sensor_kinds.h"
 #include "tests/support/known_cuts/tools.h"
 
 namespace stillcut::bench {
@@ -71,6 +72,25 @@ TEST(KnownCuts, AnOrderThatAnOverrideTakesAcrossAModeRaisesNoAlarm) {
       }
     }
   }
+}
+
+// In the speed and the current of the spindle the load of a tool that leaves the work ends in a step, which grows as
+// fast as any chatter for half a turn.
+TEST(KnownCuts, AToolThatLeavesIsNoGrowthToTheSpindle) {
+  int cuts = 0;
+  for (const CutFamily& family : sensorKindFamilies()) {
+    if (family.name != "sensor: spindle speed" && family.name != "sensor: motor current") continue;
+    for (const SimulationOrder& order : family.make(1)) {
+      if (order.name != "Z4-1501-entry-exit") continue;
+      const KnownCut cut = simulate(order);
+      for (const double error : {0.0, 0.02, 0.03}) {
+        const Score s = score(cut, {"energy-ratio", {}, error});
+        EXPECT_FALSE(s.falseAlarm) << cut.family << ' ' << cut.name << ' ' << error << " at " << s.alarm << " s";
+      }
+      ++cuts;
+    }
+  }
+  EXPECT_EQ(cuts, 2);
 }
 
 // Period doubling of two flutes that ends with the depth: the vibration falls by 12 dB, as if the tool left, and the
