@@ -14,7 +14,9 @@
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/wires.h"
+#include "core/pipeline/engine.h"
 #include "core/record/session_folder.h"
+#include "core/rt/deadline_stats.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
 
@@ -81,6 +83,18 @@ Status checkOptions(const RunOptions& options) {
   return checkOutPath(options.record);
 }
 
+// How long after a block's last sample everything that it asks for was decided.
+void tellLateness(const pipeline::Engine& engine) {
+  const rt::DeadlineStats& latency = engine.latency();
+  if (latency.count() == 0) return;
+  const auto ms = [](Seconds s) { return 1e3 * s.value; };
+  std::printf(
+      "%llu blocks decided, half within %.2f ms of their last sample, 99.9 %% within %.2f ms, the latest %.2f ms; "
+      "%llu dropped\n",
+      static_cast<unsigned long long>(latency.count()), ms(latency.quantile(0.5)), ms(latency.quantile(0.999)),
+      ms(latency.worst()), static_cast<unsigned long long>(engine.droppedBlocks()));
+}
+
 // Until the source ends, the time is over or somebody interrupts.
 int watch(Rig& rig, const RunOptions& options) {
   FlightLog flights(rig.flights(),
@@ -103,6 +117,7 @@ int watch(Rig& rig, const RunOptions& options) {
   }
   const Status recorded = rig.stop();
   console.look();
+  tellLateness(*rig.engine());
   for (const daq::AlignedClock& clock : rig.device().clocks()) {
     std::printf("device of %d more channels: %.3f Hz by this computer's clock, times steady within %.1f us\n",
                 clock.channels, clock.rate.value, 1e6 * clock.residual.value);

@@ -167,6 +167,8 @@ TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
   const std::string said =
       run({"run", "--profile", "machine.toml", "--seconds", "1", "--record", "run.h5", "--flights", "flights"});
   EXPECT_THAT(said, testing::HasSubstr("authority is off"));
+  EXPECT_THAT(said,
+              testing::ContainsRegex("[0-9]+ blocks decided, half within .* ms of their last sample.* [0-9]+ dropped"));
   const json info = json::parse(run({"info", "run.h5", "--json"}), nullptr, false);
   EXPECT_TRUE(info["session"]["closed_cleanly"]);
   EXPECT_GE(info["length_s"], 0.9);
