@@ -135,6 +135,15 @@ TEST(KnownCuts, ChatterThatLocksToAnOrderIsHeard) {
   }
 }
 
+// A line a tenth of an order beside one that runout drives ten times as strongly is the chatter's own: that order gains
+// nothing while the chatter grows. What is held here is the truth of the simulated cut.
+TEST(KnownCuts, ALineBesideWhatRunoutDrivesIsNoSkirt) {
+  const KnownCut cut = simulate(orderOf("hopf", 9, "Z2-109"));
+  const double order = cut.chatterHz * 60.0 / cut.rpm;
+  EXPECT_EQ(cut.kind, ChatterKind::Hopf);
+  EXPECT_NEAR(order, 5.108, 0.01);
+}
+
 // Four teeth whose runout is as strong as their load, while the arc widens: teeth that leave the material make of it
 // as much on the orders of period doubling as its own square, in a cut that is stable until 0.6 s later.
 TEST(KnownCuts, TeethThatLeaveTheMaterialMakeNoDoubling) {

@@ -133,21 +133,28 @@ std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& o
   return found;
 }
 
-// Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together.
-double linePart(const KnownCut& cut, double hz, double from, double turns) {
-  const auto first = static_cast<std::size_t>(from * cut.recording.rate);
+// Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together. What it
+// was as long after `before` is taken from it as a vector.
+double linePart(const KnownCut& cut, double hz, double from, double turns, double before = kNever) {
   const auto span = static_cast<std::size_t>(turns * 60.0 / cut.rpm * cut.recording.rate);
   double line = 0.0;
   double all = 0.0;
   for (const auto& x : cut.recording.channels) {
-    std::complex<double> sum;
-    for (std::size_t i = 0; i < span && first + i < x.size(); ++i) {
-      const double u = std::sin(0.5 * kTwoPi * (static_cast<double>(i) + 0.5) / static_cast<double>(span));
-      const double value = static_cast<double>(x[first + i]);
-      sum += u * u * value * std::polar(1.0, -kTwoPi * hz / cut.recording.rate * static_cast<double>(i));
-      all += value * value;
-    }
-    line += std::norm(sum) * 8.0 / static_cast<double>(span);
+    const auto sum = [&](double begin, double& power) {
+      const auto first = static_cast<std::size_t>(begin * cut.recording.rate);
+      std::complex<double> total;
+      for (std::size_t i = 0; i < span && first + i < x.size(); ++i) {
+        const double u = std::sin(0.5 * kTwoPi * (static_cast<double>(i) + 0.5) / static_cast<double>(span));
+        const double value = static_cast<double>(x[first + i]);
+        total += u * u * value * std::polar(1.0, -kTwoPi * hz / cut.recording.rate * static_cast<double>(first + i));
+        power += value * value;
+      }
+      return total;
+    };
+    std::complex<double> vector = sum(from, all);
+    double earlier = 0.0;
+    if (std::isfinite(before)) vector -= sum(before, earlier);
+    line += std::norm(vector) * 8.0 / static_cast<double>(span);
   }
   return all > 0.0 ? line / all : 0.0;
 }
@@ -159,13 +166,16 @@ void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
   constexpr double kThere = 1e-3;  // of the power: a twentieth of what the line has at an amplitude of 20 %
   constexpr double kOnOrder = 0.01;
   if (!(cut.chatterHz > 0.0)) return;
-  // What lies nearer to an order of period doubling than so many turns resolve, and is weaker, is that order's skirt.
+  // What lies nearer to an order of period doubling than so many turns resolve, and is weaker than what twice as many
+  // turns show that order to have gained since the onset began, is that order's skirt. Runout alone gains nothing.
   const double orders = cut.chatterHz * 60.0 / cut.rpm;
   const int nearest = static_cast<int>(std::lround(orders));
   const double away = std::abs(orders - nearest);
   const double line = linePart(cut, cut.chatterHz, cut.at20, kTurns);
   const bool doubles = 2 * (nearest % cut.teeth) == cut.teeth && away > kOnOrder && away < 2.0 / kTurns;
-  const bool skirt = doubles && line < linePart(cut, nearest * cut.rpm / 60.0, cut.at20, kTurns);
+  const double before = std::max(0.0, cut.at1 - 2.0 * kTurns * 60.0 / cut.rpm);
+  const bool skirt = doubles && linePart(cut, cut.chatterHz, cut.at20, 2.0 * kTurns) <
+                                    linePart(cut, nearest * cut.rpm / 60.0, cut.at20, 2.0 * kTurns, before);
   if (line > kThere && !skirt) return;
   double most = 0.0;
   for (int n = 1; n < 8 * cut.teeth; ++n) {
