@@ -103,6 +103,10 @@ class Table {
       std::printf("%s %s: the truth knows no chatter; left out\n", cut.family.c_str(), cut.name.c_str());
       return;
     }
+    if (!cut.stable) {
+      std::printf("%s %s: chatters below its limit; left out\n", cut.family.c_str(), cut.name.c_str());
+      return;
+    }
     for (const detect::DetectorRow& row : detect::detectorTable()) {
       if (!options_.detector.empty() && row.id != options_.detector) continue;
       for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {

@@ -182,5 +182,22 @@ TEST(KnownCuts, DoublingIsHeardInTimeByTheStiffAxis) {
   }
 }
 
+// Two flutes whose runout meets a mode at order 5: most of what is heard is one line that is no tooth passing, from the
+// tool's entry on.
+TEST(KnownCuts, RunoutThatFillsTheCutIsNoChatter) {
+  int cuts = 0;
+  for (const SimulationOrder& order : strongStable(9)) {
+    if (order.name != "Z2-1107" && order.name != "Z2-1107-quick") continue;
+    const KnownCut cut = simulate(order);
+    ASSERT_TRUE(cut.stable);
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.0});
+      EXPECT_FALSE(s.falseAlarm) << cut.name << ' ' << s.alarm << " s";
+    }
+    ++cuts;
+  }
+  EXPECT_EQ(cuts, 2);
+}
+
 }  // namespace
 }  // namespace stillcut::bench

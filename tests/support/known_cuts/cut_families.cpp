@@ -3,39 +3,12 @@
 #include <array>
 #include <cmath>
 
-#include "tests/support/known_cuts/tools.h"
+#include "tests/support/known_cuts/family_orders.h"
 
 namespace stillcut::bench {
 namespace {
 
 using milling::Scenario;
-using Orders = std::vector<SimulationOrder>;
-
-constexpr std::array<ToolKind, 3> kFast{ToolKind::TwoFlute, ToolKind::ThreeFlute, ToolKind::FourFlute};
-constexpr DepthPlan kPlan{};
-constexpr DepthPlan kSlowPlan{.entry = 0.5, .entered = 0.7, .rise = 3.0, .risen = 5.0, .end = 9.0};
-
-SimulationOrder order(const char* family, const Scenario& s, AlarmRule rule, const DepthPlan& plan = kPlan) {
-  SimulationOrder o;
-  o.family = family;
-  o.name = s.name + "-" + std::to_string(s.seed);
-  o.scenario = s;
-  o.rule = rule;
-  o.quietFrom = plan.entered;
-  o.quietTo = plan.rise;
-  return o;
-}
-
-// Calls make(scenario, limit) for every tool and seed that has a stability limit of this kind.
-template <class Make>
-void each(std::span<const ToolKind> tools, int seeds, std::uint64_t salt, const Make& make) {
-  for (const ToolKind tool : tools) {
-    for (int seed = 1; seed <= seeds; ++seed) {
-      Scenario s = scattered(tool, salt + static_cast<std::uint64_t>(seed));
-      if (const auto limit = limitOf(s)) make(s, *limit);
-    }
-  }
-}
 
 Orders hopf(int seeds) {
   Orders orders;
@@ -231,52 +204,6 @@ Orders slowSpindle(int seeds) {
   return orders;
 }
 
-}  // namespace
-
-// At 0.9 of the limit in uneven material, and on the way there.
-std::vector<SimulationOrder> slowStable(int seeds) {
-  constexpr std::array<ToolKind, 1> kTools{ToolKind::FaceMill};
-  Orders orders;
-  each(kTools, seeds, 2000, [&](Scenario& s, const milling::StabilityLimit& limit) {
-    const double high = 0.9 * limit.depth.value;
-    planDepth(s, kSlowPlan, 0.5 * limit.depth.value, high);
-    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
-    orders.back().name += "-rises";
-    s.programme.unevenness = 1.85e-5;
-    planDepth(s, kSlowPlan, high, high);
-    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
-  });
-  return orders;
-}
-
-// To 0.9 of the limit within half a second, from the slowest spindle to the fastest: a load that changes, and no more.
-std::vector<SimulationOrder> quickRise(int seeds) {
-  constexpr std::array<ToolKind, 4> kTools{ToolKind::FaceMill, ToolKind::TwoFlute, ToolKind::ThreeFlute,
-                                           ToolKind::FourFlute};
-  constexpr DepthPlan kQuick{.entry = 0.5, .entered = 0.7, .rise = 3.0, .risen = 3.5, .end = 5.0};
-  Orders orders;
-  const auto add = [&](Scenario s, const char* what) {
-    const auto limit = limitOf(s);
-    if (!limit) return;
-    planDepth(s, kQuick, 0.4 * limit->depth.value, 0.9 * limit->depth.value);
-    orders.push_back(order("stable, quick rise", s, AlarmRule::Silent, kQuick));
-    orders.back().name += what;
-  };
-  each(kTools, seeds, 2100, [&](Scenario& s, const milling::StabilityLimit&) {
-    add(s, "");
-    if (s.programme.speed.value > 1000.0) return;
-    s.programme.speed = s.programme.speed * 1.9;
-    add(s, "-faster");
-    s.programme.speed = s.programme.speed * 0.5;
-    s.model.tool.teeth = 6;
-    s.model.tool.runout.insert(s.model.tool.runout.end(), {Metres(0.0), s.model.tool.runout.front()});
-    add(s, "-Z6");
-  });
-  return orders;
-}
-
-namespace {
-
 Orders strongRunout(int seeds) {
   Orders orders;
   each(kFast, seeds, 1100, [&](Scenario& s, const milling::StabilityLimit& limit) {
@@ -350,7 +277,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 18> kFamilies{{
+constexpr std::array<CutFamily, 19> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -365,6 +292,7 @@ constexpr std::array<CutFamily, 18> kFamilies{{
     {"slow spindle", "chatter near an order", slowSpindle},
     {"stable, slow spindle", "no chatter", slowStable},
     {"stable, quick rise", "no chatter", quickRise},
+    {"stable, strong runout", "no chatter", strongStable},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},
     {"forced resonance", "no chatter", forcedResonance},

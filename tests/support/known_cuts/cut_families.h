@@ -21,5 +21,6 @@ std::span<const CutFamily> cutFamilies();
 // One of them.
 std::vector<SimulationOrder> slowStable(int seeds);
 std::vector<SimulationOrder> quickRise(int seeds);
+std::vector<SimulationOrder> strongStable(int seeds);
 
 }  // namespace stillcut::bench

@@ -36,6 +36,7 @@ struct KnownCut {
   int teeth = 0;
   double rpm = 0.0;  // what a told speed without error says
   AlarmRule rule = AlarmRule::Silent;
+  bool stable = true;                  // of a cut that has to be silent: it was, as far as that is looked at
   double at1 = kNever, at20 = kNever;  // s
   // s, s: where the linearised cut was unstable before that, and became stable again. An alarm there is neither early
   // nor is its line the later chatter's.
@@ -68,6 +69,7 @@ struct SimulationOrder {
                                           // (acceleration of the tip) tell the truth. 0: all do both
   bool machineTells = false;
   bool recovers = false;
+  bool repeats = false;   // a stable cut at constant speed: in the end it must do the same in each turn
   bool doubling = false;  // period doubling at constant speed with whole samples from tooth to tooth
 };
 

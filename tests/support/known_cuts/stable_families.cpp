@@ -1,0 +1,91 @@
+#include <cmath>
+
+#include "tests/support/known_cuts/cut_families.h"
+#include "tests/support/known_cuts/family_orders.h"
+
+namespace stillcut::bench {
+
+using milling::Scenario;
+
+// At 0.9 of the limit in uneven material, and on the way there.
+std::vector<SimulationOrder> slowStable(int seeds) {
+  constexpr std::array<ToolKind, 1> kTools{ToolKind::FaceMill};
+  Orders orders;
+  each(kTools, seeds, 2000, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double high = 0.9 * limit.depth.value;
+    planDepth(s, kSlowPlan, 0.5 * limit.depth.value, high);
+    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
+    orders.back().name += "-rises";
+    s.programme.unevenness = 1.85e-5;
+    planDepth(s, kSlowPlan, high, high);
+    orders.push_back(order("stable, slow spindle", s, AlarmRule::Silent, kSlowPlan));
+  });
+  return orders;
+}
+
+// To 0.9 of the limit within half a second, from the slowest spindle to the fastest: a load that changes, and no more.
+std::vector<SimulationOrder> quickRise(int seeds) {
+  constexpr std::array<ToolKind, 4> kTools{ToolKind::FaceMill, ToolKind::TwoFlute, ToolKind::ThreeFlute,
+                                           ToolKind::FourFlute};
+  constexpr DepthPlan kQuick{.entry = 0.5, .entered = 0.7, .rise = 3.0, .risen = 3.5, .end = 5.0};
+  Orders orders;
+  const auto add = [&](Scenario s, const char* what) {
+    const auto limit = limitOf(s);
+    if (!limit) return;
+    planDepth(s, kQuick, 0.4 * limit->depth.value, 0.9 * limit->depth.value);
+    orders.push_back(order("stable, quick rise", s, AlarmRule::Silent, kQuick));
+    orders.back().name += what;
+  };
+  each(kTools, seeds, 2100, [&](Scenario& s, const milling::StabilityLimit&) {
+    add(s, "");
+    if (s.programme.speed.value > 1000.0) return;
+    s.programme.speed = s.programme.speed * 1.9;
+    add(s, "-faster");
+    s.programme.speed = s.programme.speed * 0.5;
+    s.model.tool.teeth = 6;
+    s.model.tool.runout.insert(s.model.tool.runout.end(), {Metres(0.0), s.model.tool.runout.front()});
+    add(s, "-Z6");
+  });
+  return orders;
+}
+
+// Runout of up to two thirds of the feed per tooth, tools of two to six teeth, a depth that rises to just below the
+// limit: where a mode is on an order between the tooth passings, most of the vibration is runout's, and it is
+// amplified.
+std::vector<SimulationOrder> strongStable(int seeds) {
+  constexpr std::array<ToolKind, 4> kTools{ToolKind::FaceMill, ToolKind::TwoFlute, ToolKind::ThreeFlute,
+                                           ToolKind::FourFlute};
+  Orders orders;
+  const auto add = [&](Scenario s, const char* what, double seconds, double high) {
+    for (auto& r : s.model.tool.runout) r = Metres(r.value * 4.0);
+    const auto limit = limitOf(s);
+    if (!limit) return;
+    const bool slow = s.programme.speed.value < 1000.0;
+    DepthPlan plan = slow ? kSlowPlan : DepthPlan{.end = 2.6};
+    plan.risen = plan.rise + (slow ? 5.0 : 1.0) * seconds;
+    planDepth(s, plan, 0.5 * limit->depth.value, high * limit->depth.value);
+    orders.push_back(order("stable, strong runout", s, AlarmRule::Silent, plan));
+    orders.back().name += what;
+    orders.back().repeats = true;
+  };
+  each(kTools, seeds, 1100, [&](Scenario& s, const milling::StabilityLimit&) {
+    add(s, "", 0.3, 0.9);
+    add(s, "-quick", 0.1, 0.95);
+    // As many passings of other teeth.
+    const double passings = s.model.tool.teeth * s.programme.speed.value;
+    const double runout = 1.7e-5 * std::fmod(0.37 * static_cast<double>(s.seed), 1.0);
+    s.model.tool.teeth = 2 + static_cast<int>(s.seed % 5);
+    s.programme.speed = Rpm(passings / s.model.tool.teeth);
+    s.model.tool.runout.clear();
+    for (int j = 0; j < s.model.tool.teeth; ++j) {
+      const double angle = kTwoPi * j / s.model.tool.teeth + static_cast<double>(s.seed);
+      s.model.tool.runout.emplace_back(runout * std::cos(angle));
+    }
+    const std::string teeth = "-Z" + std::to_string(s.model.tool.teeth);
+    add(s, teeth.c_str(), 0.1, 0.9);
+    add(s, (teeth + "-slowly").c_str(), 0.3, 0.95);
+  });
+  return orders;
+}
+
+}  // namespace stillcut::bench
