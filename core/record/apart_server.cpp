@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 
+#include "core/base/sanitized.h"
 #include "core/record/apart_words.h"
 #include "core/record/hdf5_import.h"
 #include "core/record/journal.h"
@@ -23,7 +24,7 @@ constexpr unsigned kPatience = 60;  // s
 void limit() {
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(STILLCUT_SANITIZED_ADDRESSES) && !defined(STILLCUT_SANITIZED_THREADS)
   constexpr rlim_t kMost = rlim_t{4} << 30U;
   rlimit memory{};
   if (getrlimit(RLIMIT_AS, &memory) == 0 && memory.rlim_cur > kMost) {

@@ -7,7 +7,7 @@ target_compile_options(stillcut_options INTERFACE
   -Wimplicit-fallthrough -Werror
   -ffp-contract=off) # the same sums on every machine: replays are compared bit by bit
 target_include_directories(stillcut_options INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}/generated)
-# The code is held to GCC's warnings; clang, for the fuzzer, has others.
+# The code is held to GCC's warnings; clang, for sanitizers and the fuzzer, has others.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   target_compile_options(stillcut_options INTERFACE -Wno-error)
 endif()

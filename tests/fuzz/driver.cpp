@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sanitized.h"
 #include "tests/fuzz/targets.h"
 
 namespace stillcut::fuzz {
@@ -32,7 +33,7 @@ void onCrash(int signal) {
 }
 
 void limitMemory() {
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if !defined(STILLCUT_SANITIZED_ADDRESSES) && !defined(STILLCUT_SANITIZED_THREADS)
   constexpr rlim_t kBytes = rlim_t{1} << 30U;
   const rlimit limit{kBytes, kBytes};
   setrlimit(RLIMIT_AS, &limit);

@@ -68,13 +68,13 @@ class FakeHal final : public Peer {
   struct Halui {
     int counts = 100;
     std::optional<Instant> due;
-    void follow(int wanted, bool enabled, Instant now, int& inForce, int& shown, int& lost) {
+    void follow(int wanted, bool enabled, Instant now, int& inForce, int& shown, int& toLose) {
       if (wanted != counts) due = enabled ? std::optional(now + std::chrono::milliseconds(120)) : std::nullopt;
       counts = wanted;
       if (!due || now < *due) return;
       due.reset();
-      if (lost > 0) {
-        --lost;
+      if (toLose > 0) {
+        --toLose;
       } else {
         inForce = shown = counts;
       }

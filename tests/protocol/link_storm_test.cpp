@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/sanitized.h"
 #include "core/cnc/grbl_link.h"
 #include "core/cnc/linuxcnc_link.h"
 #include "core/cnc/modbus_link.h"
@@ -25,7 +26,7 @@ namespace {
 
 using namespace testing;
 
-#ifdef __SANITIZE_THREAD__
+#ifdef STILLCUT_SANITIZED_THREADS
 constexpr int kSeeds = 8;  // each takes a hundred times as long, and a race wants no odds to show
 #else
 constexpr int kSeeds = 40;

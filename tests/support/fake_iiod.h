@@ -128,9 +128,9 @@ class FakeIiod {
     ~Crystal() { ::close(timer_); }
     Crystal(const Crystal&) = delete;
     Crystal& operator=(const Crystal&) = delete;
-    void await(int frames, double rate) {
+    void await(int count, double rate) {
       if (begin_.tv_sec == 0) ::clock_gettime(CLOCK_MONOTONIC, &begin_);
-      const auto at = static_cast<std::int64_t>(frames / rate * 1e9) + begin_.tv_nsec;
+      const auto at = static_cast<std::int64_t>(count / rate * 1e9) + begin_.tv_nsec;
       const itimerspec due{{}, {begin_.tv_sec + at / 1'000'000'000, at % 1'000'000'000}};
       ::timerfd_settime(timer_, TFD_TIMER_ABSTIME, &due, nullptr);
       std::uint64_t ticks = 0;

@@ -6,7 +6,9 @@
 #include <cerrno>
 #include <cstddef>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#include "core/base/sanitized.h"
+
+#if defined(STILLCUT_SANITIZED_ADDRESSES) || defined(STILLCUT_SANITIZED_THREADS)
 
 namespace stillcut::test {
 bool PathCounter::works() {

@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/base/sanitized.h"
 #include "core/record/hdf5_file.h"
 #include "core/record/open_recording.h"
 #include "core/record/session_reader.h"
@@ -19,7 +20,7 @@
 #include "tests/support/step_samples.h"
 #include "tests/support/temp_folder.h"
 
-#if defined(__SANITIZE_ADDRESS__)
+#if defined(STILLCUT_SANITIZED_ADDRESSES)
 // HDF5 itself forgets some memory when it refuses a damaged file. The name is the sanitizer's.
 // NOLINTNEXTLINE(readability-identifier-naming,bugprone-reserved-identifier)
 extern "C" const char* __lsan_default_suppressions();
