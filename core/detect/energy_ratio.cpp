@@ -70,7 +70,7 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   turns_.prepare(channels_, Hertz(rate_), slowest);
   const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
   lines_.prepare(channels_, window, Hertz(rate_));
-  newLine_.prepare(channels_, window, Hertz(rate_));
+  newLine_.prepare(channels_, std::max(64, static_cast<int>(NewLine::kTurnsBack * rate_ / nominal)), Hertz(rate_));
   fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
 }
 
@@ -250,9 +250,10 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   const double turn = marks_.framesAgo(1.0, rate_ / spindle_.value);
   const double before = marks_.framesAgo(2.0, 2.0 * rate_ / spindle_.value) - turn;
   const double speedChange = block.speedMoving ? std::abs(before / turn - 1.0) : 0.0;
-  if (judge_.judge(channelStates_, lines_,
-                   {phase, length, spindle_, block.spindleSd, speedChange, highest_, steadyTurns_, turnsCompare_,
-                    block.levelTrend, &chain_, &newLine_, block.loneLine.value > 0.0}))
+  if (judge_.judge(
+          channelStates_, lines_,
+          {phase, length, Hertz(rate_), spindle_, block.spindleSd, speedChange, highest_, steadyTurns_, turnsCompare_,
+           block.levelTrend, &chain_, &newLine_, block.speedMoving ? &marks_ : nullptr, block.loneLine.value > 0.0}))
     relearn();
 }
 

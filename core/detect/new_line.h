@@ -10,6 +10,7 @@
 // in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <span>
@@ -22,22 +23,29 @@ namespace stillcut::detect {
 
 class NewLine {
  public:
-  // window: samples that are remembered, sixteen turns or so.
+  // window: samples that are remembered, kTurnsBack turns or so.
   void prepare(int channels, int window, Hertz rate);
   void reset() noexcept;
   // x[channel * stride + frame], the vibration.
   void push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
+  // Frames since the spindle stood 0, 1, 2 ... whole turns back, which is as far as is looked.
+  static constexpr std::size_t kTurnsBack = 25;
+  using TurnsAgo = std::array<double, kTurnsBack>;
   // Of the line near `rough`, at most half a spindle order from it, over all channels by its part of them. 0 where none
-  // has come within the last twelve turns, and where the forced vibration before it was too restless to tell.
-  Hertz frequency(Hertz rough, Hertz spindle) noexcept;
+  // has come within the last twenty turns, and where the forced vibration before it was too restless to tell.
+  Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) noexcept;
+  // ... at a constant speed.
+  Hertz frequency(Hertz rough, Hertz spindle) noexcept { return frequency(rough, spindle, atSpeed(spindle)); }
   // E_0, E_1, ... of one channel; false where not so many turns are remembered.
   bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) noexcept;
 
  private:
+  TurnsAgo atSpeed(Hertz spindle) const noexcept;
   std::span<const double> newest(int channel) noexcept;
-  bool windowOf(std::span<const double> newest, double w, double turn, std::size_t k,
+  bool windowOf(std::span<const double> newest, double order, const TurnsAgo& ago, std::size_t k,
                 std::complex<double>& out) const noexcept;
-  std::complex<double> advance(std::span<const double> newest, double w, double turn) const noexcept;
+  std::complex<double> advance(std::span<const double> newest, double order, double w,
+                               const TurnsAgo& ago) const noexcept;
 
   dsp::kernels::Kernels kernels_;
   double rate_ = 0.0;

@@ -59,6 +59,18 @@ bool isIntegral(SensorQuantity q) noexcept {
   return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
 }
 
+// While the speed changes its turns are where its angle says.
+Hertz newLineNear(Hertz rough, const RatioHop& hop) noexcept {
+  if (hop.marks == nullptr) return hop.newLine->frequency(rough, hop.spindle);
+  NewLine::TurnsAgo ago{};
+  const double turn = hop.rate / hop.spindle;
+  for (std::size_t k = 0; k < ago.size(); ++k) {
+    const double turns = static_cast<double>(k);
+    ago[k] = hop.marks->framesAgo(turns, turns * turn);
+  }
+  return hop.newLine->frequency(rough, hop.spindle, ago);
+}
+
 }  // namespace
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
@@ -315,7 +327,7 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
     const LineFinder::Peak strongest = lines.near(next, hop.spindle * kLineReach);
     if (strongest.power < kOtherLine * held.power) next = held.frequency;
   }
-  const Hertz newer = hop.newLine->frequency(next, hop.spindle);
+  const Hertz newer = newLineNear(next, hop);
   if (newer.value > 0.0) next = newer;
   const double jump = std::abs(next.value - frequency_.value);
   if (!(frequency_.value > 0.0) || jump > kLineReach * spindle) {  // the first line, or another one

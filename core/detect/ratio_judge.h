@@ -12,6 +12,7 @@
 #include "core/detect/load_watch.h"
 #include "core/detect/new_line.h"
 #include "core/detect/order_growth.h"
+#include "core/detect/turn_marks.h"
 #include "core/model/channel.h"
 #include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
@@ -32,6 +33,7 @@ struct RatioChannel {
 struct RatioHop {
   CutPhase phase = CutPhase::Air;
   Seconds length{};
+  Hertz rate{};
   Hertz spindle{};
   Hertz spindleSd{};
   double speedChange = 0.0;  // relative, from the last turn but one to the last, where the speed moves
@@ -40,8 +42,9 @@ struct RatioHop {
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
   double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
-  NewLine* newLine = nullptr;  // has heard the vibration
-  bool loneLine = false;       // a line that cannot be forced holds most of the vibration
+  NewLine* newLine = nullptr;        // has heard the vibration
+  const TurnMarks* marks = nullptr;  // while the speed changes; null: it stands
+  bool loneLine = false;             // a line that cannot be forced holds most of the vibration
 };
 
 class RatioJudge {

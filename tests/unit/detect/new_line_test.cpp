@@ -98,6 +98,40 @@ TEST(NewLine, SaysNothingWhereNoLineHasCome) {
   EXPECT_EQ(found(signal({0.13, 0.01, 0.0, 0.0}), Hertz(12.13 * kSpindle.value)).value, 0.0);
 }
 
+// A spindle that slows down by 5 % a second, and a line of fixed frequency that an order is just passing.
+TEST(NewLine, IsRightWhileTheSpeedChanges) {
+  constexpr double kSlowing = 0.05;
+  constexpr double kEnd = 1.12;
+  const auto turns = [](double t) { return kSpindle.value * t * (1.0 - 0.5 * kSlowing * t); };
+  const double passes = 1.05;  // s: where the order is on the line
+  const double truth = 8.0 * kSpindle.value * (1.0 - kSlowing * passes);
+  std::mt19937 engine(7);
+  std::normal_distribution<double> noise(0.0, 0.05);
+  std::vector<double> x(static_cast<std::size_t>(kEnd * kRate));
+  for (std::size_t n = 0; n < x.size(); ++n) {
+    const double t = static_cast<double>(n) / kRate;
+    x[n] = noise(engine) +
+           (t < 1.0 ? 0.0 : std::min(3.0, 0.02 * std::exp((t - 1.0) / 0.015))) * std::sin(kTwoPi * truth * t);
+    for (const int order : {1, 3, 6, 8, 9, 12}) x[n] += std::cos(kTwoPi * order * turns(t) + 0.7 * order);
+  }
+  NewLine line;
+  line.prepare(1, 25 * 290, Hertz(kRate));
+  for (std::size_t n = 0; n < x.size(); n += 100) line.push(x.data() + n, 0, std::min<std::size_t>(100, x.size() - n));
+  NewLine::TurnsAgo ago{};
+  const double end = static_cast<double>(x.size()) / kRate;
+  for (std::size_t k = 0; k < ago.size(); ++k) {
+    const double then = turns(end) - static_cast<double>(k);
+    ago[k] = (end - (1.0 - std::sqrt(1.0 - 2.0 * kSlowing * then / kSpindle.value)) / kSlowing) * kRate;
+  }
+  const Hertz spindle = kSpindle * (1.0 - kSlowing * kEnd);
+  for (const double off : {-0.2, 0.0, 0.2}) {
+    const Hertz rough(truth + off * spindle.value);
+    EXPECT_NEAR(line.frequency(rough, spindle, ago).value, truth, 0.002 * truth) << off;
+    // As if it stood, there is nothing to be said, or nothing right.
+    EXPECT_GT(std::abs(line.frequency(rough, spindle).value - truth), 0.005 * truth) << off;
+  }
+}
+
 // What a harmonic grows by is no line beside it.
 TEST(NewLine, SaysNothingOfAHarmonicThatChanges) {
   EXPECT_EQ(found(signal({0.13, 0.01, 5.0, 0.0}), Hertz(12.13 * kSpindle.value)).value, 0.0);
