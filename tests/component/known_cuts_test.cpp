@@ -199,5 +199,16 @@ TEST(KnownCuts, RunoutThatFillsTheCutIsNoChatter) {
   EXPECT_EQ(cuts, 2);
 }
 
+// Doubling of a face mill at 780 rev/min, which grows for half a second: seven turns.
+TEST(KnownCuts, DoublingOfASlowSpindleBeginsWithTheInstability) {
+  const KnownCut cut = simulate(orderOf("slow spindle", 8, "F4-1016"));
+  EXPECT_EQ(cut.kind, ChatterKind::Flip);
+  EXPECT_GT(cut.at20 - cut.at1, 0.4);
+  for (const std::vector<int>& channels : kAxes) {
+    const Score s = score(cut, {"energy-ratio", channels, 0.0});
+    EXPECT_TRUE(s.good()) << s.alarm << " s, frequency off by " << s.frequencyError;
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::bench

@@ -15,7 +15,8 @@ constexpr double kReach = 0.02;
 constexpr double kMost = 0.5;  // of the power
 constexpr double kAsLoud = 0.5;
 
-// x(t) - 2 x(t - T) + x(t - 2T) under a Hann window, T to a sample: at an exact speed the spindle's part all but goes.
+// x(t) - 2 x(t - T) + x(t - 2T) under a Hann window, T where the spindle stood a turn and two turns before: what it
+// carries round all but goes, also while its speed changes.
 struct Stretch {
   std::vector<std::vector<double>> channels;
   double power = 0.0;
@@ -27,27 +28,68 @@ double rpmAt(const KnownCut& cut, double time) {
   return cut.spindleRpm[std::min(i, cut.spindleRpm.size() - 1)];
 }
 
+// Turns of the spindle up to each frame.
+std::vector<double> turnsOf(const KnownCut& cut, std::size_t frames) {
+  std::vector<double> turns(frames);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < frames; ++i) {
+    turns[i] = sum;
+    sum += rpmAt(cut, static_cast<double>(i) / cut.recording.rate) / (60.0 * cut.recording.rate);
+  }
+  return turns;
+}
+
+// The frame, to a fraction, at which the spindle stood `back` turns before frame `at`.
+double before(const std::vector<double>& turns, std::size_t at, double back) {
+  const auto next = std::upper_bound(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(at), turns[at] - back);
+  if (next == turns.begin()) return 0.0;
+  const double from = *(next - 1);
+  return static_cast<double>(next - 1 - turns.begin()) + (turns[at] - back - from) / (*next - from);
+}
+
+// Between two frames, by a sinc under a Hann window.
+double between(const std::vector<float>& x, double at) {
+  constexpr int kHalf = 12;
+  const auto whole = static_cast<std::ptrdiff_t>(std::floor(at));
+  const double part = at - std::floor(at);
+  const double sine = std::sin(std::numbers::pi * part) / std::numbers::pi;
+  if (part < 1e-9 || whole < kHalf || whole + kHalf >= static_cast<std::ptrdiff_t>(x.size()))
+    return static_cast<double>(x[static_cast<std::size_t>(whole)]);
+  double sum = 0.0;
+  for (int k = 1 - kHalf; k <= kHalf; ++k) {
+    const double t = k - part;  // sin(pi t) = -(-1)^k sin(pi part)
+    const double window = std::cos(0.5 * std::numbers::pi * t / (kHalf + 1));
+    sum +=
+        (k % 2 == 0 ? -sine : sine) / t * window * window * static_cast<double>(x[static_cast<std::size_t>(whole + k)]);
+  }
+  return sum;
+}
+
 // channels: empty: all.
 Stretch cutOut(const KnownCut& cut, double time, const std::vector<int>& channels) {
   const double rate = cut.recording.rate;
   const double rpm = rpmAt(cut, time);
-  const auto turn = static_cast<std::size_t>(std::lround(60.0 * rate / rpm));
   const double seconds = std::max(kTurns * 60.0 / rpm, kLeastSeconds);
   const auto length = static_cast<std::size_t>(seconds * rate);
   const auto first = static_cast<std::size_t>(std::max(0.0, (time - 0.5 * seconds) * rate));
   Stretch s;
-  if (first < 2 * turn || cut.clean.empty() || first + length > cut.clean.front().size()) return s;
+  if (cut.clean.empty() || first + length > cut.clean.front().size()) return s;
+  const std::vector<double> turns = turnsOf(cut, first + length);
+  if (turns[first] < 2.0) return s;
+  std::vector<double> one(length);
+  std::vector<double> two(length);
+  for (std::size_t i = 0; i < length; ++i) {
+    one[i] = before(turns, first + i, 1.0);
+    two[i] = before(turns, first + i, 2.0);
+  }
   for (std::size_t c = 0; c < cut.clean.size(); ++c) {
     if (!channels.empty() && std::find(channels.begin(), channels.end(), static_cast<int>(c)) == channels.end())
       continue;
     const auto& x = cut.clean[c];
     auto& out = s.channels.emplace_back(length);
     for (std::size_t i = 0; i < length; ++i) {
-      const std::size_t at = first + i;
       const double u = std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(length));
-      out[i] = u * u *
-               (static_cast<double>(x[at]) - 2.0 * static_cast<double>(x[at - turn]) +
-                static_cast<double>(x[at - 2 * turn]));
+      out[i] = u * u * (static_cast<double>(x[first + i]) - 2.0 * between(x, one[i]) + between(x, two[i]));
       s.power += out[i] * out[i];
     }
   }

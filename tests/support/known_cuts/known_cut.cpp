@@ -244,12 +244,12 @@ bool unstableAt(const milling::Scenario& scenario, double time) {
 // it ends, the truth's companion loses sight of it as soon as the linearised cut is not sure to double: it lasts as
 // long as it changes its sign.
 void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
-  constexpr double kStep = 5e-3;     // s
-  constexpr double kFurthest = 0.3;  // s: the lag of the companion is far less
+  constexpr double kStep = 5e-3;      // s
+  constexpr double kFurthest = 50.0;  // turns: the lag of the companion is far less
   if (!order.scenario.programme.speedOverTime.segments.empty()) return;
   const auto doubling = doublingOf(cut, order);
   if (!doubling) return;
-  const double least = std::max(doubling->at1, cut.at1 - kFurthest);
+  const double least = std::max(doubling->at1, cut.at1 - kFurthest * 60.0 / cut.rpm);
   while (cut.at1 - kStep > least && unstableAt(order.scenario, cut.at1 - kStep)) cut.at1 -= kStep;
   cut.at20 = std::max(cut.at20, doubling->at20);
   if (order.recovers) cut.lastAbove = doubling->lastAbove;
