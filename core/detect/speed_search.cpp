@@ -141,17 +141,16 @@ void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t c
   for (std::size_t i = 0; i < count; ++i) trials_[i] *= scale;
 }
 
-// What the line leaves there is left out whole: where its amplitude changes, as while a tool enters on a mode, it is
-// broader than any line that the comb is read for.
 double SpeedSearch::squareBeside(Hertz line, Hertz spindle) const noexcept {
+  const double whole = partsAt(spindle).square;
+  if (std::lround(2.0 * line.value / spindle.value) > kMostHarmonics) return whole;  // not among what is summed
   const auto middle = static_cast<std::size_t>(std::lround(2.0 * line.value / spectrum_.binWidth()));
   double own = 0.0;
   for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < square_.size(); ++b) {
     own += square_[b];
   }
   own /= std::max(added_, 1);
-  const double beside = parts(spindle.value, harmonicsOf(spindle), line.value).square;
-  return own < 1.0 ? beside / (1.0 - own) : 0.0;
+  return own < 1.0 ? (whole - own) / (1.0 - own) : 0.0;
 }
 
 bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept {

@@ -182,6 +182,95 @@ TEST(KnownCuts, DoublingIsHeardInTimeByTheStiffAxis) {
   }
 }
 
+// Period doubling of two flutes that ends with the depth: the vibration falls by 12 dB, as if the tool left, and the
+// order that it was on keeps its runout.
+TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {
+  for (const CutFamily& family : cutFamilies()) {
+    if (family.name != "recovery by depth") continue;
+    for (const SimulationOrder& order : family.make(5)) {
+      if (order.name != "Z2-703" && order.name != "Z2-705") continue;
+      const KnownCut cut = simulate(order);
+      ASSERT_EQ(cut.kind, ChatterKind::Flip);
+      for (const std::vector<int>& channels : {std::vector<int>{}, {0}, {1}}) {
+        const Score s = score(cut, {"energy-ratio", channels, 0.0});
+        EXPECT_TRUE(s.alarmed && !s.late && !s.early) << cut.name;
+        EXPECT_FALSE(s.clearLate) << cut.name << ' ' << s.clearDelay << " s";
+      }
+    }
+  }
+}
+
+SimulationOrder orderOf(std::string_view familyName, int seeds, std::string_view name) {
+  for (const CutFamily& family : cutFamilies()) {
+    if (family.name != familyName) continue;
+    for (SimulationOrder& order : family.make(seeds)) {
+      if (order.name == name) return order;
+    }
+  }
+  ADD_FAILURE() << familyName << " has no " << name;
+  return {};
+}
+
+const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
+
+// Six teeth, chatter at order 9.99 that locks to the tenth: it stands still against the spindle as runout does, and
+// grows out of it by 30 dB.
+TEST(KnownCuts, ChatterThatLocksToAnOrderIsHeard) {
+  const KnownCut cut = simulate(orderOf("varied", 8, "Z4-1429-Z6"));
+  ASSERT_EQ(cut.teeth, 6);
+  for (const std::vector<int>& channels : kAxes) {
+    const Score s = score(cut, {"energy-ratio", channels, 0.0});
+    EXPECT_TRUE(s.good()) << s.alarm << " s, frequency off by " << s.frequencyError;
+  }
+}
+
+// A line a tenth of an order beside one that runout drives ten times as strongly is the chatter's own: that order gains
+// nothing while the chatter grows. What is held here is the truth of the simulated cut.
+TEST(KnownCuts, ALineBesideWhatRunoutDrivesIsNoSkirt) {
+  const KnownCut cut = simulate(orderOf("hopf", 9, "Z2-109"));
+  const double order = cut.chatterHz * 60.0 / cut.rpm;
+  EXPECT_EQ(cut.kind, ChatterKind::Hopf);
+  EXPECT_NEAR(order, 5.108, 0.01);
+}
+
+// Four teeth whose runout is as strong as their load, while the arc widens: teeth that leave the material make of it
+// as much on the orders of period doubling as its own square, in a cut that is stable until 0.6 s later.
+TEST(KnownCuts, TeethThatLeaveTheMaterialMakeNoDoubling) {
+  const KnownCut cut = simulate(orderOf("immersion ramp", 2, "Z4-302"));
+  ASSERT_GT(cut.at1, 1.5);
+  for (const std::vector<int>& channels : kAxes) {
+    const Score s = score(cut, {"energy-ratio", channels, 0.0});
+    EXPECT_TRUE(s.timely()) << s.alarm << " s";
+  }
+}
+
+// The depth goes to nine tenths of where the cut would double, and a mode amplifies the runout of 1 um that is there.
+TEST(KnownCuts, RunoutBelowTheLimitOfDoublingRaisesNoAlarm) {
+  for (const char* name : {"Z2-407-runout", "Z4-409-runout"}) {
+    SimulationOrder order = orderOf("flip, even teeth", 9, name);
+    const auto limit = limitOf(order.scenario);
+    ASSERT_TRUE(limit);
+    planDepth(order.scenario, {}, 0.6 * limit->depth.value, 0.9 * limit->depth.value);
+    order.rule = AlarmRule::Silent;
+    order.doubling = false;
+    const KnownCut cut = simulate(order);
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.0});
+      EXPECT_FALSE(s.falseAlarm) << name << ' ' << s.alarm << " s";
+    }
+  }
+}
+
+// An axis ten times as stiff as the one that chatters hears a fifth of the doubling and hears it late: it grows so
+// slowly there that what is learned of it follows.
+TEST(KnownCuts, DoublingIsHeardInTimeByTheStiffAxis) {
+  for (const char* name : {"Z2-407", "Z2-409"}) {
+    const KnownCut cut = simulate(orderOf("flip, even teeth", 9, name));
+    const Score s = score(cut, {"energy-ratio", {1}, 0.0});
+    EXPECT_TRUE(s.good()) << name << ' ' << s.after20 << " s after 20 %";
+  }
+}
+
 // Two flutes whose runout meets a mode at order 5: most of what is heard is one line that is no tooth passing, from the
 // tool's entry on.
 TEST(KnownCuts, RunoutThatFillsTheCutIsNoChatter) {
