@@ -15,6 +15,11 @@ constexpr double kUsableBand = 0.45;  // of the rate; above it the filters befor
 constexpr int kPadding = 2;
 constexpr int kLobe = 2 * kPadding;  // half width of a Hann line in padded bins
 constexpr double kLoneDoubt = 1.0;   // bins of the window: a line whose amplitude changes is known to that
+// Of what the square holds beside the line's own: all of it but noise lies on the comb of a line that is forced.
+// Products of chatter with forced lines do not, and are as much as the forced lines make there among themselves.
+constexpr double kAllBeside = 0.7;
+// The same where noise fills the rest, and the line's peak counts on the comb while all of its lobe is its own: the
+// comb has to outweigh the line's breadth as well.
 constexpr double kLoneSquare = 0.2;
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
@@ -141,16 +146,21 @@ void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t c
   for (std::size_t i = 0; i < count; ++i) trials_[i] *= scale;
 }
 
-double SpeedSearch::squareBeside(Hertz line, Hertz spindle) const noexcept {
-  const double whole = partsAt(spindle).square;
-  if (std::lround(2.0 * line.value / spindle.value) > kMostHarmonics) return whole;  // not among what is summed
+bool SpeedSearch::sharesComb(Hertz line, Hertz spindle) const noexcept {
+  const int harmonics = harmonicsOf(spindle);
   const auto middle = static_cast<std::size_t>(std::lround(2.0 * line.value / spectrum_.binWidth()));
   double own = 0.0;
   for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < square_.size(); ++b) {
     own += square_[b];
   }
   own /= std::max(added_, 1);
-  return own < 1.0 ? (whole - own) / (1.0 - own) : 0.0;
+  const double rest = 1.0 - own;
+  // Where its amplitude changes, as while a tool enters on a mode, the line is broader than any that the comb is read
+  // for, and is left out whole.
+  if (parts(spindle.value, harmonics, line.value).square > kAllBeside * rest) return true;
+  const double whole = partsAt(spindle).square;
+  const bool counted = std::lround(2.0 * line.value / spindle.value) <= kMostHarmonics;
+  return counted ? whole - own > kLoneSquare * rest : whole > kLoneSquare;
 }
 
 bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept {
@@ -160,7 +170,7 @@ bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept 
   if (lowest < teeth_ || std::floor(highest / teeth_) >= lowest / teeth_) return true;
   // Where other lines stand with it on one comb, that comb is the spindle's.
   for (int order = static_cast<int>(std::ceil(lowest)); order <= highest; ++order) {
-    if (squareBeside(line, line / order) > kLoneSquare) return true;
+    if (sharesComb(line, line / order)) return true;
   }
   return false;
 }
@@ -168,7 +178,7 @@ bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept 
 bool SpeedSearch::mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept {
   const int every = std::max(teeth_, 1);
   for (int k = static_cast<int>(std::ceil(line / high / every)); k * every * low.value <= line.value; ++k) {
-    if (k > 0 && squareBeside(line, line / (k * every)) > kLoneSquare) return true;
+    if (k > 0 && sharesComb(line, line / (k * every))) return true;
   }
   return false;
 }

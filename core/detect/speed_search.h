@@ -72,9 +72,9 @@ class SpeedSearch {
 
   std::span<const double> evened(std::span<const double> samples) noexcept;
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
-  // Part of the square's power on the comb of `spindle`, but for what one line of the vibration leaves at twice its
-  // frequency, which lies on every comb that the line lies on.
-  double squareBeside(Hertz line, Hertz spindle) const noexcept;
+  // Do other lines stand with this one on the comb of `spindle`, in the square of the vibration? What the line itself
+  // leaves there at twice its frequency lies on every comb that the line lies on, and does not count.
+  bool sharesComb(Hertz line, Hertz spindle) const noexcept;
   static double at(const std::vector<double>& power, double position) noexcept;
   void tryCombs(double low, double step, int harmonics, std::size_t count) noexcept;
   Parts parts(double spindle, int harmonics, double leaveOut) const noexcept;

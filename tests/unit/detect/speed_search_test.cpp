@@ -1,6 +1,7 @@
 // The comb search and the phase tracker, one at a time, on forced vibration of a spindle that drifts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -48,6 +49,32 @@ TEST(SpeedSearch, ReadsADriftingSpindleAsIfItTurnedEvenly) {
   EXPECT_LT(smeared.part, 0.8);
   EXPECT_GT(sharp.part, 0.95);
   EXPECT_NEAR(sharp.spindle.value, kSpindle, 1e-4 * kSpindle);
+}
+
+// Runout of two teeth on a mode at order 5, four times as loud as the tooth passings, while the tool enters within three
+// turns. The line of an amplitude that grows is broad, and so is twice its frequency in the square; what is beside that
+// lies on the spindle's comb. Chatter at 5.4 orders is no part of one.
+TEST(SpeedSearch, RunoutOnAModeMayBeForcedWhileTheToolEnters) {
+  constexpr double kSpindle = 175.0, kTold = 0.036;
+  const int size = static_cast<int>(12.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), 2);
+  const auto mayBeForced = [&](double order) {
+    std::vector<double> x(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) {
+      const double turns = i / kRate * kSpindle;
+      double v = std::cos(kTwoPi * order * turns);
+      for (int h = 2; h <= 8; h += 2) v += 0.25 * std::cos(kTwoPi * h * turns + h * h);
+      x[static_cast<std::size_t>(i)] = v * std::clamp((turns - 3.0) / 3.0, 0.0, 1.0);
+    }
+    search.begin();
+    search.add(x);
+    const Hertz line = search.strongest().frequency;
+    EXPECT_NEAR(line.value, order * kSpindle, 0.1 * kSpindle);
+    return search.mayBeForced(line, Hertz(kSpindle * (1.0 - kTold)), Hertz(kSpindle * (1.0 + kTold)));
+  };
+  EXPECT_TRUE(mayBeForced(5.0));
+  EXPECT_FALSE(mayBeForced(5.4));
 }
 
 // Started on the speed of the middle of a search's window, of a spindle that runs away by 5 % a second, and in doubt by
