@@ -239,6 +239,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     if (hopOfTurn_ == 0) {
       const double noise = kNoiseInOrder * s.growth.onset().floor() * spindle_.value / rate_;
       s.load.endTurn(chain_, newLine_, c, spindle_, noise);
+      s.orders.setLoad(s.load.mostOfAnOrder());
     }
     // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
     const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns || s.load.changesQuickly();

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <span>
 
+#include "core/detect/turn_difference.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -33,6 +35,7 @@ void LoadWatch::prepare(int teeth) noexcept {
 void LoadWatch::reset() noexcept {
   before_ = {};
   changes_ = {};
+  bends_ = {};
   newest_ = 0;
 }
 
@@ -63,7 +66,7 @@ void LoadWatch::endTurn(const EnergyChain& chain, NewLine& vibration, int channe
     const std::size_t n = (i + 1) * static_cast<std::size_t>(teeth_);
     now[i] = n <= powers.size() ? powers[n - 1] : 0.0;
   }
-  double found = least(now, before_, 0.0);
+  double found = least(now, before_, noise * chain.forced(channel, 0));
   before_ = now;
   if (found > kQuickly) {
     Powers newer{};
@@ -79,19 +82,40 @@ void LoadWatch::endTurn(const EnergyChain& chain, NewLine& vibration, int channe
     const double scale = total(newer) / std::max(total(now), 1e-300);
     found = least(newer, older, noise * scale * chain.forced(channel, 0));
   }
+  const double before = changes_[newest_];
   newest_ = (newest_ + 1) % kTurns;
   changes_[newest_] = found;
+  bends_[newest_] = std::abs(found - before);
 }
 
 double LoadWatch::most() const noexcept {
   return *std::max_element(changes_.begin(), changes_.end());
 }
 
+double LoadWatch::mostBent() const noexcept {
+  return *std::max_element(bends_.begin(), bends_.end());
+}
+
+double LoadWatch::mostOfAnOrder() const noexcept {
+  return kMostAmplified * most();
+}
+
+// An order that changes by the same c in each turn leaves 1.5 c of itself before the news is scaled.
+bool LoadWatch::explainsNews(double news) const noexcept {
+  const double change = 1.5 * mostOfAnOrder();
+  return news < change * change * TurnDifference::kNewsArrival;
+}
+
+bool LoadWatch::explainsDifference(double difference) const noexcept {
+  const double bend = kMostAmplified * mostBent();
+  return difference < bend * bend * TurnDifference::kDifferenceArrival;
+}
+
 bool LoadWatch::explains(NewLine& vibration, int channel, double order, Hertz spindle) const noexcept {
   if (!changesQuickly() || !(order > 0.0)) return false;
   std::array<std::complex<double>, 2> turns{};
   if (!vibration.turnsOf(channel, spindle * std::max(1.0, std::round(order)), spindle, turns)) return false;
-  return std::abs(turns[0] - turns[1]) < kMostAmplified * most() * std::abs(turns[0]);
+  return std::abs(turns[0] - turns[1]) < mostOfAnOrder() * std::abs(turns[0]);
 }
 
 }  // namespace stillcut::detect

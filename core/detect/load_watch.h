@@ -6,7 +6,10 @@
 // logarithm changes by ds / s / (1 - s g), up to five times as much as the load's at 80 % of the limit. Chatter beside
 // an order turns it and grows whether the load changes or not. So the load is measured where that line is not: on the
 // tooth passings but the two that it lies between, whichever two leave the least. While it changes quickly, and
-// some turns after, an order must change by more than that from one turn to the next. Not in Caliskan 2018.
+// some turns after, an order must change by more than that from one turn to the next. What changes by a few per cent a
+// turn is slow for the turn difference but where it begins; but runout on a mode may be most of the vibration, and then
+// all of the news, and the turning of that order, may be no more than five times the load's change. Not in Caliskan
+// 2018.
 // Thread: worker; real-time.
 #pragma once
 
@@ -30,6 +33,13 @@ class LoadWatch {
   bool changesQuickly() const noexcept { return most() > kQuickly; }
   // ... and is: that of the order next to `order`, which may be a fraction.
   bool explains(NewLine& vibration, int channel, double order, Hertz spindle) const noexcept;
+  // The most that it may change any order by in a turn, relative.
+  double mostOfAnOrder() const noexcept;
+  // All of the news (turn_difference.h), over the vibration's energy, may be the load's, whether it changes quickly or
+  // not: a mode on an order near the limit may make most of the vibration.
+  bool explainsNews(double news) const noexcept;
+  // ... of the turn difference, which hears only what the load's change changes by.
+  bool explainsDifference(double difference) const noexcept;
 
  private:
   static constexpr std::size_t kTeeth = 6;  // passings that tell the load
@@ -40,10 +50,12 @@ class LoadWatch {
   using Powers = std::array<double, kTeeth>;  // of the tooth passings
   static double least(const Powers& now, const Powers& before, double noise) noexcept;
   double most() const noexcept;
+  double mostBent() const noexcept;
 
   int teeth_ = 0;
   Powers before_{};  // a turn ago
   std::array<double, kTurns> changes_{};
+  std::array<double, kTurns> bends_{};  // of the change, from turn to turn
   std::size_t newest_ = 0;
 };
 

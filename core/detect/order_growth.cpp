@@ -119,7 +119,7 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  if (c.own && turns(c.order)) return true;
+  if (c.own && turns(c.order) && !explained(c)) return true;
   if (!flips(c)) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.own && c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor());
 }
@@ -166,6 +166,14 @@ bool OrderGrowth::turns(int order) const noexcept {
   return std::abs(o.product) > kSteady * o.power && std::abs(drift(order)) > kLeastDrift;
 }
 
+// Does the strongest order change by no more than the load may make it? What turns then is the phase of a mode that
+// comes nearer to its limit.
+bool OrderGrowth::explained(const Class& c) const noexcept {
+  const auto i = static_cast<std::size_t>(c.order - 1);
+  if (c.order < 1 || i >= orders_.size() || !(orders_[i].past > 0.0)) return false;
+  return std::abs(1.0 - orders_[i].product / orders_[i].past) < byLoad_;
+}
+
 // Of the other orders' energy, what is the class's own. Of a line that changes by the part c from turn to turn the
 // filter of two turns leaves c, and every order d away from it takes c / (2 pi d) of that line.
 double OrderGrowth::leak(const Class& c) const noexcept {
@@ -198,7 +206,8 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   if (!(c.slow > 0.0)) c.slow = c.onset.floor();
   const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
-  const bool on = now > std::max(kLouder * c.slow, kSmallestBeside) && one && std::abs(drift(c.order)) > least;
+  const bool own = one && !explained(c) && std::abs(drift(c.order)) > least;
+  const bool on = own && now > std::max(kLouder * c.slow, kSmallestBeside);
   const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
   c.doubles = beyond && (c.doubles || (c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2)));
   c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;

@@ -41,6 +41,8 @@ class OrderGrowth {
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
+  // By how much of itself a load that changes may change an order in a turn (load_watch.h): no more is no growth.
+  void setLoad(double mostOfAnOrder) noexcept { byLoad_ = mostOfAnOrder; }
   // speedDoubt: relative standard deviation of the spindle's speed.
   void test(double turns, bool learn, double speedDoubt = 0.0) noexcept;
 
@@ -72,6 +74,7 @@ class OrderGrowth {
   bool begins(const Class& c) const noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
+  bool explained(const Class& c) const noexcept;
   double leak(const Class& c) const noexcept;
   double share(const Class& c) const noexcept;
   bool flips(const Class& c) const noexcept;
@@ -85,6 +88,7 @@ class OrderGrowth {
   double all_ = 0.0;
   double weightedAll_ = 0.0;
   double order_ = 0.0;
+  double byLoad_ = 0.0;
   bool doubling_ = false;
   Hertz learnedAt_{};
   std::vector<Class> classes_;  // rests 1 .. teeth / 2

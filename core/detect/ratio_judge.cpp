@@ -109,7 +109,7 @@ void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
     onOrder_ = c.orders.order();
     doubling_ = c.orders.doubling();
   }
-  if (onset.grown() && c.growth.steadyGrowth()) {
+  if (onset.grown() && c.growth.steadyGrowth() && !c.load.explainsDifference(c.growth.changed())) {
     growing_ = true;
     mostGrown_ = std::max(mostGrown_, c.growth.changed());
   }
@@ -264,8 +264,8 @@ bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle
   return std::any_of(channels.begin(), channels.end(), [&](const RatioChannel& c) {
     const double news = c.news.changed() - c.news.onset().floor();
     const double difference = c.growth.changed() - c.growth.onset().floor();
-    return c.news.onset().grown() && c.news.steadyGrowth() && c.news.growsOn() && difference > kLeastLine * gain &&
-           difference > kLeastNews * passed * news;
+    return !c.load.explainsNews(c.news.changed()) && c.news.onset().grown() && c.news.steadyGrowth() &&
+           c.news.growsOn() && difference > kLeastLine * gain && difference > kLeastNews * passed * news;
   });
 }
 

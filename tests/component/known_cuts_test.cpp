@@ -182,6 +182,23 @@ TEST(KnownCuts, DoublingIsHeardInTimeByTheStiffAxis) {
   }
 }
 
+// Two flutes whose runout meets a mode at order 5: most of what is heard is one line that is no tooth passing, from the
+// tool's entry on.
+TEST(KnownCuts, RunoutThatFillsTheCutIsNoChatter) {
+  int cuts = 0;
+  for (const SimulationOrder& order : strongStable(9)) {
+    if (order.name != "Z2-1107" && order.name != "Z2-1107-quick") continue;
+    const KnownCut cut = simulate(order);
+    ASSERT_TRUE(cut.stable);
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.0});
+      EXPECT_FALSE(s.falseAlarm) << cut.name << ' ' << s.alarm << " s";
+    }
+    ++cuts;
+  }
+  EXPECT_EQ(cuts, 2);
+}
+
 // Doubling of a face mill at 780 rev/min, which grows for half a second: seven turns.
 TEST(KnownCuts, DoublingOfASlowSpindleBeginsWithTheInstability) {
   const KnownCut cut = simulate(orderOf("slow spindle", 8, "F4-1016"));
@@ -191,6 +208,23 @@ TEST(KnownCuts, DoublingOfASlowSpindleBeginsWithTheInstability) {
     const Score s = score(cut, {"energy-ratio", channels, 0.0});
     EXPECT_TRUE(s.good()) << s.alarm << " s, frequency off by " << s.frequencyError;
   }
+}
+
+// A depth that rises to just below the limit in a fraction of a second brings a mode nearer to it, and with the load's
+// few per cent a turn the runout that the mode amplifies grows and turns by five times as much.
+TEST(KnownCuts, RunoutThatAModeAmplifiesWhileTheLoadRisesIsNoChatter) {
+  int cuts = 0;
+  for (const SimulationOrder& order : strongStable(6)) {
+    if (order.name != "Z2-1102-Z4" && order.name != "Z2-1104-Z6-slowly" && order.name != "Z2-1106-Z3") continue;
+    const KnownCut cut = simulate(order);
+    ASSERT_TRUE(cut.stable);
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.02});
+      EXPECT_FALSE(s.falseAlarm) << cut.name << ' ' << s.alarm << " s";
+    }
+    ++cuts;
+  }
+  EXPECT_EQ(cuts, 3);
 }
 
 }  // namespace

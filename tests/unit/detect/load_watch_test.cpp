@@ -28,6 +28,7 @@ struct Made {
 // Eighteen turns of six tooth passings and runout on a mode at order 15; then what the watch says of order 15.1.
 struct Heard {
   bool quick = false, explained = false;
+  LoadWatch watch;
 };
 
 Heard hear(const Made& made) {
@@ -64,7 +65,7 @@ Heard hear(const Made& made) {
     chain.endHop();
     watch.endTurn(chain, vibration, 0, kSpindle, 3.0 * made.noise * made.noise / turn / chain.forced(0, 0));
   }
-  return {watch.changesQuickly(), watch.explains(vibration, 0, 15.1, kSpindle)};
+  return {watch.changesQuickly(), watch.explains(vibration, 0, 15.1, kSpindle), watch};
 }
 
 TEST(LoadWatch, ASteadyLoadExplainsNothing) {
@@ -80,6 +81,20 @@ TEST(LoadWatch, ALoadThatRisesSlowlyExplainsNothing) {
 TEST(LoadWatch, ALoadThatRisesQuicklyExplainsWhatAModeMakesOfIt) {
   EXPECT_TRUE(hear({.rise = 0.15}).explained);
   EXPECT_TRUE(hear({.rise = 0.15, .moved = 0.2}).explained);
+}
+
+// Near its limit a mode makes four times the load's change of an order, and that order may be most of the vibration.
+TEST(LoadWatch, ALoadThatRisesSlowlyExplainsNewsOfAsMuchAsAModeMakesOfIt) {
+  constexpr double kRise = 0.04;
+  const auto newsOf = [](double change) { return 1.5 * change * change; };
+  const LoadWatch rises = hear({.rise = kRise}).watch;
+  EXPECT_TRUE(rises.explainsNews(newsOf(4.0 * kRise)));
+  EXPECT_FALSE(rises.explainsNews(newsOf(8.0 * kRise)));
+  const LoadWatch steady = hear({}).watch;
+  EXPECT_FALSE(steady.explainsNews(1e-3));
+  EXPECT_FALSE(steady.explainsDifference(1e-3));
+  const LoadWatch noisy = hear({.teeth = 0.05, .noise = 0.3}).watch;
+  EXPECT_FALSE(noisy.explainsNews(1e-3));
 }
 
 // The line is as large as the order beside it, which it turns and changes by far more than the load does.
