@@ -51,9 +51,9 @@ TEST(SpeedSearch, ReadsADriftingSpindleAsIfItTurnedEvenly) {
   EXPECT_NEAR(sharp.spindle.value, kSpindle, 1e-4 * kSpindle);
 }
 
-// Runout of two teeth on a mode at order 5, four times as loud as the tooth passings, while the tool enters within three
-// turns. The line of an amplitude that grows is broad, and so is twice its frequency in the square; what is beside that
-// lies on the spindle's comb. Chatter at 5.4 orders is no part of one.
+// Runout of two teeth on a mode at order 5, four times as loud as the tooth passings, while the tool enters within
+// three turns. The line of an amplitude that grows is broad, and so is twice its frequency in the square; what is
+// beside that lies on the spindle's comb. Chatter at 5.4 orders is no part of one.
 TEST(SpeedSearch, RunoutOnAModeMayBeForcedWhileTheToolEnters) {
   constexpr double kSpindle = 175.0, kTold = 0.036;
   const int size = static_cast<int>(12.0 * kRate / kSpindle);
