@@ -255,7 +255,7 @@ bool RatioJudge::lineCounts(Hertz spindle) const noexcept {
 
 // Of a line near a harmonic the difference passes little and the news much, but news is also what forced vibration
 // changes by. It is the line's where the difference holds as much of it, above its own noise, as that line leaves
-// there.
+// there, and grows as well: where a change of the engagement ends, what the tracked speed took along is new at once.
 bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle) const noexcept {
   const double offset = dsp::orderOffset(line_.frequency, spindle);
   const double gain = TurnDifference::differenceGain(offset);
@@ -265,7 +265,8 @@ bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz spindle
     const double news = c.news.changed() - c.news.onset().floor();
     const double difference = c.growth.changed() - c.growth.onset().floor();
     return !c.load.explainsNews(c.news.changed()) && c.news.onset().grown() && c.news.steadyGrowth() &&
-           c.news.growsOn() && difference > kLeastLine * gain && difference > kLeastNews * passed * news;
+           c.news.growsOn() && c.growth.steadyGrowth() && difference > kLeastLine * gain &&
+           difference > kLeastNews * passed * news;
   });
 }
 

@@ -227,5 +227,17 @@ TEST(KnownCuts, RunoutThatAModeAmplifiesWhileTheLoadRisesIsNoChatter) {
   EXPECT_EQ(cuts, 3);
 }
 
+// An arc that widens turns every order a little, and the speed that is tracked by them. Where it stops, that ends at
+// once: new vibration, but none that grows.
+TEST(KnownCuts, AnArcThatWidensRaisesNoAlarm) {
+  for (const char* name : {"Z3-302", "Z3-309"}) {
+    const KnownCut cut = simulate(orderOf("stable, immersion ramp", 9, name));
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.0});
+      EXPECT_FALSE(s.falseAlarm) << name << " at " << s.alarm << " s";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stillcut::bench

@@ -30,7 +30,9 @@ Orders depthRamp(int seeds) {
   return orders;
 }
 
-Orders immersionRamp(int seeds) {
+// The width of cut rises at a constant depth, which is that part of the limit at full width. The arc is as narrow at
+// first as a cut beyond the limit needs.
+Orders widen(int seeds, const char* family, double part, AlarmRule rule) {
   Orders orders;
   each(kFast, seeds, 300, [&](Scenario& s, const milling::StabilityLimit& limit) {
     const double depth = 1.4 * limit.depth.value;
@@ -45,13 +47,19 @@ Orders immersionRamp(int seeds) {
     }
     s.model.engagement.radialImmersion = full;
     if (narrow < 0.03) return;
-    planDepth(s, kPlan, depth, depth);
+    planDepth(s, kPlan, part * limit.depth.value, part * limit.depth.value);
     s.programme.immersion.segments = {{0.0, 0.9, narrow, narrow, milling::RampShape::Linear},
                                       {0.9, 1.7, narrow, full, milling::RampShape::Linear}};
     s.programme.duration = Seconds(2.4);
-    orders.push_back(order("immersion ramp", s, AlarmRule::Ramp));
+    orders.push_back(order(family, s, rule));
   });
   return orders;
+}
+Orders immersionRamp(int seeds) {
+  return widen(seeds, "immersion ramp", 1.4, AlarmRule::Ramp);
+}
+Orders stableImmersionRamp(int seeds) {
+  return widen(seeds, "stable, immersion ramp", 0.9, AlarmRule::Silent);
 }
 
 // Low immersion at a speed where the exact lobes end at a multiplier of -1; whole samples per tooth period, so that the
@@ -277,10 +285,11 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 19> kFamilies{{
+constexpr std::array<CutFamily, 20> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
+    {"stable, immersion ramp", "no chatter", stableImmersionRamp},
     {"flip, odd teeth", "period doubling between spindle harmonics", flipOdd},
     {"flip, even teeth", "period doubling on spindle harmonics", flipEven},
     {"speed ramp", "speed drifts 1 to 5 %/s, nobody tells", speedRampUntold},
