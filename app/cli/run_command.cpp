@@ -2,6 +2,7 @@
 // screen. Prints what happens, one line an event, until the source ends or somebody interrupts; then the machine has
 // its programmed values back.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -91,8 +92,9 @@ void tellLateness(const pipeline::Engine& engine) {
   std::printf(
       "%llu blocks decided, half within %.2f ms of their last sample, 99.9 %% within %.2f ms, the latest %.2f ms; "
       "%llu dropped\n",
-      static_cast<unsigned long long>(latency.count()), ms(latency.quantile(0.5)), ms(latency.quantile(0.999)),
-      ms(latency.worst()), static_cast<unsigned long long>(engine.droppedBlocks()));
+      static_cast<unsigned long long>(latency.count()), ms(latency.quantile(0.5)),
+      ms(std::min(latency.quantile(0.999), latency.worst())), ms(latency.worst()),
+      static_cast<unsigned long long>(engine.droppedBlocks()));
 }
 
 // Until the source ends, the time is over or somebody interrupts.

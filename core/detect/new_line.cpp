@@ -80,6 +80,7 @@ NewLine::TurnsAgo NewLine::atSpeed(Hertz spindle) const noexcept {
 bool NewLine::windowOf(std::span<const double> newest, double order, const TurnsAgo& ago, std::size_t k,
                        std::complex<double>& out) const noexcept {
   const double length = ago[k + kWindowTurns] - ago[k];
+  if (!(length >= 1.0)) return false;
   const auto window = static_cast<std::size_t>(std::lround(length));
   const auto back = static_cast<std::size_t>(std::lround(ago[k]));
   if (window == 0 || back + window > newest.size()) return false;

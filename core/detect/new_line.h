@@ -32,7 +32,8 @@ class NewLine {
   static constexpr std::size_t kTurnsBack = 25;
   using TurnsAgo = std::array<double, kTurnsBack>;
   // Of the line near `rough`, at most half a spindle order from it, over all channels by its part of them. 0 where none
-  // has come within the last twenty turns, and where the forced vibration before it was too restless to tell.
+  // has come within the last 0.2 s, twelve turns at least and twenty at most, and where the forced vibration before it
+  // was too restless to tell.
   Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) noexcept;
   // ... at a constant speed.
   Hertz frequency(Hertz rough, Hertz spindle) noexcept { return frequency(rough, spindle, atSpeed(spindle)); }

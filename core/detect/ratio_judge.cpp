@@ -135,7 +135,11 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
     forced_ = forced_ || c.forced.stands();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
-    if (alarming() || c.growth.levelTrend() > kFalling) gatherGrowth(c, risingHops_[i]);
+    if (alarming() || c.growth.levelTrend() > kFalling) {
+      gatherGrowth(c, risingHops_[i]);
+    } else {
+      risingHops_[i] = 0;
+    }
     double unrepeated = 0.0;
     double all = 0.0;
     for (const RatioChannel& other : channels) {

@@ -43,7 +43,7 @@ struct RatioHop {
   double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
   NewLine* newLine = nullptr;        // has heard the vibration
-  const TurnMarks* marks = nullptr;  // while the speed changes; null: it stands
+  const TurnMarks* marks = nullptr;  // while a machine tells a change; null: none
   bool loneLine = false;             // a line that cannot be forced holds most of the vibration
 };
 
