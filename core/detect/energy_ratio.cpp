@@ -90,7 +90,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   const auto all = [&](auto is) {
     return std::all_of(setup.channels.begin(), setup.channels.end(), [&](const auto& c) { return is(c.quantity); });
   };
-  integrals_ = all([](SensorQuantity q) { return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current; });
+  integrals_ = all(isIntegral);
   sideLines_ = integrals_ || all([](SensorQuantity q) { return q == SensorQuantity::Force; });
   retune(params);
   lowPass_.assign(static_cast<std::size_t>(channels_), {});
@@ -248,12 +248,9 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
-  const double turn = marks_.framesAgo(1.0, rate_ / spindle_.value);
-  const double before = marks_.framesAgo(2.0, 2.0 * rate_ / spindle_.value) - turn;
-  const double speedChange = block.speedMoving ? std::abs(before / turn - 1.0) : 0.0;
   if (judge_.judge(
           channelStates_, lines_,
-          {phase, length, Hertz(rate_), spindle_, block.spindleSd, speedChange, highest_, steadyTurns_, turnsCompare_,
+          {phase, length, Hertz(rate_), spindle_, block.spindleSd, highest_, steadyTurns_, turnsCompare_,
            block.levelTrend, &chain_, &newLine_, block.speedMoving ? &marks_ : nullptr, block.loneLine.value > 0.0}))
     relearn();
 }

@@ -55,8 +55,13 @@ bool arrives(const RatioChannel& c) noexcept {
   return line(c.growth, TurnDifference::kDifferenceArrival) > kLeastNews * line(c.news, TurnDifference::kNewsArrival);
 }
 
-bool isIntegral(SensorQuantity q) noexcept {
-  return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
+// Of the speed from the last turn but one to the last, relative; 0 where no machine tells a change.
+double speedChange(const RatioHop& hop) noexcept {
+  if (hop.marks == nullptr) return 0.0;
+  const double unmarked = hop.rate / hop.spindle;
+  const double turn = hop.marks->framesAgo(1.0, unmarked);
+  const double before = hop.marks->framesAgo(2.0, 2.0 * unmarked) - turn;
+  return std::abs(before / turn - 1.0);
 }
 
 // While the speed changes its turns are where its angle says.
@@ -72,6 +77,10 @@ Hertz newLineNear(Hertz rough, const RatioHop& hop) noexcept {
 }
 
 }  // namespace
+
+bool isIntegral(SensorQuantity q) noexcept {
+  return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
+}
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
   teeth_ = teeth;
@@ -246,7 +255,7 @@ bool RatioJudge::lineStands(LineFinder& lines, const RatioHop& hop) noexcept {
   line_ = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line_.purity;
   const double doubt = kSpeedDoubts * line_.frequency / hop.spindle * (hop.spindleSd / hop.spindle);
-  const double least = std::max(kLeastOffset, std::min(std::max(doubt, kPulled * hop.speedChange), kMostOffset));
+  const double least = std::max(kLeastOffset, std::min(std::max(doubt, kPulled * speedChange(hop)), kMostOffset));
   return line_.purity >= kLeastPurity && std::abs(dsp::orderOffset(line_.frequency, hop.spindle)) >= least;
 }
 

@@ -36,7 +36,6 @@ struct RatioHop {
   Hertz rate{};
   Hertz spindle{};
   Hertz spindleSd{};
-  double speedChange = 0.0;  // relative, from the last turn but one to the last, where the speed moves
   Hertz highest{};           // up to which harmonics are removed
   double steadyTurns = 0.0;  // since the cut became steady
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
@@ -46,6 +45,9 @@ struct RatioHop {
   const TurnMarks* marks = nullptr;  // while a machine tells a change; null: none
   bool loneLine = false;             // a line that cannot be forced holds most of the vibration
 };
+
+// Does it hear an integral of the spindle's torque?
+bool isIntegral(SensorQuantity q) noexcept;
 
 class RatioJudge {
  public:

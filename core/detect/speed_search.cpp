@@ -146,14 +146,19 @@ void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t c
   for (std::size_t i = 0; i < count; ++i) trials_[i] *= scale;
 }
 
+// Of a line at this bin, with all of its lobe.
+double SpeedSearch::lobeAt(const std::vector<double>& power, std::size_t middle) const noexcept {
+  double lobe = 0.0;
+  for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < power.size(); ++b) {
+    lobe += power[b];
+  }
+  return lobe / std::max(added_, 1);
+}
+
 bool SpeedSearch::sharesComb(Hertz line, Hertz spindle) const noexcept {
   const int harmonics = harmonicsOf(spindle);
   const auto middle = static_cast<std::size_t>(std::lround(2.0 * line.value / spectrum_.binWidth()));
-  double own = 0.0;
-  for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < square_.size(); ++b) {
-    own += square_[b];
-  }
-  own /= std::max(added_, 1);
+  const double own = lobeAt(square_, middle);
   const double rest = 1.0 - own;
   // Where its amplitude changes, as while a tool enters on a mode, the line is broader than any that the comb is read
   // for, and is left out whole.
@@ -214,13 +219,9 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
 
 SpeedSearch::Line SpeedSearch::strongest() const noexcept {
   const auto peak = static_cast<std::size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin());
-  double lobe = 0.0;
-  for (std::size_t b = peak - std::min<std::size_t>(peak, kLobe); b <= std::min(peak + kLobe, power_.size() - 1); ++b) {
-    lobe += power_[b];
-  }
   const bool between = peak > 0 && peak + 1 < power_.size();
   const double shift = between ? peakShift(power_[peak - 1], power_[peak], power_[peak + 1]) : 0.0;
-  return {Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth()), lobe / std::max(added_, 1)};
+  return {Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth()), lobeAt(power_, peak)};
 }
 
 FoundSpeed SpeedSearch::find(Hertz low, Hertz high) noexcept {

@@ -72,6 +72,7 @@ class SpeedSearch {
 
   std::span<const double> evened(std::span<const double> samples) noexcept;
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
+  double lobeAt(const std::vector<double>& power, std::size_t middle) const noexcept;
   // Do other lines stand with this one on the comb of `spindle`, in the square of the vibration? What the line itself
   // leaves there at twice its frequency lies on every comb that the line lies on, and does not count.
   bool sharesComb(Hertz line, Hertz spindle) const noexcept;

@@ -21,7 +21,7 @@ class TurnMarks {
   double framesAgo(double turns, double unmarked) const noexcept;
 
  private:
-  static constexpr int kMarks = 27 * kHopsPerTurn;  // as far back as new_line.h looks
+  static constexpr int kMarks = 27 * kHopsPerTurn;  // as far back as new_line.h looks, of eight hops a turn
   struct Mark {
     double frame = 0.0;
     double angle = 0.0;  // unwrapped
