@@ -98,7 +98,8 @@ void tellLateness(const pipeline::Engine& engine) {
 }
 
 // Until the source ends, the time is over or somebody interrupts.
-int watch(Rig& rig, const RunOptions& options) {
+// replayed: times are the recording's.
+int watch(Rig& rig, const RunOptions& options, bool replayed) {
   FlightLog flights(rig.flights(),
                     options.flights.empty() ? defaultFlightsFolder() : std::filesystem::path(options.flights));
   flights.start();
@@ -119,7 +120,7 @@ int watch(Rig& rig, const RunOptions& options) {
   }
   const Status recorded = rig.stop();
   console.look();
-  tellLateness(*rig.engine());
+  if (!replayed) tellLateness(*rig.engine());
   for (const daq::AlignedClock& clock : rig.device().clocks()) {
     std::printf("device of %d more channels: %.3f Hz by this computer's clock, times steady within %.1f us\n",
                 clock.channels, clock.rate.value, 1e6 * clock.residual.value);
@@ -165,7 +166,7 @@ int run(const RunOptions& options) {
   if (const Status recording = record(**rig, *profile, options); !recording) return fail(recording.error());
   mindInterruption();
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
-  return watch(**rig, options);
+  return watch(**rig, options, profile->source.id == "replay");
 }
 
 }  // namespace
