@@ -93,9 +93,10 @@ bool NewLine::windowOf(std::span<const double> newest, double order, const Turns
                             std::cos(slow),
                             std::sin(slow)};
   kernels_.demodulate(run);
-  // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be.
+  // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be. While the
+  // speed changes windows differ in length, and what the forced vibration leaves in them must not.
   const double begin = static_cast<double>(back + window) - ago[k + kWindowTurns];
-  out = std::complex(run.re, run.im) * std::polar(1.0, w * begin);
+  out = std::complex(run.re, run.im) * std::polar(2.0 / length, w * begin);
   return true;
 }
 

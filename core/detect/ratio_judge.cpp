@@ -69,10 +69,7 @@ Hertz newLineNear(Hertz rough, const RatioHop& hop) noexcept {
   if (hop.marks == nullptr) return hop.newLine->frequency(rough, hop.spindle);
   NewLine::TurnsAgo ago{};
   const double turn = hop.rate / hop.spindle;
-  for (std::size_t k = 0; k < ago.size(); ++k) {
-    const double turns = static_cast<double>(k);
-    ago[k] = hop.marks->framesAgo(turns, turns * turn);
-  }
+  for (std::size_t k = 1; k < ago.size(); ++k) ago[k] = hop.marks->framesAgo(static_cast<double>(k), ago[k - 1] + turn);
   return hop.newLine->frequency(rough, hop.spindle, ago);
 }
 
