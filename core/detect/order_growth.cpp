@@ -11,7 +11,7 @@ namespace {
 // Of the other orders' energy: 3 % of their amplitude where the class is known to be chatter's, 20 % elsewhere.
 constexpr double kSmallest = 1e-3;
 constexpr double kSmallestBeside = 0.04;
-constexpr double kOtherSpeed = 5e-3;
+constexpr double kOtherSpeed = 3e-3;   // a seventh of the width of a mode damped by 1 %
 constexpr double kDriftTurns = 6.0;    // memory of the phase
 constexpr double kLeastDrift = 0.012;  // orders: what a spindle known to 0.1 % leaves at the twelfth order
 constexpr double kSteady = 0.8;        // of the power, that turns as one
@@ -31,6 +31,7 @@ constexpr double kDoublingTurns = 2.0;  // of two teeth each, at least
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
 constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
+constexpr double kQuarterTurn = 0.25;   // ... which a forced vibration near the limit turns by at most
 constexpr double kFloorSeconds = 10.0;  // in which a floor that rises by time doubles
 constexpr double kFallTurns = 10.0;
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
@@ -56,7 +57,7 @@ void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) {
     c.onset.reset();
     c.counts = c.own = c.unstable = c.doubles = false;
-    c.alarmTurns = c.turned = c.slow = c.outgrown = 0.0;
+    c.alarmTurns = c.turned = c.slow = c.outgrown = c.outgrownBy = 0.0;
   }
   order_ = 0.0;
   doubling_ = false;
@@ -211,10 +212,12 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
   c.doubles = beyond && (c.doubles || (c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2)));
   c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
+  c.outgrownBy = on ? c.outgrownBy + drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
   if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
   if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
-  return c.outgrown > (c.doubles ? kDoublingTurns : kDriftTurns);
+  if (c.doubles) return c.outgrown > kDoublingTurns;
+  return c.outgrown > kDriftTurns && std::abs(c.outgrownBy) > kQuarterTurn;
 }
 
 void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {

@@ -15,10 +15,12 @@
 // turned by a whole turn against the spindle, faster than its speed is in doubt, is chatter: a load that changes moves
 // the phase of a forced vibration as well, by the half turn that a mode has at most. On a slow spindle the learned
 // floor follows slow growth up, and what such a line leaks into the other orders keeps its share down: there the share,
-// without the leak, is held against a floor that rises by time alone, and the order must turn as above for some turns
-// (an end mill at 800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn,
-// and in every seed). The tooth-passing orders themselves are not tested: what grows there may be the load. Not in
-// Caliskan 2018. Thread: worker; everything but prepare() is real-time.
+// without the leak, is held against a floor that rises by time alone, and the order must turn as above for some turns,
+// by a quarter of one in all: so far, and no further, a mode that comes near its limit turns what runout leaves on it,
+// and a changing arc of engagement, which also pulls the speed that is tracked (an end mill at 800 rev/min on thin
+// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed). The
+// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -37,7 +39,8 @@ class OrderGrowth {
   void prepare(int teeth, int eta, int harmonics);
   void setEvidence(double evidence) noexcept;
   void relearn() noexcept;
-  // What modes make of runout changes with the speed: beyond their damping's width the floors are learned anew.
+  // What modes make of runout changes with the speed: beyond a part of their damping's width the floors are learned
+  // anew.
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
@@ -60,13 +63,14 @@ class OrderGrowth {
     double strongest = 0.0;
     int order = 0;
     double alarmTurns = 0.0;
-    double turned = 0.0;    // turns of the strongest order against the spindle, since it is louder
-    double slow = 0.0;      // floor of the share that rises by time alone
-    double outgrown = 0.0;  // turns since it is far above that and turns
-    bool own = false;       // grows, and not because the engagement changes
-    bool doubles = false;   // far above what runout becomes, by growth of its own
-    bool unstable = false;  // has grown as an instability does since its share began to
-    bool counts = false;    // grown, and more than runout that a mode amplifies
+    double turned = 0.0;      // turns of the strongest order against the spindle, since it is louder
+    double slow = 0.0;        // floor of the share that rises by time alone
+    double outgrown = 0.0;    // turns since it is far above that and turns
+    double outgrownBy = 0.0;  // ... and by how many it has turned since
+    bool own = false;         // grows, and not because the engagement changes
+    bool doubles = false;     // far above what runout becomes, by growth of its own
+    bool unstable = false;    // has grown as an instability does since its share began to
+    bool counts = false;      // grown, and more than runout that a mode amplifies
     OnsetTest onset;
   };
   void followStretches() noexcept;
