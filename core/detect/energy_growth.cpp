@@ -73,7 +73,8 @@ void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
 }
 
 void EnergyGrowth::test(int windowHops, bool learn) noexcept {
-  onset_.update(changed_, 1.0 / windowHops, learn, energy_);
+  const double newest = atOnce_ && level_ > 0.0 ? ago(0).changed / level_ : 0.0;
+  onset_.update(changed_, 1.0 / windowHops, learn, energy_, newest);
   watchStanding(learn);
   if (!(leap_ > 0.0) || leapt()) return;
   const bool calm = !onset_.alarm();

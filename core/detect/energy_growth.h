@@ -18,10 +18,12 @@ class EnergyGrowth {
   static constexpr int kLevelHops = 8 * kHopsPerTurn;
   static constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap two turns are compared with it
 
-  // arrival: part of the power of a line that the statistic passes during the line's first turn.
-  void prepare(const OnsetTest::Limits& limits, double arrival) noexcept {
+  // arrival: part of the power of a line that the statistic passes during the line's first turn. atOnce: evidence
+  // counts every hop as it comes, not the whole turn up to it, which comes half a turn later.
+  void prepare(const OnsetTest::Limits& limits, double arrival, bool atOnce) noexcept {
     onset_.prepare(limits);
     arrival_ = arrival;
+    atOnce_ = atOnce;
   }
   // Forgets the levels, after a gap; what was learned stays.
   void restart() noexcept;
@@ -92,6 +94,7 @@ class EnergyGrowth {
   static constexpr double kNewLevelTurns = 24.0;
   static constexpr double kGrowsOn = 1.25;  // energy, from turn to turn
   double arrival_ = 1.0;
+  bool atOnce_ = true;
   double unheardTurns_ = 0.0;  // grown, and nobody alarms, to
   double unheardLevel_ = 0.0;  // ... this
   Energies sums_;              // this hop

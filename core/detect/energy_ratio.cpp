@@ -42,6 +42,7 @@ constexpr Hertz kSpindleUnknown{20.0};
 constexpr Hertz kLeastBand{2500.0};  // tools chatter up to there at any speed
 constexpr int kBandOrder = 4;
 constexpr double kSameBand = 0.02;
+constexpr double kOfTurns = 0.8;  // of the evidence asked for, where means of a turn count: they scatter less than hops
 
 }  // namespace
 
@@ -104,9 +105,12 @@ void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
   judge_.prepare(teeth_, params.real(kErChatter));
   const OnsetTest::Limits limits{smallest_, params.real(kErEvidence)};
   for (RatioChannel& s : channelStates_) {
-    s.growth.prepare(limits, TurnDifference::kDifferenceArrival);
-    s.news.prepare(limits, TurnDifference::kNewsArrival);
-    s.orders.setEvidence(limits.evidence);
+    // A load that ends is a step in an integral of the torque, which a whole turn takes the edge off.
+    const bool atOnce = !isIntegral(s.quantity);
+    const OnsetTest::Limits ofTurns{smallest_, kOfTurns * limits.evidence};
+    s.growth.prepare(atOnce ? limits : ofTurns, TurnDifference::kDifferenceArrival, atOnce);
+    s.news.prepare(atOnce ? limits : ofTurns, TurnDifference::kNewsArrival, atOnce);
+    s.orders.setEvidence(ofTurns.evidence);
   }
 }
 

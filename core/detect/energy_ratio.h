@@ -55,7 +55,7 @@ inline constexpr config::ParamDecl kErOnsetAmplitude = config::realParam(
     "energy-ratio.onset-amplitude", "Smallest onset", "", 0.0125, 0.001, 1.0,
     "Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset");
 inline constexpr config::ParamDecl kErEvidence =
-    config::realParam("energy-ratio.evidence", "Evidence for onset", "", 12.0, 2.0, 100.0,
+    config::realParam("energy-ratio.evidence", "Evidence for onset", "", 15.0, 2.0, 100.0,
                       "Log-likelihood ratio of growth against the learned noise that makes an onset; a stable cut "
                       "lasts e to this power turns, on average, without a false alarm");
 

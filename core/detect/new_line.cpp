@@ -96,7 +96,7 @@ bool NewLine::windowOf(std::span<const double> newest, double order, const Turns
   // Phases count from each window's own begin, which is a whole number of frames back; a turn need not be. While the
   // speed changes windows differ in length, and what the forced vibration leaves in them must not.
   const double begin = static_cast<double>(back + window) - ago[k + kWindowTurns];
-  out = std::complex(run.re, run.im) * std::polar(2.0 / length, w * begin);
+  out = std::complex(run.re, run.im) * std::polar(2.0 / static_cast<double>(window), w * begin);
   return true;
 }
 

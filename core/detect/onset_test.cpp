@@ -48,7 +48,7 @@ double OnsetTest::doubt(double turns) const noexcept {
   return std::sqrt(correlation() / (shape() * std::max(turns, 1.0)));
 }
 
-void OnsetTest::update(double ratio, double turns, bool learn, double energy) noexcept {
+void OnsetTest::update(double ratio, double turns, bool learn, double energy, double newest) noexcept {
   if (!learned()) {
     if (learn) follow(ratio, turns, energy);
     return;
@@ -59,7 +59,8 @@ void OnsetTest::update(double ratio, double turns, bool learn, double energy) no
   const bool compare = energy > 0.0 && meanEnergy_ > 0.0;
   const double held = compare ? std::min(ratio, energy / meanEnergy_ * mean_) : ratio;
   const double x = held / std::max(mean_ * (1.0 + kSure * doubt(learnedTurns_)), 1e-30);
-  const double seen = held >= limits_.smallestRatio ? x : 0.0;
+  const double now = newest > 0.0 && ratio > 0.0 ? x * newest / ratio : x;
+  const double seen = held >= limits_.smallestRatio ? now : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
   standsOut_ = held > kGrowth * mean_;

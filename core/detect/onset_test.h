@@ -8,12 +8,14 @@
 // the CUSUM (Page 1954) of the log-likelihood ratio of kGrowth times the learned mean against the mean itself,
 //   k (r / mean (1 - 1 / a) - ln a)  per correlation time, a = kGrowth;
 // by Lorden (1971) a limit h lets a stable cut pass at least e^h correlation times on average before a false alarm:
-// h = 12 is 160 000, and growth must show as a line between the harmonics as well. Until much is learned, k counts as 1
-// and the mean as high as its own doubt allows. The floor falls as soon as the short mean lies below it for certain,
-// rises slowly and by bounded steps so that growth does not become its own floor, and is frozen while an alarm lasts.
-// Where the tool leaves the cut the vibration falls and what does not repeat stays, so that their ratio rises without
-// anything growing: the energy is compared with no less vibration than the floor was learned in.
-// Thread: worker; real-time.
+// h = 12 is 160 000, 15 three million, and growth must show as a line between the harmonics as well. Steps of less than
+// a turn may count by themselves: growth shows half a turn sooner than in the mean over the turn. They scatter more,
+// and not alike where the noise lies in a part of the turn; then what holds an alarm back is that the mean must stand
+// out too. Until much is learned, k counts as 1 and the mean as high as its own doubt allows. The floor falls as soon
+// as the short mean lies below it for certain, rises slowly and by bounded steps so that growth does not become its own
+// floor, and is frozen while an alarm lasts. Where the tool leaves the cut the vibration falls and what does not repeat
+// stays, so that their ratio rises without anything growing: the energy is compared with no less vibration than the
+// floor was learned in. Thread: worker; real-time.
 #pragma once
 
 #include <algorithm>
@@ -35,8 +37,9 @@ class OnsetTest {
   // turns, and on a fast spindle would become its own floor.
   void setSpindle(Hertz spindle) noexcept;
   // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms. energy:
-  // E_d itself, in any unit; 0 where it is not known.
-  void update(double ratio, double turns, bool learn, double energy = 0.0) noexcept;
+  // E_d itself, in any unit; 0 where it is not known. newest: the part of `ratio` that is of this step, times as many
+  // steps as it is of: evidence counts it at once and not half a turn later; 0 where ratio is of this step alone.
+  void update(double ratio, double turns, bool learn, double energy = 0.0, double newest = 0.0) noexcept;
 
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }

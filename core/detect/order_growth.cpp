@@ -31,7 +31,7 @@ constexpr double kDoublingTurns = 2.0;  // of two teeth each, at least
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
 constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
-constexpr double kQuarterTurn = 0.25;   // ... which a forced vibration near the limit turns by at most
+constexpr double kQuarterTurn = 0.25;   // a mode turns a forced vibration by no more as it comes near its limit
 constexpr double kFloorSeconds = 10.0;  // in which a floor that rises by time doubles
 constexpr double kFallTurns = 10.0;
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
@@ -190,6 +190,11 @@ double OrderGrowth::share(const Class& c) const noexcept {
   return others > 0.0 ? c.power / std::max(others - leak(c), kLeastOthers * others) : 0.0;
 }
 
+// Side lines of one line at kZ + rest + e stand at kZ - rest - e: they turn the other way.
+double OrderGrowth::sense(const Class& c) const noexcept {
+  return c.order % teeth_ == static_cast<int>(&c - classes_.data()) + 1 ? 1.0 : -1.0;
+}
+
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
   const double drifts = drift(c.order);
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
@@ -212,7 +217,7 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
   c.doubles = beyond && (c.doubles || (c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2)));
   c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
-  c.outgrownBy = on ? c.outgrownBy + drift(c.order) * turns : 0.0;
+  c.outgrownBy = on ? c.outgrownBy + sense(c) * drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
   if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
   if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
@@ -232,7 +237,10 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     const bool outgrown = outgrew(c, turns, learn, speedDoubt);
     c.counts = turned || outgrown || (grown && (c.counts || begins(c)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;
-    if (learn && c.alarmTurns > kNewLoadTurns) c.onset.reset();
+    if (learn && c.alarmTurns > kNewLoadTurns) {
+      c.onset.reset();
+      c.outgrown = c.outgrownBy = 0.0;
+    }
     if (!c.counts || c.strongest < kLeastPurity * c.power || c.strongest <= strongest) continue;
     strongest = c.strongest;
     const double drifts = drift(c.order);

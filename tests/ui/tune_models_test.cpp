@@ -73,7 +73,7 @@ TEST(TuneDesk, OneDragIsOneStepOfUndo) {
   desk.set(kErEvidence, 20.0);
   EXPECT_EQ(desk.undoStack().count(), 3);
   desk.undoStack().undo();
-  EXPECT_EQ(desk.value(kErEvidence), 12.0);
+  EXPECT_EQ(desk.value(kErEvidence), kErEvidence.fallback);
   desk.undoStack().undo();
   EXPECT_EQ(desk.value(kErChatter), 0.4);
   desk.undoStack().undo();
@@ -110,7 +110,7 @@ TEST(TuneDesk, TheOtherSideIsPutInForceWhole) {
   const auto back = desk.take(9);
   ASSERT_EQ(back.size(), 2U);
   for (const OperatorInput& input : back) {
-    EXPECT_EQ(input.value, input.parameter == config::parameterId(kErChatter.key) ? 0.2 : 12.0);
+    EXPECT_EQ(input.value, input.parameter == config::parameterId(kErChatter.key) ? 0.2 : kErEvidence.fallback);
   }
   desk.copyToOther();
   EXPECT_TRUE(desk.differences().empty());
