@@ -18,10 +18,10 @@
 // - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
 // Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic, and nearer than 0.012 to any other, is not
 // told from forced vibration. While the load changes by more than 5 % a turn, as it may on a slow spindle, chatter
-// beside an order is told by more than that change explains, some turns later (load_watch.h): of 24 face mills whose
-// depth rose so past the limit, 16 one to eight turns after the 20 % time, and two not within 20. Chatter that fills
-// the cut from the entry is alarmed by its line alone where that can be no tooth passing (speed_tracker.h).
-// Thread: worker. See detector.h.
+// beside an order is told by more than that change explains, some turns later (load_watch.h): of 180 runs of face mills
+// at 800 rev/min whose depth rises past the limit (detection_table, six seeds) 47 come late, by six turns at most.
+// Chatter that fills the cut from the entry is alarmed by its line alone where that can be no tooth passing
+// (speed_tracker.h). Thread: worker. See detector.h.
 #pragma once
 
 #include <array>

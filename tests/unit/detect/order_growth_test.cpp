@@ -1,4 +1,9 @@
 // Chatter on spindle harmonics: period doubling with even teeth, and a line beside a whole order.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
 #include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {
@@ -18,6 +23,24 @@ CutSignal withTeeth(int teeth, unsigned seed) {
   s.seed = seed;
   s.noise = 0.05;
   return s;
+}
+
+// Three seconds of vibration(t [s]) in noise raise no alarm, whatever the noise.
+template <class Vibration>
+void expectSilence(int teeth, double spindle, std::array<unsigned, 3> seeds, const Vibration& vibration) {
+  for (const unsigned seed : seeds) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> normal;
+    Recording r;
+    r.rate = 12800.0;
+    r.channels.assign(1, {});
+    for (int k = 0; k < static_cast<int>(3.0 * r.rate); ++k)
+      r.channels[0].push_back(static_cast<float>(0.02 * normal(engine) + vibration(k / r.rate)));
+    RunOptions o;
+    o.teeth = teeth;
+    o.rpm = 60.0 * spindle;
+    EXPECT_LT(run(r, o).firstAlarm, 0.0) << "seed " << seed;
+  }
 }
 
 TEST(Doubling, OnSpindleHarmonicsIsSeenAndNamed) {
@@ -120,31 +143,18 @@ TEST(BesideAnOrder, RunoutThatAModeAmplifiesIsNone) {
 // 0.13 % too low: what runout leaves on order 8 turns against it. It becomes three times as strong, and for a dozen
 // turns turns a little more, by a fifth of a turn in all.
 TEST(BesideAnOrder, RunoutThatAChangingArcTurnsIsNone) {
-  for (const unsigned seed : {54U, 55U, 56U}) {
-    std::mt19937 engine(seed);
-    std::normal_distribution<double> normal;
-    Recording r;
-    r.rate = 12800.0;
-    r.channels.assign(1, {});
-    const double spindle = 104.6;
-    for (int k = 0; k < static_cast<int>(3.0 * r.rate); ++k) {
-      const double t = k / r.rate;
-      const double moved = std::clamp(t - 1.2, 0.0, 1.0);
-      double x = 0.02 * normal(engine);
-      for (int j = 1; j <= 5; ++j) {
-        const double arc = 3 * j * kTwoPi * 1.3e-3 * spindle * moved;
-        x += std::cos(kTwoPi * 3 * j * spindle * t - arc + 0.7 * j * j) / j;
-      }
-      const double runout = 0.38 + 1.65 * std::min(moved, 0.2) + 1.5 * std::clamp(moved - 0.7, 0.0, 0.25);
-      const double turned = 6e-3 * spindle * std::clamp(moved - 0.75, 0.0, 0.12);
-      x += runout * std::cos(kTwoPi * (8 * spindle * t + turned));
-      r.channels[0].push_back(static_cast<float>(x));
+  constexpr double kSpindle = 104.6;
+  expectSilence(3, kSpindle, {54U, 55U, 56U}, [](double t) {
+    const double moved = std::clamp(t - 1.2, 0.0, 1.0);
+    const double runout = 0.38 + 1.65 * std::min(moved, 0.2) + 1.5 * std::clamp(moved - 0.7, 0.0, 0.25);
+    const double turned = 6e-3 * kSpindle * std::clamp(moved - 0.75, 0.0, 0.12);
+    double x = runout * std::cos(kTwoPi * (8 * kSpindle * t + turned));
+    for (int j = 1; j <= 5; ++j) {
+      const double arc = 3 * j * kTwoPi * 1.3e-3 * kSpindle * moved;
+      x += std::cos(kTwoPi * 3 * j * kSpindle * t - arc + 0.7 * j * j) / j;
     }
-    RunOptions o;
-    o.teeth = 3;
-    o.rpm = 60.0 * spindle;
-    EXPECT_LT(run(r, o).firstAlarm, 0.0) << "seed " << seed;
-  }
+    return x;
+  });
 }
 
 // Near the limit a mode amplifies runout of alternate teeth, which holds a fifth of the amplitude already, to the size
@@ -164,30 +174,16 @@ TEST(Doubling, RunoutThatAModeAmplifiesIsNone) {
 // The arc of engagement changes within half a second, and the tooth passings against each other; on its way runout is
 // left on order 6 as never before (an end mill whose cut widens from a tenth to two thirds of its diameter).
 TEST(Doubling, RunoutThatAnImmersionRampUncoversIsNone) {
-  for (const unsigned seed : {51U, 52U, 53U}) {
-    std::mt19937 engine(seed);
-    std::normal_distribution<double> normal;
-    Recording r;
-    r.rate = 12800.0;
-    r.channels.assign(1, {});
-    const double spindle = 131.3;
-    for (int k = 0; k < static_cast<int>(3.0 * r.rate); ++k) {
-      const double t = k / r.rate;
-      const double u = std::clamp((t - 1.5) / 0.5, 0.0, 1.0);
-      double x = 0.02 * normal(engine);
-      for (int j = 1; j <= 5; ++j) {
-        const double tooth = (1.0 - u) / j + u / (j * j);
-        x += tooth * std::cos(kTwoPi * 4 * j * spindle * t + 0.7 * j * j + u * j * j);
-      }
-      const double uncovered = std::min(0.3, 0.008 * std::exp(12.0 * u));
-      x += uncovered * std::cos(kTwoPi * 6 * spindle * t);
-      r.channels[0].push_back(static_cast<float>(x));
+  constexpr double kSpindle = 131.3;
+  expectSilence(4, kSpindle, {51U, 52U, 53U}, [](double t) {
+    const double u = std::clamp((t - 1.5) / 0.5, 0.0, 1.0);
+    double x = std::min(0.3, 0.008 * std::exp(12.0 * u)) * std::cos(kTwoPi * 6 * kSpindle * t);
+    for (int j = 1; j <= 5; ++j) {
+      const double tooth = (1.0 - u) / j + u / (j * j);
+      x += tooth * std::cos(kTwoPi * 4 * j * kSpindle * t + 0.7 * j * j + u * j * j);
     }
-    RunOptions o;
-    o.teeth = 4;
-    o.rpm = 60.0 * spindle;
-    EXPECT_LT(run(r, o).firstAlarm, 0.0) << "seed " << seed;
-  }
+    return x;
+  });
 }
 
 // A tooth-passing harmonic on a mode shakes the cut more than anything else, and is named for what it is.
