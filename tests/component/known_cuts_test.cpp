@@ -168,6 +168,48 @@ TEST(KnownCuts, TeethThatLeaveTheMaterialMakeNoDoubling) {
   }
 }
 
+// What runout leaves on the orders of doubling grows long before the limit, by 1 / (1 - depth / limit), and no chatter
+// with it. Held here is the truth of the simulated cuts, one of them with runout on most of what is heard.
+TEST(KnownCuts, DoublingBeginsAtTheLimit) {
+  for (const char* name : {"Z2-405-runout", "Z4-405-runout"}) {
+    const SimulationOrder order = orderOf("flip, even teeth", 9, name);
+    const auto limit = limitOf(order.scenario);
+    ASSERT_TRUE(limit);
+    double passed = order.quietTo;
+    while (order.scenario.programme.depth.at(passed, 0.0, 0.0) < limit->depth.value) passed += 1e-3;
+    const KnownCut cut = simulate(order);
+    EXPECT_EQ(cut.kind, ChatterKind::Flip);
+    EXPECT_GE(cut.at1, passed - 1e-3) << name;
+    EXPECT_GT(cut.at20, cut.at1 + 0.01) << name;
+    EXPECT_LT(cut.at20, passed + 0.2) << name;
+  }
+}
+
+// Three teeth: runout repeats with them and not with four; doubling changes its sign from turn to turn. From 1 to 20 %
+// it takes three growth constants, from 20 to 50 % one.
+TEST(KnownCuts, DoublingOfOddTeethIsSeenFromOnePerCentOn) {
+  const SimulationOrder order = orderOf("flip, odd teeth", 10, "Z3-410");
+  const KnownCut cut = simulate(order);
+  EXPECT_EQ(cut.kind, ChatterKind::Flip);
+  const auto period = static_cast<std::size_t>(std::lround(60.0 * cut.recording.rate / cut.rpm));
+  const auto part = [&](double time) {
+    const auto from = static_cast<std::size_t>(time * cut.recording.rate);
+    double odd = 0.0;
+    double even = 0.0;
+    for (const auto& x : cut.clean) {
+      for (std::size_t i = from; i < from + period; ++i) {
+        const auto now = static_cast<double>(x[i]);
+        const auto before = static_cast<double>(x[i - period]);
+        odd += (now - before) * (now - before);
+        even += (now + before) * (now + before);
+      }
+    }
+    return std::sqrt(odd / even);
+  };
+  EXPECT_NEAR(part(cut.at1), 0.01, 0.005);
+  EXPECT_NEAR(part(cut.at20), 0.2, 0.04);
+}
+
 // The depth goes to nine tenths of where the cut would double, and a mode amplifies the runout of 1 um that is there.
 TEST(KnownCuts, RunoutBelowTheLimitOfDoublingRaisesNoAlarm) {
   for (const char* name : {"Z2-407-runout", "Z4-409-runout"}) {

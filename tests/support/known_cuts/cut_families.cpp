@@ -93,7 +93,7 @@ Orders flip(int seeds, const char* family, std::span<const ToolKind> tools, doub
       if (!found) continue;
       planDepth(s, kPlan, 0.6 * found->depth.value, 1.35 * found->depth.value);
       orders.push_back(order(family, s, AlarmRule::Sharp));
-      orders.back().doubling = true;
+      orders.back().doubling = s.model.tool.teeth % 2 == 0;
     }
   }
   return orders;

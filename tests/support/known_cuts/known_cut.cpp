@@ -11,7 +11,7 @@
 
 #include "core/milling/noise.h"
 #include "core/milling/simulated_cut.h"
-#include "tests/support/known_cuts/tools.h"
+#include "tests/support/known_cuts/doubling.h"
 
 namespace stillcut::bench {
 namespace {
@@ -66,71 +66,6 @@ std::vector<double> delayed(const std::vector<float>& x, double frames) {
     out[static_cast<std::size_t>(i)] = sum;
   }
   return out;
-}
-
-// Period doubling by its own definition, from the signal before noise: what changes its sign from tooth to tooth, over
-// what does not. With even teeth this lies on spindle harmonics, where a difference over whole turns does not see it.
-// Runout makes some of it in the stable cut; that part is taken off.
-struct Doubling {
-  double at1 = kNever, at20 = kNever;  // s
-  double lastAbove = kNever;           // s, 20 %; middle of the window
-  double hertz = 0.0;
-};
-
-std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& order) {
-  const double exact = 60.0 * cut.recording.rate / (cut.rpm * cut.teeth);
-  const auto tooth = static_cast<std::size_t>(std::lround(exact));
-  const std::size_t window = tooth * std::max<std::size_t>(static_cast<std::size_t>(cut.teeth), 4);
-  const std::size_t frames = cut.recording.frames();
-  std::vector<double> odd(frames, 0.0);
-  std::vector<double> even(frames, 0.0);
-  for (const auto& x : cut.recording.channels) {
-    const std::vector<double> before = delayed(x, exact);
-    for (std::size_t i = tooth; i < frames; ++i) {
-      const double now = static_cast<double>(x[i]);
-      odd[i] += 0.25 * (now - before[i]) * (now - before[i]);
-      even[i] += 0.25 * (now + before[i]) * (now + before[i]);
-    }
-  }
-  for (auto* v : {&odd, &even}) {
-    for (std::size_t i = 1; i < frames; ++i) (*v)[i] += (*v)[i - 1];
-  }
-  const auto part = [&](std::size_t from, std::size_t to) { return (odd[to] - odd[from]) / (even[to] - even[from]); };
-  const auto frame = [&](double t) { return static_cast<std::size_t>(t * cut.recording.rate); };
-  const double usual = part(frame(order.quietFrom), frame(order.quietTo));
-  const auto ratio = [&](std::size_t i) { return std::sqrt(std::max(0.0, part(i - window, i) - usual)); };
-  std::size_t full = frame(order.quietTo);
-  while (full < frames && ratio(full) < 0.5) ++full;
-  if (full == frames) return std::nullopt;
-  const auto below = [&](double mark) {
-    std::size_t i = full;
-    while (i > frame(order.quietTo) && ratio(i) >= mark) --i;
-    return static_cast<double>(i) / cut.recording.rate;
-  };
-  std::size_t last = frames - 1;
-  while (last > full && ratio(last) < 0.2) --last;
-  const std::size_t middle = last - window / 2;
-  Doubling found{below(0.01), below(0.2), static_cast<double>(middle) / cut.recording.rate, cut.chatterHz};
-  // An odd multiple of half the tooth-passing frequency; the strongest over the time to full chatter and as long after.
-  double strongest = 0.0;
-  const std::size_t from = frame(found.at20);
-  const std::size_t span = (full - from + 8 * tooth) / (2 * tooth) * (2 * tooth);
-  if (from + span > frames) return found;
-  for (int k = 0; (k + 0.5) / exact < 0.5; ++k) {
-    const double perSample = kTwoPi * (k + 0.5) / exact;
-    double power = 0.0;
-    for (const auto& x : cut.recording.channels) {
-      std::complex<double> sum;
-      for (std::size_t i = from; i < from + span; ++i) {
-        sum += static_cast<double>(x[i]) * std::polar(1.0, perSample * static_cast<double>(i - from));
-      }
-      power += std::norm(sum);
-    }
-    if (power <= strongest) continue;
-    strongest = power;
-    found.hertz = (k + 0.5) * cut.recording.rate / exact;
-  }
-  return found;
 }
 
 // Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together. What it
@@ -227,30 +162,16 @@ void takeEarlierInstability(KnownCut& cut, const milling::ChatterTruth& truth) {
   });
 }
 
-// Is the cut of this moment unstable, by the exact lobes?
-bool unstableAt(const milling::Scenario& scenario, double time) {
-  milling::Scenario now = scenario;
-  const milling::Programme& programme = scenario.programme;
-  double& immersion = now.model.engagement.radialImmersion;
-  immersion = programme.immersion.at(time, 0.0, immersion);
-  const auto limit = limitOf(now);
-  return limit && limit->depth.value < programme.depth.at(time, 0.0, 0.0);
-}
-
 // Period doubling with even teeth and runout. The difference over whole turns, which the truth goes by, sees it once it
 // has locked, both its times in one; and the companion that says since when a small disturbance grows begins that from
-// a thousandth of another motion that dies. It grows out of what runout drives, from the limit of the exact lobes on:
-// the 1 % time is when it has exceeded that by 1 % beyond that limit, and the 20 % time no sooner than by 20 %. Where
-// it ends, the truth's companion loses sight of it as soon as the linearised cut is not sure to double: it lasts as
-// long as it changes its sign.
+// a thousandth of another motion that dies. Chatter begins where it is seen by itself (doubling.h), and is there when
+// both say so. Where it ends, the truth's companion loses sight of it as soon as the linearised cut is not sure to
+// double: it lasts as long as it changes its sign.
 void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
-  constexpr double kStep = 5e-3;      // s
-  constexpr double kFurthest = 50.0;  // turns: the lag of the companion is far less
   if (!order.scenario.programme.speedOverTime.segments.empty()) return;
   const auto doubling = doublingOf(cut, order);
   if (!doubling) return;
-  const double least = std::max(doubling->at1, cut.at1 - kFurthest * 60.0 / cut.rpm);
-  while (cut.at1 - kStep > least && unstableAt(order.scenario, cut.at1 - kStep)) cut.at1 -= kStep;
+  cut.at1 = std::min(cut.at1, doubling->at1);
   cut.at20 = std::max(cut.at20, doubling->at20);
   if (order.recovers) cut.lastAbove = doubling->lastAbove;
 }
@@ -359,12 +280,6 @@ KnownCut simulate(const SimulationOrder& order) {
       cut.at20 = doubling->at20;
       cut.chatterHz = doubling->hertz;
       cut.kind = ChatterKind::Flip;
-    }
-    // Near the limit runout of alternate teeth is magnified without any chatter; that begins with the instability.
-    for (const auto& entry : plant.truth().log()) {
-      if (!entry.unstable) continue;
-      cut.at20 = std::max(cut.at20, static_cast<double>(entry.time));
-      break;
     }
   } else {
     takeTruth(cut, order, plant.truth());
