@@ -24,7 +24,7 @@ void LoneLine::reset() noexcept {
   forget();
 }
 
-void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool measured) noexcept {
+void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool measured, Hertz followed) noexcept {
   const SpeedSearch::Line line = search.strongest();
   const Hertz before = strongest_;
   strongest_ = line.part > kLonePart ? line.frequency : Hertz(0.0);
@@ -33,6 +33,7 @@ void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool m
   if (std::abs(strongest_.value - before.value) > kLoneDrift * rate_ / search.window()) return;
   if (search.mayBeForced(strongest_, told * (1.0 - range), told * (1.0 + range))) return;
   if (!measured) {
+    if (search.mayBeForcedAt(strongest_, followed)) return;
     const double further = range + SpeedSearch::kRunAway;
     if (search.mayBePassing(strongest_, told * (1.0 - further), told * (1.0 + further))) return;
   }

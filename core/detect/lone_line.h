@@ -19,8 +19,9 @@ class LoneLine {
   static constexpr double kReadBack = 2e-3;  // doubt of a measured speed, while it stands
 
   // After each window that `search` was given. told: 0 where nobody says a speed; range: its doubt, as a ratio;
-  // measured: by the machine.
-  void watch(const SpeedSearch& search, Hertz told, double range, bool measured) noexcept;
+  // measured: by the machine. followed: the speed that a spindle was found at which nobody measures, 0: none. It may
+  // have run away further than what was told is in doubt, and then has its own tooth passings and its own comb.
+  void watch(const SpeedSearch& search, Hertz told, double range, bool measured, Hertz followed) noexcept;
   // Now; 0: none.
   Hertz line() const noexcept { return line_; }
   // The last one of this cut, where it is now: the comb that it lies on is not the spindle's. 0: none.

@@ -47,10 +47,12 @@ void PhaseTracker::prepare(int channels, Hertz rate, int teeth) {
   start(Hertz(0.0), Hertz(0.0));
 }
 
-void PhaseTracker::start(Hertz spindle, Hertz sd) noexcept {
+void PhaseTracker::start(Hertz spindle, Hertz sd, double drift) noexcept {
   omega_ = kTwoPi * spindle.value;
   p00_ = p01_ = 0.0;
   forgetDrift();
+  if (mayDrift_) alpha_ = omega_ * drift;
+  p22_ = kDriftDoubt * alpha_ * kDriftDoubt * alpha_;
   p11_ = kTwoPi * sd.value * kTwoPi * sd.value;
   drift_.reset();
   time_ = angleSum_ = 0.0;

@@ -26,8 +26,8 @@ class PhaseTracker {
   void prepare(int channels, Hertz rate, int teeth);
   // Is a drift to be looked for? Not where a machine tells how the speed changes.
   void mayDrift(bool may) noexcept;
-  // Starts anew at a speed known to `sd`.
-  void start(Hertz spindle, Hertz sd) noexcept;
+  // Starts anew at a speed known to `sd`; drift: relative, per second, that it is known to have.
+  void start(Hertz spindle, Hertz sd, double drift = 0.0) noexcept;
   // The cut changed and the speed did not: the references follow.
   void stay() noexcept { retained_ = 1.0; }
   // The machine changed its speed: the references stay, the doubt grows.

@@ -180,6 +180,12 @@ bool SpeedSearch::mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept 
   return false;
 }
 
+bool SpeedSearch::mayBeForcedAt(Hertz line, Hertz spindle) const noexcept {
+  if (!(spindle.value > 0.0) || std::abs(dsp::orderOffset(line, spindle)) > kOnComb) return false;
+  const auto order = static_cast<int>(std::lround(line / spindle));
+  return order > 0 && (order % std::max(teeth_, 1) == 0 || sharesComb(line, line / order));
+}
+
 bool SpeedSearch::mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept {
   const int every = std::max(teeth_, 1);
   for (int k = static_cast<int>(std::ceil(line / high / every)); k * every * low.value <= line.value; ++k) {

@@ -64,6 +64,8 @@ class SpeedSearch {
   Parts restAt(Hertz spindle) const noexcept;
   // May this line of the vibration be forced at some speed in low..high: a tooth passing, or one of a comb of lines?
   bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
+  // ... at this one, if at any?
+  bool mayBeForcedAt(Hertz line, Hertz spindle) const noexcept;
   // ... or one tooth passing among others on a comb of low..high?
   bool mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept;
 

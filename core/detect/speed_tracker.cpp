@@ -66,6 +66,7 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
   quick_.search.prepare(std::max(128, static_cast<int>(window * part)), setup.rate, setup.teeth);
   tracker_.prepare(channels_, setup.rate, setup.teeth);
   lone_.prepare(setup.teeth, setup.rate);
+  trend_.prepare(kQuickHops);
   for (auto& ring : ring_) ring.assign(static_cast<std::size_t>(window), 0.0);
   unrolled_.assign(static_cast<std::size_t>(window), 0.0);
   reset();
@@ -130,14 +131,15 @@ void SpeedTracker::remember(const double* const* samples, int frames) noexcept {
   }
 }
 
-void SpeedTracker::lock(Hertz spindle, Hertz sd) noexcept {
+void SpeedTracker::lock(Hertz spindle, Hertz sd, double drift) noexcept {
   locked_ = true;
   trusted_ = told_ > 0.0 && (trusted_ || nominal_ > 0.0 || measured_);
   if (!(told_ > 0.0)) told_ = spindle.value;
   ratio_ = spindle.value / told_;
   source_ = SpeedSource::Signal;
   motion_.startHearing(spindle.value);
-  tracker_.start(spindle, sd);
+  tracker_.start(spindle, sd, drift);
+  trend_.mark();
   slew_ = 0.0;
 }
 
@@ -177,7 +179,9 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     }
     if (away > kMoved && proven_ && !astray()) return;
   }
-  if (locked_ && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
+  // Where nobody tells a change and no lock has settled, what the windows have led on to is the comb that was found.
+  const bool sameComb = &look == &quick_ && !measured_ && !proven_ && trend_.unbroken();
+  if (locked_ && !sameComb && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
     // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only, and has
     // little beside it.
     const SpeedSearch::Parts here = look.search.restAt(spindle() / look.gone);
@@ -194,7 +198,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   // since what is remembered began.
   const double sinceMiddle = 0.5 * look.search.window() / static_cast<double>(inCut_);
   const double gone = riding() ? sinceMiddle * (motion_.told() / toldFirst_ - 1.0) : 0.0;
-  lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)));
+  lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)), look.drift);
 }
 
 bool SpeedTracker::believed(const Look& look) const noexcept {
@@ -253,9 +257,10 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
   if (locked_ && proven_ && !astray() && !(lone_.suspect().value > 0.0)) return;
-  const double drift = locked_ && !astray() ? tracker_.drift() : 0.0;
-  look.gone = 1.0 + 0.5 * drift * static_cast<double>(window) / rate_;
-  look.search.begin(drift);
+  const double followed = locked_ && !astray() ? tracker_.drift() : 0.0;
+  look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
+  look.gone = 1.0 + 0.5 * look.drift * static_cast<double>(window) / rate_;
+  look.search.begin(look.drift);
   const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
   const auto head = static_cast<std::ptrdiff_t>(head_);
   for (int c = 0; c < channels_; ++c) {
@@ -264,7 +269,8 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
     look.search.add(std::span<const double>(unrolled_).subspan(static_cast<std::size_t>(size - window)));
   }
   if (&look == &quick_) {
-    lone_.watch(look.search, Hertz(told_), kMargin * (measured_ ? LoneLine::kReadBack : range_), measured_);
+    const double doubt = kMargin * (measured_ ? LoneLine::kReadBack : range_);
+    lone_.watch(look.search, Hertz(told_), doubt, measured_, locked_ ? spindle() : Hertz());
   }
   if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
   if (!(told_ > 0.0)) return;
@@ -280,6 +286,10 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (!locked_ && !measured_) {
     const SpeedCandidate further = within(range + SpeedSearch::kRunAway);
     if (stands(further) && further.part > std::max(kClearPart, kBetter * look.last.part)) look.last = further;
+  }
+  if (&look == &quick_ && !stands(look.last)) trend_.reset();
+  if (&look == &quick_ && stands(look.last)) {
+    trend_.add(Seconds((static_cast<double>(inCut_) - 0.5 * static_cast<double>(window)) / rate_), look.last.spindle);
   }
   look.last.spindle *= look.gone;
   judge(look, before);
@@ -313,6 +323,7 @@ void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
 void SpeedTracker::forget() noexcept {
   inCut_ = 0;
   head_ = 0;
+  trend_.reset();
   for (Look* look : {&quick_, &thorough_}) {
     look->last = {};
     look->found = {};

@@ -13,6 +13,7 @@
 #include "core/detect/phase_tracker.h"
 #include "core/detect/speed_motion.h"
 #include "core/detect/speed_search.h"
+#include "core/detect/speed_trend.h"
 #include "core/model/cut_setup.h"
 #include "core/model/machine_state.h"
 
@@ -67,9 +68,10 @@ class SpeedTracker {
     SpeedSearch search;
     SpeedCandidate last;
     FoundSpeed found;
-    int agreeing = 0;   // times in a row that a wide search found the same
-    long since = 0;     // frames since the last search
-    double gone = 1.0;  // speed now over that in the middle of the window, by the drift that is known
+    int agreeing = 0;    // times in a row that a wide search found the same
+    long since = 0;      // frames since the last search
+    double drift = 0.0;  // that is known, relative, per second
+    double gone = 1.0;   // speed now over that in the middle of the window, by that drift
   };
   // What was followed is no longer where it was.
   bool astray() const noexcept;
@@ -85,10 +87,11 @@ class SpeedTracker {
   void stepAside(const SpeedSearch& search) noexcept;
   void dropUntrusted() noexcept;
   bool believed(const Look& look) const noexcept;
-  void lock(Hertz spindle, Hertz sd) noexcept;
+  void lock(Hertz spindle, Hertz sd, double drift = 0.0) noexcept;
 
-  Look quick_;     // 12 turns: enough for a clean stable cut
-  Look thorough_;  // 24 turns: chatter, noise; goes on watching after the lock
+  Look quick_;        // 12 turns: enough for a clean stable cut
+  Look thorough_;     // 24 turns: chatter, noise; goes on watching after the lock
+  SpeedTrend trend_;  // of what quick_ says
   PhaseTracker tracker_;
   int channels_ = 1;
   double rate_ = 0.0;

@@ -267,5 +267,12 @@ TEST(KnownCuts, AnArcThatWidensRaisesNoAlarm) {
   for (const char* name : {"Z3-302", "Z3-309"}) expectSilent(orderOf("stable, immersion ramp", 9, name), 0.0);
 }
 
+// A spindle whose speed runs away by 5 % a second, told by nobody: what a window finds is over by then, and the phases
+// run away from what was found. The harmonics of a speed that is wrong by a per cent grow from turn to turn.
+TEST(KnownCuts, ASpeedThatRunsAwayRaisesNoAlarm) {
+  expectSilent(orderOf("stable, speed drifts", 9, "Z3-509"), -0.03);
+  expectSilent(orderOf("stable, speed drifts", 12, "Z2-512"), -0.02);
+}
+
 }  // namespace
 }  // namespace stillcut::bench

@@ -285,7 +285,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 20> kFamilies{{
+constexpr std::array<CutFamily, 21> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -301,6 +301,7 @@ constexpr std::array<CutFamily, 20> kFamilies{{
     {"slow spindle", "chatter near an order", slowSpindle},
     {"stable, slow spindle", "no chatter", slowStable},
     {"stable, quick rise", "no chatter", quickRise},
+    {"stable, speed drifts", "no chatter", speedDrifts},
     {"stable, strong runout", "no chatter", strongStable},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},

@@ -22,5 +22,6 @@ std::span<const CutFamily> cutFamilies();
 std::vector<SimulationOrder> slowStable(int seeds);
 std::vector<SimulationOrder> quickRise(int seeds);
 std::vector<SimulationOrder> strongStable(int seeds);
+std::vector<SimulationOrder> speedDrifts(int seeds);
 
 }  // namespace stillcut::bench

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "tests/support/known_cuts/cut_families.h"
@@ -84,6 +85,35 @@ std::vector<SimulationOrder> strongStable(int seeds) {
     const std::string teeth = "-Z" + std::to_string(s.model.tool.teeth);
     add(s, teeth.c_str(), 0.1, 0.9);
     add(s, (teeth + "-slowly").c_str(), 0.3, 0.95);
+  });
+  return orders;
+}
+
+// The speed drifts, and the depth rises to just below the least limit that there is on the way: modes come and go on
+// the spindle's orders, near the limit as sharply as anywhere.
+std::vector<SimulationOrder> speedDrifts(int seeds) {
+  constexpr int kSteps = 24;
+  constexpr double kSeconds = 2.2;
+  Orders orders;
+  const auto add = [&](Scenario s, const char* what, double perSecond) {
+    const double rpm = s.programme.speed.value;
+    double least = 0.03;
+    for (int k = 0; k <= kSteps; ++k) {
+      Scenario there = s;
+      there.programme.speed = Rpm(rpm * (1.0 + perSecond * kSeconds * k / kSteps));
+      if (const auto limit = limitOf(there)) least = std::min(least, limit->depth.value);
+    }
+    planDepth(s, kPlan, 0.5 * least, 0.9 * least);
+    s.programme.speedOverTime.segments = {
+        {0.0, kSeconds, rpm, rpm * (1.0 + kSeconds * perSecond), milling::RampShape::Linear}};
+    orders.push_back(order("stable, speed drifts", s, AlarmRule::Silent));
+    orders.back().name += what;
+  };
+  each(kFast, seeds, 500, [&](Scenario& s, const milling::StabilityLimit&) {
+    const double perSecond = (s.seed % 2 == 0 ? 1.0 : -1.0) * 0.01 * (1.0 + 2.0 * static_cast<double>(s.seed % 3));
+    add(s, "", perSecond);
+    for (auto& r : s.model.tool.runout) r = Metres(r.value * 3.0);
+    add(s, "-runout", perSecond);
   });
   return orders;
 }
