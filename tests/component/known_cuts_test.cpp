@@ -274,5 +274,15 @@ TEST(KnownCuts, ASpeedThatRunsAwayRaisesNoAlarm) {
   expectSilent(orderOf("stable, speed drifts", 12, "Z2-512"), -0.02);
 }
 
+// Two flutes with runout, at a speed that drifts: their order 5 crosses a mode before the cut is unstable and becomes
+// less from then on. There is no onset to be heard, and what is locked to a spindle order goes with it.
+TEST(KnownCuts, AnOrderThatLeavesAModeTellsNoOnset) {
+  EXPECT_FALSE(simulate(orderOf("speed ramp", 8, "Z2-508")).at20 > 0.0);
+  const KnownCut cut = simulate(orderOf("speed ramp", 12, "Z2-512"));
+  EXPECT_EQ(cut.kind, ChatterKind::Flip);
+  const double rpm = cut.spindleRpm[static_cast<std::size_t>(cut.at20 / cut.machineStep)];
+  EXPECT_NEAR(cut.chatterHz, 5.0 * rpm / 60.0, 1e-6 * cut.chatterHz);
+}
+
 }  // namespace
 }  // namespace stillcut::bench

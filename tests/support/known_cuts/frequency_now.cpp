@@ -5,39 +5,29 @@
 #include <complex>
 #include <numbers>
 
+#include "tests/support/known_cuts/spindle_turns.h"
+
 namespace stillcut::bench {
 namespace {
 
 constexpr double kTurns = 8.0;
 constexpr double kLeastSeconds = 0.05;
 constexpr double kOnOrder = 0.02;  // there it repeats from turn to turn
+constexpr double kLocked = 1e-3;   // ... and goes where the order goes
 constexpr double kReach = 0.02;
 constexpr double kMost = 0.5;  // of the power
 constexpr double kAsLoud = 0.5;
+// ... of all of it: what else there is has half the line's amplitude at most. Two as large, nearer than the stretch
+// tells apart, make one peak between them.
+constexpr double kMostOfAll = 0.8;
+constexpr double kCame = 4.0;  // in power, over what was there before
 
-// x(t) - 2 x(t - T) + x(t - 2T) under a Hann window, T where the spindle stood a turn and two turns before: what it
-// carries round all but goes, also while its speed changes.
+// Under a Hann window, the vibration or its difference x(t) - 2 x(t - T) + x(t - 2T), T where the spindle stood a turn
+// and two turns before: what it carries round all but goes, also while its speed changes.
 struct Stretch {
   std::vector<std::vector<double>> channels;
   double power = 0.0;
 };
-
-double rpmAt(const KnownCut& cut, double time) {
-  if (cut.spindleRpm.empty()) return cut.rpm;
-  const auto i = static_cast<std::size_t>(std::max(0.0, time / cut.machineStep));
-  return cut.spindleRpm[std::min(i, cut.spindleRpm.size() - 1)];
-}
-
-// Turns of the spindle up to each frame.
-std::vector<double> turnsOf(const KnownCut& cut, std::size_t frames) {
-  std::vector<double> turns(frames);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < frames; ++i) {
-    turns[i] = sum;
-    sum += rpmAt(cut, static_cast<double>(i) / cut.recording.rate) / (60.0 * cut.recording.rate);
-  }
-  return turns;
-}
 
 // The frame, to a fraction, at which the spindle stood `back` turns before frame `at`.
 double before(const std::vector<double>& turns, std::size_t at, double back) {
@@ -65,11 +55,16 @@ double between(const std::vector<float>& x, double at) {
   return sum;
 }
 
+enum class Of { Vibration, Difference };
+
+double lengthAt(const KnownCut& cut, double time) {
+  return std::max(kTurns * 60.0 / rpmAt(cut, time), kLeastSeconds);
+}
+
 // channels: empty: all.
-Stretch cutOut(const KnownCut& cut, double time, const std::vector<int>& channels) {
+Stretch cutOut(const KnownCut& cut, double time, const std::vector<int>& channels, Of of = Of::Difference) {
   const double rate = cut.recording.rate;
-  const double rpm = rpmAt(cut, time);
-  const double seconds = std::max(kTurns * 60.0 / rpm, kLeastSeconds);
+  const double seconds = lengthAt(cut, time);
   const auto length = static_cast<std::size_t>(seconds * rate);
   const auto first = static_cast<std::size_t>(std::max(0.0, (time - 0.5 * seconds) * rate));
   Stretch s;
@@ -89,7 +84,9 @@ Stretch cutOut(const KnownCut& cut, double time, const std::vector<int>& channel
     auto& out = s.channels.emplace_back(length);
     for (std::size_t i = 0; i < length; ++i) {
       const double u = std::sin(std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(length));
-      out[i] = u * u * (static_cast<double>(x[first + i]) - 2.0 * between(x, one[i]) + between(x, two[i]));
+      double value = static_cast<double>(x[first + i]);
+      if (of == Of::Difference) value += between(x, two[i]) - 2.0 * between(x, one[i]);
+      out[i] = u * u * value;
       s.power += out[i] * out[i];
     }
   }
@@ -113,32 +110,56 @@ double partAt(const Stretch& s, double hz, double rate) {
   return s.power > 0.0 ? power / s.power : 0.0;
 }
 
-}  // namespace
+struct Peak {
+  double hz = 0.0;
+  double part = 0.0;   // of the power
+  double power = 0.0;  // of the line, in any unit
+};
 
-Hertz frequencyAt(const KnownCut& cut, Seconds time) {
-  const double rate = cut.recording.rate;
-  const double orders = cut.chatterHz * 60.0 / rpmAt(cut, time.value);
-  if (std::abs(orders - std::round(orders)) < kOnOrder) return Hertz(cut.chatterHz);
-  const Stretch s = cutOut(cut, time.value, {});
-  if (!(s.power > 0.0)) return Hertz(cut.chatterHz);
+// The strongest line within reach of this frequency.
+Peak strongestNear(const Stretch& s, double hz, double rate) {
+  Peak peak{hz};
+  if (!(s.power > 0.0)) return peak;
   double step = 0.25 * rate / static_cast<double>(s.channels.front().size());
-  double best = cut.chatterHz;
-  double most = 0.0;
-  const auto tryAt = [&](double hz) {
-    const double part = partAt(s, hz, rate);
-    if (part <= most) return;
-    most = part;
-    best = hz;
+  const auto tryAt = [&](double there) {
+    const double part = partAt(s, there, rate);
+    if (part <= peak.part) return;
+    peak = {there, part, part * s.power};
   };
-  const int steps = static_cast<int>(kReach * cut.chatterHz / step);
-  for (int k = -steps; k <= steps; ++k) tryAt(cut.chatterHz + k * step);
-  while (step > 1e-4 * cut.chatterHz) {
-    const double middle = best;
+  const int steps = static_cast<int>(kReach * hz / step);
+  for (int k = -steps; k <= steps; ++k) tryAt(hz + k * step);
+  while (step > 1e-4 * hz) {
+    const double middle = peak.hz;
     tryAt(middle - 0.5 * step);
     tryAt(middle + 0.5 * step);
     step *= 0.5;
   }
-  return Hertz(most > kMost ? best : cut.chatterHz);
+  return peak;
+}
+
+// Once most of the vibration is a line that was not there before the chatter, it says itself where it is. The
+// difference weighs lines by where they lie between the orders: a faint one of another mode half way between them pulls
+// one that is near an order by more than a verdict may be off.
+Peak lineThatCame(const KnownCut& cut, double time) {
+  const double rate = cut.recording.rate;
+  const Peak now = strongestNear(cutOut(cut, time, {}, Of::Vibration), cut.chatterHz, rate);
+  if (!(now.part > kMostOfAll)) return {};
+  const double earlier = cut.at1 - lengthAt(cut, cut.at1);
+  const Peak before = strongestNear(cutOut(cut, earlier, {}, Of::Vibration), cut.chatterHz, rate);
+  return now.power > kCame * before.power ? now : Peak{};
+}
+
+}  // namespace
+
+Hertz frequencyAt(const KnownCut& cut, Seconds time) {
+  const double began = cut.chatterHz * 60.0 / rpmAt(cut, cut.at20);
+  if (std::abs(began - std::round(began)) < kLocked) return Hertz(std::round(began) * rpmAt(cut, time.value) / 60.0);
+  const Peak came = lineThatCame(cut, time.value);
+  if (came.hz > 0.0) return Hertz(came.hz);
+  const double orders = cut.chatterHz * 60.0 / rpmAt(cut, time.value);
+  if (std::abs(orders - std::round(orders)) < kOnOrder) return Hertz(cut.chatterHz);
+  const Peak peak = strongestNear(cutOut(cut, time.value, {}), cut.chatterHz, cut.recording.rate);
+  return Hertz(peak.part > kMost ? peak.hz : cut.chatterHz);
 }
 
 double frequencyOffBy(const KnownCut& cut, Seconds time, Hertz told, const std::vector<int>& channels) {

@@ -9,8 +9,9 @@
 namespace stillcut::bench {
 
 // Around `time`, over eight turns of the spindle and 50 ms at least, from the signal before noise: the strongest line
-// within 2 % of cut.chatterHz of what does not repeat from turn to turn. cut.chatterHz where there is no such signal,
-// where it lies on a spindle order, and where the line is not most of what does not repeat.
+// within 2 % of cut.chatterHz, of the vibration where that line is most of it and was not there before the chatter, or
+// else of what does not repeat from turn to turn. The spindle's order where it lies on one; cut.chatterHz where there
+// is no such signal, near an order, and where the line is not most of what does not repeat.
 Hertz frequencyAt(const KnownCut& cut, Seconds time);
 
 // How far a verdict of that time is off, as a ratio, by what these channels (empty: all) heard. Chatter comes as a

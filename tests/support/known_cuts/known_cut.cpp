@@ -12,6 +12,7 @@
 #include "core/milling/noise.h"
 #include "core/milling/simulated_cut.h"
 #include "tests/support/known_cuts/doubling.h"
+#include "tests/support/known_cuts/spindle_turns.h"
 
 namespace stillcut::bench {
 namespace {
@@ -68,10 +69,20 @@ std::vector<double> delayed(const std::vector<float>& x, double frames) {
   return out;
 }
 
+struct Line {
+  double hz = 0.0;  // stands there
+  int order = 0;    // ... or goes with the spindle, where above 0
+};
+
 // Power of one line over `turns` of the spindle from a time on, as a part of all power; both channels together. What it
 // was as long after `before` is taken from it as a vector.
-double linePart(const KnownCut& cut, double hz, double from, double turns, double before = kNever) {
-  const auto span = static_cast<std::size_t>(turns * 60.0 / cut.rpm * cut.recording.rate);
+double linePart(const KnownCut& cut, const Line& of, double from, double turns, double before = kNever) {
+  const auto span = static_cast<std::size_t>(turns * 60.0 / rpmAt(cut, from) * cut.recording.rate);
+  std::vector<double> stood;
+  if (of.order > 0) stood = turnsOf(cut, cut.recording.frames());
+  const auto phase = [&](std::size_t i) {
+    return of.order > 0 ? of.order * stood[i] : of.hz / cut.recording.rate * static_cast<double>(i);
+  };
   double line = 0.0;
   double all = 0.0;
   for (const auto& x : cut.recording.channels) {
@@ -81,7 +92,7 @@ double linePart(const KnownCut& cut, double hz, double from, double turns, doubl
       for (std::size_t i = 0; i < span && first + i < x.size(); ++i) {
         const double u = std::sin(0.5 * kTwoPi * (static_cast<double>(i) + 0.5) / static_cast<double>(span));
         const double value = static_cast<double>(x[first + i]);
-        total += u * u * value * std::polar(1.0, -kTwoPi * hz / cut.recording.rate * static_cast<double>(first + i));
+        total += u * u * value * std::polar(1.0, -kTwoPi * phase(first + i));
         power += value * value;
       }
       return total;
@@ -103,23 +114,24 @@ void takeLockedLine(KnownCut& cut, const SimulationOrder& order) {
   if (!(cut.chatterHz > 0.0)) return;
   // What lies nearer to an order of period doubling than so many turns resolve, and is weaker than what twice as many
   // turns show that order to have gained since the onset began, is that order's skirt. Runout alone gains nothing.
-  const double orders = cut.chatterHz * 60.0 / cut.rpm;
+  const double rpm = rpmAt(cut, cut.at20);
+  const double orders = cut.chatterHz * 60.0 / rpm;
   const int nearest = static_cast<int>(std::lround(orders));
   const double away = std::abs(orders - nearest);
-  const double line = linePart(cut, cut.chatterHz, cut.at20, kTurns);
+  const double line = linePart(cut, {cut.chatterHz}, cut.at20, kTurns);
   const bool doubles = 2 * (nearest % cut.teeth) == cut.teeth && away > kOnOrder && away < 2.0 / kTurns;
-  const double before = std::max(0.0, cut.at1 - 2.0 * kTurns * 60.0 / cut.rpm);
-  const bool skirt = doubles && linePart(cut, cut.chatterHz, cut.at20, 2.0 * kTurns) <
-                                    linePart(cut, nearest * cut.rpm / 60.0, cut.at20, 2.0 * kTurns, before);
+  const double before = std::max(0.0, cut.at1 - 2.0 * kTurns * 60.0 / rpm);
+  const bool skirt = doubles && linePart(cut, {cut.chatterHz}, cut.at20, 2.0 * kTurns) <
+                                    linePart(cut, {.order = nearest}, cut.at20, 2.0 * kTurns, before);
   if (line > kThere && !skirt) return;
   double most = 0.0;
   for (int n = 1; n < 8 * cut.teeth; ++n) {
     if (n % cut.teeth == 0) continue;
-    const double hz = n * cut.rpm / 60.0;
-    const double grown = linePart(cut, hz, cut.at20, kTurns) - linePart(cut, hz, order.quietFrom, kTurns);
+    const Line on{.order = n};
+    const double grown = linePart(cut, on, cut.at20, kTurns) - linePart(cut, on, order.quietFrom, kTurns);
     if (grown <= most) continue;
     most = grown;
-    cut.chatterHz = hz;
+    cut.chatterHz = n * rpm / 60.0;
     cut.kind = 2 * (n % cut.teeth) == cut.teeth ? ChatterKind::Flip : ChatterKind::Hopf;
   }
 }
@@ -134,18 +146,19 @@ double meanSquare(const KnownCut& cut, double from, double seconds) {
 }
 
 // A mode on a spindle order makes runout most of the vibration, chatter or not; it grows with the depth long before the
-// limit and stays as it is beyond. Where nothing in the vibration changes at the onset there was none to be seen, and
-// no truth to hold anybody to.
+// limit and stays as it is beyond, or becomes less where the speed takes the order off the mode. Where nothing in the
+// vibration becomes more at the onset there was none to be seen, and no truth to hold anybody to.
 void dropUnseenOnset(KnownCut& cut) {
   constexpr double kTurns = 8.0;
   constexpr double kSame = 0.05;  // in power: a ratio of 20 % adds 4 %, and is not the end of it
   constexpr double kSoon = 0.1;   // s
-  const double orders = cut.chatterHz * 60.0 / cut.rpm;
+  const double rpm = rpmAt(cut, cut.at20);
+  const double orders = cut.chatterHz * 60.0 / rpm;
   if (!(cut.at20 > 0.0) || std::abs(orders - std::round(orders)) > 1e-3) return;
-  const double seconds = kTurns * 60.0 / cut.rpm;
+  const double seconds = kTurns * 60.0 / rpm;
   const double before = meanSquare(cut, std::min(cut.at1, cut.at20) - kSoon - seconds, seconds);
   const double after = meanSquare(cut, cut.at20 + kSoon, seconds);
-  if (before > 0.0 && std::abs(after / before - 1.0) < kSame) cut.at1 = cut.at20 = kNever;
+  if (before > 0.0 && after / before - 1.0 < kSame) cut.at1 = cut.at20 = kNever;
 }
 
 void takeEarlierInstability(KnownCut& cut, const milling::ChatterTruth& truth) {
