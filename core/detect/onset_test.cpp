@@ -29,6 +29,12 @@ void OnsetTest::reset() noexcept {
   alarm_ = standsOut_ = false;
 }
 
+void OnsetTest::raise(double factor) noexcept {
+  mean_ *= factor;
+  shortMean_ *= factor;
+  meanEnergy_ *= factor;
+}
+
 void OnsetTest::setSpindle(Hertz spindle) noexcept {
   memoryTurns_ = std::max(kMemoryTurns, kMemory.value * spindle.value);
 }

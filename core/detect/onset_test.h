@@ -41,6 +41,9 @@ class OnsetTest {
   // steps as it is of: evidence counts it at once and not half a turn later; 0 where ratio is of this step alone.
   void update(double ratio, double turns, bool learn, double energy = 0.0, double newest = 0.0) noexcept;
 
+  // What was learned was learned of something that may be so much larger now without having grown.
+  void raise(double factor) noexcept;
+
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }
   // ... and what made it is there now: an alarm outlasts it by some turns.

@@ -11,14 +11,15 @@ namespace {
 // Of the other orders' energy: 3 % of their amplitude where the class is known to be chatter's, 20 % elsewhere.
 constexpr double kSmallest = 1e-3;
 constexpr double kSmallestBeside = 0.04;
-constexpr double kOtherSpeed = 3e-3;   // a seventh of the width of a mode damped by 1 %
-constexpr double kDriftTurns = 6.0;    // memory of the phase
-constexpr double kLeastDrift = 0.012;  // orders: what a spindle known to 0.1 % leaves at the twelfth order
-constexpr double kSteady = 0.8;        // of the power, that turns as one
-constexpr double kStill = 0.01;        // orders
-constexpr double kLeaks = 1.0 / 12.0;  // the sum of 1 / (2 pi d)^2 over all d, up and down
-constexpr double kLeastOthers = 0.1;   // what leaks is known no better
-constexpr double kLouder = 4.0;        // in energy, of what it was
+constexpr double kOtherSpeed = 3e-3;    // a seventh of the width of a mode damped by 1 %
+constexpr double kByOtherSpeed = 1.35;  // ... on whose flank 1 / (d^2 + z^2) energy changes by exp(0.3 % / z) at most
+constexpr double kDriftTurns = 6.0;     // memory of the phase
+constexpr double kLeastDrift = 0.012;   // orders: what a spindle known to 0.1 % leaves at the twelfth order
+constexpr double kSteady = 0.8;         // of the power, that turns as one
+constexpr double kStill = 0.01;         // orders
+constexpr double kLeaks = 1.0 / 12.0;   // the sum of 1 / (2 pi d)^2 over all d, up and down
+constexpr double kLeastOthers = 0.1;    // what leaks is known no better
+constexpr double kLouder = 4.0;         // in energy, of what it was
 // In energy. A mode amplifies runout by 1 / (1 - depth / limit), from half of the limit to nine tenths of it fivefold,
 // to within a twentieth tenfold. What has become more is no runout: by the first at the rate of an instability, by the
 // second in any case.
@@ -53,12 +54,14 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
   for (Class& c : classes_) c.onset.prepare({flips(c) ? kSmallest : kSmallestBeside, evidence});
 }
 
+void OrderGrowth::relearn(Class& c) noexcept {
+  c.onset.reset();
+  c.counts = c.own = c.unstable = c.doubles = false;
+  c.alarmTurns = c.turned = c.slow = c.outgrown = c.outgrownBy = 0.0;
+}
+
 void OrderGrowth::relearn() noexcept {
-  for (Class& c : classes_) {
-    c.onset.reset();
-    c.counts = c.own = c.unstable = c.doubles = false;
-    c.alarmTurns = c.turned = c.slow = c.outgrown = c.outgrownBy = 0.0;
-  }
+  for (Class& c : classes_) relearn(c);
   order_ = 0.0;
   doubling_ = false;
 }
@@ -67,8 +70,16 @@ void OrderGrowth::setSpindle(Hertz spindle) noexcept {
   for (Class& c : classes_) c.onset.setSpindle(spindle);
   stretches_.setSpindle(spindle);
   if (grown() || std::abs(spindle.value - learnedAt_.value) < kOtherSpeed * spindle.value) return;
+  const bool stepped = std::abs(spindle.value - learnedAt_.value) > 2.0 * kOtherSpeed * spindle.value;
   learnedAt_ = spindle;
-  relearn();
+  for (Class& c : classes_) {
+    if (stepped || flips(c)) {
+      relearn(c);
+      continue;
+    }
+    c.onset.raise(kByOtherSpeed);
+    c.slow *= kByOtherSpeed;
+  }
 }
 
 bool OrderGrowth::flips(const Class& c) const noexcept {

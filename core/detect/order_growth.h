@@ -39,8 +39,11 @@ class OrderGrowth {
   void prepare(int teeth, int eta, int harmonics);
   void setEvidence(double evidence) noexcept;
   void relearn() noexcept;
-  // What modes make of runout changes with the speed: beyond a part of their damping's width the floors are learned
-  // anew. Learning takes eight turns: while the speed changes by more than 0.04 % a turn nothing is found here.
+  // What modes make of runout changes with the speed: beyond a part of their damping's width the floors count as much
+  // more as a mode's flank is steep, and where the speed has stepped they are learned anew. So is the floor of period
+  // doubling at every such part: runout of alternate teeth on a mode that its order crosses is like the beginning of
+  // it, and near the limit a tenfold one. Learning takes eight turns: while the speed changes by more than 0.04 % a
+  // turn no doubling with an even number of teeth is found.
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
@@ -73,6 +76,7 @@ class OrderGrowth {
     bool counts = false;      // grown, and more than runout that a mode amplifies
     OnsetTest onset;
   };
+  static void relearn(Class& c) noexcept;
   void followStretches() noexcept;
   double products(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;

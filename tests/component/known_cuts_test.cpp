@@ -274,6 +274,18 @@ TEST(KnownCuts, ASpeedThatRunsAwayRaisesNoAlarm) {
   expectSilent(orderOf("stable, speed drifts", 12, "Z2-512"), -0.02);
 }
 
+// Chatter that grows while the drifting speed takes a spindle order across it: as near to it for a tenth of a second as
+// if it stood on it.
+TEST(KnownCuts, ChatterThatAnOrderCrossesIsHeardInTime) {
+  for (const char* family : {"speed ramp", "speed ramp, told"}) {
+    const KnownCut cut = simulate(orderOf(family, 11, "Z4-511"));
+    for (const std::vector<int>& channels : kAxes) {
+      const Score s = score(cut, {"energy-ratio", channels, 0.0});
+      EXPECT_TRUE(s.good()) << family << ' ' << s.after20 << " s after 20 %, off by " << s.frequencyError;
+    }
+  }
+}
+
 // Two flutes with runout, at a speed that drifts: their order 5 crosses a mode before the cut is unstable and becomes
 // less from then on. There is no onset to be heard, and what is locked to a spindle order goes with it.
 TEST(KnownCuts, AnOrderThatLeavesAModeTellsNoOnset) {
