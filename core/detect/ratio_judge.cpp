@@ -316,8 +316,10 @@ void RatioJudge::track(LineFinder& lines, const RatioHop& hop) noexcept {
   spread_ = line.spread.value;
   // A line between the harmonics that is larger than what grows on them is what those orders have caught a part of.
   const double offset = std::abs(dsp::orderOffset(line.frequency, hop.spindle));
-  const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity &&
-                       mostChanged_ > kLeastBetween * severity_ * TurnDifference::differenceGain(offset);
+  const bool larger = mostChanged_ > kLeastBetween * severity_ * TurnDifference::differenceGain(offset);
+  // ... and so is what turns by more than a quarter of a turn a turn: the next order has as much of it.
+  const bool caught = std::abs(onOrder_ - std::round(onOrder_)) > kMostOffset;
+  const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity && (larger || caught);
   doubled_ = onOrder_ > 0.0 && doubling_ && !between;
   if (onOrder_ > 0.0 && !between) {
     frequency_ = hop.spindle * onOrder_;
