@@ -296,5 +296,23 @@ TEST(KnownCuts, AnOrderThatLeavesAModeTellsNoOnset) {
   EXPECT_NEAR(cut.chatterHz, 5.0 * rpm / 60.0, 1e-6 * cut.chatterHz);
 }
 
+// Of a line at order 6.63 the filter on the sixth keeps a part, which turns by more than half a turn a turn. That order
+// has outgrown its floor; the frequency told is that of the line all the same.
+TEST(KnownCuts, AnOrderThatALineBrushesDoesNotTakeItsPlace) {
+  const KnownCut cut = simulate(orderOf("depth ramp", 4, "Z4-204"));
+  detect::testing::RunOptions options;
+  options.teeth = cut.teeth;
+  options.rpm = 0.97 * cut.rpm;
+  options.channels = {1};
+  int told = 0;
+  for (const Verdict& v : detect::testing::run(cut.recording, options, "energy-ratio").verdicts) {
+    const double time = sinceEpoch(v.time).value;
+    if (!v.alarming() || time > cut.at20 + 0.1) continue;
+    EXPECT_NEAR(v.frequency.value, cut.chatterHz, 0.01 * cut.chatterHz) << time << " s";
+    ++told;
+  }
+  EXPECT_GT(told, 10);
+}
+
 }  // namespace
 }  // namespace stillcut::bench
