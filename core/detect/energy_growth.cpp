@@ -8,8 +8,7 @@ namespace {
 
 constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is asked for more evidence
 constexpr double kRisingPart = 0.02;     // ... and to be of some size already: growth so fast is soon there
-constexpr double kFastGrowth = 2.0;      // of energy from half turn to half turn
-constexpr double kSlowGrowth = 1.5;      // from turn to turn
+constexpr double kGrowth = 1.5;          // of energy from turn to turn
 constexpr double kScatter = 2.0;         // of half turns of growth so slow, squared
 constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
 constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
@@ -106,10 +105,11 @@ double EnergyGrowth::changedIn(int from, int hops) const noexcept {
   return e;
 }
 
-bool EnergyGrowth::grows(int hops, double factor) const noexcept {
-  const double now = changedIn(0, hops);
-  const double before = changedIn(hops, hops);
-  return now > factor * before && before > factor * changedIn(2 * hops, hops) && steepens(hops, 1.0);
+bool EnergyGrowth::grows() const noexcept {
+  constexpr int kTurn = kHopsPerTurn;
+  const double now = changedIn(0, kTurn);
+  const double before = changedIn(kTurn, kTurn);
+  return now > kGrowth * before && before > kGrowth * changedIn(2 * kTurn, kTurn) && steepens(kTurn, 1.0);
 }
 
 bool EnergyGrowth::steepens(int hops, double scatter) const noexcept {
@@ -119,8 +119,7 @@ bool EnergyGrowth::steepens(int hops, double scatter) const noexcept {
 
 bool EnergyGrowth::rising() const noexcept {
   return onset_.alarm() && changed_ > kRisingPart * arrival_ && explainsEnergy() && steepens(kHalfTurn, kScatter) &&
-         onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() &&
-         (grows(kHalfTurn, kFastGrowth) || grows(kHopsPerTurn, kSlowGrowth));
+         onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() && grows();
 }
 
 bool EnergyGrowth::explainsEnergy() const noexcept {

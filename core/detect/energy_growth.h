@@ -53,7 +53,8 @@ class EnergyGrowth {
   // E_x of the last turn over that of the newest eight: what grows adds to a vibration, so of one that falls it is not
   // believed. The tool leaves, or the sensor loses its seat: then its own loss is what does not repeat.
   double levelTrend() const noexcept;
-  // Exponential growth shows before any spectrum can: three stretches in a row, each well above the one before. A knock
+  // Exponential growth shows before any spectrum can: three turns in a row, each well above the one before. Less than
+  // that is no proof: where a tool comes to the end of the work a forced vibration changes within a turn. A knock
   // rises once and decays. Forced vibration that begins to change, as where a ramp of the width of cut begins, rises
   // ever less steeply; growth out of a floor is a sum of exponentials, whose logarithm is convex: the ratios rise.
   // Forced vibration that changes by a share e in a turn leaves e^2 here, but changes the whole energy by 2 e: the
@@ -84,7 +85,7 @@ class EnergyGrowth {
   }
   void watchStanding(bool unheard) noexcept;
   double changedIn(int from, int hops) const noexcept;
-  bool grows(int hops, double factor) const noexcept;
+  bool grows() const noexcept;
   bool steepens(int hops, double scatter) const noexcept;
   bool leaps(Seconds length) const noexcept;
   bool leaps(int hops, double limit) const noexcept;

@@ -57,7 +57,7 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
   c.counts = c.own = c.unstable = c.doubles = false;
-  c.alarmTurns = c.turned = c.slow = c.outgrown = c.outgrownBy = 0.0;
+  c.alarmTurns = c.turned = c.turnedBy = c.slow = c.outgrown = c.outgrownBy = 0.0;
 }
 
 void OrderGrowth::relearn() noexcept {
@@ -131,7 +131,8 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  if (c.own && turns(c.order) && !explained(c)) return true;
+  const bool turns = this->turns(c.order) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
+  if (c.own && turns && !explained(c)) return true;
   if (!flips(c)) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.own && c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor());
 }
@@ -211,6 +212,8 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
   const bool on = louder && one && std::abs(drifts) > kSpeedDoubts * c.order * speedDoubt;
+  const bool turning = one && c.onset.evidence() > 0.0;
+  c.turnedBy = turning ? c.turnedBy + sense(c) * drifts * turns : 0.0;
   c.turned = on && drifts * c.turned >= 0.0 ? c.turned + drifts * turns : 0.0;
 }
 

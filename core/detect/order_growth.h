@@ -17,10 +17,12 @@
 // floor follows slow growth up, and what such a line leaks into the other orders keeps its share down: there the share,
 // without the leak, is held against a floor that rises by time alone, and the order must turn as above for some turns,
 // by a quarter of one in all: no further does a mode that comes near its limit turn what runout leaves on it. A
-// changing arc of engagement pulls the speed that is tracked as well, by a tenth of a per cent for some turns; orders
-// beyond the tenth may turn further by that. (An end mill at 800 rev/min on thin walls, order 15.03, growing twofold in
-// 0.5 s: 2 s earlier than by the whole turn, and in every seed.) The tooth-passing orders themselves are not tested:
-// what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
+// changing arc of engagement pulls the speed that is tracked as well, by a tenth of a per cent for some turns, by a
+// quarter of one for seconds where a face mill leaves the work; orders beyond the tenth may turn further by that. So
+// while the engagement changes the quarter of a turn is asked of every order. (An end mill at 800 rev/min on thin
+// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed.) The
+// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -67,6 +69,7 @@ class OrderGrowth {
     int order = 0;
     double alarmTurns = 0.0;
     double turned = 0.0;      // turns of the strongest order against the spindle, since it is louder
+    double turnedBy = 0.0;    // ... since there is evidence that its share grows
     double slow = 0.0;        // floor of the share that rises by time alone
     double outgrown = 0.0;    // turns since it is far above that and turns
     double outgrownBy = 0.0;  // ... and by how many it has turned since

@@ -9,6 +9,7 @@ namespace {
 constexpr Seconds kLeastStretch{0.05};
 constexpr Seconds kSlowest{0.06};   // growth constant; a load that rises within 0.3 s amplifies at 110 ms
 constexpr double kGrowsOn = 1.25;   // over a stretch: an e-fold in four of them or so
+constexpr double kOther = 0.1;      // of the pattern: 0.01 while the arc stands, 0.2 to 0.45 while it changes
 constexpr double kMostFolds = 2.0;  // over a long stretch, of a slow spindle
 
 }  // namespace
@@ -94,6 +95,10 @@ bool OrderStretches::ownGrowth(int rest) const noexcept {
 
 bool OrderStretches::growsOn(int rest) const noexcept {
   return ownGrowth(rest) && size(rest, 0) > kGrowsOn * size(rest, kStretch);
+}
+
+bool OrderStretches::engagementChanges() const noexcept {
+  return pattern_ > kOther;
 }
 
 bool OrderStretches::unstableGrowth(int rest, double beyond) const noexcept {

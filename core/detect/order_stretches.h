@@ -35,6 +35,8 @@ class OrderStretches {
   bool growsOn(int rest) const noexcept;
   // ... or beyond that by a factor, and at the rate of an instability?
   bool unstableGrowth(int rest, double beyond) const noexcept;
+  // Is the tooth passings' pattern another one than a stretch ago?
+  bool engagementChanges() const noexcept;
 
  private:
   using Row = std::span<const std::complex<double>>;

@@ -314,5 +314,12 @@ TEST(KnownCuts, AnOrderThatALineBrushesDoesNotTakeItsPlace) {
   EXPECT_GT(told, 10);
 }
 
+// A face mill is seconds on its way into the work and out of it, and while its arc changes the tooth passings move and
+// pull the speed that is tracked by a quarter of a per cent; its runout crosses a mode and turns by that.
+TEST(KnownCuts, AFaceMillOnItsWayInAndOutRaisesNoAlarm) {
+  expectSilent(orderOf("stable, face mill in and out", 9, "F4-2209"), -0.03);
+  expectSilent(orderOf("stable, face mill in and out", 9, "F4-2209"), -0.02);
+}
+
 }  // namespace
 }  // namespace stillcut::bench

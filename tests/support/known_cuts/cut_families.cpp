@@ -285,7 +285,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 21> kFamilies{{
+constexpr std::array<CutFamily, 22> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -300,6 +300,7 @@ constexpr std::array<CutFamily, 21> kFamilies{{
     {"chatter from entry", "no stable stretch to learn from", entryChatter},
     {"slow spindle", "chatter near an order", slowSpindle},
     {"stable, slow spindle", "no chatter", slowStable},
+    {"stable, face mill in and out", "no chatter", slowPassage},
     {"stable, quick rise", "no chatter", quickRise},
     {"stable, speed drifts", "no chatter", speedDrifts},
     {"stable, strong runout", "no chatter", strongStable},

@@ -20,6 +20,7 @@ struct CutFamily {
 std::span<const CutFamily> cutFamilies();
 // One of them.
 std::vector<SimulationOrder> slowStable(int seeds);
+std::vector<SimulationOrder> slowPassage(int seeds);
 std::vector<SimulationOrder> quickRise(int seeds);
 std::vector<SimulationOrder> strongStable(int seeds);
 std::vector<SimulationOrder> speedDrifts(int seeds);

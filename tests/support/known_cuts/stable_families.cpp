@@ -24,6 +24,25 @@ std::vector<SimulationOrder> slowStable(int seeds) {
   return orders;
 }
 
+// A cutter of 50 mm at 5 mm/s is seconds on its way into the work and out of it; its runout meets a mode meanwhile, and
+// the noise is as little as a good sensor's.
+std::vector<SimulationOrder> slowPassage(int seeds) {
+  constexpr std::array<ToolKind, 1> kTools{ToolKind::FaceMill};
+  Orders orders;
+  each(kTools, seeds, 2200, [&](Scenario& s, const milling::StabilityLimit& limit) {
+    const double depth = 0.5 * limit.depth.value;
+    planDepth(s, kSlowPlan, depth, depth);
+    s.programme.entry = milling::Passage{milling::Along::Time, 1.0};
+    s.programme.exit = milling::Passage{milling::Along::Time, 7.65};
+    s.programme.depth.segments = {{0.0, 0.1, depth, depth}};
+    orders.push_back(order("stable, face mill in and out", s, AlarmRule::Silent, kSlowPlan));
+    orders.back().quietFrom = 4.5;
+    orders.back().quietTo = 6.0;
+    orders.back().noise = 0.007;
+  });
+  return orders;
+}
+
 // To 0.9 of the limit within half a second, from the slowest spindle to the fastest: a load that changes, and no more.
 std::vector<SimulationOrder> quickRise(int seeds) {
   constexpr std::array<ToolKind, 4> kTools{ToolKind::FaceMill, ToolKind::TwoFlute, ToolKind::ThreeFlute,
