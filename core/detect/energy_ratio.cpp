@@ -166,6 +166,7 @@ void EnergyRatioDetector::restart() noexcept {
   inHop_ = 0;
   steadyTurns_ = 0.0;
   marks_.reset();
+  judge_.restart();
 }
 
 void EnergyRatioDetector::leaveCut() noexcept {

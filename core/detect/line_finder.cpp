@@ -22,6 +22,9 @@ constexpr double kSameBins = 2.0;  // within which a side line is where it shoul
 // In power, over the mean of what is beside it. A bin of noise reaches nine times its mean once in 8000, and half way
 // between two orders the turn difference makes 2.7 times the mean of it.
 constexpr double kStandsOut = 24.0;
+// ... and exactly there: a line that stands out so is known to a tenth of a bin, one that has nothing to do with it
+// lies anywhere within the two.
+constexpr double kInPlaceBins = 0.25;
 constexpr double kScalloped = 0.7;  // of a line's power that a bin half way beside it holds at least
 
 using Taps = std::array<std::array<double, kTaps>, kPlaces>;
@@ -171,7 +174,7 @@ FoundLine LineFinder::look(Hertz low, Hertz high) noexcept {
   const std::size_t right = std::min(last * kPlaces, peak + lobe_);
   for (std::size_t p = std::max(first * kPlaces, peak - std::min(peak, lobe_)); p <= right; ++p) line += power(p);
   found.frequency = refined(peak);
-  if (tooth_.value > 0.0) choose(found, low, high);
+  if (tooth_.value > 0.0) choose(found);
   found.purity = std::min(line / (kPlaces * whole), 1.0);
   return found;
 }
@@ -190,32 +193,51 @@ bool LineFinder::standsOut(const Peak& peak) const noexcept {
   return peak.power * bins > kStandsOut * sum;
 }
 
+// Lines that stand out, where the line itself and its side lines have to be: use(peak, place).
+template <class Use>
+void LineFinder::eachSideLine(Hertz line, Hertz tooth, const Use& use) const noexcept {
+  const double offset = std::abs(dsp::orderOffset(line, tooth));
+  for (int k = 0; tooth.value * (k - offset) < high_.value; ++k) {
+    for (const double order : {k - offset, k + offset}) {
+      const Hertz place = tooth * order;
+      if (place < low_ || high_ < place) continue;
+      const Peak peak = near(place, Hertz(kSameBins * binWidth()));
+      if (standsOut(peak)) use(peak, place);
+    }
+  }
+}
+
 // An integral takes 1 / f of each line's amplitude: undone by f^2 in power, which makes more of the noise as well.
-void LineFinder::choose(FoundLine& found, Hertz low, Hertz high) const noexcept {
-  const double offset = std::abs(dsp::orderOffset(found.frequency, tooth_));
+void LineFinder::choose(FoundLine& found) const noexcept {
   double most = 0.0;
   double all = 0.0;
   double sum = 0.0;
   double squares = 0.0;
-  for (int k = 0; tooth_.value * (k - offset) < high.value; ++k) {
-    for (const double order : {k - offset, k + offset}) {
-      const Hertz place = tooth_ * order;
-      if (place < low || high < place) continue;
-      const Peak peak = near(place, Hertz(kSameBins * binWidth()));
-      if (!standsOut(peak)) continue;
-      const double f = peak.frequency.value;
-      const double force = peak.power * (integrals_ ? f * f : 1.0);
-      all += force;
-      sum += force * f;
-      squares += force * f * f;
-      if (force <= most) continue;
-      most = force;
-      found.frequency = peak.frequency;
-    }
-  }
+  const Hertz strongest = found.frequency;
+  eachSideLine(strongest, tooth_, [&](const Peak& peak, Hertz) {
+    const double f = peak.frequency.value;
+    const double force = peak.power * (integrals_ ? f * f : 1.0);
+    all += force;
+    sum += force * f;
+    squares += force * f * f;
+    if (force <= most) return;
+    most = force;
+    found.frequency = peak.frequency;
+  });
   const double away = all > 0.0 ? found.frequency.value - sum / all : 0.0;
   const double variance = all > 0.0 ? squares / all - (sum / all) * (sum / all) : 0.0;
   found.spread = Hertz(std::sqrt(std::max(variance, 0.0) + away * away));
+}
+
+int LineFinder::sideLines(Hertz line, Hertz toothPassing) const noexcept {
+  if (!asked_ || !(toothPassing.value > 0.0)) return 0;
+  const double width = binWidth();
+  int lines = 0;
+  eachSideLine(line, toothPassing, [&](const Peak& peak, Hertz place) {
+    const bool itself = std::abs(peak.frequency.value - line.value) < kSameBins * width;
+    if (!itself && std::abs(peak.frequency.value - place.value) < kInPlaceBins * width) ++lines;
+  });
+  return lines;
 }
 
 Hertz LineFinder::refined(std::size_t place) const noexcept {

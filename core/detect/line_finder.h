@@ -44,6 +44,9 @@ class LineFinder {
     double power = 0.0;  // in find()'s units, comparable with each other
   };
   Peak near(Hertz middle, Hertz reach) const noexcept;
+  // How many lines stand out whole tooth passings away from this one, or from its mirror image, and exactly there. The
+  // tooth passing has to be known to a hundredth of a spindle order at the highest of them.
+  int sideLines(Hertz line, Hertz toothPassing) const noexcept;
 
  private:
   struct Channel {
@@ -57,7 +60,9 @@ class LineFinder {
   double power(std::size_t place) const noexcept;
   std::size_t highest(std::size_t from, std::size_t to) const noexcept;
   Hertz refined(std::size_t place) const noexcept;
-  void choose(FoundLine& found, Hertz low, Hertz high) const noexcept;
+  void choose(FoundLine& found) const noexcept;
+  template <class Use>
+  void eachSideLine(Hertz line, Hertz tooth, const Use& use) const noexcept;
   bool standsOut(const Peak& peak) const noexcept;
 
   dsp::kernels::Kernels kernels_;

@@ -9,14 +9,10 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kHysteresis = 0.5;         // chatter ends at this part of the ratio at which it began
-constexpr double kEntryChatterTurns = 8.0;  // a high ratio must last this long where no floor was learned
-constexpr double kEntryChatterSeconds = 0.1;
-constexpr double kAboveCalm = 4.0;  // in energy, as onset_test.h asks of growth
-constexpr double kBandPart = 0.5;   // of what the harmonics left, in the band of the line
+constexpr double kHysteresis = 0.5;  // chatter ends at this part of the ratio at which it began
 constexpr double kAlarmTurns = 16.0;
+constexpr double kSidedHeld = kHysteresis * RatioJudge::kSidedRatio;
 constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
-constexpr double kSettled = 1.6;       // chatter that was there from the entry has long found its size
 constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
 constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
@@ -88,8 +84,8 @@ void RatioJudge::leaveCut() noexcept {
   calm_.reset();
   calm_.forgetLevel();
   line_ = {};
-  highTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
-  learned_ = false;
+  highTurns_ = calmTurns_ = joint_ = severity_ = evidence_ = floor_ = changed_ = 0.0;
+  learned_ = sided_ = wasCalm_ = false;
   calmFloor_ = calmNews_ = {};
   risingHops_ = {};
   frequency_ = {};
@@ -157,31 +153,6 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   }
 }
 
-void RatioJudge::learnCalm(std::span<const RatioChannel> channels) noexcept {
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const auto learn = [](double& calm, const OnsetTest& onset) {
-      if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
-    };
-    learn(calmFloor_[i], channels[i].growth.onset());
-    learn(calmNews_[i], channels[i].news.onset());
-  }
-}
-
-// Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
-// weak signal make a ratio too. Of a line near a harmonic the difference passes so little that its ratio falls as the
-// line grows; there the news hears it.
-bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    const RatioChannel& c = channels[i];
-    const bool above =
-        c.growth.changed() >= kAboveCalm * calmFloor_[i] || c.news.changed() >= kAboveCalm * calmNews_[i];
-    if (c.ratio < chatterRatio_ || !above) continue;
-    const double part = chain.bandPart(static_cast<int>(i), line_.frequency);
-    if (part > kBandPart) return true;
-  }
-  return false;
-}
-
 // A tool that leaves takes its chatter along; what rings down then, or was there anyway, is none.
 bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept {
   bool left = phase == CutPhase::Exit;
@@ -202,18 +173,18 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) learnCalm(channels);
-  // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
-  const bool candidate = high && joint_ >= chatterRatio_ && hop.phase == CutPhase::Steady && !was;
-  const bool entry = (hop.loneLine && high) || fromEntry(channels, lines, hop, candidate);
+  const bool entry = (hop.loneLine && high) || (!was && fromEntry(channels, lines, hop));
+  const bool held = sided_ && joint_ >= kSidedHeld;
   const bool left = toolLeaves(channels, hop.phase);
   bool over = false;
   if (was) {
     const bool lost = lostTurns_ > kLostTurns;
-    over = lost || left || calm_.calm(hop.spindle) || !(high || grown_ || calm_.floorGone());
+    over = lost || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
     const bool full = high && (hop.turnsCompare || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
+    sided_ = sided_ && !over;
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
              (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
@@ -224,27 +195,6 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   if (!alarming()) feedSinceOnset_ = 0.0;
   track(lines, hop);
   return over;
-}
-
-// Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
-// for one and the same line over many turns.
-bool RatioJudge::fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop,
-                           bool high) noexcept {
-  if (!high || hop.steadyTurns < kSettleTurns) {
-    highTurns_ = 0.0;
-    sinceEntryLook_ = kLookHops;
-    return false;
-  }
-  // Chatter that beats goes through its lows as well: they do not count, and take nothing away.
-  if (hop.levelTrend > kSettled || hop.levelTrend * kSettled < 1.0) return false;
-  if (++sinceEntryLook_ < kLookHops) return false;
-  sinceEntryLook_ = 0;
-  const Hertz before = line_.frequency;
-  const bool stands = lineStands(lines, hop);
-  const bool same = std::abs(line_.frequency.value - before.value) < hop.spindle.value * 4.0 / kLineTurns;
-  if (stands && !aboveCalm(channels, *hop.chain)) return false;
-  highTurns_ = stands && same ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
-  return highTurns_ > std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value);
 }
 
 // Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.

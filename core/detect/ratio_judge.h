@@ -51,12 +51,17 @@ bool isIntegral(SensorQuantity q) noexcept;
 
 class RatioJudge {
  public:
-  static constexpr double kLineTurns = 16.0;   // window of the line finder
+  static constexpr double kLineTurns = 16.0;  // window of the line finder
+  // Energy ratio from which chatter is called by its side lines: a fifth of the vibration's amplitude. What else makes
+  // a ratio, as noise, chips and the lines of other machines, has no lines whole tooth passings beside it.
+  static constexpr double kSidedRatio = 0.04;
   static constexpr double kSettleTurns = 6.0;  // after a restart the filters are not believed
 
   void prepare(int teeth, double chatterRatio) noexcept;
   // Forgets the cut and all that belongs to it. The channels' own floors are the caller's.
   void leaveCut() noexcept;
+  // What is followed through the signal begins anew, in the same cut.
+  void restart() noexcept { highTurns_ = 0.0; }
   void setState(CutState state) noexcept { state_ = state; }
   void loseFloor() noexcept { calm_.loseFloor(); }
 
@@ -76,7 +81,8 @@ class RatioJudge {
   bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
   void gatherGrowth(const RatioChannel& c, int& risingHops) noexcept;
-  bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop, bool high) noexcept;
+  bool fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
+  bool lineHasSides(const LineFinder& lines, Hertz spindle) noexcept;
   bool lineStands(LineFinder& lines, const RatioHop& hop) noexcept;
   bool lineCounts(Hertz spindle) const noexcept;
   bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
@@ -89,7 +95,12 @@ class RatioJudge {
   double chatterRatio_ = 0.2;
   CutState state_ = CutState::Air;
   CalmWatch calm_;
-  double highTurns_ = 0.0;
+  double highTurns_ = 0.0;  // of chatter from the entry
+  Hertz entryLine_{};       // ... at this frequency
+  double entryMost_ = 0.0;  // the highest joint ratio of these turns
+  double calmTurns_ = 0.0;  // of a ratio that no chatter from the entry has
+  bool wasCalm_ = false;    // long enough, in this cut: from there growth decides
+  bool sided_ = false;      // the alarm is of chatter from the entry, known by its side lines
   double lostTurns_ = 0.0;
   int sinceLook_ = 0;         // hops, at the line that is followed
   int sinceEntryLook_ = 0;    // hops, at the line of chatter from the entry

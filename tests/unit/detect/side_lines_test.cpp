@@ -77,6 +77,24 @@ TEST(SideLines, NoiseIsNoSideLine) {
   EXPECT_LE(away, 1);
 }
 
+// Chatter's own stand whole tooth passings away; what else there is does not.
+TEST(SideLines, AreCountedWhereTheyBelong) {
+  LineFinder finder;
+  finder.prepare(1, kWindow, Hertz(kRate));
+  found(finder, kForce, 0.5);
+  EXPECT_EQ(finder.sideLines(Hertz(939.0), kTooth), 3);
+  std::vector<Line> others = kForce;
+  for (std::size_t i = 1; i < others.size(); ++i) others[i].hertz += 0.05 * kSpindle;
+  found(finder, others, 0.5);
+  EXPECT_EQ(finder.sideLines(Hertz(939.0), kTooth), 0);
+  int byChance = 0;
+  for (unsigned seed = 1; seed <= 200; ++seed) {
+    found(finder, {{939.0, 1.0}}, 0.5, seed);
+    byChance += finder.sideLines(Hertz(939.0), kTooth);
+  }
+  EXPECT_LE(byChance, 1);
+}
+
 double passed(SensorQuantity quantity, double hertz) {
   Recording tone;
   tone.rate = kRate;
