@@ -9,7 +9,7 @@ namespace {
 constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is asked for more evidence
 constexpr double kRisingPart = 0.02;     // ... and to be of some size already: growth so fast is soon there
 constexpr double kGrowth = 1.5;          // of energy from turn to turn
-constexpr double kScatter = 2.0;         // of half turns of growth so slow, squared
+constexpr double kScatter = 2.0;         // of the half turns of such growth, squared
 constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
 constexpr double kSteepest = 8.0;        // ... and its energy from hop to hop at most, on a slow spindle
 constexpr double kLeap = 6.0;            // energy of a hop above that and above all hops of a turn: scatter of noise

@@ -49,8 +49,8 @@ bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyC
   return false;
 }
 
-// Chatter that was there from the entry: no calm stretch was ever learned, so the paper's fixed ratio decides, but only
-// for one and the same line over many turns.
+// Chatter that was there from the entry has no floor to grow from, so a fixed ratio decides, for one and the same line
+// over many turns: the paper's, or, until the cut has once been calm and of a line with side lines, a fifth of it.
 bool RatioJudge::fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
   const bool full = severity_ >= chatterRatio_ && joint_ >= chatterRatio_;

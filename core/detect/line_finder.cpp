@@ -233,9 +233,13 @@ int LineFinder::sideLines(Hertz line, Hertz toothPassing) const noexcept {
   if (!asked_ || !(toothPassing.value > 0.0)) return 0;
   const double width = binWidth();
   int lines = 0;
+  double last = 0.0;  // half way between two tooth passings a line is the mirror image of the one before as well
   eachSideLine(line, toothPassing, [&](const Peak& peak, Hertz place) {
     const bool itself = std::abs(peak.frequency.value - line.value) < kSameBins * width;
-    if (!itself && std::abs(peak.frequency.value - place.value) < kInPlaceBins * width) ++lines;
+    const bool counted = std::abs(peak.frequency.value - last) < kSameBins * width;
+    if (itself || counted || std::abs(peak.frequency.value - place.value) > kInPlaceBins * width) return;
+    last = peak.frequency.value;
+    ++lines;
   });
   return lines;
 }

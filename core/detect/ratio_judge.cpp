@@ -26,7 +26,7 @@ constexpr double kLeastBetween = 0.5;  // line over severity from which it is no
 constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
 constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
 constexpr double kSpeedDoubts = 4.0;   // ... or within so many standard deviations of the harmonic's place
-constexpr double kMostOffset = 0.25;
+constexpr double kMostOffset = 0.25;   // ... at most; what turns by more a turn belongs to the next order as much
 // Orders over a relative change of speed in a turn: an order that moves across a mode of the damping z turns by 1 / (2
 // pi z) of it a turn, here 0.5 %, and the difference's peak stands as far again from it.
 constexpr double kPulled = 64.0;
@@ -171,10 +171,10 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_, was ? hop.length.value : 0.0);
+  const bool held = sided_ && joint_ >= kSidedHeld;
+  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) learnCalm(channels);
   const bool entry = (hop.loneLine && high) || (!was && fromEntry(channels, lines, hop));
-  const bool held = sided_ && joint_ >= kSidedHeld;
   const bool left = toolLeaves(channels, hop.phase);
   bool over = false;
   if (was) {
@@ -185,6 +185,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) calm_.reset();
     sided_ = sided_ && !over;
+    highTurns_ = 0.0;  // after an alarm the turns of chatter from the entry count anew
   } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
              (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;

@@ -139,7 +139,6 @@ void SpeedTracker::lock(Hertz spindle, Hertz sd, double drift) noexcept {
   source_ = SpeedSource::Signal;
   motion_.startHearing(spindle.value);
   tracker_.start(spindle, sd, drift);
-  trend_.mark();
   slew_ = 0.0;
 }
 
@@ -199,6 +198,12 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   const double sinceMiddle = 0.5 * look.search.window() / static_cast<double>(inCut_);
   const double gone = riding() ? sinceMiddle * (motion_.told() / toldFirst_ - 1.0) : 0.0;
   lock(now.spindle * (1.0 + gone), Hertz(std::max(now.sd.value, 3e-4 * now.spindle.value)), look.drift);
+  // What the quick windows say leads on only from what one of them has found.
+  if (&look == &quick_) {
+    trend_.mark();
+  } else {
+    trend_.reset();
+  }
 }
 
 bool SpeedTracker::believed(const Look& look) const noexcept {
@@ -227,6 +232,7 @@ void SpeedTracker::seek(Look& look) noexcept {
   proven_ = false;
   returning_ = locked_;
   lock(look.found.spindle, Hertz(kRideSd * look.found.spindle.value));
+  trend_.reset();
 }
 
 // A comb that was never followed cleanly was not the spindle's: chatter and its side lines make combs as well.

@@ -126,5 +126,16 @@ TEST(SideLines, SpeedAndCurrentAreHeardUpToWhereToolsChatter) {
   EXPECT_NEAR(passed(SensorQuantity::Acceleration, 4200.0), 1.0, 0.02);
 }
 
+// Half way between two tooth passings each place of a side line is that of the mirror image's as well.
+TEST(SideLines, OfPeriodDoublingCountOnce) {
+  LineFinder finder;
+  finder.prepare(1, kWindow, Hertz(kRate));
+  const Hertz line = kTooth * 1.5;
+  found(finder, {{line.value, 1.0}, {line.value + kTooth.value, 0.3}}, 0.01);
+  EXPECT_EQ(finder.sideLines(line, kTooth), 1);
+  found(finder, {{line.value, 1.0}, {line.value + kTooth.value, 0.3}, {line.value - kTooth.value, 0.3}}, 0.01);
+  EXPECT_EQ(finder.sideLines(line, kTooth), 2);
+}
+
 }  // namespace
 }  // namespace stillcut::detect::testing
