@@ -11,8 +11,7 @@
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
 // - Chatter that is there from the entry, until the cut has once been calm, is onset from a ratio of 0.04 on, a fifth
-// of
-//   the amplitude, where its line has side lines whole tooth passings away, as the tooth-periodic cut gives to what
+//   of the amplitude, where its line has side lines whole tooth passings away, as the tooth-periodic cut gives to what
 //   vibrates in it (entry_chatter.cpp). A line of other origin that shakes the tool so strongly from the entry on has
 //   them too, and is taken for chatter.
 // - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by

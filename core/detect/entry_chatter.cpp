@@ -9,14 +9,11 @@ namespace {
 
 constexpr double kEntryChatterTurns = 8.0;  // chatter, or a calm cut, stands for so long
 constexpr double kEntryChatterSeconds = 0.1;
-constexpr double kHysteresis = 0.5;
 constexpr double kAboveCalm = 4.0;  // in energy, as onset_test.h asks of growth
 constexpr double kBandPart = 0.5;   // of what the harmonics left, in the band of the line
 constexpr double kRingsDown = 0.5;  // what a change of the cut excited, and chatter does not: it has side lines too
 constexpr double kSettled = 1.6;    // chatter that was there from the entry has long found its size
-constexpr double kOtherLine = 4.0;  // a line this much stronger than the one followed takes its place
-constexpr int kLookHops = kHopsPerTurn / 2;
-constexpr int kSideLines = 2;                               // one may be there by chance
+constexpr int kSideLines = 2;       // one may be there by chance
 constexpr double kSameLine = 4.0 / RatioJudge::kLineTurns;  // orders: a line that grows is no better known
 
 }  // namespace

@@ -9,15 +9,12 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kHysteresis = 0.5;  // chatter ends at this part of the ratio at which it began
 constexpr double kAlarmTurns = 16.0;
-constexpr double kSidedHeld = kHysteresis * RatioJudge::kSidedRatio;
 constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
 constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
 constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
-constexpr double kOtherLine = 4.0;     // a line this much stronger than the one followed takes its place
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
 constexpr double kMostPassed = 0.25;   // difference over news of a line that needs the news to be heard in time
 constexpr double kLeastNews = 0.5;     // of what a line's news leaves of it in the difference
@@ -31,14 +28,13 @@ constexpr double kMostOffset = 0.25;   // ... at most; what turns by more a turn
 // pi z) of it a turn, here 0.5 %, and the difference's peak stands as far again from it.
 constexpr double kPulled = 64.0;
 
-// A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here. One that is followed
-// need not be looked at more often than verdicts are given, nor less often than every quarter of that spectrum.
-constexpr int kLookHops = kHopsPerTurn / 2;
+// A line that is followed need not be looked at more often than verdicts are given, nor less often than every quarter
+// of that spectrum.
 constexpr Seconds kFollowing{10e-3};
 constexpr int kMostLookHops = 4 * kHopsPerTurn;
 
 int followingHops(Seconds hop) noexcept {
-  return std::clamp(static_cast<int>(kFollowing / hop), kLookHops, kMostLookHops);
+  return std::clamp(static_cast<int>(kFollowing / hop), RatioJudge::kLookHops, kMostLookHops);
 }
 
 // A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
@@ -171,7 +167,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  const bool held = sided_ && joint_ >= kSidedHeld;
+  const bool held = sided_ && joint_ >= kHysteresis * kSidedRatio;
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) learnCalm(channels);
   const bool entry = (hop.loneLine && high) || (!was && fromEntry(channels, lines, hop));

@@ -52,8 +52,10 @@ bool isIntegral(SensorQuantity q) noexcept;
 class RatioJudge {
  public:
   static constexpr double kLineTurns = 16.0;  // window of the line finder
+  // A line is looked at every half turn: its spectrum is 16 turns long and the dearest thing here.
+  static constexpr int kLookHops = kHopsPerTurn / 2;
   // Energy ratio from which chatter is called by its side lines: a fifth of the vibration's amplitude. What else makes
-  // a ratio, as noise, chips and the lines of other machines, has no lines whole tooth passings beside it.
+  // a ratio, as noise, chips and lines that reach the sensor and not the tool, has none whole tooth passings beside it.
   static constexpr double kSidedRatio = 0.04;
   static constexpr double kSettleTurns = 6.0;  // after a restart the filters are not believed
 
@@ -75,6 +77,9 @@ class RatioJudge {
   void fill(Verdict& v, Hertz spindle) const noexcept;
 
  private:
+  static constexpr double kHysteresis = 0.5;  // chatter ends at this part of the ratio at which it began
+  static constexpr double kOtherLine = 4.0;   // a line this much stronger than the one followed takes its place
+
   void gather(std::span<const RatioChannel> channels) noexcept;
   void learnCalm(std::span<const RatioChannel> channels) noexcept;
   bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;

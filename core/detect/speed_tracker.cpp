@@ -293,8 +293,9 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
     const SpeedCandidate further = within(range + SpeedSearch::kRunAway);
     if (stands(further) && further.part > std::max(kClearPart, kBetter * look.last.part)) look.last = further;
   }
-  if (&look == &quick_ && !stands(look.last)) trend_.reset();
-  if (&look == &quick_ && stands(look.last)) {
+  if (&look == &quick_ && !stands(look.last)) {
+    trend_.reset();
+  } else if (&look == &quick_) {
     trend_.add(Seconds((static_cast<double>(inCut_) - 0.5 * static_cast<double>(window)) / rate_), look.last.spindle);
   }
   look.last.spindle *= look.gone;
