@@ -69,7 +69,7 @@ void EnergyRatioDetector::sizeFor(const CutSetup& setup, const config::ParamSet&
   chain_.prepare({channels_, harmonics, bandCount, perBand, Hertz(rate_), slowest, params.choice(kErCovariance) == 1},
                  kernels_);
   turns_.prepare(channels_, Hertz(rate_), slowest);
-  const int window = std::max(64, static_cast<int>(RatioJudge::kLineTurns * rate_ / nominal));
+  const int window = std::max(64, static_cast<int>(kLineTurns * rate_ / nominal));
   lines_.prepare(channels_, window, Hertz(rate_));
   newLine_.prepare(channels_, std::max(64, static_cast<int>(NewLine::kTurnsBack * rate_ / nominal)), Hertz(rate_));
   fixedGain_ = params.isAutomatic(kErLambda) ? 0.0 : harmonicGain(params.real(kErLambda), harmonics);
@@ -227,7 +227,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   steadyTurns_ = phase == CutPhase::Steady && turnsCompare_ ? steadyTurns_ + 1.0 / kHopsPerTurn : 0.0;
   // An alarm may end while the cut becomes so much quieter that the tool might leave.
   const bool ends = judge_.alarming() && phase == CutPhase::Exit && turnsCompare_;
-  const bool test = ends || (phase == CutPhase::Steady && steadyTurns_ >= RatioJudge::kSettleTurns && turnsCompare_);
+  const bool test = ends || (phase == CutPhase::Steady && steadyTurns_ >= kSettleTurns && turnsCompare_);
   const double rate = 1.0 - std::exp(-1.0 / (kRatioTurns * kHopsPerTurn));
   for (int c = 0; c < channels_; ++c) {
     RatioChannel& s = channelStates_[static_cast<std::size_t>(c)];
@@ -247,7 +247,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       s.orders.setLoad(s.load.mostOfAnOrder());
     }
     // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
-    const bool held = s.growth.turnsSinceLeap() < RatioJudge::kSettleTurns || s.load.changesQuickly();
+    const bool held = s.growth.turnsSinceLeap() < kSettleTurns || s.load.changesQuickly();
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();
     if (test && !held)
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
@@ -255,7 +255,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
   }
   if (judge_.judge(
           channelStates_, lines_,
-          {phase, length, Hertz(rate_), spindle_, block.spindleSd, highest_, steadyTurns_, turnsCompare_,
+          {phase, length, Hertz(rate_), spindle_, block.spindleSd, teeth_, highest_, steadyTurns_, turnsCompare_,
            block.levelTrend, &chain_, &newLine_, block.speedMoving ? &marks_ : nullptr, block.loneLine.value > 0.0}))
     relearn();
 }

@@ -12,7 +12,7 @@
 //   turn_difference.h).
 // - Chatter that is there from the entry, until the cut has once been calm, is onset from a ratio of 0.04 on, a fifth
 //   of the amplitude, where its line has side lines whole tooth passings away, as the tooth-periodic cut gives to what
-//   vibrates in it (entry_chatter.cpp). A line of other origin that shakes the tool so strongly from the entry on has
+//   vibrates in it (entry_chatter.h). A line of other origin that shakes the tool so strongly from the entry on has
 //   them too, and is taken for chatter.
 // - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by
 //   what it no longer hears.

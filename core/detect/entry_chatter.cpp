@@ -1,24 +1,39 @@
-// RatioJudge on chatter that is there from the entry on: no calm stretch was ever heard that it could have grown from.
+#include "core/detect/entry_chatter.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/detect/ratio_judge.h"
+#include "core/detect/chatter_line.h"
 
 namespace stillcut::detect {
 namespace {
 
 constexpr double kEntryChatterTurns = 8.0;  // chatter, or a calm cut, stands for so long
 constexpr double kEntryChatterSeconds = 0.1;
+// Of the chatter ratio, where the line has side lines: a fifth of the vibration's amplitude. What else makes a ratio,
+// as noise, chips and lines that reach the sensor and not the tool, has none whole tooth passings beside it.
+constexpr double kSidedPart = 0.2;
 constexpr double kAboveCalm = 4.0;  // in energy, as onset_test.h asks of growth
 constexpr double kBandPart = 0.5;   // of what the harmonics left, in the band of the line
 constexpr double kRingsDown = 0.5;  // what a change of the cut excited, and chatter does not: it has side lines too
 constexpr double kSettled = 1.6;    // chatter that was there from the entry has long found its size
 constexpr int kSideLines = 2;       // one may be there by chance
-constexpr double kSameLine = 4.0 / RatioJudge::kLineTurns;  // orders: a line that grows is no better known
+constexpr double kSameLine = 4.0 / kLineTurns;  // orders: a line that grows is no better known
 
 }  // namespace
 
-void RatioJudge::learnCalm(std::span<const RatioChannel> channels) noexcept {
+void EntryChatter::leaveCut() noexcept {
+  highTurns_ = calmTurns_ = 0.0;
+  sided_ = wasCalm_ = false;
+  calmFloor_ = calmNews_ = {};
+  line_ = {};
+}
+
+double EntryChatter::sidedRatio() const noexcept {
+  return kSidedPart * chatterRatio_;
+}
+
+void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst) noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto learn = [](double& calm, const OnsetTest& onset) {
       if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
@@ -26,15 +41,14 @@ void RatioJudge::learnCalm(std::span<const RatioChannel> channels) noexcept {
     learn(calmFloor_[i], channels[i].growth.onset());
     learn(calmNews_[i], channels[i].news.onset());
   }
-  const bool quiet = severity_ < kHysteresis * kSidedRatio;
-  if (quiet) calmTurns_ += 1.0 / kHopsPerTurn;
+  if (worst < kHysteresis * sidedRatio()) calmTurns_ += 1.0 / kHopsPerTurn;
   wasCalm_ = calmTurns_ > kEntryChatterTurns;
 }
 
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
 // weak signal make a ratio too. Of a line near a harmonic the difference passes so little that its ratio falls as the
 // line grows; there the news hears it.
-bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
+bool EntryChatter::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RatioChannel& c = channels[i];
     const bool above =
@@ -46,53 +60,51 @@ bool RatioJudge::aboveCalm(std::span<const RatioChannel> channels, const EnergyC
   return false;
 }
 
-// Chatter that was there from the entry has no floor to grow from, so a fixed ratio decides, for one and the same line
-// over many turns: the paper's, or, until the cut has once been calm and of a line with side lines, a fifth of it.
-bool RatioJudge::fromEntry(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& ratios, LineFinder& lines,
+                          const RatioHop& hop) noexcept {
+  looked_ = false;
   // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
-  const bool full = severity_ >= chatterRatio_ && joint_ >= chatterRatio_;
-  const double least = kSidedRatio * (highTurns_ > 0.0 ? kHysteresis : 1.0);
+  const bool full = std::min(ratios.worst, ratios.joint) >= chatterRatio_;
+  const double least = sidedRatio() * (highTurns_ > 0.0 ? kHysteresis : 1.0);
   const bool steady = hop.phase == CutPhase::Steady;
-  if (!(full || (joint_ >= least && !wasCalm_)) || !(steady || hop.phase == CutPhase::Exit)) {
+  if (!(full || (ratios.joint >= least && !wasCalm_)) || !(steady || hop.phase == CutPhase::Exit)) {
     highTurns_ = 0.0;
-    sinceEntryLook_ = kLookHops;
+    sinceLook_ = kLookHops;
     return false;
   }
   // Chatter that beats goes through its lows as well, where the tool might leave, and drowns now and then what the
   // speed is followed by: that does not count, and takes nothing away.
   if (!steady || hop.steadyTurns < kSettleTurns) return false;
-  if (++sinceEntryLook_ < kLookHops) return false;
-  sinceEntryLook_ = 0;
-  const bool stands = lineStands(lines, hop);
-  const bool sided = stands && !wasCalm_ && lineHasSides(lines, hop.spindle);
+  if (++sinceLook_ < kLookHops) return false;
+  sinceLook_ = 0;
+  looked_ = true;
+  line_ = lines.find(hop.spindle * 0.5, hop.highest);
+  const bool stands = lineStands(line_, hop);
+  const bool sided = stands && !wasCalm_ && lineHasSides(lines, hop);
   const bool same = std::abs(line_.frequency.value - entryLine_.value) < kSameLine * hop.spindle.value;
   if (stands && !sided) {
     const bool moves = hop.levelTrend > kSettled || hop.levelTrend * kSettled < 1.0;
     if (moves || !full || !aboveCalm(channels, *hop.chain)) return false;
   }
   entryLine_ = line_.frequency;
-  entryMost_ = std::max(highTurns_ > 0.0 ? entryMost_ : 0.0, joint_);
-  const bool falls = sided && joint_ < kRingsDown * entryMost_;
+  entryMost_ = std::max(highTurns_ > 0.0 ? entryMost_ : 0.0, ratios.joint);
+  const bool falls = sided && ratios.joint < kRingsDown * entryMost_;
   highTurns_ = stands && same && !falls ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
   if (highTurns_ <= std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value)) return false;
   sided_ = sided;
   return true;
 }
 
-// Does the line, or the one that was followed and is still there, have side lines? Two modes that chatter take turns in
-// being the stronger one.
-bool RatioJudge::lineHasSides(const LineFinder& lines, Hertz spindle) noexcept {
-  const auto sides = [&](Hertz line) { return lines.sideLines(line, spindle * teeth_) >= kSideLines; };
-  const Hertz reach = spindle * kSameLine;
-  if (highTurns_ > 0.0 && std::abs(line_.frequency.value - entryLine_.value) > reach.value) {
-    const LineFinder::Peak held = lines.near(entryLine_, reach);
-    const LineFinder::Peak strongest = lines.near(line_.frequency, reach);
-    if (strongest.power < kOtherLine * held.power && sides(held.frequency)) {
-      line_.frequency = held.frequency;
-      return true;
-    }
+// Has the line side lines? Two modes that chatter take turns in being the stronger one: one that was followed, and had
+// some, is taken where it still is there.
+bool EntryChatter::lineHasSides(const LineFinder& lines, const RatioHop& hop) noexcept {
+  if (highTurns_ > 0.0) {
+    const Hertz kept = lines.keep(entryLine_, line_.frequency, hop.spindle * kSameLine);
+    const bool another = kept.value != line_.frequency.value;
+    line_.frequency = kept;
+    if (another) return true;
   }
-  return sides(line_.frequency);
+  return lines.sideLines(line_.frequency, hop.spindle * hop.teeth) >= kSideLines;
 }
 
 }  // namespace stillcut::detect

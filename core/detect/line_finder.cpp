@@ -25,6 +25,7 @@ constexpr double kStandsOut = 24.0;
 // ... and exactly there: a line that stands out so is known to a tenth of a bin, one that has nothing to do with it
 // lies anywhere within the two.
 constexpr double kInPlaceBins = 0.25;
+constexpr double kOtherLine = 4.0;  // a line this much stronger than the one followed takes its place
 constexpr double kScalloped = 0.7;  // of a line's power that a bin half way beside it holds at least
 
 using Taps = std::array<std::array<double, kTaps>, kPlaces>;
@@ -259,6 +260,12 @@ LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const noexcept {
   const double height = power(peak);
   if (height < power(peak - 1) || height < power(peak + 1)) return {};
   return {refined(peak), height};
+}
+
+Hertz LineFinder::keep(Hertz followed, Hertz strongest, Hertz reach) const noexcept {
+  if (std::abs(strongest.value - followed.value) <= reach.value) return strongest;
+  const Peak held = near(followed, reach);
+  return near(strongest, reach).power < kOtherLine * held.power ? held.frequency : strongest;
 }
 
 }  // namespace stillcut::detect

@@ -44,6 +44,9 @@ class LineFinder {
     double power = 0.0;  // in find()'s units, comparable with each other
   };
   Peak near(Hertz middle, Hertz reach) const noexcept;
+  // Of the line that was followed, and the strongest one now: the former, where it still is a peak within `reach` and
+  // the latter is another one and not much stronger.
+  Hertz keep(Hertz followed, Hertz strongest, Hertz reach) const noexcept;
   // How many lines stand out whole tooth passings away from this one, or from its mirror image, and exactly there. The
   // tooth passing has to be known to a hundredth of a spindle order at the highest of them.
   int sideLines(Hertz line, Hertz toothPassing) const noexcept;
