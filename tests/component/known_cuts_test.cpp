@@ -296,6 +296,34 @@ TEST(KnownCuts, AnOrderThatLeavesAModeTellsNoOnset) {
   EXPECT_NEAR(cut.chatterHz, 5.0 * rpm / 60.0, 1e-6 * cut.chatterHz);
 }
 
+// Which teeth cut more once a cut doubles is chance's choice where they are alike: with other noise it may be the
+// others. Where runout makes most of the vibration before the limit of such a cut already it is the runout's each time:
+// there is one motion, it goes on smoothly past that limit with hardly more of what alternates, and nothing has begun.
+TEST(KnownCuts, WhatRunoutDrivesPastTheLimitIsNoChatter) {
+  const auto lastTurns = [](SimulationOrder order, std::uint64_t noise, bool chatters) {
+    order.scenario.seed = noise;
+    const KnownCut cut = simulate(order);
+    EXPECT_EQ(cut.at20 > 0.0, chatters) << order.name;
+    const auto turns = static_cast<std::ptrdiff_t>(10.0 * 60.0 / cut.rpm * cut.recording.rate);
+    return std::vector<float>(cut.clean[0].end() - turns, cut.clean[0].end());
+  };
+  // What the motion differs by with other noise, over itself.
+  const auto apart = [&](const SimulationOrder& order, bool chatters) {
+    const std::vector<float> one = lastTurns(order, 1, chatters);
+    const std::vector<float> two = lastTurns(order, 2, chatters);
+    double difference = 0.0;
+    double all = 0.0;
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      const double d = static_cast<double>(one[i]) - static_cast<double>(two[i]);
+      difference += d * d;
+      all += static_cast<double>(one[i]) * static_cast<double>(one[i]);
+    }
+    return std::sqrt(difference / all);
+  };
+  for (const char* name : {"Z2-1104", "Z2-1105"}) EXPECT_LT(apart(orderOf("strong runout", 5, name), false), 0.1);
+  EXPECT_GT(apart(orderOf("flip, even teeth", 3, "Z2-403"), true), 1.0);
+}
+
 // Of a line at order 6.63 the filter on the sixth keeps a part, which turns by more than half a turn a turn. That order
 // has outgrown its floor; the frequency told is that of the line all the same.
 TEST(KnownCuts, AnOrderThatALineBrushesDoesNotTakeItsPlace) {

@@ -104,12 +104,15 @@ std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& o
   };
   const double end = static_cast<double>(frames) / rate;
   Limit limit(order.scenario);
+  if (limit.passedAt(order.quietTo)) return std::nullopt;
+  bool ever = false;
   Row before;
   double passed = kNever;
   double full = kNever;
   for (double t = order.quietTo; t < end && std::isnan(full); t += kStep) {
     const bool unstable = limit.passedAt(t);
     if (unstable && std::isnan(passed)) {
+      ever = true;
       passed = t;
       before = alternation.at(frame(t));
     } else if (!unstable) {
@@ -118,7 +121,8 @@ std::optional<Doubling> doublingOf(const KnownCut& cut, const SimulationOrder& o
       full = t;
     }
   }
-  if (std::isnan(full)) return std::nullopt;
+  if (!ever) return std::nullopt;
+  if (std::isnan(full)) return Doubling{};
   const auto below = [&](double mark) {
     double t = full;
     while (t > passed && ratio(t, before) >= mark) t -= kStep;

@@ -177,15 +177,17 @@ void takeEarlierInstability(KnownCut& cut, const milling::ChatterTruth& truth) {
 
 // Period doubling with even teeth and runout. The difference over whole turns, which the truth goes by, sees it once it
 // has locked, both its times in one; and the companion that says since when a small disturbance grows begins that from
-// a thousandth of another motion that dies. Chatter begins where it is seen by itself (doubling.h), and is there when
-// both say so. Where it ends, the truth's companion loses sight of it as soon as the linearised cut is not sure to
-// double: it lasts as long as it changes its sign.
+// a thousandth of another motion that dies. Nor does it know the runout, and takes all that alternates for chatter as
+// soon as the cut without it would double. Chatter begins where it is seen by itself (doubling.h), and is there when
+// both say so; where that never sees it there is none. Where it ends, the truth's companion loses sight of it as soon
+// as the linearised cut is not sure to double: it lasts as long as it changes its sign.
 void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
   if (!order.scenario.programme.speedOverTime.segments.empty()) return;
   const auto doubling = doublingOf(cut, order);
   if (!doubling) return;
-  cut.at1 = std::min(cut.at1, doubling->at1);
-  cut.at20 = std::max(cut.at20, doubling->at20);
+  const bool seen = doubling->at20 > 0.0;
+  cut.at1 = seen ? std::min(cut.at1, doubling->at1) : kNever;
+  cut.at20 = seen ? std::max(cut.at20, doubling->at20) : kNever;
   if (order.recovers) cut.lastAbove = doubling->lastAbove;
 }
 
@@ -288,7 +290,7 @@ KnownCut simulate(const SimulationOrder& order) {
   }
   if (order.scenario.programme.exit) cut.silentFrom = order.scenario.programme.exit->at + 0.1;
   if (order.doubling) {
-    if (const auto doubling = doublingOf(cut, order)) {
+    if (const auto doubling = doublingOf(cut, order); doubling && doubling->at20 > 0.0) {
       cut.at1 = doubling->at1;
       cut.at20 = doubling->at20;
       cut.chatterHz = doubling->hertz;
