@@ -62,58 +62,6 @@ Orders stableImmersionRamp(int seeds) {
   return widen(seeds, "stable, immersion ramp", 0.9, AlarmRule::Silent);
 }
 
-// Low immersion at a speed where the exact lobes end at a multiplier of -1; whole samples per tooth period, so that the
-// truth can compare one tooth with the next exactly.
-Orders flip(int seeds, const char* family, std::span<const ToolKind> tools, double runout) {
-  Orders orders;
-  for (const ToolKind tool : tools) {
-    for (int seed = 1; seed <= seeds; ++seed) {
-      Scenario s = scattered(tool, 400 + static_cast<std::uint64_t>(seed));
-      const bool up = seed % 2 == 0;
-      const double arc = kTwoPi / s.model.tool.teeth * (0.13 + 0.02 * (seed % 3));  // how long a tooth cuts
-      s.model.engagement = {0.5 * (1.0 - std::cos(arc)), up ? milling::Side::Up : milling::Side::Down};
-      s.model.modes[0].damping = 0.012;
-      s.model.modes[1].stiffness *= 10.0;
-      s.model.modes[0].stiffness = 1.5e6;
-      for (int j = 0; j < s.model.tool.teeth; ++j) {
-        s.model.tool.runout[static_cast<std::size_t>(j)] =
-            Metres(runout * std::cos(kTwoPi * j / s.model.tool.teeth + 0.4));
-      }
-      // A flip lobe hangs from where the mode is near an odd multiple of half the tooth-passing frequency.
-      const double mode = s.model.modes[0].frequency.value;
-      std::optional<milling::StabilityLimit> found;
-      for (int k = 1 + (seed / 2) % 2; k > 0 && !found; --k) {
-        for (double above = up ? 1.03 : 0.985; std::abs(above - 1.0) < 0.08 && !found; above += up ? 0.01 : -0.01) {
-          const double samples = std::round(s.rate.value * (k + 0.5) / (above * mode));
-          s.programme.speed = Rpm(60.0 * s.rate.value / (samples * s.model.tool.teeth));
-          const auto limit = limitOf(s);
-          if (limit && limit->kind == milling::CrossingKind::Flip) found = limit;
-        }
-      }
-      if (!found) continue;
-      planDepth(s, kPlan, 0.6 * found->depth.value, 1.35 * found->depth.value);
-      orders.push_back(order(family, s, AlarmRule::Sharp));
-      orders.back().doubling = s.model.tool.teeth % 2 == 0;
-    }
-  }
-  return orders;
-}
-
-Orders flipOdd(int seeds) {
-  constexpr std::array<ToolKind, 1> kTools{ToolKind::ThreeFlute};
-  return flip(seeds, "flip, odd teeth", kTools, 1e-6);
-}
-
-Orders flipEven(int seeds) {
-  constexpr std::array<ToolKind, 2> kTools{ToolKind::TwoFlute, ToolKind::FourFlute};
-  Orders orders = flip(seeds, "flip, even teeth", kTools, 0.0);
-  for (SimulationOrder& o : flip(seeds, "flip, even teeth", kTools, 1e-6)) {
-    o.name += "-runout";
-    orders.push_back(o);
-  }
-  return orders;
-}
-
 // The spindle's speed runs away by some percent a second while the depth rises; nobody tells.
 Orders speedRamp(int seeds, bool told) {
   Orders orders;
@@ -285,7 +233,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 22> kFamilies{{
+constexpr std::array<CutFamily, 23> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -304,6 +252,7 @@ constexpr std::array<CutFamily, 22> kFamilies{{
     {"stable, quick rise", "no chatter", quickRise},
     {"stable, speed drifts", "no chatter", speedDrifts},
     {"stable, strong runout", "no chatter", strongStable},
+    {"stable, flip", "no chatter", flipStable},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},
     {"stable", "no chatter", stable},
     {"forced resonance", "no chatter", forcedResonance},

@@ -19,6 +19,9 @@ struct CutFamily {
 
 std::span<const CutFamily> cutFamilies();
 // One of them.
+std::vector<SimulationOrder> flipOdd(int seeds);
+std::vector<SimulationOrder> flipEven(int seeds);
+std::vector<SimulationOrder> flipStable(int seeds);
 std::vector<SimulationOrder> slowStable(int seeds);
 std::vector<SimulationOrder> slowPassage(int seeds);
 std::vector<SimulationOrder> quickRise(int seeds);
