@@ -37,7 +37,7 @@ double speedChange(const RatioHop& hop) noexcept {
   if (hop.marks == nullptr) return 0.0;
   const double unmarked = hop.rate / hop.spindle;
   const double turn = hop.marks->framesAgo(1.0, unmarked);
-  const double before = hop.marks->framesAgo(2.0, 2.0 * unmarked) - turn;
+  const double before = hop.marks->framesAgo(2.0, turn + unmarked) - turn;
   return std::abs(before / turn - 1.0);
 }
 

@@ -72,7 +72,7 @@ void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
 }
 
 void EnergyGrowth::test(int windowHops, bool learn) noexcept {
-  const double newest = atOnce_ && level_ > 0.0 ? ago(0).changed / level_ : 0.0;
+  const auto newest = atOnce_ && level_ > 0.0 ? std::optional(ago(0).changed / level_) : std::nullopt;
   onset_.update(changed_, 1.0 / windowHops, learn, energy_, newest);
   watchStanding(learn);
   if (!(leap_ > 0.0) || leapt()) return;

@@ -314,7 +314,9 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
     f += frames;
     if (inHop_ < hopFrames_) continue;
     endHop(block);
-    if (block.speedMoving) turns_.setTurns(marks_.framesAgo(1.0, turn), marks_.framesAgo(2.0, 2.0 * turn));
+    if (!block.speedMoving) continue;
+    const double last = marks_.framesAgo(1.0, turn);
+    turns_.setTurns(last, marks_.framesAgo(2.0, last + turn));
   }
   if (block.phase == CutPhase::Air) {
     judge_.setState(CutState::Air);

@@ -20,6 +20,10 @@ constexpr double kSettled = 1.6;    // chatter that was there from the entry has
 constexpr int kSideLines = 2;       // one may be there by chance
 constexpr double kSameLine = 4.0 / kLineTurns;  // orders: a line that grows is no better known
 
+double leastTurns(Hertz spindle) noexcept {
+  return std::max(kEntryChatterTurns, kEntryChatterSeconds * spindle.value);
+}
+
 }  // namespace
 
 void EntryChatter::leaveCut() noexcept {
@@ -33,7 +37,7 @@ double EntryChatter::sidedRatio() const noexcept {
   return kSidedPart * chatterRatio_;
 }
 
-void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst) noexcept {
+void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) noexcept {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto learn = [](double& calm, const OnsetTest& onset) {
       if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
@@ -41,8 +45,8 @@ void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double wors
     learn(calmFloor_[i], channels[i].growth.onset());
     learn(calmNews_[i], channels[i].news.onset());
   }
-  if (worst < kHysteresis * sidedRatio()) calmTurns_ += 1.0 / kHopsPerTurn;
-  wasCalm_ = calmTurns_ > kEntryChatterTurns;
+  if (worst < kHysteresis * sidedRatio() && hop.steadyTurns >= kSettleTurns) calmTurns_ += 1.0 / kHopsPerTurn;
+  wasCalm_ = calmTurns_ > leastTurns(hop.spindle);
 }
 
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
@@ -90,7 +94,7 @@ bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& 
   entryMost_ = std::max(highTurns_ > 0.0 ? entryMost_ : 0.0, ratios.joint);
   const bool falls = sided && ratios.joint < kRingsDown * entryMost_;
   highTurns_ = stands && same && !falls ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
-  if (highTurns_ <= std::max(kEntryChatterTurns, kEntryChatterSeconds * hop.spindle.value)) return false;
+  if (highTurns_ <= leastTurns(hop.spindle)) return false;
   sided_ = sided;
   return true;
 }

@@ -29,7 +29,7 @@ class EntryChatter {
   }
 
   // A steady hop without an alarm and below the chatter ratio.
-  void learnCalm(std::span<const RatioChannel> channels, double worst) noexcept;
+  void learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) noexcept;
   // A hop without an alarm: is such chatter there?
   bool begins(std::span<const RatioChannel> channels, const Ratios& ratios, LineFinder& lines,
               const RatioHop& hop) noexcept;

@@ -19,20 +19,24 @@ constexpr double kFallen = 3.0;     // standard deviations by which a short mean
 constexpr double kCalmScale = 3.0;  // standard deviations above the mean below which an alarm starts to clear
 constexpr double kCalmTurns = 2.0;
 constexpr double kMostEvidence = 5.0;  // times the limit
+constexpr double kMostRaised = 100.0;
 
 }  // namespace
 
 void OnsetTest::reset() noexcept {
   mean_ = meanEnergy_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
-  variance_ = 1.0;
+  variance_ = raised_ = 1.0;
   shortVariance_ = 0.0;
   alarm_ = standsOut_ = false;
 }
 
-void OnsetTest::raise(double factor) noexcept {
-  mean_ *= factor;
-  shortMean_ *= factor;
-  meanEnergy_ *= factor;
+double OnsetTest::raise(double factor) noexcept {
+  const double by = std::min(factor, kMostRaised / raised_);
+  raised_ *= by;
+  mean_ *= by;
+  shortMean_ *= by;
+  meanEnergy_ *= by;
+  return by;
 }
 
 void OnsetTest::setSpindle(Hertz spindle) noexcept {
@@ -54,7 +58,7 @@ double OnsetTest::doubt(double turns) const noexcept {
   return std::sqrt(correlation() / (shape() * std::max(turns, 1.0)));
 }
 
-void OnsetTest::update(double ratio, double turns, bool learn, double energy, double newest) noexcept {
+void OnsetTest::update(double ratio, double turns, bool learn, double energy, std::optional<double> newest) noexcept {
   if (!learned()) {
     if (learn) follow(ratio, turns, energy);
     return;
@@ -65,7 +69,7 @@ void OnsetTest::update(double ratio, double turns, bool learn, double energy, do
   const bool compare = energy > 0.0 && meanEnergy_ > 0.0;
   const double held = compare ? std::min(ratio, energy / meanEnergy_ * mean_) : ratio;
   const double x = held / std::max(mean_ * (1.0 + kSure * doubt(learnedTurns_)), 1e-30);
-  const double now = newest > 0.0 && ratio > 0.0 ? x * newest / ratio : x;
+  const double now = newest && ratio > 0.0 ? x * *newest / ratio : x;
   const double seen = held >= limits_.smallestRatio ? now : 0.0;
   const double score = k * (seen * (1.0 - 1.0 / kGrowth) - std::log(kGrowth));
   evidence_ = std::clamp(evidence_ + score * turns / correlation(), 0.0, kMostEvidence * limits_.evidence);
@@ -107,6 +111,7 @@ void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
   if (known && shortMean_ * (1.0 + kFallen * doubt(kShortTurns)) < mean_) {
     mean_ = shortMean_;
     learnedTurns_ = kShortTurns;
+    raised_ = 1.0;
   }
 }
 

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/units.h"
 
@@ -38,11 +39,14 @@ class OnsetTest {
   void setSpindle(Hertz spindle) noexcept;
   // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms. energy:
   // E_d itself, in any unit; 0 where it is not known. newest: the part of `ratio` that is of this step, times as many
-  // steps as it is of: evidence counts it at once and not half a turn later; 0 where ratio is of this step alone.
-  void update(double ratio, double turns, bool learn, double energy = 0.0, double newest = 0.0) noexcept;
+  // steps as it is of: evidence counts it at once and not half a turn later; none where ratio is of this step alone.
+  void update(double ratio, double turns, bool learn, double energy = 0.0,
+              std::optional<double> newest = std::nullopt) noexcept;
 
-  // What was learned was learned of something that may be so much larger now without having grown.
-  void raise(double factor) noexcept;
+  // What was learned was learned of something that may be so much larger now without having grown. Returns by how much
+  // it counts as more: in all by no more than a hundred times since it was learned, which is what a mode damped by 1 %
+  // makes of an order that comes from 10 % beside it.
+  double raise(double factor) noexcept;
 
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
   bool alarm() const noexcept { return alarm_; }
@@ -70,6 +74,7 @@ class OnsetTest {
   double mean_ = 0.0;
   double meanEnergy_ = 0.0;
   double shortMean_ = 0.0;
+  double raised_ = 1.0;         // since that was learned
   double variance_ = 1.0;       // relative, of the ratio
   double shortVariance_ = 0.0;  // relative, of the short mean
   double learnedTurns_ = 0.0;

@@ -77,8 +77,7 @@ void OrderGrowth::setSpindle(Hertz spindle) noexcept {
       relearn(c);
       continue;
     }
-    c.onset.raise(kByOtherSpeed);
-    c.slow *= kByOtherSpeed;
+    c.slow *= c.onset.raise(kByOtherSpeed);
   }
 }
 

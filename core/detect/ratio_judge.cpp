@@ -126,7 +126,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   const bool held = entry_.held(joint_);
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
-  if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_);
+  if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
   const bool entry = (hop.loneLine && high) || (!was && entry_.begins(channels, {severity_, joint_}, lines, hop));
   if (entry_.looked()) purity_ = entry_.line().purity;
   const bool left = toolLeaves(channels, hop.phase);

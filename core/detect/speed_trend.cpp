@@ -7,6 +7,7 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kSame = 3e-3;    // from one to the next: 10 % a second, in a sixth of 12 turns, at 4000 rev/min
+constexpr double kPause = 2.0;    // times from look to look
 constexpr double kFurther = 6.0;  // standard deviations, as drift_watch.cpp asks
 constexpr double kWander = 1e-3;  // a spindle under load, relative, with one second of memory
 constexpr double kWanderSeconds = 1.0;
@@ -19,7 +20,10 @@ void SpeedTrend::prepare(int looks) noexcept {
 }
 
 void SpeedTrend::add(Seconds middle, Hertz spindle) noexcept {
-  if (count_ > 0 && std::abs(spindle.value / said_[count_ - 1].hertz - 1.0) > kSame) reset();
+  const bool leads = count_ == 0 || std::abs(spindle.value / said_[count_ - 1].hertz - 1.0) <= kSame;
+  const auto ago = [&](std::size_t back) { return middle.value - said_[count_ - back].seconds; };
+  const bool paused = count_ > 1 && ago(1) > kPause * (ago(2) - ago(1));
+  if (!leads || paused) reset();
   if (count_ == needed_) {
     std::copy(said_.begin() + 1, said_.begin() + static_cast<std::ptrdiff_t>(count_), said_.begin());
     --count_;

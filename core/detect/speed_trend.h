@@ -20,7 +20,8 @@ class SpeedTrend {
     count_ = 0;
     unbroken_ = false;
   }
-  // What a window says, and the time of its middle. One that says something else than the last one begins anew.
+  // What a window says, and the time of its middle. One that says something else than the last one begins
+  // anew, and so does one after a pause, as while a lock needed none.
   void add(Seconds middle, Hertz spindle) noexcept;
   // Here a lock began, on what was said last.
   void mark() noexcept { unbroken_ = true; }

@@ -189,6 +189,35 @@ TEST(OnsetTest, NothingBelowTheResolutionIsGrowth) {
   EXPECT_FALSE(test.alarm());
 }
 
+// While the speed drifts a mode's flank may make more of what was learned, step by step; growth beyond that is growth.
+TEST(OnsetTest, HasItsFloorRaisedWithoutGoingDeaf) {
+  constexpr double kStep = 1.35;
+  const auto learn = [](OnsetTest& test) {
+    test.prepare({1e-6, 12.0});
+    for (int k = 0; k < 800; ++k) test.update(1e-3, 0.125, true);
+  };
+  OnsetTest raised;
+  learn(raised);
+  double by = 1.0;
+  for (int step = 0; step < 8; ++step) {
+    by *= raised.raise(kStep);
+    for (int k = 0; k < 24; ++k) raised.update(1e-3 * by, 0.125, true);
+    ASSERT_FALSE(raised.alarm()) << step;
+  }
+  EXPECT_DOUBLE_EQ(by, std::pow(kStep, 8));
+  for (int k = 0; k < 24 && !raised.alarm(); ++k) raised.update(8e-3 * by, 0.125, true);
+  EXPECT_TRUE(raised.alarm());
+  // A drift right through the range, of which nothing came: growth is heard as far above as a mode may have lifted it,
+  // and by the old floor again within eighty turns.
+  OnsetTest drifted;
+  learn(drifted);
+  for (int step = 0; step < 100; ++step) drifted.raise(kStep);
+  EXPECT_NEAR(drifted.floor(), 0.1, 1e-3);
+  for (int k = 0; k < 640; ++k) drifted.update(1e-3, 0.125, true);
+  EXPECT_NEAR(drifted.floor(), 1e-3, 5e-4);
+  EXPECT_DOUBLE_EQ(drifted.raise(kStep), kStep) << "it was learned anew";
+}
+
 // A channel on which all is calm for thirty turns of 10 ms; then unrepeated(turns since) [power] beside the floor. What
 // `seen` says of it, hop by hop, for four turns.
 template <class Unrepeated, class Seen>

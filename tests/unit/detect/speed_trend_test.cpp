@@ -55,5 +55,17 @@ TEST(SpeedTrend, IsBrokenByASpeedThatIsElsewhereAtOnce) {
   EXPECT_EQ(trend.drift(), 0.0);
 }
 
+// Nobody looks while a lock is sure. What was said before is not where the speed is when it is lost.
+TEST(SpeedTrend, IsBrokenByAPause) {
+  SpeedTrend trend;
+  trend.prepare(kLooks);
+  for (int n = 0; n <= kLooks; ++n) trend.add(Seconds(n * kStep), Hertz(kSpindle * (1.0 + 0.05 * n * kStep)));
+  trend.mark();
+  EXPECT_GT(trend.drift(), 0.0);
+  trend.add(Seconds(60.0), Hertz(kSpindle * (1.0 + 0.05 * (kLooks + 1) * kStep)));
+  EXPECT_EQ(trend.drift(), 0.0);
+  EXPECT_FALSE(trend.unbroken());
+}
+
 }  // namespace
 }  // namespace stillcut::detect
