@@ -1,4 +1,6 @@
 // Chatter that is there from the entry, and too small for the fixed ratio: by its side lines.
+#include "core/detect/entry_chatter.h"
+
 #include <random>
 
 #include "tests/support/signals.h"
@@ -72,6 +74,43 @@ TEST(EntryChatter, OfTwoLinesIsAlarmedToo) {
   const RunResult r = runAt(make({{7.4, 0.3, 0.2}, {7.62, 0.3, 0.2}}), 0.0);
   EXPECT_GT(r.firstAlarm, kCut);
   EXPECT_LT(r.firstAlarm, kCut + 0.45);
+}
+
+// A spindle at 24 000 rev/min makes eight turns in 20 ms: a cut that was calm for so long may just have begun. From a
+// tenth of a second on growth decides.
+TEST(EntryChatter, ACutIsCalmAfterAsLongAsItsChatterHasToLast) {
+  constexpr double kFast = 400.0;
+  constexpr double kFastRate = 51200.0;
+  LineFinder lines;
+  lines.prepare(1, static_cast<int>(kLineTurns * kFastRate / kFast), Hertz(kFastRate));
+  std::vector<double> rest(static_cast<std::size_t>(kFastRate));
+  for (std::size_t i = 0; i < rest.size(); ++i) {
+    const double turn = kTwoPi * kFast * static_cast<double>(i) / kFastRate;
+    for (const int k : {-1, 0, 1}) rest[i] += (k == 0 ? 1.0 : 0.2) * std::sin((7.4 + k * kTeeth) * turn + k);
+  }
+  lines.push(rest.data(), 0, rest.size());
+  RatioHop hop;
+  hop.phase = CutPhase::Steady;
+  hop.spindle = Hertz(kFast);
+  hop.length = Seconds(1.0 / (kHopsPerTurn * kFast));
+  hop.rate = Hertz(kFastRate);
+  hop.teeth = kTeeth;
+  hop.highest = Hertz(40.5 * kFast);
+  hop.steadyTurns = 100.0;
+  const auto beginsAfter = [&](double calmSeconds, double steadyTurns) {
+    EntryChatter chatter;
+    chatter.prepare(0.2);
+    RatioHop calm = hop;
+    calm.steadyTurns = steadyTurns;
+    for (double t = 0.0; t < calmSeconds; t += hop.length.value) chatter.learnCalm({}, 0.01, calm);
+    bool begins = false;
+    for (double t = 0.0; t < 0.2; t += hop.length.value) begins |= chatter.begins({}, {0.05, 0.05}, lines, hop);
+    return begins;
+  };
+  EXPECT_TRUE(beginsAfter(0.0, 100.0));
+  EXPECT_TRUE(beginsAfter(0.05, 100.0));
+  EXPECT_FALSE(beginsAfter(0.15, 100.0));
+  EXPECT_TRUE(beginsAfter(0.15, 1.0)) << "the filters had not settled";
 }
 
 }  // namespace
