@@ -246,6 +246,7 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       s.load.endTurn(chain_, newLine_, c, spindle_, noise);
       s.orders.setLoad(s.load.mostOfAnOrder());
     }
+    if (!block.speedMoving && hopOfTurn_ % (kHopsPerTurn / 2) == 0) s.orders.endHalfTurn(newLine_, c, spindle_);
     // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
     const bool held = s.growth.turnsSinceLeap() < kSettleTurns || s.load.changesQuickly();
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();

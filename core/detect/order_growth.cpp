@@ -5,12 +5,19 @@
 #include <cstdlib>
 #include <span>
 
+#include "core/detect/order_pole.h"
+
 namespace stillcut::detect {
 namespace {
 
 // Of the other orders' energy: 3 % of their amplitude where the class is known to be chatter's, 20 % elsewhere.
 constexpr double kSmallest = 1e-3;
 constexpr double kSmallestBeside = 0.04;
+// What grows by itself (order_pole.h): 5 % of the others' amplitude, ...
+constexpr double kSmallestAlone = 2.5e-3;
+constexpr double kGrownAlone = 2.0;  // ... energy over that of its floor, ...
+constexpr int kAloneTimes = 9;       // ... found so often on end: four turns
+constexpr int kWindowHalfTurns = 2 * (static_cast<int>(OrderPole::kTurns) + 2);
 constexpr double kOtherSpeed = 3e-3;    // a seventh of the width of a mode damped by 1 %
 constexpr double kByOtherSpeed = 1.35;  // ... on whose flank 1 / (d^2 + z^2) energy changes by exp(0.3 % / z) at most
 constexpr double kDriftTurns = 6.0;     // memory of the phase
@@ -57,6 +64,8 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
   c.counts = c.own = c.unstable = c.doubles = false;
+  c.aloneTimes = 0;
+  c.alone = 0.0;
   c.alarmTurns = c.turned = c.turnedBy = c.slow = c.outgrown = c.outgrownBy = 0.0;
 }
 
@@ -72,6 +81,7 @@ void OrderGrowth::setSpindle(Hertz spindle) noexcept {
   if (grown() || std::abs(spindle.value - learnedAt_.value) < kOtherSpeed * spindle.value) return;
   const bool stepped = std::abs(spindle.value - learnedAt_.value) > 2.0 * kOtherSpeed * spindle.value;
   learnedAt_ = spindle;
+  halfTurnsThere_ = 0;
   for (Class& c : classes_) {
     if (stepped || flips(c)) {
       relearn(c);
@@ -186,6 +196,25 @@ bool OrderGrowth::explained(const Class& c) const noexcept {
   return std::abs(1.0 - orders_[i].product / orders_[i].past) < byLoad_;
 }
 
+// Period doubling has its own measure (order_stretches.h): it stands still, where runout of alternate teeth does.
+bool OrderGrowth::mayGrowByItself(const Class& c) const noexcept {
+  return !flips(c) && c.onset.learned() && c.strongest > kLeastPurity * c.power && share(c) > kSmallestAlone &&
+         c.power > kGrownAlone * c.onset.floorEnergy() && !stretches_.engagementChanges();
+}
+
+void OrderGrowth::endHalfTurn(NewLine& vibration, int channel, Hertz spindle) noexcept {
+  halfTurnsThere_ = std::min(halfTurnsThere_ + 1, kWindowHalfTurns);
+  for (Class& c : classes_) {
+    OrderPole now;
+    const bool found = halfTurnsThere_ == kWindowHalfTurns && mayGrowByItself(c) &&
+                       now.fit(vibration, channel, teeth_, c.order, spindle) && now.growsByItself();
+    c.aloneTimes = found ? c.aloneTimes + 1 : 0;
+    const double share = this->share(c);
+    const bool stays = c.alone > 0.0 && share > c.alone / kLouder;
+    c.alone = stays || c.aloneTimes >= kAloneTimes ? std::max(c.alone, share) : 0.0;
+  }
+}
+
 // Of the other orders' energy, what is the class's own. Of a line that changes by the part c from turn to turn the
 // filter of two turns leaves c, and every order d away from it takes c / (2 pi d) of that line.
 double OrderGrowth::leak(const Class& c) const noexcept {
@@ -248,7 +277,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     const bool turned = std::abs(c.turned) > kWholeTurn;
     const bool grown = c.onset.alarm();
     const bool outgrown = outgrew(c, turns, learn, speedDoubt);
-    c.counts = turned || outgrown || (grown && (c.counts || begins(c)));
+    c.counts = turned || outgrown || c.alone > 0.0 || (grown && (c.counts || begins(c)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;
     if (learn && c.alarmTurns > kNewLoadTurns) {
       c.onset.reset();

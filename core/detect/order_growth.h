@@ -20,9 +20,10 @@
 // changing arc of engagement pulls the speed that is tracked as well, by a tenth of a per cent for some turns, by a
 // quarter of one for seconds where a face mill leaves the work; orders beyond the tenth may turn further by that. So
 // while the engagement changes the quarter of a turn is asked of every order. (An end mill at 800 rev/min on thin
-// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed.) The
-// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
-// worker; everything but prepare() is real-time.
+// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed.) What turns by
+// less and grows by itself, not with the load (order_pole.h), is chatter where the engagement stays. The tooth-passing
+// orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything
+// but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -30,6 +31,7 @@
 
 #include "core/detect/energy_chain.h"
 #include "core/detect/energy_growth.h"
+#include "core/detect/new_line.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/order_stretches.h"
 
@@ -49,6 +51,8 @@ class OrderGrowth {
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
+  // Twice a turn, at a steady speed: what has grown by itself (order_pole.h)? Looked at where it has grown at all.
+  void endHalfTurn(NewLine& vibration, int channel, Hertz spindle) noexcept;
   // By how much of itself a load that changes may change an order in a turn (load_watch.h): no more is no growth.
   void setLoad(double mostOfAnOrder) noexcept { byLoad_ = mostOfAnOrder; }
   // speedDoubt: relative standard deviation of the spindle's speed.
@@ -76,6 +80,8 @@ class OrderGrowth {
     bool own = false;         // grows, and not because the engagement changes
     bool doubles = false;     // far above what runout becomes, by growth of its own
     bool unstable = false;    // has grown as an instability does since its share began to
+    int aloneTimes = 0;       // on end that it was found to grow by itself
+    double alone = 0.0;       // its largest share since that was believed; 0: it is not
     bool counts = false;      // grown, and more than runout that a mode amplifies
     OnsetTest onset;
   };
@@ -86,6 +92,7 @@ class OrderGrowth {
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
   bool explained(const Class& c) const noexcept;
+  bool mayGrowByItself(const Class& c) const noexcept;
   double leak(const Class& c) const noexcept;
   double share(const Class& c) const noexcept;
   bool flips(const Class& c) const noexcept;
@@ -103,6 +110,7 @@ class OrderGrowth {
   double byLoad_ = 0.0;
   bool doubling_ = false;
   Hertz learnedAt_{};
+  int halfTurnsThere_ = 0;
   std::vector<Class> classes_;  // rests 1 .. teeth / 2
   struct Order {
     std::complex<double> before;   // a turn ago

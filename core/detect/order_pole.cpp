@@ -1,0 +1,120 @@
+#include "core/detect/order_pole.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::size_t kTurns = OrderPole::kTurns;
+constexpr int kPassings = 6;        // tooth passings that tell the load
+constexpr double kSure = 3.0;       // standard deviations
+constexpr double kByLoad = 0.6;     // of s / g
+constexpr double kLeastPole = 0.1;  // an e-fold and a half in the window
+// What has grown out of what runout forces grows as the pole does; what beats with it does for a while.
+constexpr double kAsPole = 0.75;
+
+using Turns = std::array<std::complex<double>, kTurns + 1>;  // newest first
+
+struct Teeth {
+  std::array<double, kTurns + 1> load{};   // over the newest
+  std::array<double, kTurns + 1> angle{};  // by which the spindle stood elsewhere than was thought [rad]
+};
+
+// By all tooth passings but the two that the order lies between. A speed that is followed strays by a tenth of a per
+// cent for some turns, and every order turns by it.
+bool readTeeth(NewLine& vibration, int channel, int teeth, int order, Hertz spindle, Teeth& out) noexcept {
+  std::array<Turns, kPassings> passings{};
+  std::array<int, kPassings> orders{};
+  std::size_t count = 0;
+  for (int k = 1; k <= kPassings; ++k) {
+    const int n = k * teeth;
+    if (std::abs(n - order) < teeth) continue;
+    orders[count] = n;
+    if (!vibration.turnsOf(channel, spindle * n, spindle, passings[count])) return false;
+    ++count;
+  }
+  double now = 0.0;
+  for (std::size_t i = 0; i < count; ++i) now += std::norm(passings[i].front());
+  if (!(now > 0.0)) return false;
+  double angle = 0.0;
+  for (std::size_t k = 0; k <= kTurns; ++k) {
+    double turned = 0.0;
+    double weight = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::complex<double> product =
+          passings[i][k] * std::conj(passings[i].front()) * std::polar(1.0, -angle * orders[i]);
+      turned += orders[i] * std::abs(product) * std::arg(product);
+      weight += orders[i] * static_cast<double>(orders[i]) * std::abs(product);
+    }
+    if (weight > 0.0) angle += turned / weight;
+    double then = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+      then += std::real(passings[i][k] * std::conj(passings[i].front()) * std::polar(1.0, -angle * orders[i]));
+    out.angle[k] = angle;
+    out.load[k] = then / now;
+  }
+  return true;
+}
+
+template <class Values>
+void takeMean(Values& values) noexcept {
+  using Value = typename Values::value_type;
+  const Value mean = std::accumulate(values.begin(), values.end(), Value{}) / static_cast<double>(values.size());
+  for (Value& v : values) v -= mean;
+}
+
+}  // namespace
+
+// Both sides of the equation over each turn, without what f0 and f1 take of them.
+bool OrderPole::fit(NewLine& vibration, int channel, int teeth, int order, Hertz spindle) noexcept {
+  Turns e{};
+  Teeth t;
+  if (teeth < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
+      !readTeeth(vibration, channel, teeth, order, spindle, t))
+    return false;
+  for (std::size_t k = 0; k <= kTurns; ++k) e[k] *= std::polar(1.0, -t.angle[k] * order);
+  std::array<std::complex<double>, kTurns> grown{};
+  std::array<std::complex<double>, kTurns> middle{};
+  std::array<double, kTurns> loads{};
+  for (std::size_t k = 0; k < kTurns; ++k) {
+    grown[k] = e[k] - e[k + 1];
+    middle[k] = 0.5 * (e[k] + e[k + 1]);
+    loads[k] = 0.5 * (t.load[k] + t.load[k + 1]);
+  }
+  takeMean(grown);
+  takeMean(middle);
+  takeMean(loads);
+  const double spread = std::inner_product(loads.begin(), loads.end(), loads.begin(), 0.0);
+  const auto takeLoad = [&](auto& values) {
+    std::complex<double> part = 0.0;
+    for (std::size_t k = 0; k < kTurns; ++k) part += loads[k] * values[k];
+    for (std::size_t k = 0; k < kTurns && spread > 0.0; ++k) values[k] -= loads[k] / spread * part;
+  };
+  takeLoad(grown);
+  takeLoad(middle);
+  std::complex<double> product = 0.0;
+  double power = 0.0;
+  for (std::size_t k = 0; k < kTurns; ++k) {
+    product += grown[k] * std::conj(middle[k]);
+    power += std::norm(middle[k]);
+  }
+  const double before = std::abs(e[2]);
+  if (!(power > 0.0) || !(before > 0.0)) return false;
+  pole = product / power;
+  double rest = 0.0;
+  for (std::size_t k = 0; k < kTurns; ++k) rest += std::norm(grown[k] - pole * middle[k]);
+  doubt = std::sqrt(0.5 * rest / (static_cast<double>(kTurns - 3) * power));
+  growth = 0.5 * std::log(std::abs(e[0]) / before);
+  load = 0.5 * (t.load[0] - t.load[2]);
+  return true;
+}
+
+bool OrderPole::growsByItself() const noexcept {
+  if (growth < kAsPole * pole.real()) return false;
+  return pole.real() > std::max(kLeastPole, kSure * doubt + kByLoad * std::max(load, 0.0) / growth);
+}
+
+}  // namespace stillcut::detect
