@@ -2,6 +2,9 @@
 // are like.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
+
 #include "tests/support/known_cuts/cut_families.h"
 #include "tests/support/known_cuts/score.h"
 #include "tests/support/known_cuts/sensor_kinds.h"
@@ -322,6 +325,32 @@ TEST(KnownCuts, WhatRunoutDrivesPastTheLimitIsNoChatter) {
   };
   for (const char* name : {"Z2-1104", "Z2-1105"}) EXPECT_LT(apart(orderOf("strong runout", 5, name), false), 0.1);
   EXPECT_GT(apart(orderOf("flip, even teeth", 3, "Z2-403"), true), 1.0);
+}
+
+// Chatter at order 6.93. Over the turns in which it goes round once against the seventh, it is orthogonal to that and
+// all other orders: what is left at its frequency is it alone.
+TEST(KnownCuts, ALineNearAnOrderHasAFifthOfTheForcedAmplitudeWhenTheTruthSaysSo) {
+  for (const char* name : {"Z4-206", "Z4-208"}) {
+    const KnownCut cut = simulate(orderOf("depth ramp", 8, name));
+    const double orders = cut.chatterHz * 60.0 / cut.rpm;
+    const double turns = std::round(1.0 / std::abs(orders - std::round(orders)));
+    const auto length = static_cast<std::size_t>(turns * 60.0 / cut.rpm * cut.recording.rate);
+    const auto first = static_cast<std::size_t>(cut.at20 * cut.recording.rate) - length / 2;
+    double line = 0.0;
+    double all = 0.0;
+    for (const auto& x : cut.clean) {
+      std::complex<double> sum;
+      for (std::size_t i = 0; i < length; ++i) {
+        const double value = static_cast<double>(x[first + i]);
+        sum += value * std::polar(1.0, -kTwoPi * cut.chatterHz / cut.recording.rate * static_cast<double>(i));
+        all += value * value / static_cast<double>(length);
+      }
+      line += 2.0 * std::norm(sum / static_cast<double>(length));
+    }
+    // It grows by e in 30 ms, and these turns are a tenth of a second: their mean is up to half as much again.
+    EXPECT_GT(std::sqrt(line / (all - line)), 0.15) << cut.name;
+    EXPECT_LT(std::sqrt(line / (all - line)), 0.4) << cut.name;
+  }
 }
 
 // Of a line at order 6.63 the filter on the sixth keeps a part, which turns by more than half a turn a turn. That order

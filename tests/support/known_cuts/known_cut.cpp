@@ -191,6 +191,38 @@ void refineDoubling(KnownCut& cut, const SimulationOrder& order) {
   if (order.recovers) cut.lastAbove = doubling->lastAbove;
 }
 
+// Hopf chatter near a spindle order. The truth takes it for one that repeats as the forced vibration does, and goes by
+// the departure from what the cut would do if vibration left no marks; but regeneration changes the forced vibration as
+// well, and more of it as the load rises. As long as the line is so far from the order that the difference from turn to
+// turn holds more of it than of all that is random, and what it holds hardly depends on where the line is exactly, that
+// says itself when the chatter has 20 % of the forced vibration's amplitude.
+void refineNearOrder(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
+  constexpr double kLeast = 0.2, kFull = 0.5;  // amplitude, as the truth's
+  constexpr double kStable = 0.2;              // s, at least, in which what is random is heard
+  constexpr double kMoves = 2e-3;              // of its frequency, as it grows
+  const double orders = cut.chatterHz * 60.0 / rpmAt(cut, cut.at20);
+  if (std::abs(orders - std::round(orders)) < 3.0 * kMoves * orders) return;
+  const auto ratio = [&](const milling::ChatterTruth::LogEntry& entry) {
+    const double sine = std::sin(0.5 * kTwoPi * cut.chatterHz / static_cast<double>(entry.spindleHz));
+    const double total = static_cast<double>(entry.forcedAndChatterRms);
+    const double part = static_cast<double>(entry.chatterRms) / (4.0 * sine * sine);
+    return part < total ? part / std::sqrt(total * total - part * part) : 1.0;
+  };
+  double from = kNever;
+  double full = kNever;
+  double random = 0.0;
+  bool repeats = false;
+  for (const auto& entry : truth.log()) {
+    const auto time = static_cast<double>(entry.time);
+    if (time > order.quietTo - kStable && time < cut.at1) random = std::max(random, ratio(entry));
+    if (time < cut.at20 || full > 0.0) continue;
+    if (std::isnan(from)) repeats = entry.repeats;
+    if (ratio(entry) < kLeast || std::isnan(from)) from = time;
+    if (ratio(entry) >= kFull) full = time;
+  }
+  if (repeats && full > 0.0 && random < 0.5 * kLeast) cut.at20 = from;
+}
+
 void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::ChatterTruth& truth) {
   const milling::ChatterOnset onset = truth.onset();
   cut.at1 = onset.at1;
@@ -200,6 +232,7 @@ void takeTruth(KnownCut& cut, const SimulationOrder& order, const milling::Chatt
   takeLockedLine(cut, order);
   dropUnseenOnset(cut);
   takeEarlierInstability(cut, truth);
+  if (cut.kind == ChatterKind::Hopf && cut.at20 > 0.0) refineNearOrder(cut, order, truth);
   if (cut.kind == ChatterKind::Flip && cut.teeth % 2 == 0 && cut.at20 > 0.0) refineDoubling(cut, order);
   if (!order.recovers) return;
   const Hertz chatter = truth.chatterFrequency();
