@@ -248,16 +248,21 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 // A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
 // slowly. Where it turns against the spindle as well, faster than the speed is in doubt, or doubles and is more than
 // runout becomes, it is held against a floor that rises by time alone.
-bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
+bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) noexcept {
   const double now = share(c);
   if (!c.onset.learned()) return false;
-  if (!(c.slow > 0.0)) c.slow = c.onset.floor();
+  if (!(c.slow > 0.0)) {
+    c.slow = c.onset.floor();
+    stretches_.learnEngagement();
+  }
   const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
   const bool own = one && !explained(c) && std::abs(drift(c.order)) > least;
   const bool on = own && now > std::max(kLouder * c.slow, kSmallestBeside);
   const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
-  c.doubles = beyond && (c.doubles || (c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2)));
+  const bool begun =
+      beyond && c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
+  c.doubles = begun || (beyond && c.doubles);
   c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
   c.outgrownBy = on ? c.outgrownBy + sense(c) * drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);

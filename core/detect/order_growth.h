@@ -21,9 +21,11 @@
 // quarter of one for seconds where a face mill leaves the work; orders beyond the tenth may turn further by that. So
 // while the engagement changes the quarter of a turn is asked of every order. (An end mill at 800 rev/min on thin
 // walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed.) What turns by
-// less and grows by itself, not with the load (order_pole.h), is chatter where the engagement stays. The tooth-passing
-// orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything
-// but prepare() is real-time.
+// less and grows by itself, not with the load (order_pole.h), is chatter where the engagement stays. And what runout
+// leaves on an order at one arc says nothing of what it leaves at another, a thousand times as much in a cut far below
+// its limit: in another engagement than the floors were learned in, doubling counts by its rate alone. The
+// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
+// worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -90,7 +92,7 @@ class OrderGrowth {
   double products(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
-  bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
+  bool outgrew(Class& c, double turns, bool learn, double speedDoubt) noexcept;
   bool explained(const Class& c) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
   double leak(const Class& c) const noexcept;

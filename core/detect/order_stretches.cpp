@@ -22,6 +22,7 @@ void OrderStretches::prepare(int teeth, std::size_t orders) {
   turns_ = 0;
   pattern_ = 1.0;
   rows_.assign(kRows * orders, {});
+  learned_.assign(orders, {});
 }
 
 void OrderStretches::setSpindle(Hertz spindle) noexcept {
@@ -67,10 +68,9 @@ double OrderStretches::size(int rest, std::size_t rowsAgo) const noexcept {
   return scale > 0.0 ? std::sqrt(power) / scale : 0.0;
 }
 
-// Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.
-double OrderStretches::patternChange() const noexcept {
+// Sine of the angle between the tooth passings of now and those of before, as vectors: 0 while they only scale.
+double OrderStretches::patternChange(Row before) const noexcept {
   const Row now = ago(0);
-  const Row before = ago(kStretch);
   std::complex<double> product = 0.0;
   for (std::size_t n = teeth_; n <= orders_; n += teeth_) product += now[n - 1] * std::conj(before[n - 1]);
   const double scale = teethOf(now) * teethOf(before);
@@ -86,7 +86,7 @@ void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept
   const std::size_t count = std::min(now.size(), orders_);
   std::copy_n(now.begin(), count, row);
   std::fill(row + static_cast<std::ptrdiff_t>(count), row + static_cast<std::ptrdiff_t>(orders_), 0.0);
-  pattern_ = patternChange();
+  pattern_ = patternChange(ago(kStretch));
 }
 
 bool OrderStretches::ownGrowth(int rest) const noexcept {
@@ -99,6 +99,15 @@ bool OrderStretches::growsOn(int rest) const noexcept {
 
 bool OrderStretches::engagementChanges() const noexcept {
   return pattern_ > kOther;
+}
+
+void OrderStretches::learnEngagement() noexcept {
+  const Row now = ago(0);
+  std::copy(now.begin(), now.end(), learned_.begin());
+}
+
+bool OrderStretches::otherEngagement() const noexcept {
+  return patternChange(learned_) > kOther;
 }
 
 bool OrderStretches::unstableGrowth(int rest, double beyond) const noexcept {

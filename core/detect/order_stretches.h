@@ -37,6 +37,10 @@ class OrderStretches {
   bool unstableGrowth(int rest, double beyond) const noexcept;
   // Is the tooth passings' pattern another one than a stretch ago?
   bool engagementChanges() const noexcept;
+  // That pattern of now is the one that floors are learned in.
+  void learnEngagement() noexcept;
+  // Is it another one by now?
+  bool otherEngagement() const noexcept;
 
  private:
   using Row = std::span<const std::complex<double>>;
@@ -47,16 +51,17 @@ class OrderStretches {
   double added(int rest, std::size_t rowsAgo) const noexcept;
   // Amplitude of the class over that of the tooth passings.
   double size(int rest, std::size_t rowsAgo) const noexcept;
-  double patternChange() const noexcept;
+  double patternChange(Row before) const noexcept;
 
   std::size_t teeth_ = 0;
   std::size_t orders_ = 0;
   std::size_t newest_ = 0;
   int turnsPerRow_ = 1;
-  int turns_ = 0;                           // since the newest row
-  double pattern_ = 1.0;                    // change in the last stretch
-  double faster_ = 1.0;                     // added in a stretch over the one before, of an instability
-  std::vector<std::complex<double>> rows_;  // [row * orders + order - 1]
+  int turns_ = 0;                              // since the newest row
+  double pattern_ = 1.0;                       // change in the last stretch
+  double faster_ = 1.0;                        // added in a stretch over the one before, of an instability
+  std::vector<std::complex<double>> rows_;     // [row * orders + order - 1]
+  std::vector<std::complex<double>> learned_;  // [order - 1], with that pattern
 };
 
 }  // namespace stillcut::detect

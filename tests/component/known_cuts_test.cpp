@@ -264,6 +264,13 @@ TEST(KnownCuts, RunoutThatAModeAmplifiesWhileTheLoadRisesIsNoChatter) {
     expectSilent(orderOf("stable, strong runout", 6, name), 0.02);
 }
 
+// Runout that a narrow arc leaves little of on the orders between the tooth passings is a thousand times as much of the
+// vibration at a wide one, in a cut far below its limit.
+TEST(KnownCuts, RunoutThatAWiderArcBringsOutIsNoDoubling) {
+  const SimulationOrder order = orderOf("stable, immersion ramp", 12, "Z2-312");
+  for (const double error : {-0.02, 0.0}) expectSilent(order, error);
+}
+
 // An arc that widens turns every order a little, and the speed that is tracked by them. Where it stops, that ends at
 // once: new vibration, but none that grows.
 TEST(KnownCuts, AnArcThatWidensRaisesNoAlarm) {
