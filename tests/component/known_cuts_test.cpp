@@ -117,17 +117,6 @@ TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {
   }
 }
 
-SimulationOrder orderOf(std::string_view familyName, int seeds, std::string_view name) {
-  for (const CutFamily& family : cutFamilies()) {
-    if (family.name != familyName) continue;
-    for (SimulationOrder& order : family.make(seeds)) {
-      if (order.name == name) return order;
-    }
-  }
-  ADD_FAILURE() << familyName << " has no " << name;
-  return {};
-}
-
 const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
 
 // error: of the told speed.
@@ -171,90 +160,10 @@ TEST(KnownCuts, TeethThatLeaveTheMaterialMakeNoDoubling) {
   }
 }
 
-// What runout leaves on the orders of doubling grows long before the limit, by 1 / (1 - depth / limit), and no chatter
-// with it. Held here is the truth of the simulated cuts, one of them with runout on most of what is heard.
-TEST(KnownCuts, DoublingBeginsAtTheLimit) {
-  for (const char* name : {"Z2-405-runout", "Z4-405-runout"}) {
-    const SimulationOrder order = orderOf("flip, even teeth", 9, name);
-    const auto limit = limitOf(order.scenario);
-    ASSERT_TRUE(limit);
-    double passed = order.quietTo;
-    while (order.scenario.programme.depth.at(passed, 0.0, 0.0) < limit->depth.value) passed += 1e-3;
-    const KnownCut cut = simulate(order);
-    EXPECT_EQ(cut.kind, ChatterKind::Flip);
-    EXPECT_GE(cut.at1, passed - 1e-3) << name;
-    EXPECT_GT(cut.at20, cut.at1 + 0.01) << name;
-    EXPECT_LT(cut.at20, passed + 0.2) << name;
-  }
-}
-
-// Three teeth: runout repeats with them and not with four; doubling changes its sign from turn to turn. From 1 to 20 %
-// it takes three growth constants, from 20 to 50 % one.
-TEST(KnownCuts, DoublingOfOddTeethIsSeenFromOnePerCentOn) {
-  const SimulationOrder order = orderOf("flip, odd teeth", 10, "Z3-410");
-  const KnownCut cut = simulate(order);
-  EXPECT_EQ(cut.kind, ChatterKind::Flip);
-  const auto period = static_cast<std::size_t>(std::lround(60.0 * cut.recording.rate / cut.rpm));
-  const auto part = [&](double time) {
-    const auto from = static_cast<std::size_t>(time * cut.recording.rate);
-    double odd = 0.0;
-    double even = 0.0;
-    for (const auto& x : cut.clean) {
-      for (std::size_t i = from; i < from + period; ++i) {
-        const auto now = static_cast<double>(x[i]);
-        const auto before = static_cast<double>(x[i - period]);
-        odd += (now - before) * (now - before);
-        even += (now + before) * (now + before);
-      }
-    }
-    return std::sqrt(odd / even);
-  };
-  EXPECT_NEAR(part(cut.at1), 0.01, 0.005);
-  EXPECT_NEAR(part(cut.at20), 0.2, 0.04);
-}
-
-// The depth goes to nine tenths of where the cut would double, and a mode amplifies the runout of 1 um that is there.
-TEST(KnownCuts, RunoutBelowTheLimitOfDoublingRaisesNoAlarm) {
-  for (const char* name : {"Z2-407-runout", "Z4-409-runout"}) {
-    SimulationOrder order = orderOf("flip, even teeth", 9, name);
-    const auto limit = limitOf(order.scenario);
-    ASSERT_TRUE(limit);
-    planDepth(order.scenario, {}, 0.6 * limit->depth.value, 0.9 * limit->depth.value);
-    order.rule = AlarmRule::Silent;
-    order.doubling = false;
-    const KnownCut cut = simulate(order);
-    for (const std::vector<int>& channels : kAxes) {
-      const Score s = score(cut, {"energy-ratio", channels, 0.0});
-      EXPECT_FALSE(s.falseAlarm) << name << ' ' << s.alarm << " s";
-    }
-  }
-}
-
-// An axis ten times as stiff as the one that chatters hears a fifth of the doubling and hears it late: it grows so
-// slowly there that what is learned of it follows.
-TEST(KnownCuts, DoublingIsHeardInTimeByTheStiffAxis) {
-  for (const char* name : {"Z2-407", "Z2-409"}) {
-    const KnownCut cut = simulate(orderOf("flip, even teeth", 9, name));
-    const Score s = score(cut, {"energy-ratio", {1}, 0.0});
-    EXPECT_TRUE(s.good()) << name << ' ' << s.after20 << " s after 20 %";
-  }
-}
-
 // Two flutes whose runout meets a mode at order 5: most of what is heard is one line that is no tooth passing, from the
 // tool's entry on.
 TEST(KnownCuts, RunoutThatFillsTheCutIsNoChatter) {
   for (const char* name : {"Z2-1107", "Z2-1107-quick"}) expectSilent(orderOf("stable, strong runout", 9, name), 0.0);
-}
-
-// Doubling of a face mill at 780 rev/min, which grows for half a second: seven turns.
-TEST(KnownCuts, DoublingOfASlowSpindleBeginsWithTheInstability) {
-  const KnownCut cut = simulate(orderOf("slow spindle", 8, "F4-1016"));
-  EXPECT_EQ(cut.kind, ChatterKind::Flip);
-  EXPECT_GT(cut.at20 - cut.at1, 0.4);
-  for (const std::vector<int>& channels : kAxes) {
-    const Score s = score(cut, {"energy-ratio", channels, 0.0});
-    EXPECT_TRUE(s.good()) << s.alarm << " s, frequency off by " << s.frequencyError;
-  }
 }
 
 // A depth that rises to just below the limit in a fraction of a second brings a mode nearer to it, and with the load's
@@ -304,34 +213,6 @@ TEST(KnownCuts, AnOrderThatLeavesAModeTellsNoOnset) {
   EXPECT_EQ(cut.kind, ChatterKind::Flip);
   const double rpm = cut.spindleRpm[static_cast<std::size_t>(cut.at20 / cut.machineStep)];
   EXPECT_NEAR(cut.chatterHz, 5.0 * rpm / 60.0, 1e-6 * cut.chatterHz);
-}
-
-// Which teeth cut more once a cut doubles is chance's choice where they are alike: with other noise it may be the
-// others. Where runout makes most of the vibration before the limit of such a cut already it is the runout's each time:
-// there is one motion, it goes on smoothly past that limit with hardly more of what alternates, and nothing has begun.
-TEST(KnownCuts, WhatRunoutDrivesPastTheLimitIsNoChatter) {
-  const auto lastTurns = [](SimulationOrder order, std::uint64_t noise, bool chatters) {
-    order.scenario.seed = noise;
-    const KnownCut cut = simulate(order);
-    EXPECT_EQ(cut.at20 > 0.0, chatters) << order.name;
-    const auto turns = static_cast<std::ptrdiff_t>(10.0 * 60.0 / cut.rpm * cut.recording.rate);
-    return std::vector<float>(cut.clean[0].end() - turns, cut.clean[0].end());
-  };
-  // What the motion differs by with other noise, over itself.
-  const auto apart = [&](const SimulationOrder& order, bool chatters) {
-    const std::vector<float> one = lastTurns(order, 1, chatters);
-    const std::vector<float> two = lastTurns(order, 2, chatters);
-    double difference = 0.0;
-    double all = 0.0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      const double d = static_cast<double>(one[i]) - static_cast<double>(two[i]);
-      difference += d * d;
-      all += static_cast<double>(one[i]) * static_cast<double>(one[i]);
-    }
-    return std::sqrt(difference / all);
-  };
-  for (const char* name : {"Z2-1104", "Z2-1105"}) EXPECT_LT(apart(orderOf("strong runout", 5, name), false), 0.1);
-  EXPECT_GT(apart(orderOf("flip, even teeth", 3, "Z2-403"), true), 1.0);
 }
 
 // Chatter at order 6.93. Over the turns in which it goes round once against the seventh, it is orthogonal to that and

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "tests/support/known_cuts/family_orders.h"
 
@@ -263,6 +265,16 @@ constexpr std::array<CutFamily, 23> kFamilies{{
 
 std::span<const CutFamily> cutFamilies() {
   return kFamilies;
+}
+
+SimulationOrder orderOf(std::string_view family, int seeds, std::string_view name) {
+  for (const CutFamily& one : cutFamilies()) {
+    if (one.name != family) continue;
+    for (SimulationOrder& order : one.make(seeds)) {
+      if (order.name == name) return order;
+    }
+  }
+  throw std::invalid_argument(std::string(family) + " has no " + std::string(name));
 }
 
 }  // namespace stillcut::bench

@@ -18,6 +18,8 @@ struct CutFamily {
 };
 
 std::span<const CutFamily> cutFamilies();
+// One cut of a family of so many seeds; throws where there is none of that name.
+SimulationOrder orderOf(std::string_view family, int seeds, std::string_view name);
 // One of them.
 std::vector<SimulationOrder> flipOdd(int seeds);
 std::vector<SimulationOrder> flipEven(int seeds);
