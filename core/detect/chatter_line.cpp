@@ -15,6 +15,7 @@ constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
 constexpr double kLeastBetween = 0.5;  // line over severity from which it is not on an order
 constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
+constexpr double kCaught = 0.1;        // orders: of a line so near an order holds nearly all, and turns with it
 constexpr double kLeastOffset = 0.03;  // orders; nearer to a harmonic a line is forced
 constexpr double kSpeedDoubts = 4.0;   // ... or within so many standard deviations of the harmonic's place
 constexpr double kMostOffset = 0.25;   // ... at most; what turns by more a turn belongs to the next order as much
@@ -94,7 +95,9 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   const bool larger = evidence.changed > kLeastBetween * evidence.severity * TurnDifference::differenceGain(offset);
   // ... and so is what turns by more than a quarter of a turn a turn: the next order has as much of it.
   const bool caught = std::abs(evidence.onOrder - std::round(evidence.onOrder)) > kMostOffset;
-  const bool between = offset >= kLeastOffset && line.purity >= kLeastPurity && (larger || caught);
+  // ... but one beside an order that doubles and stands still is the doubling's own change of size.
+  const double least = evidence.doubling ? kCaught : kLeastOffset;
+  const bool between = offset >= least && line.purity >= kLeastPurity && (larger || caught);
   const bool onOrder = evidence.onOrder > 0.0 && !between;
   doubled_ = onOrder && evidence.doubling;
   if (onOrder) return stayOnOrder(evidence.onOrder, hop.spindle);

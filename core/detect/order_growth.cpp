@@ -24,18 +24,16 @@ constexpr double kDriftTurns = 6.0;     // memory of the phase
 constexpr double kLeastDrift = 0.012;   // orders: what a spindle known to 0.1 % leaves at the twelfth order
 constexpr double kSteady = 0.8;         // of the power, that turns as one
 constexpr double kStill = 0.01;         // orders
+constexpr double kNearlyStill = 0.1;    // ... while it grows out of its noise
 constexpr double kLeaks = 1.0 / 12.0;   // the sum of 1 / (2 pi d)^2 over all d, up and down
 constexpr double kLeastOthers = 0.1;    // what leaks is known no better
 constexpr double kLouder = 4.0;         // in energy, of what it was
 // In energy. A mode amplifies runout by 1 / (1 - depth / limit), from half of the limit to nine tenths of it fivefold,
 // to within a twentieth tenfold. What has become more is no runout: by the first at the rate of an instability, by the
-// second in any case.
+// second faster than a mode so near to its limit follows any load.
 constexpr double kBeyond = 25.0;
 constexpr double kFarBeyond = 100.0;
-// A line that has locked to its order: how much more it adds than the engagement changes, as amplitude ...
-constexpr double kClearly = 10.0;
-constexpr double kMostOfAll = 1.0;      // ... to more than all other orders together, in energy
-constexpr double kDoublingTurns = 2.0;  // of two teeth each, at least
+constexpr double kMostOfAll = 1.0;  // all other orders together, in energy: what a line has that locked to its order
 constexpr double kWholeTurn = 1.0;
 constexpr double kSpeedDoubts = 2.0;
 constexpr double kOutgrowDoubts = 1.5;  // where its share has grown as well
@@ -43,6 +41,7 @@ constexpr double kQuarterTurn = 0.25;   // a mode turns a forced vibration by no
 constexpr double kFloorSeconds = 10.0;  // in which a floor that rises by time doubles
 constexpr double kFallTurns = 10.0;
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
+constexpr double kStays = 0.5;          // in energy, of what it began at: noise does not end it
 
 }  // namespace
 
@@ -115,7 +114,8 @@ void OrderGrowth::followStretches() noexcept {
     Class& c = classes_[i];
     const int rest = static_cast<int>(i) + 1;
     c.own = stretches_.ownGrowth(rest);
-    c.unstable = c.onset.evidence() > 0.0 && (c.unstable || stretches_.unstableGrowth(rest, flips(c) ? 1.0 : kClearly));
+    const bool unstable = flips(c) ? stretches_.unstableGrowth(rest) : stretches_.lockedGrowth(rest);
+    c.unstable = c.onset.evidence() > 0.0 && (c.unstable || unstable);
   }
 }
 
@@ -143,7 +143,8 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
   const bool turns = this->turns(c.order) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
   if (c.own && turns && !explained(c)) return true;
   if (!flips(c)) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
-  return c.unstable || (c.own && c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor());
+  return c.unstable || (c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor() &&
+                        stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement());
 }
 
 void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
@@ -186,6 +187,11 @@ bool OrderGrowth::turns(int order) const noexcept {
   if (order < 1 || order > static_cast<int>(orders_.size())) return false;
   const Order& o = orders_[static_cast<std::size_t>(order - 1)];
   return std::abs(o.product) > kSteady * o.power && std::abs(drift(order)) > kLeastDrift;
+}
+
+// Period doubling does; what a line half way between two orders leaves on both turns by half a turn per turn.
+bool OrderGrowth::standsStill(const Class& c) const noexcept {
+  return std::abs(drift(c.order)) < kNearlyStill;
 }
 
 // Does the strongest order change by no more than the load may make it? What turns then is the phase of a mode that
@@ -259,16 +265,15 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
   const bool own = one && !explained(c) && std::abs(drift(c.order)) > least;
   const bool on = own && now > std::max(kLouder * c.slow, kSmallestBeside);
-  const bool beyond = flips(c) && now > std::max({kFarBeyond * c.slow, kSmallest, products(c)});
-  const bool begun =
-      beyond && c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
-  c.doubles = begun || (beyond && c.doubles);
+  const double far = std::max({kFarBeyond * c.slow, kSmallest, products(c)});
+  const bool grows = c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
+  c.doubles = flips(c) && standsStill(c) && now > (c.doubles ? kStays * far : far) && (c.doubles || grows);
   c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
   c.outgrownBy = on ? c.outgrownBy + sense(c) * drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
   if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
   if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
-  if (c.doubles) return c.outgrown > kDoublingTurns;
+  if (c.doubles) return true;
   return c.outgrown > kDriftTurns && std::abs(c.outgrownBy) > kQuarterTurn;
 }
 

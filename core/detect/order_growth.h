@@ -102,6 +102,7 @@ class OrderGrowth {
   double drift(int order) const noexcept;
   double sense(const Class& c) const noexcept;
   bool turns(int order) const noexcept;
+  bool standsStill(const Class& c) const noexcept;
 
   int teeth_ = 0;
   int eta_ = 0;

@@ -7,10 +7,14 @@ namespace stillcut::detect {
 namespace {
 
 constexpr Seconds kLeastStretch{0.05};
-constexpr Seconds kSlowest{0.06};   // growth constant; a load that rises within 0.3 s amplifies at 110 ms
-constexpr double kGrowsOn = 1.25;   // over a stretch: an e-fold in four of them or so
-constexpr double kOther = 0.1;      // of the pattern: 0.01 while the arc stands, 0.2 to 0.45 while it changes
-constexpr double kMostFolds = 2.0;  // over a long stretch, of a slow spindle
+constexpr Seconds kSlowest{0.06};    // growth constant; a load that rises within 0.3 s amplifies at 110 ms
+constexpr Seconds kNearLimit{0.15};  // within a twentieth of its limit a mode follows its load no faster
+constexpr double kGrowsOn = 1.25;    // over a stretch: an e-fold in four of them or so
+constexpr double kOther = 0.1;       // of the pattern: 0.01 while the arc stands, 0.2 to 0.45 while it changes
+constexpr double kClearly = 10.0;    // more than the engagement changes, as amplitude
+constexpr double kSeen = 2.0;        // over what the pattern scatters by: less may have been added unseen
+constexpr double kLeastStep = 0.01;  // of the load; less is noise
+constexpr double kMostFolds = 2.0;   // over a long stretch, of a slow spindle
 
 }  // namespace
 
@@ -29,6 +33,7 @@ void OrderStretches::setSpindle(Hertz spindle) noexcept {
   turnsPerRow_ = std::max(1, static_cast<int>(std::lround(kLeastStretch.value * spindle.value / kStretch)));
   const double stretch = static_cast<double>(kStretch) * turnsPerRow_ / std::max(spindle.value, 1.0);
   faster_ = std::exp(std::min(stretch / kSlowest.value, kMostFolds));
+  settling_ = std::exp(std::min(stretch / kNearLimit.value, kMostFolds));
 }
 
 OrderStretches::Row OrderStretches::ago(std::size_t rows) const noexcept {
@@ -94,7 +99,13 @@ bool OrderStretches::ownGrowth(int rest) const noexcept {
 }
 
 bool OrderStretches::growsOn(int rest) const noexcept {
-  return ownGrowth(rest) && size(rest, 0) > kGrowsOn * size(rest, kStretch);
+  return ownGrowth(rest) && size(rest, 0) > kGrowsOn * size(rest, kStretch) &&
+         added(rest, 0) > settling_ * added(rest, kStretch);
+}
+
+double OrderStretches::loadChange(std::size_t rowsAgo) const noexcept {
+  const double now = teethOf(ago(rowsAgo));
+  return now > 0.0 ? std::abs(now - teethOf(ago(rowsAgo + kStretch))) / now : 0.0;
 }
 
 bool OrderStretches::engagementChanges() const noexcept {
@@ -110,9 +121,16 @@ bool OrderStretches::otherEngagement() const noexcept {
   return patternChange(learned_) > kOther;
 }
 
-bool OrderStretches::unstableGrowth(int rest, double beyond) const noexcept {
+bool OrderStretches::unstableGrowth(int rest) const noexcept {
   const double latest = added(rest, 0);
-  return latest > beyond * pattern_ && latest > faster_ * added(rest, kStretch);
+  const double before = std::max(added(rest, kStretch), kSeen * pattern_);
+  const double byLoad = loadChange(0) / (loadChange(kStretch) + kLeastStep);
+  return latest > faster_ * std::max(1.0, byLoad) * before;
+}
+
+bool OrderStretches::lockedGrowth(int rest) const noexcept {
+  const double latest = added(rest, 0);
+  return latest > kClearly * pattern_ && latest > faster_ * added(rest, kStretch);
 }
 
 }  // namespace stillcut::detect

@@ -8,8 +8,11 @@
 // to 0.8 against 0.01). And where the cut comes nearer to its limit a mode amplifies runout by 1 / (1 - depth / limit):
 // as fast as the load rises, which moves in tenths of a second, and no longer than it does. Beyond the limit a
 // disturbance grows by its multiplier, an e-fold in 5 to 50 ms: then each stretch adds more than twice what the one
-// before it did. All in complex amplitudes over the amplitude of the tooth passings. Not in Caliskan 2018. Thread:
-// worker; everything but prepare() is real-time.
+// before it did, and by that much more than the load's own steps grow, for where a ramp begins all that it changes does
+// so ever faster. Of a stretch that added no more than the pattern scatters by nobody knows how much it added; it
+// counts as all that it may have hidden, or noise that happens to be little would make growth of the noise after it.
+// All in complex amplitudes over the amplitude of the tooth passings. Not in Caliskan 2018. Thread: worker; everything
+// but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -31,10 +34,12 @@ class OrderStretches {
   // Of the orders n = +-rest modulo the teeth; rest 1 .. teeth / 2: has the last stretch added more than the engagement
   // has changed,
   bool ownGrowth(int rest) const noexcept;
-  // ... and made it larger,
+  // ... and made it larger, sooner than a mode near its limit follows a load,
   bool growsOn(int rest) const noexcept;
-  // ... or beyond that by a factor, and at the rate of an instability?
-  bool unstableGrowth(int rest, double beyond) const noexcept;
+  // ... or added to it at the rate of an instability, as period doubling does that grows out of runout?
+  bool unstableGrowth(int rest) const noexcept;
+  // ... at that rate far more than the engagement changes, as a line does that has locked to its order?
+  bool lockedGrowth(int rest) const noexcept;
   // Is the tooth passings' pattern another one than a stretch ago?
   bool engagementChanges() const noexcept;
   // That pattern of now is the one that floors are learned in.
@@ -52,6 +57,8 @@ class OrderStretches {
   // Amplitude of the class over that of the tooth passings.
   double size(int rest, std::size_t rowsAgo) const noexcept;
   double patternChange(Row before) const noexcept;
+  // Relative change of the load in the stretch that ended so many rows ago.
+  double loadChange(std::size_t rowsAgo) const noexcept;
 
   std::size_t teeth_ = 0;
   std::size_t orders_ = 0;
@@ -60,8 +67,9 @@ class OrderStretches {
   int turns_ = 0;                              // since the newest row
   double pattern_ = 1.0;                       // change in the last stretch
   double faster_ = 1.0;                        // added in a stretch over the one before, of an instability
+  double settling_ = 1.0;                      // ... of a mode near its limit at most
   std::vector<std::complex<double>> rows_;     // [row * orders + order - 1]
-  std::vector<std::complex<double>> learned_;  // [order - 1], with that pattern
+  std::vector<std::complex<double>> learned_;  // [order - 1], with the pattern that floors are learned in
 };
 
 }  // namespace stillcut::detect

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <functional>
+#include <random>
 
 namespace stillcut::detect {
 namespace {
@@ -39,7 +41,7 @@ Seen over(Hertz spindle, double from, double to, const std::function<Orders(doub
     if (t < from) continue;
     seen.own = seen.own || s.ownGrowth(kRest);
     seen.growsOn = seen.growsOn || s.growsOn(kRest);
-    seen.unstable = seen.unstable || s.unstableGrowth(kRest, 1.0);
+    seen.unstable = seen.unstable || s.unstableGrowth(kRest);
   }
   return seen;
 }
@@ -90,6 +92,66 @@ TEST_P(OrderStretch, AnOrderThatTurnsDoesNotGrowOn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Spindles, OrderStretch, ::testing::Values(100.0, 180.0, 500.0));
+
+constexpr double kSpindleHertz = 140.0;
+constexpr double kRunout = 0.01;  // of the tooth passings, far from the limit
+
+// Four seconds, turn by turn, with depth(t) over the limit and doubling(t) over the tooth passings; when the class of
+// doubling is first said to grow as an instability does, or -1.
+template <class Depth, class Doubling>
+double firstUnstable(unsigned seed, const Depth& depth, const Doubling& doubling) {
+  OrderStretches stretches;
+  stretches.prepare(kTeeth, Orders{}.size());
+  stretches.setSpindle(Hertz(kSpindleHertz));
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0.0, 0.001);
+  Orders row{};
+  for (int turn = 0; turn < static_cast<int>(4.0 * kSpindleHertz); ++turn) {
+    const double t = turn / kSpindleHertz;
+    const double load = depth(t);
+    for (std::size_t n = 1; n <= row.size(); ++n) {
+      const bool tooth = n % kTeeth == 0;
+      const bool alternates = n % kTeeth == kRest;
+      const double share = tooth ? 1.0 : alternates ? kRunout / (1.0 - load) + doubling(t) : 0.0;
+      row[n - 1] = load * (share / static_cast<double>(n) + std::complex<double>(noise(engine), noise(engine)));
+    }
+    stretches.endTurn(row);
+    if (t > 1.0 && stretches.unstableGrowth(kRest)) return t;
+  }
+  return -1.0;
+}
+
+// A depth that begins to rise changes everything ever faster at first: from 0.6 to nine tenths of the limit, and to
+// within a twentieth.
+TEST(OrderStretches, ALoadThatBeginsToRiseIsNoInstability) {
+  struct Rise {
+    double high, seconds;
+  };
+  for (const Rise rise : {Rise{0.9, 0.3}, Rise{0.9, 0.8}, Rise{0.95, 0.8}}) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      const auto depth = [&](double t) {
+        const double u = std::clamp((t - 2.0) / rise.seconds, 0.0, 1.0);
+        return 0.6 + (rise.high - 0.6) * u * u * (3.0 - 2.0 * u);
+      };
+      const double seen = firstUnstable(seed, depth, [](double) { return 0.0; });
+      EXPECT_LT(seen, 0.0) << rise.high << " within " << rise.seconds << " s, seed " << seed;
+    }
+  }
+}
+
+// At a load that stands, growth is seen before it holds a tenth of what the teeth do, even where the stretch before
+// was all noise.
+TEST(OrderStretches, GrowthAtASteadyLoadIsAnInstability) {
+  for (const double constant : {0.015, 0.03, 0.05}) {
+    for (const unsigned seed : {1U, 2U, 3U}) {
+      const auto doubling = [&](double t) { return t < 2.0 ? 0.0 : 1e-3 * std::exp((t - 2.0) / constant); };
+      const double seen = firstUnstable(
+          seed, [](double) { return 0.8; }, doubling);
+      EXPECT_GT(seen, 2.0) << constant << ' ' << seed;
+      EXPECT_LT(seen, 2.0 + constant * std::log(0.1 / 1e-3)) << constant << ' ' << seed;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace stillcut::detect
