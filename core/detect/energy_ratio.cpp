@@ -246,10 +246,11 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
       s.load.endTurn(chain_, newLine_, c, spindle_, noise);
       s.orders.setLoad(s.load.mostOfAnOrder());
     }
-    if (!block.speedMoving && hopOfTurn_ % (kHopsPerTurn / 2) == 0) s.orders.endHalfTurn(newLine_, c, spindle_);
     // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
     const bool held = s.growth.turnsSinceLeap() < kSettleTurns || s.load.changesQuickly();
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();
+    if (!block.speedMoving && hopOfTurn_ % (kHopsPerTurn / 2) == 0)
+      s.orders.endHalfTurn(newLine_, c, spindle_, test && !held);
     if (test && !held)
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);

@@ -20,13 +20,14 @@
 // - The frequency of chatter is that of the strongest line of the turn difference (line_finder.h), or, while that line
 //   is new, by its phase from turn to turn (new_line.h).
 // - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
-// Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic, and nearer than 0.012 to any other, is not
-// told from forced vibration. While the load changes by more than 5 % a turn, as it may on a slow spindle, chatter
-// beside an order is told by more than that change explains, some turns later (load_watch.h, order_pole.h): of 180 runs
-// of face mills at 800 rev/min whose depth rises past the limit (detection_table, six seeds) 17 come late, by four
-// turns at most; and of chatter that has just grown out of runout beside it the frequency lies nearer to that order, by
-// up to 0.6 %, than where it comes to stand. Chatter that fills the cut from the entry is alarmed by its line alone
-// where that can be no tooth passing (speed_tracker.h). Thread: worker. See detector.h.
+// Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic is not told from forced vibration, and
+// nearer than 0.012 to any other only where it grows by itself at a steady load or has locked to it. While the load
+// changes by more than 5 % a turn, as it may on a slow spindle, chatter beside an order is told by more than that
+// change explains, some turns later (load_watch.h, order_pole.h): of 180 runs of face mills at 800 rev/min whose depth
+// rises past the limit (detection_table, six seeds) 15 come late, a turn and a half after the 20 % time at most. Of
+// chatter that has just grown out of runout beside an order the frequency lies nearer to that order, by up to 0.6 %,
+// than where it comes to stand. Chatter that fills the cut from the entry is alarmed by its line alone where that can
+// be no tooth passing (speed_tracker.h). Thread: worker. See detector.h.
 #pragma once
 
 #include <array>

@@ -46,7 +46,7 @@ void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double wors
     learn(calmNews_[i], channels[i].news.onset());
   }
   if (worst < kHysteresis * sidedRatio() && hop.steadyTurns >= kSettleTurns) calmTurns_ += 1.0 / kHopsPerTurn;
-  wasCalm_ = calmTurns_ > leastTurns(hop.spindle);
+  wasCalm_ = wasCalm_ || calmTurns_ > leastTurns(hop.spindle);
 }
 
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
@@ -91,6 +91,7 @@ bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& 
     if (moves || !full || !aboveCalm(channels, *hop.chain)) return false;
   }
   entryLine_ = line_.frequency;
+  entrySided_ = sided;
   entryMost_ = std::max(highTurns_ > 0.0 ? entryMost_ : 0.0, ratios.joint);
   const bool falls = sided && ratios.joint < kRingsDown * entryMost_;
   highTurns_ = stands && same && !falls ? highTurns_ + static_cast<double>(kLookHops) / kHopsPerTurn : 0.0;
@@ -99,14 +100,14 @@ bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& 
   return true;
 }
 
-// Has the line side lines? Two modes that chatter take turns in being the stronger one: one that was followed, and had
-// some, is taken where it still is there.
+// Has the line side lines? Two modes that chatter take turns in being the stronger one: the one that was followed is
+// taken where it still is there, for what it was.
 bool EntryChatter::lineHasSides(const LineFinder& lines, const RatioHop& hop) noexcept {
   if (highTurns_ > 0.0) {
     const Hertz kept = lines.keep(entryLine_, line_.frequency, hop.spindle * kSameLine);
     const bool another = kept.value != line_.frequency.value;
     line_.frequency = kept;
-    if (another) return true;
+    if (another) return entrySided_;
   }
   return lines.sideLines(line_.frequency, hop.spindle * hop.teeth) >= kSideLines;
 }

@@ -47,11 +47,12 @@ class EntryChatter {
   double chatterRatio_ = 0.2;
   // Lowest floor of each channel while the ratio was not high, of the difference and of the news; 0: none.
   std::array<double, kMaxChannels> calmFloor_{}, calmNews_{};
-  double calmTurns_ = 0.0;  // of a ratio that no chatter from the entry has
-  bool wasCalm_ = false;    // long enough, in this cut: from there growth decides
-  double highTurns_ = 0.0;  // of a high ratio
-  Hertz entryLine_{};       // ... at this frequency
-  double entryMost_ = 0.0;  // the highest joint ratio of these turns
+  double calmTurns_ = 0.0;   // of a ratio that no chatter from the entry has
+  bool wasCalm_ = false;     // long enough, in this cut: from there growth decides
+  double highTurns_ = 0.0;   // of a high ratio
+  Hertz entryLine_{};        // ... at this frequency,
+  bool entrySided_ = false;  // ... which had side lines
+  double entryMost_ = 0.0;   // the highest joint ratio of these turns
   bool sided_ = false;
   int sinceLook_ = 0;  // hops
   bool looked_ = false;

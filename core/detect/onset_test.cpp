@@ -31,6 +31,7 @@ void OnsetTest::reset() noexcept {
 }
 
 double OnsetTest::raise(double factor) noexcept {
+  if (learnedTurns_ == 0.0) return factor;
   const double by = std::min(factor, kMostRaised / raised_);
   raised_ *= by;
   mean_ *= by;
@@ -101,6 +102,7 @@ void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
   const double r = known ? std::min(ratio, most) : ratio;
   shortMean_ += turns / std::min(learnedTurns_, kShortTurns) * (r - shortMean_);
   mean_ += turns / learnedTurns_ * (r - mean_);
+  raised_ += turns / learnedTurns_ * (1.0 - raised_);
   meanEnergy_ += turns / learnedTurns_ * ((ratio > 0.0 ? energy * r / ratio : 0.0) - meanEnergy_);
   if (!(mean_ > 0.0)) return;
   const double error = r / mean_ - 1.0;

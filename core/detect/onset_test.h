@@ -44,8 +44,8 @@ class OnsetTest {
               std::optional<double> newest = std::nullopt) noexcept;
 
   // What was learned was learned of something that may be so much larger now without having grown. Returns by how much
-  // it counts as more: in all by no more than a hundred times since it was learned, which is what a mode damped by 1 %
-  // makes of an order that comes from 10 % beside it.
+  // it counts as more: in all by no more than a hundred times until it is learned anew, which is what a mode damped by
+  // 1 % makes of an order that comes from 10 % beside it.
   double raise(double factor) noexcept;
 
   bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }

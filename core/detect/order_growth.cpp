@@ -63,7 +63,7 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
   c.counts = c.own = c.unstable = c.doubles = false;
-  c.aloneTimes = 0;
+  c.aloneTimes = c.aloneOrder = 0;
   c.alone = 0.0;
   c.alarmTurns = c.turned = c.turnedBy = c.slow = c.outgrown = c.outgrownBy = 0.0;
 }
@@ -158,6 +158,7 @@ void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
   const std::span<const double> weights = chain.orderWeights(eta_);
   weightedAll_ = chain.forced(channel, eta_);
   all_ = chain.forced(channel, 0);
+  active_ = chain.active();
   for (int rest = 1; 2 * rest <= teeth_; ++rest) {
     double power = 0.0;
     double weighted = 0.0;
@@ -204,19 +205,26 @@ bool OrderGrowth::explained(const Class& c) const noexcept {
 
 // Period doubling has its own measure (order_stretches.h): it stands still, where runout of alternate teeth does.
 bool OrderGrowth::mayGrowByItself(const Class& c) const noexcept {
-  return !flips(c) && c.onset.learned() && c.strongest > kLeastPurity * c.power && share(c) > kSmallestAlone &&
+  return !flips(c) && c.onset.learned() && c.strongest > kLeastOfClass * c.power && share(c) > kSmallestAlone &&
          c.power > kGrownAlone * c.onset.floorEnergy() && !stretches_.engagementChanges();
 }
 
-void OrderGrowth::endHalfTurn(NewLine& vibration, int channel, Hertz spindle) noexcept {
+bool OrderGrowth::growsAlone(Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept {
+  OrderPole now;
+  return mayGrowByItself(c) && OrderPole::mayGrow(vibration, channel, c.order, spindle) &&
+         now.fit(vibration, channel, {teeth_, active_}, c.order, spindle) && now.growsByItself();
+}
+
+void OrderGrowth::endHalfTurn(NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept {
   halfTurnsThere_ = std::min(halfTurnsThere_ + 1, kWindowHalfTurns);
   for (Class& c : classes_) {
-    OrderPole now;
-    const bool found = halfTurnsThere_ == kWindowHalfTurns && mayGrowByItself(c) &&
-                       now.fit(vibration, channel, teeth_, c.order, spindle) && now.growsByItself();
-    c.aloneTimes = found ? c.aloneTimes + 1 : 0;
     const double share = this->share(c);
     const bool stays = c.alone > 0.0 && share > c.alone / kLouder;
+    const bool found =
+        judged && !stays && halfTurnsThere_ == kWindowHalfTurns && growsAlone(c, vibration, channel, spindle);
+    if (c.order != c.aloneOrder) c.aloneTimes = 0;
+    c.aloneOrder = c.order;
+    c.aloneTimes = found ? c.aloneTimes + 1 : 0;
     c.alone = stays || c.aloneTimes >= kAloneTimes ? std::max(c.alone, share) : 0.0;
   }
 }
@@ -244,7 +252,7 @@ double OrderGrowth::sense(const Class& c) const noexcept {
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
   const double drifts = drift(c.order);
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
-  const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
+  const bool one = c.strongest > kLeastOfClass * c.power && this->turns(c.order);
   const bool on = louder && one && std::abs(drifts) > kSpeedDoubts * c.order * speedDoubt;
   const bool turning = one && c.onset.evidence() > 0.0;
   c.turnedBy = turning ? c.turnedBy + sense(c) * drifts * turns : 0.0;
@@ -262,13 +270,13 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
     stretches_.learnEngagement();
   }
   const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
-  const bool one = c.strongest > kLeastPurity * c.power && this->turns(c.order);
+  const bool one = c.strongest > kLeastOfClass * c.power && this->turns(c.order);
   const bool own = one && !explained(c) && std::abs(drift(c.order)) > least;
   const bool on = own && now > std::max(kLouder * c.slow, kSmallestBeside);
   const double far = std::max({kFarBeyond * c.slow, kSmallest, products(c)});
   const bool grows = c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
   c.doubles = flips(c) && standsStill(c) && now > (c.doubles ? kStays * far : far) && (c.doubles || grows);
-  c.outgrown = on || c.doubles ? c.outgrown + turns : 0.0;
+  c.outgrown = on ? c.outgrown + turns : 0.0;
   c.outgrownBy = on ? c.outgrownBy + sense(c) * drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
   if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
@@ -277,7 +285,20 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   return c.outgrown > kDriftTurns && std::abs(c.outgrownBy) > kQuarterTurn;
 }
 
+// An engagement that has stood for so long with nothing growing in it is the one that the floors are of by now.
+void OrderGrowth::followEngagement(double turns, bool learn) noexcept {
+  const bool quiet =
+      learn && !stretches_.engagementChanges() && std::all_of(classes_.begin(), classes_.end(), [](const Class& c) {
+        return c.onset.learned() && c.onset.evidence() == 0.0 && c.outgrown == 0.0;
+      });
+  standingTurns_ = quiet ? standingTurns_ + turns : 0.0;
+  if (standingTurns_ < kNewLoadTurns) return;
+  standingTurns_ = 0.0;
+  stretches_.learnEngagement();
+}
+
 void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
+  followEngagement(turns, learn);
   order_ = 0.0;
   doubling_ = false;
   double strongest = 0.0;
@@ -292,8 +313,9 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     if (learn && c.alarmTurns > kNewLoadTurns) {
       c.onset.reset();
       c.outgrown = c.outgrownBy = 0.0;
+      if (flips(c)) c.slow = 0.0;  // ... and its engagement is learned with it
     }
-    if (!c.counts || c.strongest < kLeastPurity * c.power || c.strongest <= strongest) continue;
+    if (!c.counts || c.strongest < kLeastOfClass * c.power || c.strongest <= strongest) continue;
     strongest = c.strongest;
     const double drifts = drift(c.order);
     doubling_ = flips(c) && std::abs(drifts) < kStill;

@@ -1,31 +1,32 @@
 // Chatter that lies on spindle harmonics, or so near to one that a comb of them takes it out with the forced vibration:
-// period doubling with an even number of teeth, at orders (k + 1/2) Z, and Hopf chatter that happens to be near a whole
-// order. What tells it from forced vibration is growth. Regeneration by Z teeth ties the orders of one rest modulo Z
-// together (n and kZ +- n: side lines a tooth passing apart); in a stable cut they hold runout, a share of the
-// vibration that stays as it is while the load changes. So the share of every such class is tested against its own
-// learned floor (onset_test.h). Near the stability limit a mode amplifies runout as well, without any chatter; that
-// stands still against the spindle, while a line at n + e turns by e of a turn per turn. So growth counts where the
-// strongest order turns. Period doubling stands still itself once it is full: its class counts where it grows at the
-// rate of an instability (order_stretches.h), or, where runout holds less than a fifth of the amplitude, while the
-// engagement does not change and further than runout is amplified in a stable cut. In another class a line that has
-// locked to its order stands still as well: it counts where it grows at that rate, as far, and to more than all other
-// orders together. Teeth that leave the material make of runout on two classes some vibration on a third, in a stable
-// cut as well: a class that holds no more than their product is not believed. Where runout on a mode is nearly all
-// there is (at full immersion tooth passings cancel), no share can grow. There an order that has become louder and has
-// turned by a whole turn against the spindle, faster than its speed is in doubt, is chatter: a load that changes moves
-// the phase of a forced vibration as well, by the half turn that a mode has at most. On a slow spindle the learned
-// floor follows slow growth up, and what such a line leaks into the other orders keeps its share down: there the share,
-// without the leak, is held against a floor that rises by time alone, and the order must turn as above for some turns,
-// by a quarter of one in all: no further does a mode that comes near its limit turn what runout leaves on it. A
-// changing arc of engagement pulls the speed that is tracked as well, by a tenth of a per cent for some turns, by a
-// quarter of one for seconds where a face mill leaves the work; orders beyond the tenth may turn further by that. So
-// while the engagement changes the quarter of a turn is asked of every order. (An end mill at 800 rev/min on thin
-// walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn, and in every seed.) What turns by
-// less and grows by itself, not with the load (order_pole.h), is chatter where the engagement stays. And what runout
-// leaves on an order at one arc says nothing of what it leaves at another, a thousand times as much in a cut far below
-// its limit: in another engagement than the floors were learned in, doubling counts by its rate alone. The
-// tooth-passing orders themselves are not tested: what grows there may be the load. Not in Caliskan 2018. Thread:
-// worker; everything but prepare() is real-time.
+// period doubling with an even number of teeth, at orders (k + 1/2) Z, and Hopf chatter near a whole order.
+//
+// What tells it from forced vibration is growth. Regeneration by Z teeth ties the orders of one rest modulo Z together
+// (n and kZ +- n: side lines a tooth passing apart); in a stable cut they hold runout, a share of the vibration that
+// stays as it is while the load changes. So the share of every such class is tested against its own learned floor
+// (onset_test.h). Near the stability limit a mode amplifies runout as well. A class whose share has grown is chatter
+// - where its strongest order turns against the spindle, as a line at n + e does, by e of a turn per turn, and what is
+//   forced does not;
+// - of period doubling, which stands still itself, where it grows at the rate of an instability (order_stretches.h), or
+//   out of less than a fifth of the amplitude further than a stable cut amplifies runout. The latter only in the
+//   engagement that the floor was learned in: what runout leaves on an order at one arc says nothing of what it leaves
+//   at another, a thousand times as much in a cut far below its limit;
+// - of another class, where it grew at that rate, as far, and to more than all other orders together: it has locked to
+//   its order.
+// Where no share grows, or it takes too long, an order is chatter
+// - that has become louder and has turned by a whole turn, faster than the speed is in doubt. Runout on a mode may be
+//   nearly all there is (at full immersion tooth passings cancel), and a load that changes moves the phase of a forced
+//   vibration by no more than the half turn that a mode has;
+// - on a slow spindle, where the learned floor follows slow growth up and what a line leaks into the other orders keeps
+//   its share down: whose share, without the leak, is far above a floor that rises by time alone, and which turns for
+//   some turns, by a quarter of one in all, further than a mode that comes near its limit turns runout. (An end mill at
+//   800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn);
+// - that turns by less and grows by itself, not with the load (order_pole.h), while the engagement stays.
+// Not believed are a class that holds no more than teeth which leave the material make of runout on two others, and,
+// while the arc of engagement changes, an order that has not yet turned by a quarter of a turn: such an arc pulls the
+// tracked speed by a tenth of a per cent for some turns, by a quarter of one for seconds where a face mill leaves the
+// work. Tooth-passing orders are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker;
+// everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -53,8 +54,9 @@ class OrderGrowth {
   void setSpindle(Hertz spindle) noexcept;
   // One hop: what the harmonic filter holds of a channel.
   void endHop(const EnergyChain& chain, int channel) noexcept;
-  // Twice a turn, at a steady speed: what has grown by itself (order_pole.h)? Looked at where it has grown at all.
-  void endHalfTurn(NewLine& vibration, int channel, Hertz spindle) noexcept;
+  // Twice a turn, at a steady speed: what has grown by itself (order_pole.h)? Looked at in a cut that is judged, and
+  // where it has grown at all.
+  void endHalfTurn(NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept;
   // By how much of itself a load that changes may change an order in a turn (load_watch.h): no more is no growth.
   void setLoad(double mostOfAnOrder) noexcept { byLoad_ = mostOfAnOrder; }
   // speedDoubt: relative standard deviation of the spindle's speed.
@@ -68,7 +70,7 @@ class OrderGrowth {
   double severity() const noexcept;
 
  private:
-  static constexpr double kLeastPurity = 0.4;
+  static constexpr double kLeastOfClass = 0.4;  // of its power, that one order holds
   struct Class {
     double power = 0.0, weighted = 0.0;
     double strongest = 0.0;
@@ -82,7 +84,8 @@ class OrderGrowth {
     bool own = false;         // grows, and not because the engagement changes
     bool doubles = false;     // far above what runout becomes, by growth of its own
     bool unstable = false;    // has grown as an instability does since its share began to
-    int aloneTimes = 0;       // on end that it was found to grow by itself
+    int aloneTimes = 0;       // on end that it was found to grow by itself,
+    int aloneOrder = 0;       // ... at this order
     double alone = 0.0;       // its largest share since that was believed; 0: it is not
     bool counts = false;      // grown, and more than runout that a mode amplifies
     OnsetTest onset;
@@ -92,6 +95,8 @@ class OrderGrowth {
   double products(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
+  void followEngagement(double turns, bool learn) noexcept;
+  bool growsAlone(Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept;
   bool outgrew(Class& c, double turns, bool learn, double speedDoubt) noexcept;
   bool explained(const Class& c) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
@@ -114,6 +119,8 @@ class OrderGrowth {
   bool doubling_ = false;
   Hertz learnedAt_{};
   int halfTurnsThere_ = 0;
+  int active_ = 0;              // harmonics there are
+  double standingTurns_ = 0.0;  // of one engagement, in which nothing grows
   std::vector<Class> classes_;  // rests 1 .. teeth / 2
   struct Order {
     std::complex<double> before;   // a turn ago

@@ -18,20 +18,21 @@ constexpr double kAsPole = 0.75;
 
 using Turns = std::array<std::complex<double>, kTurns + 1>;  // newest first
 
-struct Teeth {
+struct Load {
   std::array<double, kTurns + 1> load{};   // over the newest
   std::array<double, kTurns + 1> angle{};  // by which the spindle stood elsewhere than was thought [rad]
 };
 
 // By all tooth passings but the two that the order lies between. A speed that is followed strays by a tenth of a per
 // cent for some turns, and every order turns by it.
-bool readTeeth(NewLine& vibration, int channel, int teeth, int order, Hertz spindle, Teeth& out) noexcept {
+bool readTeeth(NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle,
+               Load& out) noexcept {
   std::array<Turns, kPassings> passings{};
   std::array<int, kPassings> orders{};
   std::size_t count = 0;
   for (int k = 1; k <= kPassings; ++k) {
-    const int n = k * teeth;
-    if (std::abs(n - order) < teeth) continue;
+    const int n = k * teeth.count;
+    if (n > teeth.harmonics || std::abs(n - order) < teeth.count) continue;
     orders[count] = n;
     if (!vibration.turnsOf(channel, spindle * n, spindle, passings[count])) return false;
     ++count;
@@ -59,6 +60,11 @@ bool readTeeth(NewLine& vibration, int channel, int teeth, int order, Hertz spin
   return true;
 }
 
+// In a turn, over two.
+double growthOf(std::complex<double> now, std::complex<double> before) noexcept {
+  return 0.5 * std::log(std::abs(now) / std::abs(before));
+}
+
 template <class Values>
 void takeMean(Values& values) noexcept {
   using Value = typename Values::value_type;
@@ -69,10 +75,10 @@ void takeMean(Values& values) noexcept {
 }  // namespace
 
 // Both sides of the equation over each turn, without what f0 and f1 take of them.
-bool OrderPole::fit(NewLine& vibration, int channel, int teeth, int order, Hertz spindle) noexcept {
+bool OrderPole::fit(NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept {
   Turns e{};
-  Teeth t;
-  if (teeth < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
+  Load t;
+  if (teeth.count < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
       !readTeeth(vibration, channel, teeth, order, spindle, t))
     return false;
   for (std::size_t k = 0; k <= kTurns; ++k) e[k] *= std::polar(1.0, -t.angle[k] * order);
@@ -107,9 +113,15 @@ bool OrderPole::fit(NewLine& vibration, int channel, int teeth, int order, Hertz
   double rest = 0.0;
   for (std::size_t k = 0; k < kTurns; ++k) rest += std::norm(grown[k] - pole * middle[k]);
   doubt = std::sqrt(0.5 * rest / (static_cast<double>(kTurns - 3) * power));
-  growth = 0.5 * std::log(std::abs(e[0]) / before);
+  growth = growthOf(e[0], e[2]);
   load = 0.5 * (t.load[0] - t.load[2]);
   return true;
+}
+
+bool OrderPole::mayGrow(NewLine& vibration, int channel, int order, Hertz spindle) noexcept {
+  std::array<std::complex<double>, 3> e{};
+  if (order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) || !(std::abs(e[2]) > 0.0)) return false;
+  return growthOf(e[0], e[2]) >= kAsPole * kLeastPole;
 }
 
 bool OrderPole::growsByItself() const noexcept {

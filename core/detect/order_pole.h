@@ -31,9 +31,15 @@ struct OrderPole {
   double growth = 0.0;        // of |E| in a turn, of the last two, logarithmic
   double load = 0.0;          // relative change of the load in a turn, of the last two
 
+  struct Teeth {
+    int count = 0;
+    int harmonics = 0;  // of the spindle, as many as the rate can tell
+  };
   // False where not so many turns are remembered, or nothing is there.
-  bool fit(NewLine& vibration, int channel, int teeth, int order, Hertz spindle) noexcept;
+  bool fit(NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
   bool growsByItself() const noexcept;
+  // Is the order's growth in the last two turns enough for that, whatever its pole? A fit costs twenty times as much.
+  static bool mayGrow(NewLine& vibration, int channel, int order, Hertz spindle) noexcept;
 };
 
 }  // namespace stillcut::detect

@@ -73,9 +73,10 @@ double OrderStretches::size(int rest, std::size_t rowsAgo) const noexcept {
   return scale > 0.0 ? std::sqrt(power) / scale : 0.0;
 }
 
-// Sine of the angle between the tooth passings of now and those of before, as vectors: 0 while they only scale.
-double OrderStretches::patternChange(Row before) const noexcept {
+// Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.
+double OrderStretches::patternChange() const noexcept {
   const Row now = ago(0);
+  const Row before = ago(kStretch);
   std::complex<double> product = 0.0;
   for (std::size_t n = teeth_; n <= orders_; n += teeth_) product += now[n - 1] * std::conj(before[n - 1]);
   const double scale = teethOf(now) * teethOf(before);
@@ -91,7 +92,7 @@ void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept
   const std::size_t count = std::min(now.size(), orders_);
   std::copy_n(now.begin(), count, row);
   std::fill(row + static_cast<std::ptrdiff_t>(count), row + static_cast<std::ptrdiff_t>(orders_), 0.0);
-  pattern_ = patternChange(ago(kStretch));
+  pattern_ = patternChange();
 }
 
 bool OrderStretches::ownGrowth(int rest) const noexcept {
@@ -114,11 +115,21 @@ bool OrderStretches::engagementChanges() const noexcept {
 
 void OrderStretches::learnEngagement() noexcept {
   const Row now = ago(0);
-  std::copy(now.begin(), now.end(), learned_.begin());
+  std::transform(now.begin(), now.end(), learned_.begin(), [](const auto& a) { return std::abs(a); });
 }
 
+// By their sizes alone: over seconds the angle they are told against wanders, and after a gap it is another one.
 bool OrderStretches::otherEngagement() const noexcept {
-  return patternChange(learned_) > kOther;
+  const Row now = ago(0);
+  double product = 0.0;
+  double power = 0.0;
+  for (std::size_t n = teeth_; teeth_ > 0 && n <= orders_; n += teeth_) {
+    product += std::abs(now[n - 1]) * learned_[n - 1];
+    power += learned_[n - 1] * learned_[n - 1];
+  }
+  const double scale = teethOf(now) * std::sqrt(power);
+  const double cosine = scale > 0.0 ? product / scale : 0.0;
+  return 1.0 - cosine * cosine > kOther * kOther;
 }
 
 bool OrderStretches::unstableGrowth(int rest) const noexcept {

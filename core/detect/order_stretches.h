@@ -42,7 +42,7 @@ class OrderStretches {
   bool lockedGrowth(int rest) const noexcept;
   // Is the tooth passings' pattern another one than a stretch ago?
   bool engagementChanges() const noexcept;
-  // That pattern of now is the one that floors are learned in.
+  // That pattern of now is the one that floors are learned in, as far as its sizes go.
   void learnEngagement() noexcept;
   // Is it another one by now?
   bool otherEngagement() const noexcept;
@@ -56,7 +56,7 @@ class OrderStretches {
   double added(int rest, std::size_t rowsAgo) const noexcept;
   // Amplitude of the class over that of the tooth passings.
   double size(int rest, std::size_t rowsAgo) const noexcept;
-  double patternChange(Row before) const noexcept;
+  double patternChange() const noexcept;
   // Relative change of the load in the stretch that ended so many rows ago.
   double loadChange(std::size_t rowsAgo) const noexcept;
 
@@ -64,12 +64,12 @@ class OrderStretches {
   std::size_t orders_ = 0;
   std::size_t newest_ = 0;
   int turnsPerRow_ = 1;
-  int turns_ = 0;                              // since the newest row
-  double pattern_ = 1.0;                       // change in the last stretch
-  double faster_ = 1.0;                        // added in a stretch over the one before, of an instability
-  double settling_ = 1.0;                      // ... of a mode near its limit at most
-  std::vector<std::complex<double>> rows_;     // [row * orders + order - 1]
-  std::vector<std::complex<double>> learned_;  // [order - 1], with the pattern that floors are learned in
+  int turns_ = 0;                           // since the newest row
+  double pattern_ = 1.0;                    // change in the last stretch
+  double faster_ = 1.0;                     // added in a stretch over the one before, of an instability
+  double settling_ = 1.0;                   // ... of a mode near its limit at most
+  std::vector<std::complex<double>> rows_;  // [row * orders + order - 1]
+  std::vector<double> learned_;             // [order - 1], amplitudes
 };
 
 }  // namespace stillcut::detect

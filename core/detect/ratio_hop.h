@@ -1,6 +1,5 @@
-// What the energy-ratio detector hands to its judges (ratio_judge.h, entry_chatter.h,
-// chatter_line.h) with every hop of an eighth of a
-// turn: what it knows of each channel and of the cut. Thread: worker; real-time.
+// What the energy-ratio detector hands to its judges (ratio_judge.h, entry_chatter.h, chatter_line.h) with every hop of
+// an eighth of a turn: what it knows of each channel and of the cut. Thread: worker; real-time.
 #pragma once
 
 #include "core/detect/energy_growth.h"

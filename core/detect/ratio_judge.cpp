@@ -82,6 +82,7 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   severity_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
   grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
+  doubling_ = false;
   learned_ = true;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RatioChannel& c = channels[i];
@@ -127,8 +128,11 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   const bool held = entry_.held(joint_);
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
-  const bool entry = (hop.loneLine && high) || (!was && entry_.begins(channels, {severity_, joint_}, lines, hop));
-  if (entry_.looked()) purity_ = entry_.line().purity;
+  bool entry = hop.loneLine && high;
+  if (!was && !entry) {
+    entry = entry_.begins(channels, {severity_, joint_}, lines, hop);
+    if (entry_.looked()) purity_ = entry_.line().purity;
+  }
   const bool left = toolLeaves(channels, hop.phase);
   bool over = false;
   if (was) {

@@ -7,7 +7,7 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kSame = 3e-3;    // from one to the next: 10 % a second, in a sixth of 12 turns, at 4000 rev/min
-constexpr double kPause = 2.0;    // times from look to look
+constexpr double kPause = 2.5;    // times from look to look: one may be left out
 constexpr double kFurther = 6.0;  // standard deviations, as drift_watch.cpp asks
 constexpr double kWander = 1e-3;  // a spindle under load, relative, with one second of memory
 constexpr double kWanderSeconds = 1.0;

@@ -82,8 +82,8 @@ TEST(OrderPole, IsFoundWhileTheLoadRises) {
     vibration.prepare(1, static_cast<int>(static_cast<double>(NewLine::kTurnsBack) * kTurn), Hertz(kRate));
     vibration.push(x.data(), 0, x.size());
     OrderPole found;
-    ASSERT_TRUE(found.fit(vibration, 0, kTeeth, kOrder, Hertz(kSpindle)));
-    EXPECT_NEAR(found.pole.real(), real, std::max(0.03, 3.0 * found.doubt));
+    ASSERT_TRUE(found.fit(vibration, 0, {kTeeth, 40}, kOrder, Hertz(kSpindle)));
+    EXPECT_NEAR(found.pole.real(), real, 0.06);
     EXPECT_LT(found.doubt, 0.1);
   }
 }
