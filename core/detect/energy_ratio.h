@@ -10,10 +10,10 @@
 // - `onset` is not a fixed ratio: on the reference cuts the second axis shows an energy ratio of 1.6 % when chatter has
 //   reached 20 % of the vibration. Growth of the turn difference above its learned floor is tested (onset_test.h,
 //   turn_difference.h).
-// - Chatter that is there from the entry, until the cut has once been calm, is onset from a ratio of 0.04 on, a fifth
-//   of the amplitude, where its line has side lines whole tooth passings away, as the tooth-periodic cut gives to what
-//   vibrates in it (entry_chatter.h). A line of other origin that shakes the tool so strongly from the entry on has
-//   them too, and is taken for chatter.
+// - Chatter that is there from the entry, until the cut has once been calm, is onset from a fifth of the chatter ratio
+//   on, 0.04 or a fifth of the amplitude, where its line has side lines whole tooth passings away, as the
+//   tooth-periodic cut gives to what vibrates in it (entry_chatter.h). A line of other origin that shakes the tool so
+//   strongly from the entry on has them too, and is taken for chatter.
 // - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by
 //   what it no longer hears.
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
@@ -21,13 +21,13 @@
 //   is new, by its phase from turn to turn (new_line.h).
 // - Period doubling with an even number of teeth lies on spindle harmonics, other chatter sometimes: order_growth.h.
 // Known limits: chatter nearer than 0.03 orders to a tooth-passing harmonic is not told from forced vibration, and
-// nearer than 0.012 to any other only where it grows by itself at a steady load or has locked to it. While the load
-// changes by more than 5 % a turn, as it may on a slow spindle, chatter beside an order is told by more than that
-// change explains, some turns later (load_watch.h, order_pole.h): of 180 runs of face mills at 800 rev/min whose depth
-// rises past the limit (detection_table, six seeds) 15 come late, a turn and a half after the 20 % time at most. Of
-// chatter that has just grown out of runout beside an order the frequency lies nearer to that order, by up to 0.6 %,
-// than where it comes to stand. Chatter that fills the cut from the entry is alarmed by its line alone where that can
-// be no tooth passing (speed_tracker.h). Thread: worker. See detector.h.
+// nearer than 0.012 to any other only where it grows by itself or has locked to it. While the load changes by more than
+// 5 % a turn, as it may on a slow spindle, chatter beside an order is told by more than that change explains, some
+// turns later (load_watch.h, order_pole.h): of 180 runs of face mills at 800 rev/min whose depth rises past the limit
+// (detection_table, six seeds) 15 come late, a turn and a half after the 20 % time at most. Of chatter that has just
+// grown out of runout beside an order the frequency lies nearer to that order, by up to 0.6 %, than where it comes to
+// stand. Chatter that fills the cut from the entry is alarmed by its line alone where that can be no tooth passing
+// (speed_tracker.h). Thread: worker. See detector.h.
 #pragma once
 
 #include <array>

@@ -262,13 +262,9 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 // A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
 // slowly. Where it turns against the spindle as well, faster than the speed is in doubt, or doubles and is more than
 // runout becomes, it is held against a floor that rises by time alone.
-bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) noexcept {
+bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
   if (!c.onset.learned()) return false;
-  if (!(c.slow > 0.0)) {
-    c.slow = c.onset.floor();
-    stretches_.learnEngagement();
-  }
   const double least = std::max(kLeastDrift, kOutgrowDoubts * c.order * speedDoubt);
   const bool one = c.strongest > kLeastOfClass * c.power && this->turns(c.order);
   const bool own = one && !explained(c) && std::abs(drift(c.order)) > least;
@@ -307,6 +303,10 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     c.onset.update(share(c), turns, learn && c.turned == 0.0, c.power);
     const bool turned = std::abs(c.turned) > kWholeTurn;
     const bool grown = c.onset.alarm();
+    if (c.onset.learned() && !(c.slow > 0.0)) {
+      c.slow = c.onset.floor();
+      stretches_.learnEngagement();
+    }
     const bool outgrown = outgrew(c, turns, learn, speedDoubt);
     c.counts = turned || outgrown || c.alone > 0.0 || (grown && (c.counts || begins(c)));
     c.alarmTurns = grown && !c.counts ? c.alarmTurns + turns : 0.0;

@@ -97,7 +97,7 @@ class OrderGrowth {
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   void followEngagement(double turns, bool learn) noexcept;
   bool growsAlone(Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept;
-  bool outgrew(Class& c, double turns, bool learn, double speedDoubt) noexcept;
+  bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
   bool explained(const Class& c) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
   double leak(const Class& c) const noexcept;

@@ -10,10 +10,10 @@
 // tooth passings. But it moves with the load as well: by c s in a turn in which the load changes by the part s of
 // itself, where c is 2 to 4 (a mode damped by the part z: 2 pi n z is what the load has taken from it when it comes to
 // the limit, and less the later it acts). What that does to an order which grows by g a turn looks like a pole of up to
-// c s / 2 g, less what f1 takes up of it. In stable cuts no more than 0.2 s / g was left for four turns on end; three
-// times that is asked for so long, beyond the doubt of the fit. (24 face mills at 800 rev/min, their depth rising to
-// 0.9, 0.95 or 0.98 of the limit within 0.5 to 2 s, heard in x, in y and in both: no alarm in 432 runs.) Not in
-// Caliskan 2018. Thread: worker; real-time.
+// c s / 2 g, less what f1 takes up of it; a third of what is asked for is what was left for four turns on end in cuts
+// that came within a fiftieth of their limit, and so many turns are asked for, beyond the doubt of the fit
+// (order_pole_test.cpp; "stable, slow spindle" in the table of detection). Not in Caliskan 2018. Thread: worker;
+// real-time.
 #pragma once
 
 #include <complex>

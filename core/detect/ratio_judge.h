@@ -1,5 +1,5 @@
 // RatioJudge: from the energy-ratio detector's numbers to the state of the cut, hop by hop: air, stable, onset,
-// chatter; the chatter's line and its doubt. Thread: worker; real-time.
+// chatter. Chatter from the entry is entry_chatter.h, its line and doubt chatter_line.h. Thread: worker; real-time.
 #pragma once
 
 #include <array>

@@ -117,8 +117,6 @@ TEST(KnownCuts, DoublingThatEndsWithTheDepthIsOverInTime) {
   }
 }
 
-const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
-
 // error: of the told speed.
 void expectSilent(const SimulationOrder& order, double error) {
   const KnownCut cut = simulate(order);

@@ -14,8 +14,6 @@
 namespace stillcut::bench {
 namespace {
 
-const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
-
 // What changes its sign from tooth to tooth over a turn that ends about then, sample by sample of a tooth, over all
 // else; all channels. A tooth takes whole samples, and teeth are even.
 std::vector<double> alternationAt(const KnownCut& cut, double time) {

@@ -30,6 +30,9 @@ struct Score {
   bool good() const { return timely() && !frequencyOff && !clearLate; }
 };
 
+// Both axes, and each alone: the verdict is to be the same.
+inline const std::vector<std::vector<int>> kAxes{{}, {0}, {1}};
+
 // The detector in charge is held to the cut's rule; the others to 150 ms around the 20 % time.
 Score score(const KnownCut& cut, const Trial& trial);
 
