@@ -62,7 +62,7 @@ void OrderGrowth::setEvidence(double evidence) noexcept {
 
 void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
-  c.counts = c.own = c.unstable = c.doubles = false;
+  c.counts = c.own = c.unstable = c.doubles = c.dwarfs = false;
   c.aloneTimes = c.aloneOrder = 0;
   c.alone = 0.0;
   c.alarmTurns = c.turned = c.turnedBy = c.slow = c.outgrown = c.outgrownBy = 0.0;
@@ -86,7 +86,9 @@ void OrderGrowth::setSpindle(Hertz spindle) noexcept {
       relearn(c);
       continue;
     }
-    c.slow *= c.onset.raise(kByOtherSpeed);
+    const double raised = c.onset.raise(kByOtherSpeed);
+    c.slow *= raised;
+    c.slowEnergy *= raised;
   }
 }
 
@@ -272,12 +274,21 @@ bool OrderGrowth::outgrew(Class& c, double turns, bool learn, double speedDoubt)
   const double far = std::max({kFarBeyond * c.slow, kSmallest, products(c)});
   const bool grows = c.slow < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
   c.doubles = flips(c) && standsStill(c) && now > (c.doubles ? kStays * far : far) && (c.doubles || grows);
+  const double beyond = std::max(kFarBeyond * c.slow, kMostOfAll);
+  const double stays = c.dwarfs ? kStays : 1.0;
+  c.dwarfs = !flips(c) && now > stays * beyond && c.power > stays * kFarBeyond * c.slowEnergy;
   c.outgrown = on ? c.outgrown + turns : 0.0;
   c.outgrownBy = on ? c.outgrownBy + sense(c) * drift(c.order) * turns : 0.0;
   const double rise = std::min(now / c.slow - 1.0, 1.0) / (kFloorSeconds * learnedAt_.value);
-  if (learn && now < c.slow) c.slow += turns / kFallTurns * (now - c.slow);
-  if (learn && now > c.slow && learnedAt_.value > 0.0) c.slow *= 1.0 + turns * rise;
-  if (c.doubles) return true;
+  if (learn && now < c.slow) {
+    c.slow += turns / kFallTurns * (now - c.slow);
+    c.slowEnergy += turns / kFallTurns * (c.power - c.slowEnergy);
+  }
+  if (learn && now > c.slow && learnedAt_.value > 0.0) {
+    c.slow *= 1.0 + turns * rise;
+    c.slowEnergy *= 1.0 + turns * rise;
+  }
+  if (c.doubles || c.dwarfs) return true;
   return c.outgrown > kDriftTurns && std::abs(c.outgrownBy) > kQuarterTurn;
 }
 
@@ -305,6 +316,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
     const bool grown = c.onset.alarm();
     if (c.onset.learned() && !(c.slow > 0.0)) {
       c.slow = c.onset.floor();
+      c.slowEnergy = c.onset.floorEnergy();
       stretches_.learnEngagement();
     }
     const bool outgrown = outgrew(c, turns, learn, speedDoubt);

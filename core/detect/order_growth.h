@@ -79,10 +79,12 @@ class OrderGrowth {
     double turned = 0.0;      // turns of the strongest order against the spindle, since it is louder
     double turnedBy = 0.0;    // ... since there is evidence that its share grows
     double slow = 0.0;        // floor of the share that rises by time alone
+    double slowEnergy = 0.0;
     double outgrown = 0.0;    // turns since it is far above that and turns
     double outgrownBy = 0.0;  // ... and by how many it has turned since
     bool own = false;         // grows, and not because the engagement changes
     bool doubles = false;     // far above what runout becomes, by growth of its own
+    bool dwarfs = false;      // all others, and what it was
     bool unstable = false;    // has grown as an instability does since its share began to
     int aloneTimes = 0;       // on end that it was found to grow by itself,
     int aloneOrder = 0;       // ... at this order
