@@ -21,7 +21,10 @@
 //   its share down: whose share, without the leak, is far above a floor that rises by time alone, and which turns for
 //   some turns, by a quarter of one in all, further than a mode that comes near its limit turns runout. (An end mill at
 //   800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn);
-// - that turns by less and grows by itself, not with the load (order_pole.h), while the engagement stays.
+// - that turns by less and grows by itself, not with the load (order_pole.h), while the engagement stays;
+// - whose class has twice the amplitude of all others together and ten times what it was, by itself and against them:
+//   chatter that takes the tracked speed along turns against nothing. (Runout on a mode becomes four times what it was
+//   where it is that much, as the width of cut rises to nine tenths of the limit.)
 // Not believed are a class that holds no more than teeth which leave the material make of runout on two others, and,
 // while the arc of engagement changes, an order that has not yet turned by a quarter of a turn: such an arc pulls the
 // tracked speed by a tenth of a per cent for some turns, by a quarter of one for seconds where a face mill leaves the
@@ -37,6 +40,8 @@
 #include "core/detect/new_line.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/order_stretches.h"
+#include "core/detect/order_turns.h"
+#include "core/detect/timed_floor.h"
 
 namespace stillcut::detect {
 
@@ -70,46 +75,51 @@ class OrderGrowth {
   double severity() const noexcept;
 
  private:
-  static constexpr double kLeastOfClass = 0.4;  // of its power, that one order holds
+  // Found to grow by itself (order_pole.h), at the same order and so often on end that it is believed.
+  struct Alone {
+    int times = 0;
+    int order = 0;
+    double most = 0.0;  // the class's largest share since that is believed; 0: it is not
+    bool stays(double share) const noexcept;
+    void look(int atOrder, double share, bool found) noexcept;
+  };
+  // The orders n = +-rest modulo the teeth.
   struct Class {
+    int rest = 0;
+    bool flips = false;  // the orders of period doubling with an even number of teeth
     double power = 0.0, weighted = 0.0;
     double strongest = 0.0;
-    int order = 0;
-    double alarmTurns = 0.0;
+    int order = 0;  // the strongest
+    OnsetTest onset;
+    TimedFloor timed;
+    bool own = false;         // grows, and not because the engagement changes
+    bool unstable = false;    // has grown as an instability does since its share began to
+    bool counts = false;      // it is chatter
+    double alarmTurns = 0.0;  // its share has grown and it does not count
     double turned = 0.0;      // turns of the strongest order against the spindle, since it is louder
     double turnedBy = 0.0;    // ... since there is evidence that its share grows
-    double slow = 0.0;        // floor of the share that rises by time alone
-    double slowEnergy = 0.0;
-    double outgrown = 0.0;    // turns since it is far above that and turns
-    double outgrownBy = 0.0;  // ... and by how many it has turned since
-    bool own = false;         // grows, and not because the engagement changes
+    double apartTurns = 0.0;  // turns since it is far above the timed floor and turns
+    double apartBy = 0.0;     // ... and by how many it has turned since
     bool doubles = false;     // far above what runout becomes, by growth of its own
     bool dwarfs = false;      // all others, and what it was
-    bool unstable = false;    // has grown as an instability does since its share began to
-    int aloneTimes = 0;       // on end that it was found to grow by itself,
-    int aloneOrder = 0;       // ... at this order
-    double alone = 0.0;       // its largest share since that was believed; 0: it is not
-    bool counts = false;      // grown, and more than runout that a mode amplifies
-    OnsetTest onset;
+    Alone alone;
   };
   static void relearn(Class& c) noexcept;
+  static bool isOne(const Class& c) noexcept;
   void followStretches() noexcept;
-  double products(const Class& c) const noexcept;
-  bool begins(const Class& c) const noexcept;
-  void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   void followEngagement(double turns, bool learn) noexcept;
-  bool growsAlone(Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept;
-  bool outgrew(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
-  bool explained(const Class& c) const noexcept;
+  void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
+  void followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
+  void relearnNewLoad(Class& c, double turns, bool learn) noexcept;
+  bool counts(const Class& c) const noexcept;
+  bool begins(const Class& c) const noexcept;
+  bool growsAlone(const Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
-  double leak(const Class& c) const noexcept;
+  bool explained(const Class& c) const noexcept;
+  double products(const Class& c) const noexcept;
   double share(const Class& c) const noexcept;
-  bool flips(const Class& c) const noexcept;
-  void follow(const EnergyChain& chain, int channel) noexcept;
-  double drift(int order) const noexcept;
   double sense(const Class& c) const noexcept;
-  bool turns(int order) const noexcept;
-  bool standsStill(const Class& c) const noexcept;
+  void tell() noexcept;
 
   int teeth_ = 0;
   int eta_ = 0;
@@ -124,14 +134,8 @@ class OrderGrowth {
   int active_ = 0;              // harmonics there are
   double standingTurns_ = 0.0;  // of one engagement, in which nothing grows
   std::vector<Class> classes_;  // rests 1 .. teeth / 2
-  struct Order {
-    std::complex<double> before;   // a turn ago
-    std::complex<double> product;  // of now and a turn ago, over some turns: its phase is the turn per turn
-    double power = 0.0;            // the same without phases
-    double past = 0.0;             // energy a turn ago
-  };
-  std::vector<Order> orders_;
   std::vector<std::complex<double>> now_;
+  OrderTurns turns_;
   OrderStretches stretches_;
 };
 

@@ -46,31 +46,30 @@ double OrderStretches::teethOf(Row row) const noexcept {
   return std::sqrt(power);
 }
 
+template <class Amplitude>
+double OrderStretches::ofClass(int rest, const Amplitude& amplitude) const noexcept {
+  double power = 0.0;
+  const auto one = static_cast<std::size_t>(rest);
+  for (std::size_t i = 0; i < orders_; ++i) {
+    const std::size_t r = (i + 1) % teeth_;
+    if (r == one || r + one == teeth_) power += std::norm(amplitude(i));
+  }
+  return std::sqrt(power);
+}
+
 double OrderStretches::added(int rest, std::size_t rowsAgo) const noexcept {
   const Row now = ago(rowsAgo);
   const Row before = ago(rowsAgo + kStretch);
   const double scaleNow = teethOf(now);
   const double scaleBefore = teethOf(before);
   if (!(scaleNow > 0.0) || !(scaleBefore > 0.0)) return 0.0;
-  double power = 0.0;
-  const auto one = static_cast<std::size_t>(rest);
-  for (std::size_t n = 1; n <= orders_; ++n) {
-    const std::size_t r = n % teeth_;
-    if (r == one || r + one == teeth_) power += std::norm(now[n - 1] / scaleNow - before[n - 1] / scaleBefore);
-  }
-  return std::sqrt(power);
+  return ofClass(rest, [&](std::size_t i) { return now[i] / scaleNow - before[i] / scaleBefore; });
 }
 
 double OrderStretches::size(int rest, std::size_t rowsAgo) const noexcept {
   const Row now = ago(rowsAgo);
   const double scale = teethOf(now);
-  double power = 0.0;
-  const auto one = static_cast<std::size_t>(rest);
-  for (std::size_t n = 1; n <= orders_; ++n) {
-    const std::size_t r = n % teeth_;
-    if (r == one || r + one == teeth_) power += std::norm(now[n - 1]);
-  }
-  return scale > 0.0 ? std::sqrt(power) / scale : 0.0;
+  return scale > 0.0 ? ofClass(rest, [&](std::size_t i) { return now[i]; }) / scale : 0.0;
 }
 
 // Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.

@@ -53,6 +53,9 @@ class OrderStretches {
   static constexpr std::size_t kRows = 2 * kStretch + 1;
   Row ago(std::size_t rows) const noexcept;
   double teethOf(Row row) const noexcept;
+  // Root of the sum of squares of what amplitude(order - 1) says of the class's orders.
+  template <class Amplitude>
+  double ofClass(int rest, const Amplitude& amplitude) const noexcept;
   double added(int rest, std::size_t rowsAgo) const noexcept;
   // Amplitude of the class over that of the tooth passings.
   double size(int rest, std::size_t rowsAgo) const noexcept;

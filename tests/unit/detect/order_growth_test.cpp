@@ -139,6 +139,25 @@ TEST(BesideAnOrder, RunoutThatAModeAmplifiesIsNone) {
   }
 }
 
+// ... but not to four times the main harmonic, and then it is chatter although it stands still, and grows no faster
+// than a load may.
+TEST(BesideAnOrder, WhatDwarfsAllElseIsChatter) {
+  for (const unsigned seed : {57U, 58U, 59U}) {
+    CutSignal s = withTeeth(4, seed);
+    s.chatterOrder = 7.0;
+    s.growthStart = 2.5;
+    s.growthConstant = 0.3;
+    s.cap = 8.0;
+    s.seconds = 4.5;
+    const RunResult r = run(makeCut(s), told(s));
+    const auto reaches = [&](double size) {
+      return s.growthStart + s.growthConstant * std::log(size / s.startAmplitude);
+    };
+    EXPECT_GT(r.firstAlarm, reaches(2.0)) << "seed " << seed;
+    EXPECT_LT(r.firstAlarm, reaches(5.0)) << "seed " << seed;
+  }
+}
+
 // While the arc of engagement widens the tooth passings move with its middle, and the speed that is followed with them,
 // 0.13 % too low: what runout leaves on order 8 turns against it. It becomes three times as strong, and for a dozen
 // turns turns a little more, by a fifth of a turn in all.

@@ -1,0 +1,34 @@
+// A floor under a share of the vibration, and under its energy, that follows them down but up by time alone. What grows
+// slowly, or in few turns of a slow spindle, becomes a floor that learns by turns (onset_test.h); it does not become
+// this one. Thread: worker; real-time.
+#pragma once
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+
+class TimedFloor {
+ public:
+  void reset() noexcept { share_ = energy_ = 0.0; }
+  void learn(double share, double energy) noexcept {
+    share_ = share;
+    energy_ = energy;
+  }
+  bool learned() const noexcept { return share_ > 0.0; }
+  // What was learned may be so much larger now without having grown.
+  void raise(double factor) noexcept {
+    share_ *= factor;
+    energy_ *= factor;
+  }
+  // So many turns of a cut that is stable, as far as anybody knows.
+  void follow(double share, double energy, double turns, Hertz spindle) noexcept;
+
+  double share() const noexcept { return share_; }
+  double energy() const noexcept { return energy_; }
+
+ private:
+  double share_ = 0.0;
+  double energy_ = 0.0;
+};
+
+}  // namespace stillcut::detect
