@@ -9,6 +9,8 @@
 #include "core/detect/coherence_ratio.h"
 #include "core/detect/energy_chain.h"
 #include "core/detect/full_harmonic_kalman.h"
+#include "core/detect/new_line.h"
+#include "core/detect/order_pole.h"
 #include "core/detect/parametric_recursions.h"
 #include "core/detect/spectral.h"
 #include "core/dsp/kernels/choose.h"
@@ -150,6 +152,21 @@ void coherenceUpdate(benchmark::State& state) {
   });
 }
 
+// Of one order of four teeth, twice a turn while that order grows; nothing is asked of it.
+void polesFit(benchmark::State& state) {
+  const Hertz spindle(100.0);
+  const std::vector<double> x = cut(spindle, 0.0);
+  NewLine vibration;
+  vibration.prepare(1, static_cast<int>(NewLine::kTurnsBack * kRate / spindle.value), Hertz(kRate));
+  vibration.push(x.data(), 0, kFrames);
+  const double halfTurn = 0.5 * kRate / spindle.value;
+  bench::bestOf(state, {1.0, 0.0, halfTurn / kRate}, [&] {
+    OrderPole pole;
+    benchmark::DoNotOptimize(pole.fit(vibration, 0, {4, 48}, 7, spindle));
+    benchmark::DoNotOptimize(pole);
+  });
+}
+
 [[maybe_unused]] const bool kRegistered = [] {
   for (const InstructionSet set : dsp::kernels::availableSets()) {
     const std::string name(dsp::kernels::nameOf(set));
@@ -159,6 +176,7 @@ void coherenceUpdate(benchmark::State& state) {
   }
   benchmark::RegisterBenchmark("spectrum 2048 hop 256", spectrum);
   benchmark::RegisterBenchmark("coherence 512, an update", coherenceUpdate);
+  benchmark::RegisterBenchmark("energy-ratio, an order's pole", polesFit);
   return true;
 }();
 
