@@ -28,7 +28,9 @@
 #include "core/detect/alarm_judge.h"
 #include "core/detect/coherence_ratio.h"
 #include "core/detect/detector.h"
+#include "core/detect/frame_ring.h"
 #include "core/detect/onset_test.h"
+#include "core/detect/spectral_frames.h"
 #include "core/detect/turn_difference.h"
 #include "core/dsp/spectrum.h"
 

@@ -57,7 +57,7 @@ double LoadWatch::least(const Powers& now, const Powers& before, double noise) n
   return found;
 }
 
-void LoadWatch::endTurn(const EnergyChain& chain, NewLine& vibration, int channel, Hertz spindle,
+void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle,
                         double noise) noexcept {
   if (teeth_ < 1) return;
   const std::span<const double> powers = chain.harmonicPowers(channel);
@@ -111,7 +111,7 @@ bool LoadWatch::explainsDifference(double difference) const noexcept {
   return difference < bend * bend * TurnDifference::kDifferenceArrival;
 }
 
-bool LoadWatch::explains(NewLine& vibration, int channel, double order, Hertz spindle) const noexcept {
+bool LoadWatch::explains(const NewLine& vibration, int channel, double order, Hertz spindle) const noexcept {
   if (!changesQuickly() || !(order > 0.0)) return false;
   std::array<std::complex<double>, 2> turns{};
   if (!vibration.turnsOf(channel, spindle * std::max(1.0, std::round(order)), spindle, turns)) return false;

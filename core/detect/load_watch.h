@@ -27,12 +27,12 @@ class LoadWatch {
   // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage do.
   // noise: its power in one order of a window of two turns, over that of all forced vibration. Where tooth passings
   // cancel, as at full immersion, noise is most of what they change by.
-  void endTurn(const EnergyChain& chain, NewLine& vibration, int channel, Hertz spindle, double noise) noexcept;
+  void endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle, double noise) noexcept;
 
   // The load has changed by so much from one turn to the next that an order's change of size may be its doing.
   bool changesQuickly() const noexcept { return most() > kQuickly; }
   // ... and is: that of the order next to `order`, which may be a fraction.
-  bool explains(NewLine& vibration, int channel, double order, Hertz spindle) const noexcept;
+  bool explains(const NewLine& vibration, int channel, double order, Hertz spindle) const noexcept;
   // The most that it may change any order by in a turn, relative.
   double mostOfAnOrder() const noexcept;
   // All of the news (turn_difference.h), over the vibration's energy, may be the load's, whether it changes quickly or

@@ -48,26 +48,20 @@ std::complex<double> turning(const Turns& e, std::size_t still, double rough, co
 void NewLine::prepare(int channels, int window, Hertz rate) {
   kernels_ = dsp::kernels::bestKernels();
   rate_ = rate.value;
-  window_ = static_cast<std::size_t>(window);
-  rings_.assign(window_ * static_cast<std::size_t>(channels), 0.0);
-  row_.assign(window_, 0.0);
-  reset();
+  channels_ = channels;
+  ring_.prepare(channels, window);
 }
 
 void NewLine::reset() noexcept {
-  head_ = seen_ = 0;
+  ring_.reset();
 }
 
 void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
   for (std::size_t done = 0; done < frames;) {
-    const std::size_t now = std::min(frames - done, window_ - head_);
-    for (std::size_t c = 0; c * window_ < rings_.size(); ++c) {
-      std::copy_n(x + static_cast<std::ptrdiff_t>(c) * stride + done, now, rings_.data() + c * window_ + head_);
-    }
-    head_ = head_ + now == window_ ? 0 : head_ + now;
+    const std::size_t now = std::min(frames - done, ring_.window());
+    ring_.push(x + done, stride, now);
     done += now;
   }
-  seen_ = std::min(seen_ + frames, window_);
 }
 
 NewLine::TurnsAgo NewLine::atSpeed(Hertz spindle) const noexcept {
@@ -115,14 +109,11 @@ std::complex<double> NewLine::advance(std::span<const double> newest, double ord
   return 0.0;
 }
 
-std::span<const double> NewLine::newest(int channel) noexcept {
-  const auto ring = rings_.begin() + static_cast<std::ptrdiff_t>(channel) * static_cast<std::ptrdiff_t>(window_);
-  std::rotate_copy(ring, ring + static_cast<std::ptrdiff_t>(head_), ring + static_cast<std::ptrdiff_t>(window_),
-                   row_.begin());
-  return std::span<const double>(row_).last(seen_);
+std::span<const double> NewLine::newest(int channel) const noexcept {
+  return ring_.newest(channel).last(ring_.seen());
 }
 
-bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) noexcept {
+bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const noexcept {
   const TurnsAgo ago = atSpeed(spindle);
   const std::span<const double> all = newest(channel);
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -131,10 +122,10 @@ bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::co
   return true;
 }
 
-Hertz NewLine::frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) noexcept {
+Hertz NewLine::frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const noexcept {
   if (!(spindle.value > 0.0) || !(rough.value > 0.0)) return Hertz(0.0);
   std::complex<double> all = 0.0;
-  for (int c = 0; static_cast<std::size_t>(c) * window_ < rings_.size(); ++c) {
+  for (int c = 0; c < channels_; ++c) {
     all += advance(newest(c), rough / spindle, kTwoPi * rough.value / rate_, ago);
   }
   return std::abs(all) > 0.0 ? rough + spindle * (std::arg(all) / kTwoPi) : Hertz(0.0);

@@ -14,9 +14,9 @@
 #include <complex>
 #include <cstddef>
 #include <span>
-#include <vector>
 
 #include "core/base/units.h"
+#include "core/detect/frame_ring.h"
 #include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
@@ -34,15 +34,15 @@ class NewLine {
   // Of the line near `rough`, at most half a spindle order from it, over all channels by its part of them. 0 where none
   // has come within the last 0.2 s, twelve turns at least and twenty at most, and where the forced vibration before it
   // was too restless to tell.
-  Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) noexcept;
+  Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const noexcept;
   // ... at a constant speed.
-  Hertz frequency(Hertz rough, Hertz spindle) noexcept { return frequency(rough, spindle, atSpeed(spindle)); }
+  Hertz frequency(Hertz rough, Hertz spindle) const noexcept { return frequency(rough, spindle, atSpeed(spindle)); }
   // E_0, E_1, ... of one channel; false where not so many turns are remembered.
-  bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) noexcept;
+  bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const noexcept;
 
  private:
   TurnsAgo atSpeed(Hertz spindle) const noexcept;
-  std::span<const double> newest(int channel) noexcept;
+  std::span<const double> newest(int channel) const noexcept;
   bool windowOf(std::span<const double> newest, double order, const TurnsAgo& ago, std::size_t k,
                 std::complex<double>& out) const noexcept;
   std::complex<double> advance(std::span<const double> newest, double order, double w,
@@ -50,11 +50,8 @@ class NewLine {
 
   dsp::kernels::Kernels kernels_;
   double rate_ = 0.0;
-  std::size_t window_ = 0;
-  std::size_t head_ = 0;
-  std::size_t seen_ = 0;
-  std::vector<double> rings_;  // [channel * window + frame]
-  std::vector<double> row_;    // of one channel, oldest first, scratch
+  int channels_ = 0;
+  FrameRing ring_;
 };
 
 }  // namespace stillcut::detect

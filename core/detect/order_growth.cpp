@@ -219,7 +219,7 @@ bool OrderGrowth::mayGrowByItself(const Class& c) const noexcept {
          c.power > kGrownAlone * c.onset.floorEnergy() && !stretches_.engagementChanges();
 }
 
-bool OrderGrowth::growsAlone(const Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept {
+bool OrderGrowth::growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
   OrderPole now;
   return mayGrowByItself(c) && OrderPole::mayGrow(vibration, channel, c.order, spindle) &&
          now.fit(vibration, channel, {teeth_, active_}, c.order, spindle) && now.growsByItself();
@@ -236,7 +236,7 @@ void OrderGrowth::Alone::look(int atOrder, double share, bool found) noexcept {
   most = stays(share) || times >= kAloneTimes ? std::max(most, share) : 0.0;
 }
 
-void OrderGrowth::endHalfTurn(NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept {
+void OrderGrowth::endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept {
   halfTurnsThere_ = std::min(halfTurnsThere_ + 1, kWindowHalfTurns);
   for (Class& c : classes_) {
     const double now = share(c);

@@ -61,7 +61,7 @@ class OrderGrowth {
   void endHop(const EnergyChain& chain, int channel) noexcept;
   // Twice a turn, at a steady speed: what has grown by itself (order_pole.h)? Looked at in a cut that is judged, and
   // where it has grown at all.
-  void endHalfTurn(NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept;
+  void endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept;
   // By how much of itself a load that changes may change an order in a turn (load_watch.h): no more is no growth.
   void setLoad(double mostOfAnOrder) noexcept { byLoad_ = mostOfAnOrder; }
   // speedDoubt: relative standard deviation of the spindle's speed.
@@ -113,7 +113,7 @@ class OrderGrowth {
   void relearnNewLoad(Class& c, double turns, bool learn) noexcept;
   bool counts(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;
-  bool growsAlone(const Class& c, NewLine& vibration, int channel, Hertz spindle) const noexcept;
+  bool growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
   bool explained(const Class& c) const noexcept;
   double products(const Class& c) const noexcept;

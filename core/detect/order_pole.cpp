@@ -25,7 +25,7 @@ struct Load {
 
 // By all tooth passings but the two that the order lies between. A speed that is followed strays by a tenth of a per
 // cent for some turns, and every order turns by it.
-bool readTeeth(NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle,
+bool readTeeth(const NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle,
                Load& out) noexcept {
   std::array<Turns, kPassings> passings{};
   std::array<int, kPassings> orders{};
@@ -75,7 +75,7 @@ void takeMean(Values& values) noexcept {
 }  // namespace
 
 // Both sides of the equation over each turn, without what f0 and f1 take of them.
-bool OrderPole::fit(NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept {
+bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept {
   Turns e{};
   Load t;
   if (teeth.count < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
@@ -118,7 +118,7 @@ bool OrderPole::fit(NewLine& vibration, int channel, const Teeth& teeth, int ord
   return true;
 }
 
-bool OrderPole::mayGrow(NewLine& vibration, int channel, int order, Hertz spindle) noexcept {
+bool OrderPole::mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept {
   std::array<std::complex<double>, 3> e{};
   if (order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) || !(std::abs(e[2]) > 0.0)) return false;
   return growthOf(e[0], e[2]) >= kAsPole * kLeastPole;

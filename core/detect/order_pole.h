@@ -36,10 +36,10 @@ struct OrderPole {
     int harmonics = 0;  // of the spindle, as many as the rate can tell
   };
   // False where not so many turns are remembered, or nothing is there.
-  bool fit(NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
+  bool fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
   bool growsByItself() const noexcept;
   // Is the order's growth in the last two turns enough for that, whatever its pole? A fit costs twenty times as much.
-  static bool mayGrow(NewLine& vibration, int channel, int order, Hertz spindle) noexcept;
+  static bool mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept;
 };
 
 }  // namespace stillcut::detect

@@ -50,9 +50,10 @@ template <class Amplitude>
 double OrderStretches::ofClass(int rest, const Amplitude& amplitude) const noexcept {
   double power = 0.0;
   const auto one = static_cast<std::size_t>(rest);
-  for (std::size_t i = 0; i < orders_; ++i) {
-    const std::size_t r = (i + 1) % teeth_;
-    if (r == one || r + one == teeth_) power += std::norm(amplitude(i));
+  const std::size_t over = teeth_ - 2 * one;  // from kZ + rest to (k + 1) Z - rest; 0: they are the same
+  for (std::size_t n = one; n <= orders_; n += teeth_) {
+    power += std::norm(amplitude(n - 1));
+    if (over > 0 && n + over <= orders_) power += std::norm(amplitude(n + over - 1));
   }
   return std::sqrt(power);
 }

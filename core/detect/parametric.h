@@ -33,9 +33,9 @@
 
 #include "core/detect/alarm_judge.h"
 #include "core/detect/detector.h"
+#include "core/detect/frame_ring.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/parametric_model.h"
-#include "core/detect/spectral_frames.h"
 #include "core/dsp/butterworth.h"
 
 namespace stillcut::detect {

@@ -44,7 +44,7 @@ struct RatioHop {
   bool turnsCompare = true;  // false: the speed changes too fast to compare turns
   double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
-  NewLine* newLine = nullptr;        // has heard the vibration
+  const NewLine* newLine = nullptr;  // has heard the vibration
   const TurnMarks* marks = nullptr;  // while a machine tells a change; null: none
   bool loneLine = false;             // a line that cannot be forced holds most of the vibration
 };

@@ -21,6 +21,7 @@
 
 #include "core/detect/alarm_judge.h"
 #include "core/detect/detector.h"
+#include "core/detect/frame_ring.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/spectral_frames.h"
 #include "core/dsp/spectrum.h"

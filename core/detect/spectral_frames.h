@@ -1,4 +1,4 @@
-// SpectralFrames: the newest window of every channel, and which bins of its spectrum belong to the spindle.
+// HarmonicMask: which bins of a spectrum belong to the spindle.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
@@ -10,25 +10,6 @@
 #include "core/dsp/kernels/kernels.h"
 
 namespace stillcut::detect {
-
-// Newest `window` frames of every channel.
-class FrameRing {
- public:
-  void prepare(int channels, int window);
-  void reset() noexcept;
-  // x[channel * stride + frame]; at most a window at once.
-  void push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
-  bool full() const noexcept { return seen_ >= window_; }
-  // The newest window, oldest first; good until the next push().
-  std::span<const double> newest(int channel) const noexcept;
-  std::size_t window() const noexcept { return window_; }
-
- private:
-  std::size_t window_ = 0;
-  std::size_t end_ = 0;  // of the frames, in each channel's row of two windows
-  std::size_t seen_ = 0;
-  std::vector<double> rows_;
-};
 
 // Bins of the spindle harmonics (the tooth-passing ones are among them): free() is 1 between them and 0 on them.
 class HarmonicMask {

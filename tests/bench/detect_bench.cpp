@@ -8,11 +8,13 @@
 
 #include "core/detect/coherence_ratio.h"
 #include "core/detect/energy_chain.h"
+#include "core/detect/frame_ring.h"
 #include "core/detect/full_harmonic_kalman.h"
 #include "core/detect/new_line.h"
 #include "core/detect/order_pole.h"
 #include "core/detect/parametric_recursions.h"
 #include "core/detect/spectral.h"
+#include "core/detect/spectral_frames.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/bench/best_of.h"
 
