@@ -134,9 +134,13 @@ bool OrderStretches::otherEngagement() const noexcept {
 
 bool OrderStretches::unstableGrowth(int rest) const noexcept {
   const double latest = added(rest, 0);
-  const double before = std::max(added(rest, kStretch), kSeen * pattern_);
   const double byLoad = loadChange(0) / (loadChange(kStretch) + kLeastStep);
-  return latest > faster_ * std::max(1.0, byLoad) * before;
+  const double least = latest / (faster_ * std::max(1.0, byLoad));
+  if (least <= kSeen * pattern_) return false;
+  for (std::size_t k = 1; k < kStretches; ++k) {
+    if (least <= added(rest, k * kStretch)) return false;
+  }
+  return true;
 }
 
 bool OrderStretches::lockedGrowth(int rest) const noexcept {

@@ -7,12 +7,12 @@
 // immersion ramp: the class by 0.05 to 0.4, the pattern by 0.35 to 0.45; where chatter begins in a constant arc: 0.02
 // to 0.8 against 0.01). And where the cut comes nearer to its limit a mode amplifies runout by 1 / (1 - depth / limit):
 // as fast as the load rises, which moves in tenths of a second, and no longer than it does. Beyond the limit a
-// disturbance grows by its multiplier, an e-fold in 5 to 50 ms: then each stretch adds more than twice what the one
-// before it did, and by that much more than the load's own steps grow, for where a ramp begins all that it changes does
-// so ever faster. Of a stretch that added no more than the pattern scatters by nobody knows how much it added; it
-// counts as all that it may have hidden, or noise that happens to be little would make growth of the noise after it.
-// All in complex amplitudes over the amplitude of the tooth passings. Not in Caliskan 2018. Thread: worker; everything
-// but prepare() is real-time.
+// disturbance grows by its multiplier, an e-fold in 5 to 50 ms: then each stretch adds more than twice what any of the
+// four before it did (what follows a ramp may pause on its way and go on), and by that much more than the load's own
+// steps grow, for where a ramp begins all that it changes does so ever faster. Of a stretch that added no more than the
+// pattern scatters by nobody knows how much it added; it counts as all that it may have hidden, or noise that happens
+// to be little would make growth of the noise after it. All in complex amplitudes over the amplitude of the tooth
+// passings. Not in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -50,7 +50,8 @@ class OrderStretches {
  private:
   using Row = std::span<const std::complex<double>>;
   static constexpr std::size_t kStretch = 8;  // rows
-  static constexpr std::size_t kRows = 2 * kStretch + 1;
+  static constexpr std::size_t kStretches = 5;
+  static constexpr std::size_t kRows = kStretches * kStretch + 1;
   Row ago(std::size_t rows) const noexcept;
   double teethOf(Row row) const noexcept;
   // Root of the sum of squares of what amplitude(order - 1) says of the class's orders.

@@ -10,6 +10,8 @@
 #include <functional>
 #include <random>
 
+#include "core/base/units.h"
+
 namespace stillcut::detect {
 namespace {
 
@@ -54,6 +56,16 @@ TEST_P(OrderStretch, AnInstabilityGrowsByItselfAndFast) {
   EXPECT_TRUE(seen.own);
   EXPECT_TRUE(seen.growsOn);
   EXPECT_TRUE(seen.unstable);
+}
+
+// What runout becomes on its way through a ramp may stand for a moment and go on: that is no growth out of nothing.
+TEST_P(OrderStretch, RunoutThatPausesOnItsWayIsNotUnstable) {
+  const Seen seen = over(Hertz(GetParam()), 1.0, 1.4, [](double t) {
+    const double u = std::max(0.0, t - 0.9);
+    return cut(0.1 + 1.7 * (0.55 * u + 0.45 * 0.4 / kTwoPi * std::sin(kTwoPi / 0.4 * u)));
+  });
+  EXPECT_TRUE(seen.own);
+  EXPECT_FALSE(seen.unstable);
 }
 
 // The depth goes from half to nine tenths of the limit in 0.3 s; runout is amplified from twice to ten times.
