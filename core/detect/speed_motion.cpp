@@ -31,12 +31,14 @@ bool SpeedMotion::followMachine(double told, double sd, double seconds) noexcept
   recent_ += share(seconds, std::max(kRecentSeconds, kRecentTurns / told)) * (told - recent_);
   const double away = std::abs(turning_ / recent_ - 1.0);
   const double doubt = sd / told;
-  moving_ = away > (moving_ ? kArrived : kMoving) || doubt > kMoving;
+  toldMoving_ = away > (toldMoving_ ? kArrived : kMoving) || doubt > kMoving;
+  moving_ = toldMoving_;
   const bool rode = riding_;
   riding_ = away > (riding_ ? kArrived : kRide) || doubt > kRide;
   return rode && !riding_;
 }
 
+// For now alone: what was heard while a lock settled is no change that the machine has begun and is to end.
 void SpeedMotion::followSignal(double hertz, double drift, double seconds) noexcept {
   heard_ *= 1.0 + drift * seconds;
   heard_ += share(seconds, kRecentSeconds) * (hertz - heard_);

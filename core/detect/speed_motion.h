@@ -18,7 +18,7 @@ class SpeedMotion {
   // What a machine that measures the speed says, good to `sd`. True: a change that went on has come to its end.
   bool followMachine(double told, double sd, double seconds) noexcept;
   // There is no such machine.
-  void noMachine() noexcept { riding_ = moving_ = false; }
+  void noMachine() noexcept { riding_ = toldMoving_ = moving_ = false; }
   // What the vibration that is followed says, while no machine does; drift: relative, per second, of the speed.
   void followSignal(double hertz, double drift, double seconds) noexcept;
 
@@ -36,6 +36,7 @@ class SpeedMotion {
   double recent_ = 0.0;   // Hz, told over the last while
   double heard_ = 0.0;    // Hz, of the vibration over the last while
   bool riding_ = false;
+  bool toldMoving_ = false;
   bool moving_ = false;
 };
 

@@ -1,0 +1,48 @@
+// Whether the spindle's speed changes faster than turns can be compared.
+#include "core/detect/speed_motion.h"
+
+#include <gtest/gtest.h>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kSpindle = 100.0;  // Hz
+constexpr double kStep = 1e-3;      // s
+constexpr double kGood = 0.01;      // Hz, of what the machine reads
+
+// So long of a speed that falls by 3 % a second, and both say so.
+void ramp(SpeedMotion& motion, double& hertz, double seconds) {
+  constexpr double kDrift = -0.03;
+  for (double t = 0.0; t < seconds; t += kStep) {
+    hertz *= 1.0 + kDrift * kStep;
+    motion.followMachine(hertz, kGood, kStep);
+    motion.followSignal(hertz, kDrift, kStep);
+  }
+}
+
+// A lock that settles moves what is heard. The machine's slow change, that turns can be compared in, does not hold it.
+TEST(SpeedMotion, WhatWasHeardOfALockIsNotHeldByTheMachine) {
+  SpeedMotion motion;
+  motion.reset(kSpindle);
+  motion.startHearing(0.97 * kSpindle);
+  double hertz = kSpindle;
+  ramp(motion, hertz, kStep);
+  EXPECT_TRUE(motion.moving());
+  ramp(motion, hertz, 0.3);
+  EXPECT_FALSE(motion.moving());
+}
+
+// A step that the machine tells has come to its end where its reading stands, not where it is as slow as none.
+TEST(SpeedMotion, AStepThatTheMachineTellsLastsUntilItHasArrived) {
+  SpeedMotion motion;
+  motion.reset(kSpindle);
+  motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  EXPECT_TRUE(motion.moving());
+  for (double t = 0.0; t < 0.1; t += kStep) motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  EXPECT_TRUE(motion.moving());
+  for (double t = 0.0; t < 0.2; t += kStep) motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  EXPECT_FALSE(motion.moving());
+}
+
+}  // namespace
+}  // namespace stillcut::detect
