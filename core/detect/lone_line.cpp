@@ -35,7 +35,7 @@ void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool m
   if (!measured) {
     if (search.mayBeForcedAt(strongest_, followed)) return;
     const double further = range + SpeedSearch::kRunAway;
-    if (search.mayBePassing(strongest_, told * (1.0 - further), told * (1.0 + further))) return;
+    if (search.mayBeAmongOthers(strongest_, told * (1.0 - further), told * (1.0 + further))) return;
   }
   // A mode can make runout's harmonic the only line there is; a measured speed says where they are.
   const double orders = rate_ / (search.window() * told.value) + kReadBack * (strongest_ / told);

@@ -20,7 +20,8 @@ class LoneLine {
 
   // After each window that `search` was given. told: 0 where nobody says a speed; range: its doubt, as a ratio;
   // measured: by the machine. followed: the speed that a spindle was found at which nobody measures, 0: none. It may
-  // have run away further than what was told is in doubt, and then has its own tooth passings and its own comb.
+  // have run away further than what was told is in doubt, and then has its own comb: with runout on a mode its
+  // strongest line need be no tooth passing.
   void watch(const SpeedSearch& search, Hertz told, double range, bool measured, Hertz followed) noexcept;
   // Now; 0: none.
   Hertz line() const noexcept { return line_; }

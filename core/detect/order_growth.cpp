@@ -37,6 +37,7 @@ constexpr double kSpeedDoubts = 2.0;
 constexpr double kApartDoubts = 1.5;    // where its share has grown as well
 constexpr double kQuarterTurn = 0.25;   // a mode turns a forced vibration by no more as it comes near its limit
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
+constexpr double kSettlesTurns = 1.0;   // asked twice as often, as long as turns can be compared
 constexpr double kStays = 0.5;          // in energy, of what it began at: noise does not end it
 
 }  // namespace
@@ -64,7 +65,7 @@ void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
   c.timed.reset();
   c.counts = c.own = c.unstable = c.doubles = c.dwarfs = false;
-  c.alarmTurns = c.turned = c.turnedBy = c.apartTurns = c.apartBy = 0.0;
+  c.alarmTurns = c.turned = c.turnedBy = c.apartTurns = c.apartBy = c.settles = 0.0;
   c.alone = {};
 }
 
@@ -213,10 +214,23 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
   if (learn) c.timed.follow(now, c.power, turns, learnedAt_);
 }
 
+bool OrderGrowth::mayFit(const Class& c) const noexcept {
+  return halfTurnsThere_ == kWindowHalfTurns && c.onset.learned() && isOne(c) &&
+         c.power > kGrownAlone * c.onset.floorEnergy();
+}
+
 // Period doubling has its own measure (order_stretches.h): it stands still, where runout of alternate teeth does.
 bool OrderGrowth::mayGrowByItself(const Class& c) const noexcept {
-  return !c.flips && c.onset.learned() && isOne(c) && share(c) > kSmallestAlone &&
-         c.power > kGrownAlone * c.onset.floorEnergy() && !stretches_.engagementChanges();
+  return !c.flips && mayFit(c) && share(c) > kSmallestAlone && !stretches_.engagementChanges();
+}
+
+// Asked where anything else speaks for chatter: the fit is dear.
+bool OrderGrowth::settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
+  const bool suspect =
+      c.onset.evidence() > 0.0 || c.turned != 0.0 || c.apartTurns > 0.0 || share(c) > kLouder * c.timed.share();
+  OrderPole now;
+  return suspect && mayFit(c) && now.fitMoving(vibration, channel, {teeth_, active_}, c.order, spindle) &&
+         now.settles();
 }
 
 bool OrderGrowth::growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
@@ -240,8 +254,9 @@ void OrderGrowth::endHalfTurn(const NewLine& vibration, int channel, Hertz spind
   halfTurnsThere_ = std::min(halfTurnsThere_ + 1, kWindowHalfTurns);
   for (Class& c : classes_) {
     const double now = share(c);
-    const bool look = judged && !c.alone.stays(now) && halfTurnsThere_ == kWindowHalfTurns;
+    const bool look = judged && !c.alone.stays(now);
     c.alone.look(c.order, now, look && growsAlone(c, vibration, channel, spindle));
+    c.settles = !alarming_ && !c.counts && settles(c, vibration, channel, spindle) ? kSettlesTurns : 0.0;
   }
 }
 
@@ -267,6 +282,7 @@ void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) noexcept {
 }
 
 bool OrderGrowth::counts(const Class& c) const noexcept {
+  if (c.settles > 0.0) return false;
   if (std::abs(c.turned) > kWholeTurn || c.alone.most > 0.0) return true;
   if (c.onset.alarm() && (c.counts || begins(c))) return true;
   const bool apart = c.apartTurns > OrderTurns::kMemoryTurns && std::abs(c.apartBy) > kQuarterTurn;
@@ -275,6 +291,7 @@ bool OrderGrowth::counts(const Class& c) const noexcept {
 
 void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
   followEngagement(turns, learn);
+  alarming_ = !learn;
   for (Class& c : classes_) {
     followTurning(c, turns, speedDoubt);
     c.onset.update(share(c), turns, learn && c.turned == 0.0, c.power);
@@ -285,6 +302,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
       }
       followTimed(c, turns, learn, speedDoubt);
     }
+    c.settles = std::max(0.0, c.settles - turns);
     c.counts = counts(c);
     relearnNewLoad(c, turns, learn);
   }

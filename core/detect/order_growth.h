@@ -28,8 +28,10 @@
 // Not believed are a class that holds no more than teeth which leave the material make of runout on two others, and,
 // while the arc of engagement changes, an order that has not yet turned by a quarter of a turn: such an arc pulls the
 // tracked speed by a tenth of a per cent for some turns, by a quarter of one for seconds where a face mill leaves the
-// work. Tooth-passing orders are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker;
-// everything but prepare() is real-time.
+// work. No class begins to be chatter while its strongest order surely settles (order_pole.h): at 0.95 of the limit a
+// mode beats with runout for tens of turns, turns with it and becomes many times louder. Tooth-passing orders are not
+// tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything but prepare() is
+// real-time.
 #pragma once
 
 #include <complex>
@@ -102,6 +104,7 @@ class OrderGrowth {
     double apartBy = 0.0;     // ... and by how many it has turned since
     bool doubles = false;     // far above what runout becomes, by growth of its own
     bool dwarfs = false;      // all others, and what it was
+    double settles = 0.0;     // turns for which its strongest order is known to settle
     Alone alone;
   };
   static void relearn(Class& c) noexcept;
@@ -113,6 +116,8 @@ class OrderGrowth {
   void relearnNewLoad(Class& c, double turns, bool learn) noexcept;
   bool counts(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;
+  bool mayFit(const Class& c) const noexcept;
+  bool settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept;
   bool growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept;
   bool mayGrowByItself(const Class& c) const noexcept;
   bool explained(const Class& c) const noexcept;
@@ -132,6 +137,7 @@ class OrderGrowth {
   Hertz learnedAt_{};
   int halfTurnsThere_ = 0;
   int active_ = 0;              // harmonics there are
+  bool alarming_ = false;       // when the cut was tested last
   double standingTurns_ = 0.0;  // of one engagement, in which nothing grows
   std::vector<Class> classes_;  // rests 1 .. teeth / 2
   std::vector<std::complex<double>> now_;

@@ -15,6 +15,8 @@ constexpr double kByLoad = 0.6;     // of s / g
 constexpr double kLeastPole = 0.1;  // an e-fold and a half in the window
 // What has grown out of what runout forces grows as the pole does; what beats with it does for a while.
 constexpr double kAsPole = 0.75;
+constexpr double kSettles = 0.05;  // an e-fold in twenty turns, which takes longer to fit
+constexpr double kSettlesSure = 2.0;
 
 using Turns = std::array<std::complex<double>, kTurns + 1>;  // newest first
 
@@ -60,9 +62,24 @@ bool readTeeth(const NewLine& vibration, int channel, const OrderPole::Teeth& te
   return true;
 }
 
+// The order's amplitude, where the spindle really stood, and the load.
+bool readOrder(const NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle, Turns& e,
+               Load& t) noexcept {
+  if (teeth.count < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
+      !readTeeth(vibration, channel, teeth, order, spindle, t))
+    return false;
+  for (std::size_t k = 0; k <= kTurns; ++k) e[k] *= std::polar(1.0, -t.angle[k] * order);
+  return true;
+}
+
 // In a turn, over two.
 double growthOf(std::complex<double> now, std::complex<double> before) noexcept {
   return 0.5 * std::log(std::abs(now) / std::abs(before));
+}
+
+template <class Values>
+double powerOf(const Values& values) noexcept {
+  return std::accumulate(values.begin(), values.end(), 0.0, [](double sum, auto v) { return sum + std::norm(v); });
 }
 
 template <class Values>
@@ -78,10 +95,7 @@ void takeMean(Values& values) noexcept {
 bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept {
   Turns e{};
   Load t;
-  if (teeth.count < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
-      !readTeeth(vibration, channel, teeth, order, spindle, t))
-    return false;
-  for (std::size_t k = 0; k <= kTurns; ++k) e[k] *= std::polar(1.0, -t.angle[k] * order);
+  if (!readOrder(vibration, channel, teeth, order, spindle, e, t)) return false;
   std::array<std::complex<double>, kTurns> grown{};
   std::array<std::complex<double>, kTurns> middle{};
   std::array<double, kTurns> loads{};
@@ -116,6 +130,43 @@ bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, i
   growth = growthOf(e[0], e[2]);
   load = 0.5 * (t.load[0] - t.load[2]);
   return true;
+}
+
+// Gram and Schmidt: of each column what those before it leave; the pole's is the last but one.
+bool OrderPole::fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order,
+                          Hertz spindle) noexcept {
+  constexpr std::size_t kKnown = 4;
+  Turns e{};
+  Load t;
+  if (!readOrder(vibration, channel, teeth, order, spindle, e, t)) return false;
+  std::array<std::array<std::complex<double>, kTurns>, kKnown + 1> columns{};
+  for (std::size_t k = 0; k < kTurns; ++k) {
+    const std::complex<double> middle = 0.5 * (e[k] + e[k + 1]);
+    const double b = 0.5 * (t.load[k] + t.load[k + 1]) - t.load[0];
+    columns[0][k] = 1.0;
+    columns[1][k] = b;
+    columns[2][k] = b * middle;
+    columns[3][k] = middle;
+    columns[kKnown][k] = e[k] - e[k + 1];
+  }
+  double power = 0.0;
+  for (std::size_t c = 0; c < kKnown; ++c) {
+    power = powerOf(columns[c]);
+    if (!(power > 0.0)) return false;
+    for (std::size_t d = c + 1; d <= kKnown; ++d) {
+      std::complex<double> part = 0.0;
+      for (std::size_t k = 0; k < kTurns; ++k) part += columns[d][k] * std::conj(columns[c][k]);
+      part /= power;
+      for (std::size_t k = 0; k < kTurns; ++k) columns[d][k] -= part * columns[c][k];
+      pole = part;
+    }
+  }
+  doubt = std::sqrt(0.5 * powerOf(columns[kKnown]) / (static_cast<double>(kTurns - kKnown) * power));
+  return true;
+}
+
+bool OrderPole::settles() const noexcept {
+  return pole.real() + kSettlesSure * doubt < kSettles;
 }
 
 bool OrderPole::mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept {

@@ -186,10 +186,9 @@ bool SpeedSearch::mayBeForcedAt(Hertz line, Hertz spindle) const noexcept {
   return order > 0 && (order % std::max(teeth_, 1) == 0 || sharesComb(line, line / order));
 }
 
-bool SpeedSearch::mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept {
-  const int every = std::max(teeth_, 1);
-  for (int k = static_cast<int>(std::ceil(line / high / every)); k * every * low.value <= line.value; ++k) {
-    if (k > 0 && sharesComb(line, line / (k * every))) return true;
+bool SpeedSearch::mayBeAmongOthers(Hertz line, Hertz low, Hertz high) const noexcept {
+  for (int order = std::max(1, static_cast<int>(std::ceil(line / high))); order * low.value <= line.value; ++order) {
+    if (sharesComb(line, line / order)) return true;
   }
   return false;
 }

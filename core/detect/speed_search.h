@@ -66,8 +66,8 @@ class SpeedSearch {
   bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
   // ... at this one, if at any?
   bool mayBeForcedAt(Hertz line, Hertz spindle) const noexcept;
-  // ... or one tooth passing among others on a comb of low..high?
-  bool mayBePassing(Hertz line, Hertz low, Hertz high) const noexcept;
+  // ... or one line among others on a comb of low..high?
+  bool mayBeAmongOthers(Hertz line, Hertz low, Hertz high) const noexcept;
 
  private:
   static constexpr int kMostTrials = 4096;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "tests/support/signals.h"
@@ -86,6 +87,28 @@ TEST(OrderPole, IsFoundWhileTheLoadRises) {
     EXPECT_NEAR(found.pole.real(), real, 0.06);
     EXPECT_LT(found.doubt, 0.1);
   }
+}
+
+// A load that brings the pole nearer to the limit makes it look like one beyond, unless its motion is fitted as well.
+TEST(OrderPole, OfNowIsFoundWhileTheLoadMovesIt) {
+  const auto fits = [](double to, double until) {
+    const Made made{.to = to, .begin = 6.0, .turns = 20.0, .beside = 0.03, .runout = 0.3, .length = until};
+    const Recording r = make(made);
+    const std::vector<double> x(r.channels[0].begin(), r.channels[0].end());
+    NewLine vibration;
+    vibration.prepare(1, static_cast<int>(static_cast<double>(NewLine::kTurnsBack) * kTurn), Hertz(kRate));
+    vibration.push(x.data(), 0, x.size());
+    OrderPole standing;
+    OrderPole moving;
+    EXPECT_TRUE(standing.fit(vibration, 0, {kTeeth, 40}, kOrder, Hertz(kSpindle)));
+    EXPECT_TRUE(moving.fitMoving(vibration, 0, {kTeeth, 40}, kOrder, Hertz(kSpindle)));
+    return std::pair(standing, moving);
+  };
+  const auto [standing, stable] = fits(0.95, 28.0);
+  EXPECT_GT(standing.pole.real(), 0.0);
+  EXPECT_NEAR(stable.pole.real(), -0.1, 0.06);
+  EXPECT_TRUE(stable.settles());
+  EXPECT_FALSE(fits(1.1, 25.0).second.settles());
 }
 
 // However near its limit, and however quickly it comes there.

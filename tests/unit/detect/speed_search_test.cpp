@@ -77,6 +77,31 @@ TEST(SpeedSearch, RunoutOnAModeMayBeForcedWhileTheToolEnters) {
   EXPECT_FALSE(mayBeForced(5.4));
 }
 
+// The same of a spindle that has run away by 6 % since it was told: at any order it is one line of a comb.
+TEST(SpeedSearch, RunoutOnAModeMayBeAmongOthersOfASpindleThatRanAway) {
+  constexpr double kSpindle = 175.0, kFurther = 0.086;
+  const int size = static_cast<int>(12.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), 3);
+  const auto mayBeAmongOthers = [&](double others) {
+    std::vector<double> x(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) {
+      const double turns = i / kRate * kSpindle;
+      double v = std::cos(kTwoPi * 7.0 * turns);
+      for (int h = 3; h <= 12; h += 3) v += others * std::cos(kTwoPi * h * turns + h * h);
+      x[static_cast<std::size_t>(i)] = v;
+    }
+    search.begin();
+    search.add(x);
+    const Hertz line = search.strongest().frequency;
+    EXPECT_NEAR(line.value, 7.0 * kSpindle, 0.1 * kSpindle);
+    const double told = 0.94 * kSpindle;
+    return search.mayBeAmongOthers(line, Hertz(told * (1.0 - kFurther)), Hertz(told * (1.0 + kFurther)));
+  };
+  EXPECT_TRUE(mayBeAmongOthers(0.25));
+  EXPECT_FALSE(mayBeAmongOthers(0.0));
+}
+
 // Started on the speed of the middle of a search's window, of a spindle that runs away by 5 % a second, and in doubt by
 // as much as it is off: within thirty turns it is known to six parts in ten thousand, and most of its drift.
 TEST(PhaseTracker, FollowsASpindleThatRunsAway) {
