@@ -37,7 +37,8 @@ constexpr double kSpeedDoubts = 2.0;
 constexpr double kApartDoubts = 1.5;    // where its share has grown as well
 constexpr double kQuarterTurn = 0.25;   // a mode turns a forced vibration by no more as it comes near its limit
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
-constexpr double kSettlesTurns = 1.0;   // asked twice as often, as long as turns can be compared
+constexpr double kSettlesTurns = 1.0;   // asked twice as often, while the vibration of whole turns can be
+constexpr double kMostHeld = 48.0;      // turns: what settles has settled by then; full chatter stays as large as it is
 constexpr double kStays = 0.5;          // in energy, of what it began at: noise does not end it
 
 }  // namespace
@@ -65,12 +66,13 @@ void OrderGrowth::relearn(Class& c) noexcept {
   c.onset.reset();
   c.timed.reset();
   c.counts = c.own = c.unstable = c.doubles = c.dwarfs = false;
-  c.alarmTurns = c.turned = c.turnedBy = c.apartTurns = c.apartBy = c.settles = 0.0;
+  c.alarmTurns = c.turned = c.turnedBy = c.apartTurns = c.apartBy = c.settles = c.held = 0.0;
   c.alone = {};
 }
 
 void OrderGrowth::relearn() noexcept {
   for (Class& c : classes_) relearn(c);
+  stretches_.forget();
   order_ = 0.0;
   doubling_ = false;
 }
@@ -189,7 +191,7 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 }
 
 // A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
-// slowly. Where it turns against the spindle as well, faster than the speed is in doubt, doubles and is more than
+// slowly. Where it turns against the spindle as well, faster than the speed is in doubt, or doubles and is more than
 // runout becomes, or is most of the vibration, it is held against a floor that rises by time alone.
 void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
@@ -200,18 +202,26 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
       one && !explained(c) && std::abs(drift) > least && now > std::max(kLouder * c.timed.share(), kSmallestBeside);
   c.apartTurns = apart ? c.apartTurns + turns : 0.0;
   c.apartBy = apart ? c.apartBy + sense(c) * drift * turns : 0.0;
-
-  // Period doubling stands still. What a line half way between two orders leaves on both turns by half a turn per turn.
-  const double far = kFarBeyond * c.timed.share();
-  const double doubled = std::max({far, kSmallest, products(c)});
-  const bool grows =
-      c.timed.share() < kSmallestBeside && stretches_.growsOn(teeth_ / 2) && !stretches_.otherEngagement();
-  c.doubles = c.flips && std::abs(drift) < kNearlyStill && now > (c.doubles ? kStays * doubled : doubled) &&
-              (c.doubles || grows);
-  const double stays = c.dwarfs ? kStays : 1.0;
-  c.dwarfs = !c.flips && now > stays * std::max(far, kDwarfed) && c.power > stays * kFarBeyond * c.timed.energy();
-
+  if (c.flips)
+    c.doubles = doubles(c);
+  else
+    c.dwarfs = dwarfs(c);
   if (learn) c.timed.follow(now, c.power, turns, learnedAt_);
+}
+
+// Period doubling stands still. What a line half way between two orders leaves on both turns by half a turn per turn.
+bool OrderGrowth::doubles(const Class& c) const noexcept {
+  const double far = std::max({kFarBeyond * c.timed.share(), kSmallest, products(c)});
+  if (std::abs(turns_.drift(c.order)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
+  return c.doubles ||
+         (c.timed.share() < kSmallestBeside && stretches_.growsOn(c.rest) && !stretches_.otherEngagement());
+}
+
+bool OrderGrowth::dwarfs(const Class& c) const noexcept {
+  const double stays = c.dwarfs ? kStays : 1.0;
+  const double far = stays * kFarBeyond;
+  return c.power > stays * kDwarfed * (all_ - c.power) && share(c) > far * c.timed.share() &&
+         c.power > far * c.timed.energy();
 }
 
 bool OrderGrowth::mayFit(const Class& c) const noexcept {
@@ -230,7 +240,7 @@ bool OrderGrowth::settles(const Class& c, const NewLine& vibration, int channel,
       c.onset.evidence() > 0.0 || c.turned != 0.0 || c.apartTurns > 0.0 || share(c) > kLouder * c.timed.share();
   OrderPole now;
   return suspect && mayFit(c) && now.fitMoving(vibration, channel, {teeth_, active_}, c.order, spindle) &&
-         now.settles();
+         now.settles(spindle);
 }
 
 bool OrderGrowth::growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
@@ -272,8 +282,15 @@ void OrderGrowth::followEngagement(double turns, bool learn) noexcept {
   stretches_.learnEngagement();
 }
 
+// Chatter that has grown as large as it gets and turns against the spindle settles as well, by the same fit. What
+// stands still, as period doubling does, leaves its pole in doubt.
+bool OrderGrowth::withheld(const Class& c) noexcept {
+  return c.settles > 0.0 && (c.flips || c.held < kMostHeld);
+}
+
 // What has grown and then stands, without being chatter, is a new load, and its floor is learned anew.
 void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) noexcept {
+  if (withheld(c) && !c.flips) return;
   c.alarmTurns = c.onset.alarm() && !c.counts ? c.alarmTurns + turns : 0.0;
   if (!learn || c.alarmTurns <= kNewLoadTurns) return;
   c.onset.reset();
@@ -282,7 +299,7 @@ void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) noexcept {
 }
 
 bool OrderGrowth::counts(const Class& c) const noexcept {
-  if (c.settles > 0.0) return false;
+  if (withheld(c)) return false;
   if (std::abs(c.turned) > kWholeTurn || c.alone.most > 0.0) return true;
   if (c.onset.alarm() && (c.counts || begins(c))) return true;
   const bool apart = c.apartTurns > OrderTurns::kMemoryTurns && std::abs(c.apartBy) > kQuarterTurn;
@@ -303,6 +320,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
       followTimed(c, turns, learn, speedDoubt);
     }
     c.settles = std::max(0.0, c.settles - turns);
+    c.held = c.settles > 0.0 ? c.held + turns : 0.0;
     c.counts = counts(c);
     relearnNewLoad(c, turns, learn);
   }

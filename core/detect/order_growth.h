@@ -22,16 +22,16 @@
 //   some turns, by a quarter of one in all, further than a mode that comes near its limit turns runout. (An end mill at
 //   800 rev/min on thin walls, order 15.03, growing twofold in 0.5 s: 2 s earlier than by the whole turn);
 // - that turns by less and grows by itself, not with the load (order_pole.h), while the engagement stays;
-// - whose class has twice the amplitude of all others together and ten times what it was, by itself and against them:
-//   chatter that takes the tracked speed along turns against nothing. (Runout on a mode becomes four times what it was
-//   where it is that much, as the width of cut rises to nine tenths of the limit.)
+// - whose class, not of period doubling, has twice the amplitude of all others together and ten times what it was, by
+//   itself and against them: chatter that takes the tracked speed along turns against nothing. (Runout on a mode
+//   becomes four times what it was where it is that much, as the width of cut rises to nine tenths of the limit.)
 // Not believed are a class that holds no more than teeth which leave the material make of runout on two others, and,
 // while the arc of engagement changes, an order that has not yet turned by a quarter of a turn: such an arc pulls the
 // tracked speed by a tenth of a per cent for some turns, by a quarter of one for seconds where a face mill leaves the
-// work. No class begins to be chatter while its strongest order surely settles (order_pole.h): at 0.95 of the limit a
-// mode beats with runout for tens of turns, turns with it and becomes many times louder. Tooth-passing orders are not
-// tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker; everything but prepare() is
-// real-time.
+// work. For three windows of the fit no class (of period doubling: for as long as it does) begins to be chatter while
+// its strongest order surely settles (order_pole.h): at 0.95 of the limit a mode beats with runout for tens of turns,
+// turns with it and becomes many times louder. Tooth-passing orders are not tested: what grows there may be the load.
+// Not in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -105,14 +105,18 @@ class OrderGrowth {
     bool doubles = false;     // far above what runout becomes, by growth of its own
     bool dwarfs = false;      // all others, and what it was
     double settles = 0.0;     // turns for which its strongest order is known to settle
+    double held = 0.0;        // ... and since it is, on end
     Alone alone;
   };
   static void relearn(Class& c) noexcept;
   static bool isOne(const Class& c) noexcept;
+  static bool withheld(const Class& c) noexcept;
   void followStretches() noexcept;
   void followEngagement(double turns, bool learn) noexcept;
   void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
   void followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
+  bool doubles(const Class& c) const noexcept;
+  bool dwarfs(const Class& c) const noexcept;
   void relearnNewLoad(Class& c, double turns, bool learn) noexcept;
   bool counts(const Class& c) const noexcept;
   bool begins(const Class& c) const noexcept;

@@ -15,7 +15,9 @@ constexpr double kByLoad = 0.6;     // of s / g
 constexpr double kLeastPole = 0.1;  // an e-fold and a half in the window
 // What has grown out of what runout forces grows as the pole does; what beats with it does for a while.
 constexpr double kAsPole = 0.75;
-constexpr double kSettles = 0.05;  // an e-fold in twenty turns, which takes longer to fit
+// By less: an e-fold in twenty turns, which takes longer to fit, or in the time in which no instability takes as long.
+constexpr double kSettles = 0.05;
+constexpr Seconds kSettling{0.1};
 constexpr double kSettlesSure = 2.0;
 
 using Turns = std::array<std::complex<double>, kTurns + 1>;  // newest first
@@ -165,8 +167,8 @@ bool OrderPole::fitMoving(const NewLine& vibration, int channel, const Teeth& te
   return true;
 }
 
-bool OrderPole::settles() const noexcept {
-  return pole.real() + kSettlesSure * doubt < kSettles;
+bool OrderPole::settles(Hertz spindle) const noexcept {
+  return pole.real() + kSettlesSure * doubt < std::min(kSettles, 1.0 / (kSettling.value * spindle.value));
 }
 
 bool OrderPole::mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept {

@@ -16,9 +16,9 @@
 //
 // Whether an order settles is asked the other way round: with p taken as moving, E' = (p + c b) E + f0 + f1 b where b
 // is the load's distance from that of now, p is the pole of now, and no allowance is needed. Four unknowns leave it in
-// up to ten times the doubt, too much to begin an alarm by, but not to withhold one: in cuts that
-// came to 0.95 of their limit p lay at -0.07 to 0.03 a turn where the other fit said 0.03 to 0.13, in chatter on an
-// order, as far as it was known to a twentieth, at 0.06 to 1. Not in Caliskan 2018. Thread: worker; real-time.
+// up to ten times the doubt, too much to begin an alarm by, but not to withhold one: in cuts that came to 0.95 of their
+// limit p lay at -0.07 to 0.03 a turn where the other fit said 0.03 to 0.13, in chatter on an order, as far as it was
+// known to a twentieth, at 0.06 to 1. Not in Caliskan 2018. Thread: worker; real-time.
 #pragma once
 
 #include <complex>
@@ -45,8 +45,9 @@ struct OrderPole {
   bool growsByItself() const noexcept;
   // The pole of now and its doubt, of one that moves with the load; `growth` and `load` are left as they are.
   bool fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
-  // After that: it surely grows by itself by next to nothing, or falls.
-  bool settles() const noexcept;
+  // After that: it surely grows by itself by next to nothing, or falls. So does chatter that has grown as large as it
+  // gets.
+  bool settles(Hertz spindle) const noexcept;
   // Is the order's growth in the last two turns enough for that, whatever its pole? A fit costs twenty times as much.
   static bool mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept;
 };

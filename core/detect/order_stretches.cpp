@@ -21,7 +21,7 @@ constexpr double kMostFolds = 2.0;   // over a long stretch, of a slow spindle
 void OrderStretches::prepare(int teeth, std::size_t orders) {
   teeth_ = static_cast<std::size_t>(std::max(teeth, 0));
   orders_ = orders;
-  newest_ = 0;
+  newest_ = known_ = 0;
   turnsPerRow_ = 1;
   turns_ = 0;
   pattern_ = 1.0;
@@ -88,6 +88,7 @@ void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept
   if (teeth_ == 0 || ++turns_ < turnsPerRow_) return;
   turns_ = 0;
   newest_ = (newest_ + 1) % kRows;
+  known_ = std::min(known_ + 1, kRows);
   const auto row = rows_.begin() + static_cast<std::ptrdiff_t>(newest_ * orders_);
   const std::size_t count = std::min(now.size(), orders_);
   std::copy_n(now.begin(), count, row);
@@ -135,10 +136,10 @@ bool OrderStretches::otherEngagement() const noexcept {
 bool OrderStretches::unstableGrowth(int rest) const noexcept {
   const double latest = added(rest, 0);
   const double byLoad = loadChange(0) / (loadChange(kStretch) + kLeastStep);
-  const double least = latest / (faster_ * std::max(1.0, byLoad));
-  if (least <= kSeen * pattern_) return false;
-  for (std::size_t k = 1; k < kStretches; ++k) {
-    if (least <= added(rest, k * kStretch)) return false;
+  const double bound = latest / (faster_ * std::max(1.0, byLoad));
+  if (bound <= kSeen * pattern_ || bound <= added(rest, kStretch)) return false;
+  for (std::size_t k = 2; k < kStretches && (k + 1) * kStretch < known_; ++k) {
+    if (bound <= added(rest, k * kStretch)) return false;
   }
   return true;
 }

@@ -28,6 +28,8 @@ class OrderStretches {
  public:
   void prepare(int teeth, std::size_t orders);
   void setSpindle(Hertz spindle) noexcept;
+  // What came before is of another cut or load: growth is compared with none of its stretches but the last.
+  void forget() noexcept { known_ = 0; }
   // One turn: complex amplitudes against the spindle's angle of the orders 1, 2, ...
   void endTurn(std::span<const std::complex<double>> now) noexcept;
 
@@ -67,6 +69,7 @@ class OrderStretches {
   std::size_t teeth_ = 0;
   std::size_t orders_ = 0;
   std::size_t newest_ = 0;
+  std::size_t known_ = 0;  // rows since forget()
   int turnsPerRow_ = 1;
   int turns_ = 0;                           // since the newest row
   double pattern_ = 1.0;                    // change in the last stretch

@@ -19,7 +19,8 @@ class SpeedMotion {
   bool followMachine(double told, double sd, double seconds) noexcept;
   // There is no such machine.
   void noMachine() noexcept { riding_ = toldMoving_ = moving_ = false; }
-  // What the vibration that is followed says, while no machine does; drift: relative, per second, of the speed.
+  // What the vibration that is followed says, while the machine's word is not; drift: relative, per second, of the
+  // speed.
   void followSignal(double hertz, double drift, double seconds) noexcept;
 
   // The machine says that the speed changes, faster than the vibration can be followed.

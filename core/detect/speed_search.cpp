@@ -187,6 +187,7 @@ bool SpeedSearch::mayBeForcedAt(Hertz line, Hertz spindle) const noexcept {
 }
 
 bool SpeedSearch::mayBeAmongOthers(Hertz line, Hertz low, Hertz high) const noexcept {
+  if (!(low.value > 0.0)) return true;
   for (int order = std::max(1, static_cast<int>(std::ceil(line / high))); order * low.value <= line.value; ++order) {
     if (sharesComb(line, line / order)) return true;
   }

@@ -5,18 +5,20 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kDoublesIn = 10.0;  // s
+constexpr double kRisesIn = 10.0;  // s, an e-fold
 constexpr double kFallTurns = 10.0;
+
+double followed(double floor, double now, double turns, Hertz spindle) noexcept {
+  if (now < floor) return floor + turns / kFallTurns * (now - floor);
+  if (!(now > floor) || !(spindle.value > 0.0)) return floor;
+  return floor * (1.0 + turns * (std::min(now / floor - 1.0, 1.0) / (kRisesIn * spindle.value)));
+}
 
 }  // namespace
 
 void TimedFloor::follow(double share, double energy, double turns, Hertz spindle) noexcept {
-  if (share < share_) {
-    share_ += turns / kFallTurns * (share - share_);
-    energy_ += turns / kFallTurns * (energy - energy_);
-  } else if (share > share_ && spindle.value > 0.0) {
-    raise(1.0 + turns * (std::min(share / share_ - 1.0, 1.0) / (kDoublesIn * spindle.value)));
-  }
+  share_ = followed(share_, share, turns, spindle);
+  energy_ = followed(energy_, energy, turns, spindle);
 }
 
 }  // namespace stillcut::detect

@@ -1,6 +1,6 @@
-// A floor under a share of the vibration, and under its energy, that follows them down but up by time alone. What grows
-// slowly, or in few turns of a slow spindle, becomes a floor that learns by turns (onset_test.h); it does not become
-// this one. Thread: worker; real-time.
+// A floor under a share of the vibration, and one under its energy, that follow them down but up by time alone. What
+// grows slowly, or in few turns of a slow spindle, becomes a floor that learns by turns (onset_test.h); it does not
+// become these. Thread: worker; real-time.
 #pragma once
 
 #include "core/base/units.h"

@@ -107,8 +107,8 @@ TEST(OrderPole, OfNowIsFoundWhileTheLoadMovesIt) {
   const auto [standing, stable] = fits(0.95, 28.0);
   EXPECT_GT(standing.pole.real(), 0.0);
   EXPECT_NEAR(stable.pole.real(), -0.1, 0.06);
-  EXPECT_TRUE(stable.settles());
-  EXPECT_FALSE(fits(1.1, 25.0).second.settles());
+  EXPECT_TRUE(stable.settles(Hertz(kSpindle)));
+  EXPECT_FALSE(fits(1.1, 25.0).second.settles(Hertz(kSpindle)));
 }
 
 // However near its limit, and however quickly it comes there.
