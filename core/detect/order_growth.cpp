@@ -37,7 +37,7 @@ constexpr double kSpeedDoubts = 2.0;
 constexpr double kApartDoubts = 1.5;    // where its share has grown as well
 constexpr double kQuarterTurn = 0.25;   // a mode turns a forced vibration by no more as it comes near its limit
 constexpr double kNewLoadTurns = 24.0;  // grown for so long and standing still: a new load
-constexpr double kSettlesTurns = 1.0;   // asked twice as often, while the vibration of whole turns can be
+constexpr double kSettlesTurns = 1.0;   // asked twice as often
 constexpr double kMostHeld = 48.0;      // turns: what settles has settled by then; full chatter stays as large as it is
 constexpr double kStays = 0.5;          // in energy, of what it began at: noise does not end it
 
@@ -191,8 +191,8 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 }
 
 // A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
-// slowly. Where it turns against the spindle as well, faster than the speed is in doubt, or doubles and is more than
-// runout becomes, or is most of the vibration, it is held against a floor that rises by time alone.
+// slowly. It is held against a floor that rises by time alone where it turns against the spindle as well, faster than
+// the speed is in doubt, where it doubles and is more than runout becomes, or where it is most of the vibration.
 void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
   const double drift = turns_.drift(c.order);

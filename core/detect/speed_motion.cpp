@@ -38,7 +38,7 @@ bool SpeedMotion::followMachine(double told, double sd, double seconds) noexcept
   return rode && !riding_;
 }
 
-// For now alone: what was heard while a lock settled is no change that the machine has begun and is to end.
+// Of this moment only: what was heard while a lock settled is no change that the machine has begun and is to end.
 void SpeedMotion::followSignal(double hertz, double drift, double seconds) noexcept {
   heard_ *= 1.0 + drift * seconds;
   heard_ += share(seconds, kRecentSeconds) * (hertz - heard_);

@@ -59,6 +59,16 @@ Recording make(const Made& made) {
   return r;
 }
 
+// Its newest turns.
+NewLine remembered(const Made& made) {
+  const Recording r = make(made);
+  const std::vector<double> x(r.channels[0].begin(), r.channels[0].end());
+  NewLine vibration;
+  vibration.prepare(1, static_cast<int>(static_cast<double>(NewLine::kTurnsBack) * kTurn), Hertz(kRate));
+  vibration.push(x.data(), 0, x.size());
+  return vibration;
+}
+
 RunResult hear(const Made& made) {
   RunOptions o;
   o.teeth = kTeeth;
@@ -77,11 +87,7 @@ TEST(OrderPole, IsFoundWhileTheLoadRises) {
                     .runout = 0.01,
                     .wander = 5e-4,
                     .length = 26.0};
-    const Recording r = make(made);
-    const std::vector<double> x(r.channels[0].begin(), r.channels[0].end());
-    NewLine vibration;
-    vibration.prepare(1, static_cast<int>(static_cast<double>(NewLine::kTurnsBack) * kTurn), Hertz(kRate));
-    vibration.push(x.data(), 0, x.size());
+    const NewLine vibration = remembered(made);
     OrderPole found;
     ASSERT_TRUE(found.fit(vibration, 0, {kTeeth, 40}, kOrder, Hertz(kSpindle)));
     EXPECT_NEAR(found.pole.real(), real, 0.06);
@@ -93,11 +99,7 @@ TEST(OrderPole, IsFoundWhileTheLoadRises) {
 TEST(OrderPole, OfNowIsFoundWhileTheLoadMovesIt) {
   const auto fits = [](double to, double until) {
     const Made made{.to = to, .begin = 6.0, .turns = 20.0, .beside = 0.03, .runout = 0.3, .length = until};
-    const Recording r = make(made);
-    const std::vector<double> x(r.channels[0].begin(), r.channels[0].end());
-    NewLine vibration;
-    vibration.prepare(1, static_cast<int>(static_cast<double>(NewLine::kTurnsBack) * kTurn), Hertz(kRate));
-    vibration.push(x.data(), 0, x.size());
+    const NewLine vibration = remembered(made);
     OrderPole standing;
     OrderPole moving;
     EXPECT_TRUE(standing.fit(vibration, 0, {kTeeth, 40}, kOrder, Hertz(kSpindle)));
