@@ -7,7 +7,6 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kRisingEvidence = 1.5;  // growth that needs no spectrum is asked for more evidence
-constexpr double kRisingPart = 0.02;     // ... and to be of some size already: growth so fast is soon there
 constexpr double kGrowth = 1.5;          // of energy from turn to turn
 constexpr double kScatter = 2.0;         // of the half turns of such growth, squared
 constexpr Seconds kFastest{3e-3};        // growth constant of the fastest chatter thought of
@@ -72,7 +71,7 @@ void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
 }
 
 void EnergyGrowth::test(int windowHops, bool learn) noexcept {
-  const auto newest = atOnce_ && level_ > 0.0 ? std::optional(ago(0).changed / level_) : std::nullopt;
+  const auto newest = statistic_.atOnce && level_ > 0.0 ? std::optional(ago(0).changed / level_) : std::nullopt;
   onset_.update(changed_, 1.0 / windowHops, learn, energy_, newest);
   watchStanding(learn);
   if (!(leap_ > 0.0) || leapt()) return;
@@ -118,14 +117,14 @@ bool EnergyGrowth::steepens(int hops, double scatter) const noexcept {
 }
 
 bool EnergyGrowth::rising() const noexcept {
-  return onset_.alarm() && changed_ > kRisingPart * arrival_ && explainsEnergy() && steepens(kHalfTurn, kScatter) &&
-         onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() && grows();
+  return onset_.alarm() && changed_ > statistic_.risingPart * statistic_.arrival && explainsEnergy() &&
+         steepens(kHalfTurn, kScatter) && onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() && grows();
 }
 
 bool EnergyGrowth::explainsEnergy() const noexcept {
   double change = 0.0;
   for (int k = 0; k < kHopsPerTurn; ++k) change += ago(k).all - ago(k + kHopsPerTurn).all;
-  return std::abs(change) < kBeating * changedIn(0, kHopsPerTurn) / arrival_;
+  return std::abs(change) < kBeating * changedIn(0, kHopsPerTurn) / statistic_.arrival;
 }
 
 bool EnergyGrowth::leaps(Seconds length) const noexcept {

@@ -18,12 +18,14 @@ class EnergyGrowth {
   static constexpr int kLevelHops = 8 * kHopsPerTurn;
   static constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap two turns are compared with it
 
-  // arrival: part of the power of a line that the statistic passes during the line's first turn. atOnce: evidence
-  // counts every hop as it comes, not the whole turn up to it, which comes half a turn later.
-  void prepare(const OnsetTest::Limits& limits, double arrival, bool atOnce) noexcept {
+  struct Statistic {
+    double arrival = 1.0;      // part of the power of a line that it passes during the line's first turn
+    bool atOnce = true;        // evidence counts every hop as it comes, not the whole turn up to it: half a turn sooner
+    double risingPart = 0.15;  // of the vibration's energy, that growth which no spectrum is waited for has to hold
+  };
+  void prepare(const OnsetTest::Limits& limits, const Statistic& statistic) noexcept {
     onset_.prepare(limits);
-    arrival_ = arrival;
-    atOnce_ = atOnce;
+    statistic_ = statistic;
   }
   // Forgets the levels, after a gap; what was learned stays.
   void restart() noexcept;
@@ -94,8 +96,7 @@ class EnergyGrowth {
 
   static constexpr double kNewLevelTurns = 24.0;
   static constexpr double kGrowsOn = 1.25;  // energy, from turn to turn
-  double arrival_ = 1.0;
-  bool atOnce_ = true;
+  Statistic statistic_;
   double unheardTurns_ = 0.0;  // grown, and nobody alarms, to
   double unheardLevel_ = 0.0;  // ... this
   Energies sums_;              // this hop

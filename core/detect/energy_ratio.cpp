@@ -42,6 +42,10 @@ constexpr Hertz kSpindleUnknown{20.0};
 constexpr Hertz kLeastBand{2500.0};  // tools chatter up to there at any speed
 constexpr int kBandOrder = 4;
 constexpr double kSameBand = 0.02;
+// Growth so fast that no spectrum is waited for soon holds this much of the energy, and forced vibration does not
+// change by as much in a turn. Of a force chatter is less, for the tooth passings stand below it.
+constexpr double kRisingPart = 0.15;
+constexpr double kRisingPartOfForce = 0.02;
 constexpr double kOfTurns = 0.8;  // of the evidence asked for, where means of a turn count: they scatter less than hops
 
 }  // namespace
@@ -108,8 +112,9 @@ void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
     // A load that ends is a step in an integral of the torque, which a whole turn takes the edge off.
     const bool atOnce = !isIntegral(s.quantity);
     const OnsetTest::Limits ofTurns{smallest_, kOfTurns * limits.evidence};
-    s.growth.prepare(atOnce ? limits : ofTurns, TurnDifference::kDifferenceArrival, atOnce);
-    s.news.prepare(atOnce ? limits : ofTurns, TurnDifference::kNewsArrival, atOnce);
+    const double part = atOnce && s.quantity != SensorQuantity::Force ? kRisingPart : kRisingPartOfForce;
+    s.growth.prepare(atOnce ? limits : ofTurns, {TurnDifference::kDifferenceArrival, atOnce, part});
+    s.news.prepare(atOnce ? limits : ofTurns, {TurnDifference::kNewsArrival, atOnce, part});
     s.orders.setEvidence(ofTurns.evidence);
   }
 }

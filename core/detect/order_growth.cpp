@@ -46,7 +46,8 @@ constexpr double kStays = 0.5;          // in energy, of what it began at: noise
 void OrderGrowth::prepare(int teeth, int eta, int harmonics) {
   teeth_ = teeth;
   eta_ = eta;
-  learnedAt_ = {};
+  spindle_ = learnedAt_ = {};
+  pull_.reset();
   classes_.assign(static_cast<std::size_t>(std::max(teeth, 0) / 2), {});
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     classes_[i].rest = static_cast<int>(i) + 1;
@@ -80,6 +81,7 @@ void OrderGrowth::relearn() noexcept {
 void OrderGrowth::setSpindle(Hertz spindle) noexcept {
   for (Class& c : classes_) c.onset.setSpindle(spindle);
   stretches_.setSpindle(spindle);
+  spindle_ = spindle;
   if (grown() || std::abs(spindle.value - learnedAt_.value) < kOtherSpeed * spindle.value) return;
   const bool stepped = std::abs(spindle.value - learnedAt_.value) > 2.0 * kOtherSpeed * spindle.value;
   learnedAt_ = spindle;
@@ -102,6 +104,7 @@ void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
     chain.amplitudes(channel, now);
     stretches_.endTurn(now);
     turns_.endTurn(now);
+    pull_.endTurn(spindle_, stretches_.engagementChanges());
     followStretches();
   }
   const std::span<const double> powers = chain.harmonicPowers(channel);
@@ -148,6 +151,15 @@ double OrderGrowth::sense(const Class& c) const noexcept {
   return c.order % teeth_ == c.rest ? 1.0 : -1.0;
 }
 
+// Of its strongest order, turns per turn, but what a moving arc pulls the tracked speed by.
+double OrderGrowth::drift(const Class& c) const noexcept {
+  return pull_.beyond(c.order, turns_.drift(c.order));
+}
+
+bool OrderGrowth::turns(const Class& c) const noexcept {
+  return turns_.turns(c.order) && std::abs(drift(c)) > OrderTurns::kLeastDrift;
+}
+
 // Does the strongest order change by no more than the load may make it? What turns then is the phase of a mode that
 // comes nearer to its limit.
 bool OrderGrowth::explained(const Class& c) const noexcept {
@@ -173,7 +185,7 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  const bool turns = turns_.turns(c.order) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
+  const bool turns = this->turns(c) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
   if (c.own && turns && !explained(c)) return true;
   if (!c.flips) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor() &&
@@ -181,9 +193,9 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
 }
 
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
-  const double drift = turns_.drift(c.order);
+  const double drift = this->drift(c);
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
-  const bool one = isOne(c) && turns_.turns(c.order);
+  const bool one = isOne(c) && this->turns(c);
   const bool on = louder && one && std::abs(drift) > kSpeedDoubts * c.order * speedDoubt;
   const bool turning = one && c.onset.evidence() > 0.0;
   c.turnedBy = turning ? c.turnedBy + sense(c) * drift * turns : 0.0;
@@ -195,9 +207,9 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 // the speed is in doubt, where it doubles and is more than runout becomes, or where it is most of the vibration.
 void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
-  const double drift = turns_.drift(c.order);
+  const double drift = this->drift(c);
   const double least = std::max(OrderTurns::kLeastDrift, kApartDoubts * c.order * speedDoubt);
-  const bool one = isOne(c) && turns_.turns(c.order);
+  const bool one = isOne(c) && this->turns(c);
   const bool apart =
       one && !explained(c) && std::abs(drift) > least && now > std::max(kLouder * c.timed.share(), kSmallestBeside);
   c.apartTurns = apart ? c.apartTurns + turns : 0.0;
@@ -212,7 +224,7 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
 // Period doubling stands still. What a line half way between two orders leaves on both turns by half a turn per turn.
 bool OrderGrowth::doubles(const Class& c) const noexcept {
   const double far = std::max({kFarBeyond * c.timed.share(), kSmallest, products(c)});
-  if (std::abs(turns_.drift(c.order)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
+  if (std::abs(drift(c)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
   return c.doubles ||
          (c.timed.share() < kSmallestBeside && stretches_.growsOn(c.rest) && !stretches_.otherEngagement());
 }

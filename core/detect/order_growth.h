@@ -37,6 +37,7 @@
 #include <complex>
 #include <vector>
 
+#include "core/detect/arc_pull.h"
 #include "core/detect/energy_chain.h"
 #include "core/detect/energy_growth.h"
 #include "core/detect/new_line.h"
@@ -128,6 +129,8 @@ class OrderGrowth {
   double products(const Class& c) const noexcept;
   double share(const Class& c) const noexcept;
   double sense(const Class& c) const noexcept;
+  double drift(const Class& c) const noexcept;
+  bool turns(const Class& c) const noexcept;
   void tell() noexcept;
 
   int teeth_ = 0;
@@ -138,6 +141,7 @@ class OrderGrowth {
   double order_ = 0.0;
   double byLoad_ = 0.0;
   bool doubling_ = false;
+  Hertz spindle_{};
   Hertz learnedAt_{};
   int halfTurnsThere_ = 0;
   int active_ = 0;              // harmonics there are
@@ -147,6 +151,7 @@ class OrderGrowth {
   std::vector<std::complex<double>> now_;
   OrderTurns turns_;
   OrderStretches stretches_;
+  ArcPull pull_;
 };
 
 }  // namespace stillcut::detect

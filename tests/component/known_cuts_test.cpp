@@ -179,9 +179,18 @@ TEST(KnownCuts, RunoutThatAWiderArcBringsOutIsNoDoubling) {
 }
 
 // An arc that widens turns every order a little, and the speed that is tracked by them. Where it stops, that ends at
-// once: new vibration, but none that grows.
+// once: new vibration, but none that grows. In a slot tooth passings cancel, and what turns is nearly all there is.
 TEST(KnownCuts, AnArcThatWidensRaisesNoAlarm) {
   for (const char* name : {"Z3-302", "Z3-309"}) expectSilent(orderOf("stable, immersion ramp", 9, name), 0.0);
+  for (const char* name : {"Z3-2304", "Z3-2306", "Z4-2306"})
+    expectSilent(orderOf("stable, into the slot", 6, name), 0.0);
+}
+
+// Where a corner begins forced vibration changes by a fifth of itself in a turn, before any spectrum can tell of what.
+TEST(KnownCuts, ACornerRaisesNoAlarm) {
+  for (const char* name : {"Z3-2401-slower", "Z3-2405-slower"}) {
+    expectSilent(orderOf("stable, corners and steps", 6, name), 0.0);
+  }
 }
 
 // A spindle whose speed runs away by 5 % a second, told by nobody: what a window finds is over by then, and the phases

@@ -235,7 +235,7 @@ Orders varied(int seeds) {
   return orders;
 }
 
-constexpr std::array<CutFamily, 23> kFamilies{{
+constexpr std::array<CutFamily, 25> kFamilies{{
     {"hopf", "depth rises through the limit", hopf},
     {"depth ramp", "the depth goes on rising through the limit", depthRamp},
     {"immersion ramp", "the width of cut rises through the limit", immersionRamp},
@@ -253,6 +253,8 @@ constexpr std::array<CutFamily, 23> kFamilies{{
     {"stable, face mill in and out", "no chatter", slowPassage},
     {"stable, quick rise", "no chatter", quickRise},
     {"stable, speed drifts", "no chatter", speedDrifts},
+    {"stable, into the slot", "no chatter", intoTheSlot},
+    {"stable, corners and steps", "no chatter", cornersAndSteps},
     {"stable, strong runout", "no chatter", strongStable},
     {"stable, flip", "no chatter", flipStable},
     {"strong runout", "spindle harmonics as strong as the teeth's", strongRunout},

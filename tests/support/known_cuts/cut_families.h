@@ -29,5 +29,7 @@ std::vector<SimulationOrder> slowPassage(int seeds);
 std::vector<SimulationOrder> quickRise(int seeds);
 std::vector<SimulationOrder> strongStable(int seeds);
 std::vector<SimulationOrder> speedDrifts(int seeds);
+std::vector<SimulationOrder> intoTheSlot(int seeds);
+std::vector<SimulationOrder> cornersAndSteps(int seeds);
 
 }  // namespace stillcut::bench

@@ -5,8 +5,22 @@
 #include "tests/support/known_cuts/family_orders.h"
 
 namespace stillcut::bench {
+namespace {
 
 using milling::Scenario;
+
+// The least limit that there is while the arc goes from one width to another, at the scenario's speed.
+double leastLimit(Scenario s, double from, double to) {
+  constexpr int kSteps = 24;
+  double least = 0.03;
+  for (int k = 0; k <= kSteps; ++k) {
+    s.model.engagement.radialImmersion = from + (to - from) * k / kSteps;
+    if (const auto limit = limitOf(s)) least = std::min(least, limit->depth.value);
+  }
+  return least;
+}
+
+}  // namespace
 
 // At 0.9 of the limit in uneven material, and on the way there.
 std::vector<SimulationOrder> slowStable(int seeds) {
@@ -133,6 +147,73 @@ std::vector<SimulationOrder> speedDrifts(int seeds) {
     add(s, "", perSecond);
     for (auto& r : s.model.tool.runout) r = Metres(r.value * 3.0);
     add(s, "-runout", perSecond);
+  });
+  return orders;
+}
+
+// From a fifth of the width to a full slot, where tooth passings cancel and runout is most of what there is; below the
+// limit all the way.
+std::vector<SimulationOrder> intoTheSlot(int seeds) {
+  constexpr double kNarrow = 0.2;
+  Orders orders;
+  const auto add = [&](Scenario s, const char* what, double seconds) {
+    const double depth = 0.8 * leastLimit(s, kNarrow, 1.0);
+    planDepth(s, kPlan, depth, depth);
+    s.programme.immersion.segments = {{0.0, 0.9, kNarrow, kNarrow, milling::RampShape::Linear},
+                                      {0.9, 0.9 + seconds, kNarrow, 1.0, milling::RampShape::Linear}};
+    orders.push_back(order("stable, into the slot", s, AlarmRule::Silent));
+    orders.back().name += what;
+    orders.back().quietTo = 0.9;
+    orders.back().repeats = true;
+  };
+  each(kFast, seeds, 2300, [&](Scenario& s, const milling::StabilityLimit&) {
+    add(s, "", 0.8);
+    add(s, "-quick", 0.2);
+    for (auto& r : s.model.tool.runout) r = Metres(r.value * 4.0);
+    add(s, "-runout", 0.8);
+    add(s, "-quick-runout", 0.2);
+  });
+  return orders;
+}
+
+// What a programme asks of a cut without a word: an inner corner, the same with the feed taken back, steps in the
+// stock, holes that the tool passes over.
+std::vector<SimulationOrder> cornersAndSteps(int seeds) {
+  constexpr double kNarrow = 0.25;
+  constexpr double kWide = 0.75;
+  Orders orders;
+  each(kFast, seeds, 2400, [&](Scenario& s, const milling::StabilityLimit&) {
+    const auto linear = milling::RampShape::Linear;
+    const auto add = [&](const Scenario& cut, const char* what) {
+      orders.push_back(order("stable, corners and steps", cut, AlarmRule::Silent));
+      orders.back().name += what;
+      orders.back().quietTo = 0.9;
+      orders.back().repeats = true;
+    };
+    const double depth = 0.9 * leastLimit(s, kNarrow, kWide);
+    Scenario corner = s;
+    planDepth(corner, kPlan, depth, depth);
+    corner.programme.immersion.segments = {
+        {0.0, 0.9, kNarrow, kNarrow, linear}, {0.9, 1.2, kNarrow, kWide, linear}, {1.2, 1.5, kWide, kNarrow, linear}};
+    add(corner, "-corner");
+    const double feed = s.programme.feedPerTooth.value;
+    corner.programme.feedPerToothOverTime.segments = {
+        {0.0, 0.8, feed, feed, linear}, {0.8, 1.0, feed, 0.4 * feed, linear}, {1.4, 1.6, 0.4 * feed, feed, linear}};
+    add(corner, "-slower");
+    s.model.engagement.radialImmersion = kWide;
+    const double limit = 0.9 * leastLimit(s, kWide, kWide);
+    Scenario step = s;
+    planDepth(step, kPlan, 0.4 * limit, limit);
+    step.programme.depth.segments = {{0.3, 0.35, 0.0, 0.4 * limit, linear},
+                                     {1.0, 1.02, 0.4 * limit, limit, linear},
+                                     {1.5, 1.52, limit, 0.6 * limit, linear}};
+    add(step, "-step");
+    step.programme.depth.segments = {{0.3, 0.35, 0.0, limit, linear}};
+    for (const double at : {0.9, 1.3, 1.7}) {
+      step.programme.depth.segments.push_back({at, at + 0.04, limit, 0.3 * limit, linear});
+      step.programme.depth.segments.push_back({at + 0.08, at + 0.12, 0.3 * limit, limit, linear});
+    }
+    add(step, "-holes");
   });
   return orders;
 }

@@ -111,7 +111,7 @@ TEST(EnergyGrowth, ALevelThatStandsIsNewsNoLongerGrowthIs) {
   const auto watch = [&](double perTurn) {
     stood = false;
     EnergyGrowth growth;
-    growth.prepare({1e-4, 12.0}, TurnDifference::kNewsArrival, true);
+    growth.prepare({1e-4, 12.0}, {TurnDifference::kNewsArrival});
     growth.setSpindle(Hertz(100.0));
     for (int hop = 0; hop < 100 * kHopsPerTurn; ++hop) {
       const double turns = static_cast<double>(hop) / kHopsPerTurn - 30.0;
@@ -134,7 +134,7 @@ double turnsToAlarm(unsigned seed, bool atOnce, double uneven, double grown) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
   EnergyGrowth growth;
-  growth.prepare({1e-4, 15.0}, TurnDifference::kDifferenceArrival, atOnce);
+  growth.prepare({1e-4, 15.0}, {TurnDifference::kDifferenceArrival, atOnce});
   growth.setSpindle(Hertz(100.0));
   for (int hop = 0; hop < 80 * kHopsPerTurn; ++hop) {
     const double turns = static_cast<double>(hop) / kHopsPerTurn - 60.0;
@@ -219,15 +219,15 @@ TEST(OnsetTest, HasItsFloorRaisedWithoutGoingDeaf) {
 }
 
 // A channel on which all is calm for thirty turns of 10 ms; then unrepeated(turns since) [power] beside the floor. What
-// `seen` says of it, hop by hop, for four turns.
+// `seen` says of it, hop by hop, for five turns.
 template <class Unrepeated, class Seen>
 void goesOn(const Unrepeated& unrepeated, const Seen& seen) {
   constexpr double kFloor = 2e-4;
   EnergyGrowth growth;
-  growth.prepare({1e-4, 12.0}, TurnDifference::kNewsArrival, true);
+  growth.prepare({1e-4, 12.0}, {.arrival = TurnDifference::kNewsArrival, .risingPart = 0.15});
   growth.setSpindle(Hertz(100.0));
   constexpr int kCalm = 30 * kHopsPerTurn;
-  for (int hop = 0; hop < kCalm + 4 * kHopsPerTurn; ++hop) {
+  for (int hop = 0; hop < kCalm + 5 * kHopsPerTurn; ++hop) {
     const double turns = (hop - kCalm + 0.5) / kHopsPerTurn;
     const std::array<double, 1> all{1.0};
     const std::array<double, 1> changed{std::sqrt(kFloor + (turns > 0.0 ? unrepeated(turns) : 0.0))};
@@ -260,6 +260,19 @@ TEST(EnergyGrowth, ExponentialGrowthRises) {
            [&](const EnergyGrowth& g, double) { rose = rose || (g.rising() && g.steadyGrowth()); });
     EXPECT_TRUE(rose) << constant;
   }
+}
+
+// ... once it holds the part of the energy that it is asked for: what a forced vibration changes by stays below it.
+TEST(EnergyGrowth, RisesFromItsPartOfTheEnergyOn) {
+  constexpr double kPart = 0.15;
+  constexpr double kConstant = 0.8;  // turns
+  double least = 1.0;
+  goesOn([](double t) { return 1e-4 * std::expm1(2.0 * t / kConstant); },
+         [&](const EnergyGrowth& g, double) {
+           if (g.rising()) least = std::min(least, g.changed());
+         });
+  EXPECT_GT(least, kPart * TurnDifference::kNewsArrival);
+  EXPECT_LT(least, 2.0 * kPart * TurnDifference::kNewsArrival);
 }
 
 // A burst of narrow-band noise comes within a turn and stands for some; a line goes on growing, slowly as well.

@@ -1,0 +1,28 @@
+// What an arc of engagement that moves does to the speed that is tracked.
+//
+// The spindle's speed is told from the phases of the tooth passings, and those move with the arc: while it widens or
+// narrows they turn against the spindle, all alike, and the tracked speed takes that turn for its own. It is off by a
+// tenth of a per cent where a corner is cut, by a third where a slot is entered, for as long as the arc moves and some
+// turns more. What is forced on an order n then seems to turn by n times as much: between the speed from before and the
+// tracked one any turn is the arc's, not a line's. A spindle that slows under the load at the same time only widens
+// what is not told. Not in Caliskan 2018. Thread: worker; real-time.
+#pragma once
+
+#include "core/base/units.h"
+
+namespace stillcut::detect {
+
+class ArcPull {
+ public:
+  void reset() noexcept { *this = {}; }
+  // One turn, at the speed that is tracked; moving: the engagement is changing (order_stretches.h).
+  void endTurn(Hertz spindle, bool moving) noexcept;
+  // Of a drift [turns per turn] of an order: what the pull cannot be the cause of.
+  double beyond(int order, double drift) const noexcept;
+
+ private:
+  double before_ = 0.0;              // Hz, while the engagement stood
+  double least_ = 0.0, most_ = 0.0;  // of the tracked speed over that, relative, within the memory of order_turns.h
+};
+
+}  // namespace stillcut::detect
