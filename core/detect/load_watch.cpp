@@ -14,21 +14,17 @@ namespace {
 constexpr double kSure = 3.0;           // standard deviations of such a change by noise alone
 constexpr double kMostAmplified = 5.0;  // of the load's relative change: a mode's at 80 % of the limit
 
-// Relative change of an amplitude, over the mean of both.
-double change(double now, double before) noexcept {
-  const double sum = std::sqrt(now) + std::sqrt(before);
-  return sum > 0.0 ? 2.0 * (std::sqrt(now) - std::sqrt(before)) / sum : 0.0;
-}
-
-template <class Powers>
-double total(const Powers& powers) noexcept {
-  return std::accumulate(powers.begin(), powers.end(), 0.0);
+template <class Passings>
+double total(const Passings& passings) noexcept {
+  return std::accumulate(passings.begin(), passings.end(), 0.0,
+                         [](double sum, const auto& a) { return sum + std::norm(a); });
 }
 
 }  // namespace
 
-void LoadWatch::prepare(int teeth) noexcept {
+void LoadWatch::prepare(int teeth) {
   teeth_ = teeth;
+  now_.assign(kTeeth * static_cast<std::size_t>(std::max(teeth, 0)), {});
   reset();
 }
 
@@ -39,44 +35,51 @@ void LoadWatch::reset() noexcept {
   newest_ = 0;
 }
 
-// Two passings left out at a time; noise: power in one of them.
-double LoadWatch::least(const Powers& now, const Powers& before, double noise) noexcept {
+// Two passings left out at a time; noise: power in one of them. What they turn by as a speed that is a little off makes
+// them turn, the k-th k times as much, does not count.
+double LoadWatch::least(const Passings& now, const Passings& before, double noise) noexcept {
   double found = 2.0;
   for (std::size_t skip = 0; skip + 1 < kTeeth; ++skip) {
-    double sum = 0.0;
-    double sumBefore = 0.0;
-    for (std::size_t i = 0; i < kTeeth; ++i) {
-      if (i == skip || i == skip + 1) continue;
-      sum += now[i];
-      sumBefore += before[i];
-    }
-    const double changed = std::abs(change(sum, sumBefore));
-    const bool sure = changed * changed * sum > kSure * kSure * noise;
-    found = std::min(found, sure ? changed : 0.0);
+    const auto sum = [&](const auto& of) {
+      double all = 0.0;
+      for (std::size_t i = 0; i < kTeeth; ++i) all += i == skip || i == skip + 1 ? 0.0 : of(i);
+      return all;
+    };
+    const auto k = [](std::size_t i) { return static_cast<double>(i + 1); };
+    const auto product = [&](std::size_t i) { return now[i] * std::conj(before[i]); };
+    const double weight = sum([&](std::size_t i) { return k(i) * k(i) * std::abs(product(i)); });
+    const double angle = weight > 0.0 ? sum([&](std::size_t i) { return k(i) * std::imag(product(i)); }) / weight : 0.0;
+    const double moved =
+        sum([&](std::size_t i) { return std::norm(now[i] * std::polar(1.0, -angle * k(i)) - before[i]); });
+    const double mean = sum([&](std::size_t i) { return 0.5 * (std::norm(now[i]) + std::norm(before[i])); });
+    const bool sure = moved > 2.0 * kSure * kSure * noise;
+    found = std::min(found, sure && mean > 0.0 ? std::sqrt(moved / mean) : 0.0);
   }
   return found;
 }
 
+// With one tooth every order is a tooth passing, and chatter anywhere turns all of them.
 void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle,
                         double noise) noexcept {
-  if (teeth_ < 1) return;
-  const std::span<const double> powers = chain.harmonicPowers(channel);
-  Powers now{};
+  if (teeth_ < 2) return;
+  const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), now_.size());
+  chain.amplitudes(channel, std::span(now_).first(count));
+  Passings now{};
   for (std::size_t i = 0; i < kTeeth; ++i) {
     const std::size_t n = (i + 1) * static_cast<std::size_t>(teeth_);
-    now[i] = n <= powers.size() ? powers[n - 1] : 0.0;
+    now[i] = n <= count ? now_[n - 1] : 0.0;
   }
   double found = least(now, before_, noise * chain.forced(channel, 0));
   before_ = now;
   if (found > kQuickly) {
-    Powers newer{};
-    Powers older{};
+    Passings newer{};
+    Passings older{};
     for (std::size_t i = 0; i < kTeeth; ++i) {
       const std::size_t n = (i + 1) * static_cast<std::size_t>(teeth_);
       std::array<std::complex<double>, 2> turns{};
-      if (n > powers.size() || !vibration.turnsOf(channel, spindle * static_cast<double>(n), spindle, turns)) continue;
-      newer[i] = std::norm(turns[0]);
-      older[i] = std::norm(turns[1]);
+      if (n > count || !vibration.turnsOf(channel, spindle * static_cast<double>(n), spindle, turns)) continue;
+      newer[i] = turns[0];
+      older[i] = turns[1];
     }
     // Noise is known by the filter's powers, and the windows hold each by the same factor.
     const double scale = total(newer) / std::max(total(now), 1e-300);

@@ -5,15 +5,18 @@
 // changes by more than the load does, and in phase as well: a share s of the load makes s p / (1 - s g) of it, whose
 // logarithm changes by ds / s / (1 - s g), up to five times as much as the load's at 80 % of the limit. Chatter beside
 // an order turns it and grows whether the load changes or not. So the load is measured where that line is not: on the
-// tooth passings but the two that it lies between, whichever two leave the least. While it changes quickly, and
-// some turns after, an order must change by more than that from one turn to the next. What changes by a few per cent a
-// turn is slow for the turn difference but where it begins; but runout on a mode may be most of the vibration, and then
-// all of the news, and the turning of that order, may be no more than five times the load's change. Not in Caliskan
-// 2018.
+// tooth passings but the two that it lies between, whichever two leave the least; in size and phase, for an arc that
+// moves may change their pattern and not what they are in all. While it changes quickly, and some turns after, an order
+// must change by more than that from one turn to the next. What changes by a few per cent a turn is slow for the turn
+// difference but where it begins; but runout on a mode may be most of the vibration, and then all of the news, and the
+// turning of that order, may be no more than five times the load's change. Of a tool with one tooth nothing is said.
+// Not in Caliskan 2018.
 // Thread: worker; real-time.
 #pragma once
 
 #include <array>
+#include <complex>
+#include <vector>
 
 #include "core/detect/energy_chain.h"
 #include "core/detect/new_line.h"
@@ -22,7 +25,7 @@ namespace stillcut::detect {
 
 class LoadWatch {
  public:
-  void prepare(int teeth) noexcept;
+  void prepare(int teeth);
   void reset() noexcept;
   // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage do.
   // noise: its power in one order of a window of two turns, over that of all forced vibration. Where tooth passings
@@ -47,13 +50,14 @@ class LoadWatch {
   // Of the amplitude in a turn: what is slower leaves less in the turn difference than the smallest onset, 3 %, for at
   // five times the load that is twenty times the change's square and twice as much again by its own curvature.
   static constexpr double kQuickly = 0.05;
-  using Powers = std::array<double, kTeeth>;  // of the tooth passings
-  static double least(const Powers& now, const Powers& before, double noise) noexcept;
+  using Passings = std::array<std::complex<double>, kTeeth>;  // amplitudes
+  static double least(const Passings& now, const Passings& before, double noise) noexcept;
   double most() const noexcept;
   double mostBent() const noexcept;
 
   int teeth_ = 0;
-  Powers before_{};  // a turn ago
+  Passings before_{};  // a turn ago
+  std::vector<std::complex<double>> now_;
   std::array<double, kTurns> changes_{};
   std::array<double, kTurns> bends_{};  // of the change, from turn to turn
   std::size_t newest_ = 0;

@@ -18,11 +18,13 @@ constexpr Hertz kSpindle(13.7);
 constexpr int kTeeth = 4;
 
 struct Made {
-  double rise = 0.0;   // per turn, of the load, from the twelfth turn on
-  double line = 0.0;   // amplitude of a line beside order 15 by the end
-  double teeth = 1.0;  // amplitude of the first tooth passing
-  double noise = 0.0;  // standard deviation
-  double moved = 0.0;  // what a mode makes of order 15 beyond its load, in radians a turn
+  double rise = 0.0;    // per turn, of the load, from the twelfth turn on
+  double line = 0.0;    // amplitude of a line beside order 15 by the end
+  double teeth = 1.0;   // amplitude of the first tooth passing
+  double noise = 0.0;   // standard deviation
+  double moved = 0.0;   // what a mode makes of order 15 beyond its load, in radians a turn
+  double bent = 0.0;    // radians a turn of the first tooth passing, k^2 times as much of the k-th: an arc that moves
+  double turned = 0.0;  // ... k times as much: a speed that is off
 };
 
 // Eighteen turns of six tooth passings and runout on a mode at order 15; then what the watch says of order 15.1.
@@ -41,7 +43,10 @@ Heard hear(const Made& made) {
     const double turns = static_cast<double>(n) / turn;
     const double risen = std::max(0.0, turns - 12.0);
     const double load = std::exp(made.rise * risen);
-    for (int k = 1; k <= 6; ++k) x[n] += made.teeth * load / k * std::cos(kTwoPi * k * kTeeth * turns + 0.3 * k);
+    for (int k = 1; k <= 6; ++k) {
+      const double by = 0.3 * k + risen * (made.bent * k * k + made.turned * k);
+      x[n] += made.teeth * load / k * std::cos(kTwoPi * k * kTeeth * turns + by);
+    }
     x[n] += load * std::cos(kTwoPi * 15.0 * turns + made.moved * risen);
     x[n] += made.noise * noise(engine);
     x[n] += made.line * std::exp(turns - 18.0) * std::cos(kTwoPi * 15.1 * turns);
@@ -107,7 +112,14 @@ TEST(LoadWatch, ChatterIsNotExplainedByARiseOfTheLoad) {
 // At full immersion tooth passings cancel: what is left of them are the changes of noise.
 TEST(LoadWatch, NoiseIsNoLoad) {
   EXPECT_FALSE(hear({.teeth = 0.05, .noise = 0.3}).quick);
-  EXPECT_TRUE(hear({.rise = 0.15, .noise = 0.3}).quick);
+  EXPECT_TRUE(hear({.rise = 0.15, .noise = 0.2}).quick);
+}
+
+// No passing becomes larger or smaller; what they are to each other changes.
+TEST(LoadWatch, AnArcThatMovesIsALoadThatChanges) {
+  EXPECT_TRUE(hear({.bent = 0.05}).quick);
+  EXPECT_TRUE(hear({.moved = 0.2, .bent = 0.05}).explained);
+  EXPECT_FALSE(hear({.turned = 0.1}).quick) << "a speed that is off moves none against the other";
 }
 
 // It lies between two passings, and they are left out.
