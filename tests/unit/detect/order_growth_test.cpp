@@ -126,6 +126,25 @@ TEST(BesideAnOrder, ChatterIsSeenAndNamed) {
   }
 }
 
+// Chatter with an e-fold in forty turns is taken for a mode that settles, and so is what has grown as large as it gets.
+// That holds it back for some time and not for good.
+TEST(BesideAnOrder, ChatterThatHardlyGrowsIsKnownOnceItIsFull) {
+  for (const unsigned seed : {61U, 62U}) {
+    CutSignal s = withTeeth(4, seed);
+    s.chatterHertz = 7.03 * s.spindle;
+    s.speedSd = 1e-4;
+    s.growthStart = 2.5;
+    s.growthConstant = 0.4;
+    s.cap = 2.0;
+    s.seconds = 6.5;
+    const RunResult r = run(makeCut(s), told(s));
+    const double full = s.growthStart + s.growthConstant * std::log(s.cap / s.startAmplitude);
+    EXPECT_GT(r.firstAlarm, s.growthStart) << "seed " << seed;
+    EXPECT_LT(r.firstAlarm, full + 48.0 / s.spindle) << "seed " << seed;
+    EXPECT_EQ(r.verdicts.back().state, CutState::Chatter) << "seed " << seed;
+  }
+}
+
 // A mode near the limit amplifies an order of runout to half the main harmonic: it stands still against the spindle.
 TEST(BesideAnOrder, RunoutThatAModeAmplifiesIsNone) {
   for (const double order : {7.0, 15.0}) {

@@ -113,6 +113,19 @@ TEST(OrderPole, OfNowIsFoundWhileTheLoadMovesIt) {
   EXPECT_FALSE(fits(1.1, 25.0).second.settles(Hertz(kSpindle)));
 }
 
+// An e-fold in thirty turns is none to wait for at a hundred turns a second; at five hundred it is chatter of 70 ms.
+TEST(OrderPole, SettlesByTheTimeThatItTakes) {
+  OrderPole of;
+  of.doubt = 1e-3;
+  of.pole = 0.03;
+  EXPECT_TRUE(of.settles(Hertz(100.0)));
+  EXPECT_FALSE(of.settles(Hertz(500.0)));
+  of.pole = 0.015;
+  EXPECT_TRUE(of.settles(Hertz(500.0)));
+  of.doubt = 0.02;
+  EXPECT_FALSE(of.settles(Hertz(100.0))) << "it is not sure";
+}
+
 // However near its limit, and however quickly it comes there.
 TEST(OrderPole, OfAStableCutRaisesNoAlarm) {
   for (const double to : {0.9, 0.97}) {
