@@ -2,10 +2,10 @@
 //
 // The spindle's speed is told from the phases of the tooth passings, and those move with the arc: while it widens or
 // narrows they turn against the spindle, all alike, and the tracked speed takes that turn for its own. It is off by a
-// tenth of a per cent where a corner is cut, by a third where a slot is entered, for as long as the arc moves and some
-// turns more. What is forced on an order n then seems to turn by n times as much: between the speed from before and the
-// tracked one any turn is the arc's, not a line's. A spindle that slows under the load at the same time only widens
-// what is not told. Not in Caliskan 2018. Thread: worker; real-time.
+// tenth of a per cent in a corner, by a third where a slot is entered, as long as the arc moves and some turns more.
+// What is forced on an order n then seems to turn by n times as much the other way: of a drift between nothing and
+// that, nobody knows that it is a line's. A speed that stays where it is for seconds is the spindle's, whatever the
+// pattern of the tooth passings does meanwhile. Not in Caliskan 2018. Thread: worker; real-time.
 #pragma once
 
 #include "core/base/units.h"

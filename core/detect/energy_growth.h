@@ -19,9 +19,9 @@ class EnergyGrowth {
   static constexpr int kLeapHops = 3 * kHopsPerTurn;  // after a leap two turns are compared with it
 
   struct Statistic {
-    double arrival = 1.0;      // part of the power of a line that it passes during the line's first turn
-    bool atOnce = true;        // evidence counts every hop as it comes, not the whole turn up to it: half a turn sooner
-    double risingPart = 0.15;  // of the vibration's energy, that growth which no spectrum is waited for has to hold
+    double arrival = 1.0;     // part of the power of a line that it passes during the line's first turn
+    bool atOnce = true;       // evidence counts every hop as it comes, not the whole turn up to it: half a turn sooner
+    double risingPart = 0.0;  // of the vibration's energy, that growth which no spectrum is waited for has to hold
   };
   void prepare(const OnsetTest::Limits& limits, const Statistic& statistic) noexcept {
     onset_.prepare(limits);

@@ -43,10 +43,15 @@ constexpr Hertz kLeastBand{2500.0};  // tools chatter up to there at any speed
 constexpr int kBandOrder = 4;
 constexpr double kSameBand = 0.02;
 // Growth so fast that no spectrum is waited for soon holds this much of the energy, and forced vibration does not
-// change by as much in a turn. Of a force chatter is less, for the tooth passings stand below it.
+// change by as much in a turn. Force, displacement and the spindle's speed and current hold less of chatter, which
+// stands above the tooth passings; theirs is what has been asked of every kind.
 constexpr double kRisingPart = 0.15;
-constexpr double kRisingPartOfForce = 0.02;
+constexpr double kRisingPartOfSlow = 0.02;
 constexpr double kOfTurns = 0.8;  // of the evidence asked for, where means of a turn count: they scatter less than hops
+
+bool hearsTheSlowMost(SensorQuantity q) noexcept {
+  return isIntegral(q) || q == SensorQuantity::Force || q == SensorQuantity::Displacement;
+}
 
 }  // namespace
 
@@ -112,7 +117,7 @@ void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
     // A load that ends is a step in an integral of the torque, which a whole turn takes the edge off.
     const bool atOnce = !isIntegral(s.quantity);
     const OnsetTest::Limits ofTurns{smallest_, kOfTurns * limits.evidence};
-    const double part = atOnce && s.quantity != SensorQuantity::Force ? kRisingPart : kRisingPartOfForce;
+    const double part = hearsTheSlowMost(s.quantity) ? kRisingPartOfSlow : kRisingPart;
     s.growth.prepare(atOnce ? limits : ofTurns, {TurnDifference::kDifferenceArrival, atOnce, part});
     s.news.prepare(atOnce ? limits : ofTurns, {TurnDifference::kNewsArrival, atOnce, part});
     s.orders.setEvidence(ofTurns.evidence);
@@ -166,6 +171,7 @@ void EnergyRatioDetector::restart() noexcept {
   for (dsp::Butterworth& filter : lowPass_) filter.reset();
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->restart();
+    s.orders.restart();
     s.ratio = 0.0;
   }
   inHop_ = 0;
@@ -177,6 +183,7 @@ void EnergyRatioDetector::restart() noexcept {
 void EnergyRatioDetector::leaveCut() noexcept {
   relearn();
   for (RatioChannel& s : channelStates_) {
+    s.orders.restart();
     s.forced.reset();
     s.load.reset();
   }

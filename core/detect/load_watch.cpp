@@ -11,7 +11,10 @@
 namespace stillcut::detect {
 namespace {
 
-constexpr double kSure = 3.0;           // standard deviations of such a change by noise alone
+// Over the noise's power in one passing: eight parts of four passings move by seven of it on average by noise alone,
+// and by so much once in two hundred turns.
+constexpr double kSure = 18.0;
+constexpr int kFits = 2;                // of an angle that is not small
 constexpr double kMostAmplified = 5.0;  // of the load's relative change: a mode's at 80 % of the limit
 
 template <class Passings>
@@ -24,7 +27,7 @@ double total(const Passings& passings) noexcept {
 
 void LoadWatch::prepare(int teeth) {
   teeth_ = teeth;
-  now_.assign(kTeeth * static_cast<std::size_t>(std::max(teeth, 0)), {});
+  orders_.assign(kTeeth * static_cast<std::size_t>(std::max(teeth, 0)), {});
   reset();
 }
 
@@ -33,41 +36,66 @@ void LoadWatch::reset() noexcept {
   changes_ = {};
   bends_ = {};
   newest_ = 0;
+  quickTurns_ = 0;
+  calmTurns_ = 0;
 }
 
-// Two passings left out at a time; noise: power in one of them. What they turn by as a speed that is a little off makes
-// them turn, the k-th k times as much, does not count.
+// What the passings but two turn by as a speed that is a little off makes them turn, the k-th k times as much.
+double LoadWatch::angleOf(const Passings& now, const Passings& before, std::size_t skip) noexcept {
+  double angle = 0.0;
+  for (int fit = 0; fit < kFits; ++fit) {
+    double turned = 0.0;
+    double weight = 0.0;
+    for (std::size_t i = 0; i < kTeeth; ++i) {
+      if (i == skip || i == skip + 1) continue;
+      const auto k = static_cast<double>(i + 1);
+      const std::complex<double> left = now[i] * std::conj(before[i]) * std::polar(1.0, -angle * k);
+      turned += k * left.imag();
+      weight += k * k * std::abs(left);
+    }
+    angle += weight > 0.0 ? turned / weight : 0.0;
+  }
+  return angle;
+}
+
+// Two passings left out at a time, and that angle; noise: power in one of them.
 double LoadWatch::least(const Passings& now, const Passings& before, double noise) noexcept {
   double found = 2.0;
   for (std::size_t skip = 0; skip + 1 < kTeeth; ++skip) {
-    const auto sum = [&](const auto& of) {
-      double all = 0.0;
-      for (std::size_t i = 0; i < kTeeth; ++i) all += i == skip || i == skip + 1 ? 0.0 : of(i);
-      return all;
-    };
-    const auto k = [](std::size_t i) { return static_cast<double>(i + 1); };
-    const auto product = [&](std::size_t i) { return now[i] * std::conj(before[i]); };
-    const double weight = sum([&](std::size_t i) { return k(i) * k(i) * std::abs(product(i)); });
-    const double angle = weight > 0.0 ? sum([&](std::size_t i) { return k(i) * std::imag(product(i)); }) / weight : 0.0;
-    const double moved =
-        sum([&](std::size_t i) { return std::norm(now[i] * std::polar(1.0, -angle * k(i)) - before[i]); });
-    const double mean = sum([&](std::size_t i) { return 0.5 * (std::norm(now[i]) + std::norm(before[i])); });
-    const bool sure = moved > 2.0 * kSure * kSure * noise;
-    found = std::min(found, sure && mean > 0.0 ? std::sqrt(moved / mean) : 0.0);
+    const double angle = angleOf(now, before, skip);
+    double moved = 0.0;
+    double mean = 0.0;
+    for (std::size_t i = 0; i < kTeeth; ++i) {
+      if (i == skip || i == skip + 1) continue;
+      moved += std::norm(now[i] * std::polar(1.0, -angle * static_cast<double>(i + 1)) - before[i]);
+      mean += 0.5 * (std::norm(now[i]) + std::norm(before[i]));
+    }
+    found = std::min(found, moved > kSure * noise && mean > 0.0 ? std::sqrt(moved / mean) : 0.0);
   }
   return found;
+}
+
+double LoadWatch::bounded(double change) noexcept {
+  if (change > kQuickly) {
+    ++quickTurns_;
+    calmTurns_ = 0;
+  } else if (++calmTurns_ >= kTurns) {
+    quickTurns_ = 0;
+  }
+  quickTurns_ = std::min(quickTurns_, kMostTurns + 1);
+  return quickTurns_ > kMostTurns ? 0.0 : change;
 }
 
 // With one tooth every order is a tooth passing, and chatter anywhere turns all of them.
 void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle,
                         double noise) noexcept {
   if (teeth_ < 2) return;
-  const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), now_.size());
-  chain.amplitudes(channel, std::span(now_).first(count));
+  const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), orders_.size());
+  chain.amplitudes(channel, std::span(orders_).first(count));
   Passings now{};
   for (std::size_t i = 0; i < kTeeth; ++i) {
     const std::size_t n = (i + 1) * static_cast<std::size_t>(teeth_);
-    now[i] = n <= count ? now_[n - 1] : 0.0;
+    now[i] = n <= count ? orders_[n - 1] : 0.0;
   }
   double found = least(now, before_, noise * chain.forced(channel, 0));
   before_ = now;
@@ -85,6 +113,7 @@ void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int 
     const double scale = total(newer) / std::max(total(now), 1e-300);
     found = least(newer, older, noise * scale * chain.forced(channel, 0));
   }
+  found = bounded(found);
   const double before = changes_[newest_];
   newest_ = (newest_ + 1) % kTurns;
   changes_[newest_] = found;

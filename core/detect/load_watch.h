@@ -9,9 +9,10 @@
 // moves may change their pattern and not what they are in all. While it changes quickly, and some turns after, an order
 // must change by more than that from one turn to the next. What changes by a few per cent a turn is slow for the turn
 // difference but where it begins; but runout on a mode may be most of the vibration, and then all of the news, and the
-// turning of that order, may be no more than five times the load's change. Of a tool with one tooth nothing is said.
-// Not in Caliskan 2018.
-// Thread: worker; real-time.
+// turning of that order, may be no more than five times the load's change. Chatter beside a tooth
+// passing has side lines beside all of them and moves them all: what lasts for longer than a load can change is none.
+// Of a tool with one tooth, where any chatter does that, nothing is said. Not in Caliskan 2018.
+// Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <array>
@@ -50,14 +51,19 @@ class LoadWatch {
   // Of the amplitude in a turn: what is slower leaves less in the turn difference than the smallest onset, 3 %, for at
   // five times the load that is twenty times the change's square and twice as much again by its own curvature.
   static constexpr double kQuickly = 0.05;
+  static constexpr int kMostTurns = 32;                       // by as much as that in each: fivefold
   using Passings = std::array<std::complex<double>, kTeeth>;  // amplitudes
+  double bounded(double change) noexcept;
+  static double angleOf(const Passings& now, const Passings& before, std::size_t skip) noexcept;
   static double least(const Passings& now, const Passings& before, double noise) noexcept;
   double most() const noexcept;
   double mostBent() const noexcept;
 
   int teeth_ = 0;
-  Passings before_{};  // a turn ago
-  std::vector<std::complex<double>> now_;
+  Passings before_{};                         // a turn ago
+  std::vector<std::complex<double>> orders_;  // of now
+  int quickTurns_ = 0;                        // but for shorter pauses than the memory
+  std::size_t calmTurns_ = 0;
   std::array<double, kTurns> changes_{};
   std::array<double, kTurns> bends_{};  // of the change, from turn to turn
   std::size_t newest_ = 0;

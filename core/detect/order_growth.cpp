@@ -151,13 +151,20 @@ double OrderGrowth::sense(const Class& c) const noexcept {
   return c.order % teeth_ == c.rest ? 1.0 : -1.0;
 }
 
-// Of its strongest order, turns per turn, but what a moving arc pulls the tracked speed by.
-double OrderGrowth::drift(const Class& c) const noexcept {
-  return pull_.beyond(c.order, turns_.drift(c.order));
+// Of its strongest order, turns per turn, but what a moving arc pulls the tracked speed by. What is known to be chatter
+// turns by itself, whatever the arc does.
+double OrderGrowth::ownDrift(const Class& c) const noexcept {
+  const double drift = turns_.drift(c.order);
+  return c.counts ? drift : pull_.beyond(c.order, drift);
 }
 
-bool OrderGrowth::turns(const Class& c) const noexcept {
-  return turns_.turns(c.order) && std::abs(drift(c)) > OrderTurns::kLeastDrift;
+bool OrderGrowth::turnsByItself(const Class& c) const noexcept {
+  return turns_.turns(c.order) && std::abs(ownDrift(c)) > OrderTurns::kLeastDrift;
+}
+
+// It turns, and nobody knows whether by itself: what it has turned by so far stands.
+bool OrderGrowth::pulled(const Class& c) const noexcept {
+  return isOne(c) && turns_.turns(c.order) && !turnsByItself(c);
 }
 
 // Does the strongest order change by no more than the load may make it? What turns then is the phase of a mode that
@@ -185,7 +192,7 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  const bool turns = this->turns(c) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
+  const bool turns = turnsByItself(c) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
   if (c.own && turns && !explained(c)) return true;
   if (!c.flips) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor() &&
@@ -193,9 +200,10 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
 }
 
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
-  const double drift = this->drift(c);
+  if (pulled(c)) return;
+  const double drift = ownDrift(c);
   const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
-  const bool one = isOne(c) && this->turns(c);
+  const bool one = isOne(c) && turnsByItself(c);
   const bool on = louder && one && std::abs(drift) > kSpeedDoubts * c.order * speedDoubt;
   const bool turning = one && c.onset.evidence() > 0.0;
   c.turnedBy = turning ? c.turnedBy + sense(c) * drift * turns : 0.0;
@@ -207,13 +215,15 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 // the speed is in doubt, where it doubles and is more than runout becomes, or where it is most of the vibration.
 void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
   const double now = share(c);
-  const double drift = this->drift(c);
+  const double drift = ownDrift(c);
   const double least = std::max(OrderTurns::kLeastDrift, kApartDoubts * c.order * speedDoubt);
-  const bool one = isOne(c) && this->turns(c);
+  const bool one = isOne(c) && turnsByItself(c);
   const bool apart =
       one && !explained(c) && std::abs(drift) > least && now > std::max(kLouder * c.timed.share(), kSmallestBeside);
-  c.apartTurns = apart ? c.apartTurns + turns : 0.0;
-  c.apartBy = apart ? c.apartBy + sense(c) * drift * turns : 0.0;
+  if (!pulled(c)) {
+    c.apartTurns = apart ? c.apartTurns + turns : 0.0;
+    c.apartBy = apart ? c.apartBy + sense(c) * drift * turns : 0.0;
+  }
   if (c.flips)
     c.doubles = doubles(c);
   else
@@ -224,7 +234,7 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
 // Period doubling stands still. What a line half way between two orders leaves on both turns by half a turn per turn.
 bool OrderGrowth::doubles(const Class& c) const noexcept {
   const double far = std::max({kFarBeyond * c.timed.share(), kSmallest, products(c)});
-  if (std::abs(drift(c)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
+  if (std::abs(ownDrift(c)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
   return c.doubles ||
          (c.timed.share() < kSmallestBeside && stretches_.growsOn(c.rest) && !stretches_.otherEngagement());
 }
@@ -348,7 +358,7 @@ void OrderGrowth::tell() noexcept {
     if (!c.counts || !isOne(c) || c.strongest <= strongest) continue;
     strongest = c.strongest;
     const double drift = turns_.drift(c.order);
-    doubling_ = c.flips && std::abs(drift) < kStill;
+    doubling_ = c.flips && std::abs(pull_.beyond(c.order, drift)) < kStill;
     order_ = c.order + (doubling_ ? 0.0 : drift);
   }
 }

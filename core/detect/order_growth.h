@@ -25,13 +25,13 @@
 // - whose class, not of period doubling, has twice the amplitude of all others together and ten times what it was, by
 //   itself and against them: chatter that takes the tracked speed along turns against nothing. (Runout on a mode
 //   becomes four times what it was where it is that much, as the width of cut rises to nine tenths of the limit.)
-// Not believed are a class that holds no more than teeth which leave the material make of runout on two others, and,
-// while the arc of engagement changes, an order that has not yet turned by a quarter of a turn: such an arc pulls the
-// tracked speed by a tenth of a per cent for some turns, by a quarter of one for seconds where a face mill leaves the
-// work. For three windows of the fit no class (of period doubling: for as long as it does) begins to be chatter while
-// its strongest order surely settles (order_pole.h): at 0.95 of the limit a mode beats with runout for tens of turns,
-// turns with it and becomes many times louder. Tooth-passing orders are not tested: what grows there may be the load.
-// Not in Caliskan 2018. Thread: worker; everything but prepare() is real-time.
+// Not believed are a class that holds no more than teeth which leave the material make of runout on two others, a
+// turning that is no more than what an arc which moves pulls the tracked speed by (arc_pull.h), and, while the
+// engagement changes, an order that has not yet turned by a quarter of a turn beyond that. For three windows of the fit
+// no class (of period doubling: for as long as it does) begins to be chatter while its strongest order surely settles
+// (order_pole.h): at 0.95 of the limit a mode beats with runout for tens of turns, turns with it and becomes many times
+// louder. Tooth-passing orders are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker;
+// everything but prepare() is real-time.
 #pragma once
 
 #include <complex>
@@ -54,6 +54,8 @@ class OrderGrowth {
   void prepare(int teeth, int eta, int harmonics);
   void setEvidence(double evidence) noexcept;
   void relearn() noexcept;
+  // Another cut, or after a gap; what was learned stays.
+  void restart() noexcept { pull_.reset(); }
   // What modes make of runout changes with the speed: beyond a part of their damping's width the floors count as much
   // more as a mode's flank is steep, and where the speed has stepped they are learned anew. So is the floor of period
   // doubling at every such part: runout of alternate teeth on a mode that its order crosses is like the beginning of
@@ -99,7 +101,7 @@ class OrderGrowth {
     bool unstable = false;    // has grown as an instability does since its share began to
     bool counts = false;      // it is chatter
     double alarmTurns = 0.0;  // its share has grown and it does not count
-    double turned = 0.0;      // turns of the strongest order against the spindle, since it is louder
+    double turned = 0.0;      // turns of the strongest order, by itself, since it is louder
     double turnedBy = 0.0;    // ... since there is evidence that its share grows
     double apartTurns = 0.0;  // turns since it is far above the timed floor and turns
     double apartBy = 0.0;     // ... and by how many it has turned since
@@ -129,8 +131,9 @@ class OrderGrowth {
   double products(const Class& c) const noexcept;
   double share(const Class& c) const noexcept;
   double sense(const Class& c) const noexcept;
-  double drift(const Class& c) const noexcept;
-  bool turns(const Class& c) const noexcept;
+  double ownDrift(const Class& c) const noexcept;
+  bool turnsByItself(const Class& c) const noexcept;
+  bool pulled(const Class& c) const noexcept;
   void tell() noexcept;
 
   int teeth_ = 0;

@@ -25,9 +25,11 @@ struct Made {
   double moved = 0.0;   // what a mode makes of order 15 beyond its load, in radians a turn
   double bent = 0.0;    // radians a turn of the first tooth passing, k^2 times as much of the k-th: an arc that moves
   double turned = 0.0;  // ... k times as much: a speed that is off
+  double beside = 0.0;  // amplitude of lines 0.15 orders beside every passing, from the twelfth turn on
+  double turns = 18.0;
 };
 
-// Eighteen turns of six tooth passings and runout on a mode at order 15; then what the watch says of order 15.1.
+// Turns of six tooth passings and runout on a mode at order 15; then what the watch says of order 15.1.
 struct Heard {
   bool quick = false, explained = false;
   LoadWatch watch;
@@ -35,7 +37,7 @@ struct Heard {
 
 Heard hear(const Made& made) {
   const double turn = kRate / kSpindle.value;
-  const auto frames = static_cast<std::size_t>(18.0 * turn);
+  const auto frames = static_cast<std::size_t>(made.turns * turn);
   std::vector<double> x(frames);
   std::mt19937 engine(7);
   std::normal_distribution<double> noise;
@@ -46,10 +48,11 @@ Heard hear(const Made& made) {
     for (int k = 1; k <= 6; ++k) {
       const double by = 0.3 * k + risen * (made.bent * k * k + made.turned * k);
       x[n] += made.teeth * load / k * std::cos(kTwoPi * k * kTeeth * turns + by);
+      if (risen > 0.0) x[n] += made.beside / k * std::cos(kTwoPi * (k * kTeeth + 0.15) * turns + k * k);
     }
     x[n] += load * std::cos(kTwoPi * 15.0 * turns + made.moved * risen);
     x[n] += made.noise * noise(engine);
-    x[n] += made.line * std::exp(turns - 18.0) * std::cos(kTwoPi * 15.1 * turns);
+    x[n] += made.line * std::exp(turns - made.turns) * std::cos(kTwoPi * 15.1 * turns);
   }
   EnergyChain chain;
   chain.prepare({1, 32, 8, kTeeth, Hertz(kRate), kSpindle * 0.5, false}, dsp::kernels::bestKernels());
@@ -119,7 +122,14 @@ TEST(LoadWatch, NoiseIsNoLoad) {
 TEST(LoadWatch, AnArcThatMovesIsALoadThatChanges) {
   EXPECT_TRUE(hear({.bent = 0.05}).quick);
   EXPECT_TRUE(hear({.moved = 0.2, .bent = 0.05}).explained);
-  EXPECT_FALSE(hear({.turned = 0.1}).quick) << "a speed that is off moves none against the other";
+  for (const double turned : {0.1, 0.25})
+    EXPECT_FALSE(hear({.turned = turned}).quick) << "a speed that is off moves none against the other";
+}
+
+// Lines beside all passings, as chatter has that is beside one, move all of them for as long as it lasts.
+TEST(LoadWatch, ChatterBesideEveryPassingIsALoadForSomeTurnsOnly) {
+  EXPECT_TRUE(hear({.beside = 0.3, .turns = 24.0}).quick);
+  for (const double turns : {60.0, 61.0, 62.0}) EXPECT_FALSE(hear({.beside = 0.3, .turns = turns}).quick) << turns;
 }
 
 // It lies between two passings, and they are left out.
