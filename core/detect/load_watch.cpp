@@ -11,8 +11,8 @@
 namespace stillcut::detect {
 namespace {
 
-// Over the noise's power in one passing: eight parts of four passings move by seven of it on average by noise alone,
-// and by so much once in two hundred turns.
+// Over the noise's power in one passing: by noise alone the eight parts of four passings, less the angle, move by seven
+// of it on average, and by so much once in some eighty turns (chi-square).
 constexpr double kSure = 18.0;
 constexpr int kFits = 2;                // of an angle that is not small
 constexpr double kMostAmplified = 5.0;  // of the load's relative change: a mode's at 80 % of the limit

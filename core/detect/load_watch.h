@@ -9,9 +9,9 @@
 // moves may change their pattern and not what they are in all. While it changes quickly, and some turns after, an order
 // must change by more than that from one turn to the next. What changes by a few per cent a turn is slow for the turn
 // difference but where it begins; but runout on a mode may be most of the vibration, and then all of the news, and the
-// turning of that order, may be no more than five times the load's change. Chatter beside a tooth
-// passing has side lines beside all of them and moves them all: what lasts for longer than a load can change is none.
-// Of a tool with one tooth, where any chatter does that, nothing is said. Not in Caliskan 2018.
+// turning of that order, may be no more than five times the load's change. Chatter beside a tooth passing has side
+// lines beside all of them and moves them all: what lasts for longer than a load can change is none. Of a tool with one
+// tooth, where any chatter does that, nothing is said. Not in Caliskan 2018.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 

@@ -47,7 +47,7 @@ void OrderGrowth::prepare(int teeth, int eta, int harmonics) {
   teeth_ = teeth;
   eta_ = eta;
   spindle_ = learnedAt_ = {};
-  pull_.reset();
+  restart();
   classes_.assign(static_cast<std::size_t>(std::max(teeth, 0) / 2), {});
   for (std::size_t i = 0; i < classes_.size(); ++i) {
     classes_[i].rest = static_cast<int>(i) + 1;

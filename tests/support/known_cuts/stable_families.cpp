@@ -9,15 +9,29 @@ namespace {
 
 using milling::Scenario;
 
-// The least limit that there is while the arc goes from one width to another, at the scenario's speed.
-double leastLimit(Scenario s, double from, double to) {
-  constexpr int kSteps = 24;
-  double least = 0.03;
+constexpr double kDeepest = 0.03;  // m, where there is no limit
+constexpr int kSteps = 24;         // of what changes, looked at for its least limit
+
+double depthLimit(const Scenario& s) {
+  const auto limit = limitOf(s);
+  return limit ? std::min(kDeepest, limit->depth.value) : kDeepest;
+}
+
+// The least limit that there is while change(scenario, step) takes it through kSteps.
+template <class Change>
+double leastLimit(Scenario s, const Change& change) {
+  double least = kDeepest;
   for (int k = 0; k <= kSteps; ++k) {
-    s.model.engagement.radialImmersion = from + (to - from) * k / kSteps;
-    if (const auto limit = limitOf(s)) least = std::min(least, limit->depth.value);
+    change(s, k);
+    least = std::min(least, depthLimit(s));
   }
   return least;
+}
+
+// ... while the arc goes from one width to another, at the scenario's speed.
+double leastLimit(const Scenario& s, double from, double to) {
+  return leastLimit(
+      s, [&](Scenario& there, int k) { there.model.engagement.radialImmersion = from + (to - from) * k / kSteps; });
 }
 
 }  // namespace
@@ -125,17 +139,13 @@ std::vector<SimulationOrder> strongStable(int seeds) {
 // The speed drifts, and the depth rises to just below the least limit that there is on the way: modes come and go on
 // the spindle's orders, near the limit as sharply as anywhere.
 std::vector<SimulationOrder> speedDrifts(int seeds) {
-  constexpr int kSteps = 24;
   constexpr double kSeconds = 2.2;
   Orders orders;
   const auto add = [&](Scenario s, const char* what, double perSecond) {
     const double rpm = s.programme.speed.value;
-    double least = 0.03;
-    for (int k = 0; k <= kSteps; ++k) {
-      Scenario there = s;
+    const double least = leastLimit(s, [&](Scenario& there, int k) {
       there.programme.speed = Rpm(rpm * (1.0 + perSecond * kSeconds * k / kSteps));
-      if (const auto limit = limitOf(there)) least = std::min(least, limit->depth.value);
-    }
+    });
     planDepth(s, kPlan, 0.5 * least, 0.9 * least);
     s.programme.speedOverTime.segments = {
         {0.0, kSeconds, rpm, rpm * (1.0 + kSeconds * perSecond), milling::RampShape::Linear}};
@@ -201,7 +211,7 @@ std::vector<SimulationOrder> cornersAndSteps(int seeds) {
         {0.0, 0.8, feed, feed, linear}, {0.8, 1.0, feed, 0.4 * feed, linear}, {1.4, 1.6, 0.4 * feed, feed, linear}};
     add(corner, "-slower");
     s.model.engagement.radialImmersion = kWide;
-    const double limit = 0.9 * leastLimit(s, kWide, kWide);
+    const double limit = 0.9 * depthLimit(s);
     Scenario step = s;
     planDepth(step, kPlan, 0.4 * limit, limit);
     step.programme.depth.segments = {{0.3, 0.35, 0.0, 0.4 * limit, linear},

@@ -218,13 +218,15 @@ TEST(OnsetTest, HasItsFloorRaisedWithoutGoingDeaf) {
   EXPECT_DOUBLE_EQ(drifted.raise(kStep), kStep) << "it was learned anew";
 }
 
+constexpr double kRisingPart = 0.15;  // of the energy
+
 // A channel on which all is calm for thirty turns of 10 ms; then unrepeated(turns since) [power] beside the floor. What
 // `seen` says of it, hop by hop, for five turns.
 template <class Unrepeated, class Seen>
 void goesOn(const Unrepeated& unrepeated, const Seen& seen) {
   constexpr double kFloor = 2e-4;
   EnergyGrowth growth;
-  growth.prepare({1e-4, 12.0}, {.arrival = TurnDifference::kNewsArrival, .risingPart = 0.15});
+  growth.prepare({1e-4, 12.0}, {.arrival = TurnDifference::kNewsArrival, .risingPart = kRisingPart});
   growth.setSpindle(Hertz(100.0));
   constexpr int kCalm = 30 * kHopsPerTurn;
   for (int hop = 0; hop < kCalm + 5 * kHopsPerTurn; ++hop) {
@@ -264,15 +266,14 @@ TEST(EnergyGrowth, ExponentialGrowthRises) {
 
 // ... once it holds the part of the energy that it is asked for: what a forced vibration changes by stays below it.
 TEST(EnergyGrowth, RisesFromItsPartOfTheEnergyOn) {
-  constexpr double kPart = 0.15;
   constexpr double kConstant = 0.8;  // turns
   double least = 1.0;
   goesOn([](double t) { return 1e-4 * std::expm1(2.0 * t / kConstant); },
          [&](const EnergyGrowth& g, double) {
            if (g.rising()) least = std::min(least, g.changed());
          });
-  EXPECT_GT(least, kPart * TurnDifference::kNewsArrival);
-  EXPECT_LT(least, 2.0 * kPart * TurnDifference::kNewsArrival);
+  EXPECT_GT(least, kRisingPart * TurnDifference::kNewsArrival);
+  EXPECT_LT(least, 2.0 * kRisingPart * TurnDifference::kNewsArrival);
 }
 
 // A burst of narrow-band noise comes within a turn and stands for some; a line goes on growing, slowly as well.
