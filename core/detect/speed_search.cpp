@@ -122,8 +122,8 @@ SpeedSearch::Parts SpeedSearch::partsAt(Hertz spindle) const noexcept {
   return parts(spindle.value, harmonicsOf(spindle), 0.0);
 }
 
-SpeedSearch::Parts SpeedSearch::restAt(Hertz spindle) const noexcept {
-  return parts(spindle.value, harmonicsOf(spindle), strongest().frequency.value);
+SpeedSearch::Parts SpeedSearch::restAt(Hertz spindle, const Line& without) const noexcept {
+  return parts(spindle.value, harmonicsOf(spindle), without.frequency.value);
 }
 
 // Mean of both spectra's parts for combs of low, low + step ... Hz. Harmonic by harmonic: the places of its line in one
@@ -223,11 +223,42 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
   return found;
 }
 
-SpeedSearch::Line SpeedSearch::strongest() const noexcept {
-  const auto peak = static_cast<std::size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin());
+SpeedSearch::Line SpeedSearch::lineAt(std::size_t peak) const noexcept {
   const bool between = peak > 0 && peak + 1 < power_.size();
   const double shift = between ? peakShift(power_[peak - 1], power_[peak], power_[peak + 1]) : 0.0;
   return {Hertz((static_cast<double>(peak) + shift) * spectrum_.binWidth()), lobeAt(power_, peak)};
+}
+
+SpeedSearch::Line SpeedSearch::strongest() const noexcept {
+  return lineAt(static_cast<std::size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin()));
+}
+
+SpeedSearch::Line SpeedSearch::strongestBeside(Hertz spindle) const noexcept {
+  std::size_t peak = 0;
+  for (std::size_t b = 0; b < power_.size(); ++b) {
+    const Hertz f(static_cast<double>(b) * spectrum_.binWidth());
+    if (power_[b] > power_[peak] && std::abs(dsp::orderOffset(f, spindle)) > kOnComb) peak = b;
+  }
+  return lineAt(peak);
+}
+
+bool SpeedSearch::hasMoved(Hertz from, Hertz to, double least) const noexcept {
+  const Parts here = restAt(from);
+  const Parts there = restAt(to);
+  return here.vibration < least * there.vibration && here.square < least * there.square;
+}
+
+bool SpeedSearch::mayChatterAt(Hertz spindle, Hertz found, double least) const noexcept {
+  const Line line = strongestBeside(spindle);
+  const double passing = spindle.value * std::max(teeth_, 1);
+  if (!(passing > 0.0) || !(line.frequency.value > 0.0)) return false;
+  double here = restAt(spindle, line).vibration;
+  // Side lines are as broad as their line.
+  for (double side = std::fmod(line.frequency.value, passing); side < kUsableBand * rate_; side += passing) {
+    const bool own = std::abs(side - line.frequency.value) < 0.5 * passing;
+    if (!own) here += lobeAt(power_, static_cast<std::size_t>(std::lround(side / spectrum_.binWidth())));
+  }
+  return here > least * restAt(found, line).vibration;
 }
 
 FoundSpeed SpeedSearch::find(Hertz low, Hertz high) noexcept {

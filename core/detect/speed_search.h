@@ -61,7 +61,14 @@ class SpeedSearch {
   Parts partsAt(Hertz spindle) const noexcept;
   // The same without the strongest line of the vibration, and without twice its frequency in the square: a comb that
   // has moved takes all of its lines along, while one that was fitted to a chatter line has little else.
-  Parts restAt(Hertz spindle) const noexcept;
+  Parts restAt(Hertz spindle) const noexcept { return restAt(spindle, strongest()); }
+  // Chatter leaves the forced vibration where it was; a spindle that moves takes it along. Do both spectra hold less
+  // than this part of the comb of `to` at `from`?
+  bool hasMoved(Hertz from, Hertz to, double least) const noexcept;
+  // Near a simple fraction of a tooth passing chatter, its side lines and the tooth passings make a comb of their own:
+  // 275 Hz, 459.6 Hz and 734.6 Hz are 3, 5 and 8 times 91.8 Hz. Does a cut at the speed `spindle` that chatters, with
+  // side lines whole tooth passings away, hold at least this part of what the comb of `found` does?
+  bool mayChatterAt(Hertz spindle, Hertz found, double least) const noexcept;
   // May this line of the vibration be forced at some speed in low..high: a tooth passing, or one of a comb of lines?
   bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
   // ... at this one, if at any?
@@ -75,6 +82,10 @@ class SpeedSearch {
   std::span<const double> evened(std::span<const double> samples) noexcept;
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   double lobeAt(const std::vector<double>& power, std::size_t middle) const noexcept;
+  Line lineAt(std::size_t peak) const noexcept;
+  // The strongest that is not on the comb of `spindle`.
+  Line strongestBeside(Hertz spindle) const noexcept;
+  Parts restAt(Hertz spindle, const Line& without) const noexcept;
   // Do other lines stand with this one on the comb of `spindle`, in the square of the vibration? What the line itself
   // leaves there at twice its frequency lies on every comb that the line lies on, and does not count.
   bool sharesComb(Hertz line, Hertz spindle) const noexcept;

@@ -27,6 +27,7 @@ constexpr double kReturnLow = 0.45;        // overrides go from 50 % ...
 constexpr double kReturnHigh = 1.3;        // ... to 120 %
 constexpr int kReturnTurns = 4;            // after that what was found must be followed cleanly
 constexpr double kGone = 0.6;              // the old comb holds so much less
+constexpr double kFar = 0.05;              // relative: that a spindle has moved by, or a comb of chatter was found
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kSlipped = 0.5;           // scatter of phases that are not held
 constexpr double kFine = 7e-4;
@@ -209,11 +210,11 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
 bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   if (!locked_) return true;
-  // Chatter leaves the forced vibration where it was; a spindle that moves takes it along.
-  const SpeedSearch::Parts here = look.search.restAt(spindle());
-  const SpeedSearch::Parts there = look.search.restAt(look.found.spindle);
+  const Hertz found = look.found.spindle;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
-  return here.vibration < least * there.vibration && here.square < least * there.square;
+  if (!look.search.hasMoved(spindle(), found, least)) return false;
+  const auto mayChatter = [&](Hertz where) { return look.search.mayChatterAt(where, found, kGone); };
+  return std::abs(found / spindle() - 1.0) < kFar || !(mayChatter(spindle()) || mayChatter(thorough_.last.spindle));
 }
 
 void SpeedTracker::seek(Look& look) noexcept {

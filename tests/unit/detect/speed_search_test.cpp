@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 #include <vector>
 
 #include "core/detect/phase_tracker.h"
@@ -100,6 +102,32 @@ TEST(SpeedSearch, RunoutOnAModeMayBeAmongOthersOfASpindleThatRanAway) {
   };
   EXPECT_TRUE(mayBeAmongOthers(0.25));
   EXPECT_FALSE(mayBeAmongOthers(0.0));
+}
+
+// Chatter of a four-flute tool at 115 Hz: 275 Hz with a side line a tooth passing above it make a comb of 91.8 Hz with
+// the tooth passing, which holds more than the spindle's. A spindle that did go to 91.8 Hz took all of its lines along.
+TEST(SpeedSearch, ChatterNearAFractionOfAToothPassingIsNoSpindleThatMoved) {
+  constexpr double kSpindle = 114.9, kFraction = 91.8, kGone = 0.6;
+  const int size = static_cast<int>(12.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), 4);
+  const auto hear = [&](std::initializer_list<std::pair<double, double>> lines) {
+    std::vector<double> x(static_cast<std::size_t>(size));
+    for (int i = 0; i < size; ++i) {
+      for (const auto& [hertz, amplitude] : lines) {
+        x[static_cast<std::size_t>(i)] += amplitude * std::cos(kTwoPi * hertz * i / kRate + hertz);
+      }
+    }
+    search.begin();
+    search.add(x);
+  };
+  const double passing = 4.0 * kSpindle;
+  hear({{passing, 1.0}, {275.2, 1.2}, {275.2 + passing, 0.9}});
+  EXPECT_TRUE(search.hasMoved(Hertz(kSpindle), Hertz(kFraction), kGone));  // the reason why this is asked for as well
+  EXPECT_TRUE(search.mayChatterAt(Hertz(kSpindle), Hertz(kFraction), kGone));
+  hear({{4.0 * kFraction, 1.0}, {8.0 * kFraction, 0.7}, {3.0 * kFraction, 0.5}, {12.0 * kFraction, 0.4}});
+  EXPECT_TRUE(search.hasMoved(Hertz(kSpindle), Hertz(kFraction), kGone));
+  EXPECT_FALSE(search.mayChatterAt(Hertz(kSpindle), Hertz(kFraction), kGone));
 }
 
 // Started on the speed of the middle of a search's window, of a spindle that runs away by 5 % a second, and in doubt by
