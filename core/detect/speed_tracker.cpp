@@ -26,16 +26,13 @@ constexpr double kReturnAgreement = 6e-3;  // it may still be moving
 constexpr double kReturnLow = 0.45;        // overrides go from 50 % ...
 constexpr double kReturnHigh = 1.3;        // ... to 120 %
 constexpr int kReturnTurns = 4;            // after that what was found must be followed cleanly
+constexpr int kDeadTurns = 8;              // a lock that was not held cleanly in these, ...
+constexpr double kDead = 0.9;              // ... of phases that scatter by so much, where no comb stands, is none
 constexpr double kGone = 0.6;              // the old comb holds so much less
 constexpr double kFar = 0.05;              // relative: that a spindle has moved by, or a comb of chatter was found
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kSlipped = 0.5;           // scatter of phases that are not held
 constexpr double kFine = 7e-4;
-// A comb that carries half of all power needs no other proof; a weaker one must stand out of all other combs. In air
-// and on machine noise the contrast stays below 2, on cuts it is 3 to 80.
-constexpr double kClearPart = 0.5;
-constexpr double kLeastPart = 0.1;
-constexpr double kContrast = 3.0;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
@@ -45,11 +42,6 @@ constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not m
 constexpr double kSmear = 1e-2;         // a comb is sought in what was heard while the told speed moved by less
 constexpr double kRideSd = 1e-3;        // of a speed taken from the machine, once its ratio to the truth is known
 constexpr int kRideFrames = 16;         // a speed that changes does so in steps this long
-
-// Is this comb the spindle's, if another window says so too?
-bool stands(const SpeedCandidate& c) noexcept {
-  return !c.atEdge && (c.part > kClearPart || (c.part > kLeastPart && c.contrast > kContrast));
-}
 
 }  // namespace
 
@@ -155,18 +147,23 @@ void SpeedTracker::beginCut() noexcept {
   restart();
 }
 
+bool SpeedTracker::dead() const noexcept {
+  const bool held = tracker_.clean() || tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
+  return !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
+}
+
 bool SpeedTracker::astray() const noexcept {
-  return locked_ && (tracker_.lost() || (returning_ && tracker_.turns() > kReturnTurns));
+  return locked_ && (tracker_.lost() || (returning_ && tracker_.turns() > kReturnTurns) || dead());
 }
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
-  if (astray() && stands(now) && std::abs(now.spindle / spindle() - 1.0) < kFine) {
+  if (astray() && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kFine) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
   }
-  if (!stands(now) || !stands(before) || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
+  if (!now.stands() || !before.stands() || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
   if (locked_) {
     const double away = std::abs(now.spindle / spindle() - 1.0);
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
@@ -174,7 +171,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
       const bool slipped = !proven_ && away > kFine && tracker_.scatter() > kSlipped;
       // Not by its window alone: a comb may fit the coming in of the tool, when a mode rings and lines are broad.
       const bool held = tracker_.clean() || (away < kFine && tracker_.turns() > kThoroughTurns);
-      proven_ = proven_ || (now.part > kClearPart && held);
+      proven_ = proven_ || (now.part > SpeedCandidate::kClearPart && held);
       if (!slipped) return;
     }
     if (away > kMoved && proven_ && !astray()) return;
@@ -292,9 +289,10 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   look.last = within(range);
   if (!locked_ && !measured_) {
     const SpeedCandidate further = within(range + SpeedSearch::kRunAway);
-    if (stands(further) && further.part > std::max(kClearPart, kBetter * look.last.part)) look.last = further;
+    const double least = std::max(SpeedCandidate::kClearPart, kBetter * look.last.part);
+    if (further.stands() && further.part > least) look.last = further;
   }
-  if (&look == &quick_ && !stands(look.last)) {
+  if (&look == &quick_ && !look.last.stands()) {
     trend_.reset();
   } else if (&look == &quick_) {
     trend_.add(Seconds((static_cast<double>(inCut_) - 0.5 * static_cast<double>(window)) / rate_), look.last.spindle);

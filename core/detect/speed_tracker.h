@@ -73,6 +73,8 @@ class SpeedTracker {
     double drift = 0.0;  // that is known, relative, per second
     double gone = 1.0;   // speed now over that in the middle of the window, by that drift
   };
+  // Found while the spindle was on its way past, and never followed since.
+  bool dead() const noexcept;
   // What was followed is no longer where it was.
   bool astray() const noexcept;
   void followMotion(double seconds) noexcept;

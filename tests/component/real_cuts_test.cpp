@@ -1,8 +1,8 @@
-// The default detector on every shared real recording, its programmed speed told 2 % too low, right and 2 % too high:
+// The default detector on every shared real recording, its programmed speed told right, 2 and 3 % too low and too high:
 // what is labelled chatter alarms within 0.3 s and is called chatter for nine tenths of its length; nothing alarms in
 // what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. One axis of the end mill's
-// by itself alarms within a second and, across the tool, for most of that length; the cut whose spindle is a seventh
-// slower than told is not asked for by one axis.
+// by itself, told up to 2 % off, alarms within a second and, across the tool, for most of that length; the cut whose
+// spindle is a seventh slower than told is not asked for by one axis.
 #include <gtest/gtest.h>
 
 #include "tests/support/real_cuts.h"
@@ -17,6 +17,7 @@ constexpr double kLeastPartOfOne = 0.6;  // in alarm
 constexpr int kAlongTheTool = 2;         // axis
 
 class RealCuts : public ::testing::TestWithParam<double> {};
+class OneAxis : public ::testing::TestWithParam<double> {};
 
 TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
   const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
@@ -35,7 +36,7 @@ TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
   }
 }
 
-TEST_P(RealCuts, OneAxisOfAnEndMillIsEnough) {
+TEST_P(OneAxis, OfAnEndMillIsEnough) {
   const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
   if (cuts.empty()) GTEST_SKIP() << "reference material not found: " << STILLCUT_SHARED_DIR;
   for (const RealCut& cut : cuts) {
@@ -55,7 +56,8 @@ TEST_P(RealCuts, OneAxisOfAnEndMillIsEnough) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ToldSpeed, RealCuts, ::testing::Values(-0.02, 0.0, 0.02));
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, RealCuts, ::testing::Values(-0.03, -0.02, 0.0, 0.02, 0.03));
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, OneAxis, ::testing::Values(-0.02, 0.0, 0.02));
 
 }  // namespace
 }  // namespace stillcut::bench
