@@ -74,7 +74,7 @@ void SpeedTracker::reset() noexcept {
   toldSd_ = 0.0;
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
-  locked_ = proven_ = trusted_ = returning_ = false;
+  locked_ = proven_ = trusted_ = returning_ = followed_ = false;
   toothPart_ = 0.0;
   lone_.reset();
   angle_ = 0.0;
@@ -141,7 +141,7 @@ void SpeedTracker::beginCut() noexcept {
     told_ = nominal_ > 0.0 || measured_ ? told_ : 0.0;
     source_ = !(told_ > 0.0) ? SpeedSource::None : measured_ ? SpeedSource::Machine : SpeedSource::Told;
   }
-  locked_ = proven_ = trusted_ = returning_ = false;
+  locked_ = proven_ = trusted_ = returning_ = followed_ = false;
   toothPart_ = 0.0;
   lone_.reset();
   restart();
@@ -149,7 +149,7 @@ void SpeedTracker::beginCut() noexcept {
 
 bool SpeedTracker::dead() const noexcept {
   const bool held = tracker_.clean() || tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
-  return !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
+  return followed_ && !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
 }
 
 bool SpeedTracker::astray() const noexcept {
@@ -387,6 +387,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   dropUntrusted();
   if (riding() && !seeksWhileRiding()) return;
   returning_ = returning_ && !tracker_.clean();
+  followed_ = followed_ || (locked_ && tracker_.clean());
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();
   if (locked_ && leaving) return;

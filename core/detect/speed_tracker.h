@@ -73,7 +73,7 @@ class SpeedTracker {
     double drift = 0.0;  // that is known, relative, per second
     double gone = 1.0;   // speed now over that in the middle of the window, by that drift
   };
-  // Found while the spindle was on its way past, and never followed since.
+  // Found while the spindle, followed before in this cut, was on its way past, and never followed since.
   bool dead() const noexcept;
   // What was followed is no longer where it was.
   bool astray() const noexcept;
@@ -112,6 +112,7 @@ class SpeedTracker {
   bool locked_ = false;
   bool proven_ = false;     // the comb of the lock carried most of the power
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
+  bool followed_ = false;   // in this cut, cleanly
   bool trusted_ = false;    // told roughly, or followed cleanly
   double toothPart_ = 0.0;
   LoneLine lone_;
