@@ -439,6 +439,7 @@ const char* const kCoreTexts[] = {
     QT_TRANSLATE_NOOP("Reason", "still learning, {0.1} s to go"),
     QT_TRANSLATE_NOOP("Reason", "the spindle speed is not known"),
     QT_TRANSLATE_NOOP("Reason", "the number of teeth is not known"),
+    QT_TRANSLATE_NOOP("Reason", "a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself"),
     QT_TRANSLATE_NOOP("Reason", "samples are missing ({0.0} counted)"),
     QT_TRANSLATE_NOOP("Reason", "the sensor is at its limit"),
     QT_TRANSLATE_NOOP("Reason", "channel {0.0} delivers values that are not numbers"),

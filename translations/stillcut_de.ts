@@ -5222,6 +5222,10 @@
         <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
         <translation>die Zähnezahl ist nicht bekannt, aus Rattern mit {0.0} Hz bei {1.0} rpm folgt keine Drehzahl</translation>
     </message>
+    <message>
+        <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
+        <translation>ein Ton von {0.0} Hz füllt das Signal von Anfang an, Rattern oder die Maschine selbst</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>

@@ -5221,6 +5221,10 @@
         <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
         <translation>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</translation>
     </message>
+    <message>
+        <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
+        <translation>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>

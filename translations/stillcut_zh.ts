@@ -5222,6 +5222,10 @@
         <source>the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm</source>
         <translation>齿数未知，无法由 {1.0} rpm 时 {0.0} Hz 的颤振得出转速</translation>
     </message>
+    <message>
+        <source>a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself</source>
+        <translation>信号从一开始就被 {0.0} Hz 的单一音调占满，是颤振或机床本身的声音</translation>
+    </message>
 </context>
 <context>
     <name>ReportPages</name>

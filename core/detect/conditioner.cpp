@@ -203,9 +203,18 @@ void Conditioner::advanceGate() noexcept {
   if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
 }
 
+// Where nothing quieter was ever heard, a tone that no teeth force may be chatter that was there before, or the
+// machine's own.
+Reason Conditioner::doubtAir() const noexcept {
+  const Hertz tone = speed_.suspect();
+  if (gate_.airSeen() || gate_.inCut() || !(tone.value > 0.0)) return {};
+  return {ReasonCode::NoAir, {tone.value}};
+}
+
 // The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
 void Conditioner::checkSensors(const SampleBlock& block) noexcept {
-  const Reason doubt = sensors_.check(block, out_, gate_);
+  Reason doubt = sensors_.check(block, out_, gate_);
+  if (doubt.code == ReasonCode::None) doubt = doubtAir();
   if (doubted_ && doubt.code == ReasonCode::None) out_.afterGap = true;
   doubted_ = doubt.code != ReasonCode::None;
   if (!doubted_) return;

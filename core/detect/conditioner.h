@@ -63,6 +63,7 @@ class Conditioner {
   void addSquares(int from, int frames) noexcept;
   void advanceGate() noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
+  Reason doubtAir() const noexcept;
   void tellOwn() noexcept;
 
   OwnValues own_;

@@ -41,11 +41,17 @@ void LoneLine::watch(const SpeedSearch& search, Hertz told, double range, bool m
   const double orders = rate_ / (search.window() * told.value) + kReadBack * (strongest_ / told);
   if (measured && std::abs(dsp::orderOffset(strongest_, told)) < orders) return;
   line_ = suspect_ = strongest_;
+  missed_ = 0;
 }
 
 void LoneLine::followSuspect(const SpeedSearch& search) noexcept {
   const SpeedSearch::Line line = search.strongest();
-  if (std::abs(line.frequency / suspect_ - 1.0) < kSuspectDrift) suspect_ = line.frequency;
+  if (std::abs(line.frequency / suspect_ - 1.0) < kSuspectDrift) {
+    suspect_ = line.frequency;
+    missed_ = 0;
+  } else if (heard()) {
+    ++missed_;
+  }
 }
 
 }  // namespace stillcut::detect

@@ -92,13 +92,14 @@ double SpeedSearch::at(const std::vector<double>& power, double position) noexce
 SpeedSearch::Parts SpeedSearch::parts(double spindle, int harmonics, double leaveOut) const noexcept {
   Parts sum;
   const double line = leaveOut / spectrum_.binWidth();
+  const double line2 = doubled(leaveOut) / spectrum_.binWidth();
   const auto counts = [&](double position, double beside) {
     return !(leaveOut > 0.0) || std::abs(position - beside) > kLobe;
   };
   for (int h = 1; h <= harmonics; ++h) {
     const double position = h * spindle / spectrum_.binWidth();
     if (counts(position, line)) sum.vibration += at(power_, position);
-    if (counts(position, 2.0 * line)) sum.square += at(square_, position);
+    if (counts(position, line2)) sum.square += at(square_, position);
   }
   const double scale = kLinePart / std::max(added_, 1);
   return {scale * sum.vibration, scale * sum.square};
@@ -126,11 +127,24 @@ SpeedSearch::Parts SpeedSearch::restAt(Hertz spindle, const Line& without) const
   return parts(spindle.value, harmonicsOf(spindle), without.frequency.value);
 }
 
-// Mean of both spectra's parts for combs of low, low + step ... Hz. Harmonic by harmonic: the places of its line in one
-// comb after the other lie side by side.
-void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t count) noexcept {
+// Both spectra's sum, into powers_.
+void SpeedSearch::addBoth(Hertz notForced) noexcept {
   std::copy(power_.begin(), power_.end(), powers_.begin());
   kernels_.addScaled(1.0, square_.data(), powers_.data(), powers_.size());
+  if (!(notForced.value > 0.0)) return;
+  const auto leaveOut = [&](const std::vector<double>& power, double hertz) {
+    const auto middle = static_cast<std::size_t>(std::lround(hertz / spectrum_.binWidth()));
+    for (std::size_t b = middle - std::min<std::size_t>(middle, kLobe); b <= middle + kLobe && b < power.size(); ++b) {
+      powers_[b] = std::max(0.0, powers_[b] - power[b]);
+    }
+  };
+  leaveOut(power_, notForced.value);
+  leaveOut(square_, doubled(notForced.value));
+}
+
+// Mean of both spectra's parts, of powers_, for combs of low, low + step ... Hz. Harmonic by harmonic: the places of
+// its line in one comb after the other lie side by side.
+void SpeedSearch::tryCombs(double low, double step, int harmonics, std::size_t count) noexcept {
   std::fill_n(trials_.begin(), count, 0.0);
   for (int h = 1; h <= harmonics; ++h) {
     const double first = h * low / spectrum_.binWidth();
@@ -157,14 +171,14 @@ double SpeedSearch::lobeAt(const std::vector<double>& power, std::size_t middle)
 
 bool SpeedSearch::sharesComb(Hertz line, Hertz spindle) const noexcept {
   const int harmonics = harmonicsOf(spindle);
-  const auto middle = static_cast<std::size_t>(std::lround(2.0 * line.value / spectrum_.binWidth()));
+  const auto middle = static_cast<std::size_t>(std::lround(doubled(line.value) / spectrum_.binWidth()));
   const double own = lobeAt(square_, middle);
   const double rest = 1.0 - own;
   // Where its amplitude changes, as while a tool enters on a mode, the line is broader than any that the comb is read
   // for, and is left out whole.
   if (parts(spindle.value, harmonics, line.value).square > kAllBeside * rest) return true;
   const double whole = partsAt(spindle).square;
-  const bool counted = std::lround(2.0 * line.value / spindle.value) <= kMostHarmonics;
+  const bool counted = std::lround(doubled(line.value) / spindle.value) <= kMostHarmonics;
   return counted ? whole - own > kLoneSquare * rest : whole > kLoneSquare;
 }
 
@@ -201,6 +215,7 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
   const double finest = 0.2 * rate_ / window() / harmonics;
   const double step = std::max(finest, (high.value - low.value) / (kMostTrials - 2));
   const auto count = std::min(static_cast<std::size_t>((high.value - low.value) / step) + 1, trials_.size());
+  addBoth(notForced);
   tryCombs(low.value, step, harmonics, count);
   std::size_t best = 0;
   for (std::size_t i = 0; i < count; ++i) {

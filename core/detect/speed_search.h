@@ -9,6 +9,7 @@
 // Thread: worker; search() is real-time.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -52,7 +53,8 @@ class SpeedSearch {
   // of the window's middle, so that its lines are as sharp as if it did.
   void begin(double drift = 0.0) noexcept;
   void add(std::span<const double> samples) noexcept;
-  // notForced: a line that is known not to be forced (0: none); combs that it lies on are left out.
+  // notForced: a line that is known not to be forced (0: none); combs that it lies on are left out, and it and what it
+  // leaves in the square are in no other.
   SpeedCandidate search(Hertz low, Hertz high, Hertz notForced = Hertz(0.0)) noexcept;
   // In a range too wide for search(), by the lines of the vibration alone (speed_finder.h).
   FoundSpeed find(Hertz low, Hertz high) noexcept;
@@ -92,6 +94,8 @@ class SpeedSearch {
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   double lobeAt(const std::vector<double>& power, std::size_t middle) const noexcept;
   Line lineAt(std::size_t peak) const noexcept;
+  // Where a line stands in the square, folded back if it has to be.
+  double doubled(double frequency) const noexcept { return std::min(2.0 * frequency, rate_ - 2.0 * frequency); }
   // The strongest that is not on the comb of `spindle`.
   Line strongestBeside(Hertz spindle) const noexcept;
   Parts restAt(Hertz spindle, const Line& without) const noexcept;
@@ -99,6 +103,7 @@ class SpeedSearch {
   // leaves there at twice its frequency lies on every comb that the line lies on, and does not count.
   bool sharesComb(Hertz line, Hertz spindle) const noexcept;
   static double at(const std::vector<double>& power, double position) noexcept;
+  void addBoth(Hertz notForced) noexcept;
   void tryCombs(double low, double step, int harmonics, std::size_t count) noexcept;
   Parts parts(double spindle, int harmonics, double leaveOut) const noexcept;
   int harmonicsOf(Hertz spindle) const noexcept;

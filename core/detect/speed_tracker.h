@@ -55,6 +55,8 @@ class SpeedTracker {
   bool riding() const noexcept { return motion_.riding(); }
   // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
   bool moving() const noexcept { return motion_.moving() || astray(); }
+  // A tone that most of what is heard was, and that still is its strongest line; 0: none.
+  Hertz suspect() const noexcept { return told_ > 0.0 && lone_.heard() ? lone_.suspect() : Hertz(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
   bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
   double scatter() const noexcept { return tracker_.scatter(); }

@@ -20,6 +20,7 @@ constexpr Row kRows[] = {
     {ReasonCode::Learning, "learning", "still learning, {0.1} s to go"},
     {ReasonCode::NoSpeed, "no-speed", "the spindle speed is not known"},
     {ReasonCode::NoTeeth, "no-teeth", "the number of teeth is not known"},
+    {ReasonCode::NoAir, "no-air", "a tone of {0.0} Hz fills the signal from its start, chatter or the machine itself"},
     {ReasonCode::InputGap, "input-gap", "samples are missing ({0.0} counted)"},
     {ReasonCode::InputClipped, "input-clipped", "the sensor is at its limit"},
     {ReasonCode::InputNotFinite, "input-not-finite", "channel {0.0} delivers values that are not numbers"},

@@ -16,6 +16,7 @@ enum class ReasonCode : std::uint16_t {
   Learning,            // seconds still needed
   NoSpeed,             // -
   NoTeeth,             // -
+  NoAir,               // Hz of a tone that fills the signal from its start
   InputGap,            // frames lost
   InputClipped,        // -
   InputNotFinite,      // channel

@@ -8,12 +8,14 @@
 namespace stillcut::safety {
 namespace {
 
-// The way things go in every cut: the program ends, the detector learns. No fault, and no news with nothing in force.
+// The way things go in every cut: the program ends, the detector learns, the machine idles. No fault, and no news with
+// nothing in force.
 bool ordinary(const Reason& trouble, const Verdict& verdict) noexcept {
   if (trouble.code == ReasonCode::GateMachineNotReady) return true;
   const ReasonCode why = verdict.reason.code;
   return trouble.code == ReasonCode::GateVerdictInvalid &&
-         (why == ReasonCode::Learning || why == ReasonCode::SpindleRunUp || why == ReasonCode::Transient);
+         (why == ReasonCode::Learning || why == ReasonCode::SpindleRunUp || why == ReasonCode::Transient ||
+          why == ReasonCode::NoAir);
 }
 
 // Commands still reach the machine and act on it. A program that has ended does not matter to that.

@@ -86,7 +86,7 @@ double chatterLength(const RealCut& cut) {
 }
 
 Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
-                                        const std::vector<std::string>& wanted) {
+                                        const std::vector<std::string>& wanted, double begin) {
   record::ReadOptions options;
   options.quantity = cut.quantity;
   options.channels = channels;
@@ -108,8 +108,9 @@ Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<in
   for (;;) {
     const Result<bool> more = (*reader)->read(block);
     if (!more || !*more) break;
-    const detect::ConditionedBlock& conditioned = conditioner.process(block, {});
     const double time = sinceEpoch(block.end()).value;
+    if (time < begin) continue;
+    const detect::ConditionedBlock& conditioned = conditioner.process(block, {});
     for (Tally& t : all) count(t, t.detector->process(conditioned), cut, time, block.frames / setup.rate.value);
   }
   return all;

@@ -43,9 +43,9 @@ struct Tally {
 };
 
 // Through the conditioner and every detector wanted (all where none is named), told speed off by `error` as a ratio;
-// -1: not told. channels: of the file; empty: all.
+// -1: not told. channels: of the file; empty: all. begin: s, from where on it is listened to.
 Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
-                                        const std::vector<std::string>& wanted);
+                                        const std::vector<std::string>& wanted, double begin = 0.0);
 // s, labelled chatter.
 double chatterLength(const RealCut& cut);
 
