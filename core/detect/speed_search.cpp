@@ -269,7 +269,9 @@ bool SpeedSearch::mayChatterAt(Hertz spindle, Hertz found, double least) const n
   if (!(passing > 0.0) || !(line.frequency.value > 0.0)) return false;
   double here = restAt(spindle, line).vibration;
   // Side lines are as broad as their line.
-  for (double side = std::fmod(line.frequency.value, passing); side < kUsableBand * rate_; side += passing) {
+  const double lowest = std::fmod(line.frequency.value, passing);
+  for (int k = 0; lowest + k * passing < kUsableBand * rate_; ++k) {
+    const double side = lowest + k * passing;
     const bool own = std::abs(side - line.frequency.value) < 0.5 * passing;
     if (!own) here += lobeAt(power_, static_cast<std::size_t>(std::lround(side / spectrum_.binWidth())));
   }
