@@ -38,7 +38,7 @@ class LoneLine {
   bool heard() const noexcept { return missed_ < kMostMissed; }
 
  private:
-  static constexpr int kMostMissed = 6;  // looks: as many as windows overlap
+  static constexpr int kMostMissed = 6;  // looks, as many as there are quick ones in a window
   int teeth_ = 0;
   double rate_ = 0.0;
   Hertz strongest_{};  // of the last window
