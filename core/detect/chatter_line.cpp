@@ -12,6 +12,7 @@ namespace {
 constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks are not
 constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
+constexpr double kSameTurns = 16.0;    // memory of whether the strongest line stays the same
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
 constexpr double kLeastBetween = 0.5;  // line over severity from which it is not on an order
 constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
@@ -61,7 +62,7 @@ bool lineStands(const FoundLine& line, const RatioHop& hop) noexcept {
 
 void ChatterLine::forget() noexcept {
   frequency_ = {};
-  frequencySd_ = spread_ = lostTurns_ = 0.0;
+  frequencySd_ = spread_ = lostTurns_ = same_ = 0.0;
   sinceLook_ = 0;
   doubled_ = false;
 }
@@ -103,6 +104,8 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   if (onOrder) return stayOnOrder(evidence.onOrder, hop.spindle);
   lostTurns_ = purity_ < kLostPurity ? lostTurns_ + static_cast<double>(hops) / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
+  const double turns = static_cast<double>(hops) / kHopsPerTurn;
+  same_ += (1.0 - std::exp(-turns / kSameTurns)) * (sameAs(line.frequency, hop) - same_);
   // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
   // frequency: the chatter's is the one from before.
   if (frequency_.value > 0.0 && (!hop.turnsCompare || evidence.ringing)) return;
@@ -110,6 +113,19 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
       frequency_.value > 0.0 ? lines.keep(frequency_, line.frequency, hop.spindle * kLineReach) : line.frequency;
   const Hertz newer = newLineNear(kept, hop);
   move(newer.value > 0.0 ? newer : kept, hop, hops);
+}
+
+// Teeth make of one line others, whole tooth passings away from it and from its mirror image: which of them is the
+// strongest changes with the engagement.
+bool ChatterLine::sameAs(Hertz line, const RatioHop& hop) const noexcept {
+  if (hop.teeth < 1) return std::abs(line.value - frequency_.value) < kLineReach * hop.spindle.value;
+  const Hertz tooth = hop.spindle * hop.teeth;
+  const double away = std::abs(dsp::orderOffset(line, tooth)) - std::abs(dsp::orderOffset(frequency_, tooth));
+  return std::abs(away) * hop.teeth < kLineReach;
+}
+
+bool ChatterLine::stays() const noexcept {
+  return same_ > 0.5;
 }
 
 bool ChatterLine::lost() const noexcept {

@@ -30,18 +30,22 @@ class ChatterLine {
   double purity() const noexcept { return purity_; }
   // It has sunk into the noise for so long that there was none, or it is over.
   bool lost() const noexcept;
+  // The strongest line of the last turns mostly was this one, or one whole tooth passings away from it.
+  bool stays() const noexcept;
   // teeth: 0 where nobody told.
   ChatterKind kind(int teeth, Hertz spindle) const noexcept;
 
  private:
   void stayOnOrder(double order, Hertz spindle) noexcept;
   void move(Hertz next, const RatioHop& hop, int hops) noexcept;
+  bool sameAs(Hertz line, const RatioHop& hop) const noexcept;
 
   Hertz frequency_{};
   double frequencySd_ = 0.0;
   double spread_ = 0.0;  // Hz, of the lines that may be the chatter's
   double purity_ = 0.0;
   double lostTurns_ = 0.0;
+  double same_ = 0.0;  // part of the last looks whose strongest line was this one
   int sinceLook_ = 0;     // hops
   bool doubled_ = false;  // period doubling with even teeth
 };

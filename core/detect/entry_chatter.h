@@ -35,12 +35,13 @@ class EntryChatter {
               const RatioHop& hop) noexcept;
   // The alarm is of such chatter, known by its side lines, which still is as strong.
   bool held(double joint) const noexcept { return sided_ && joint >= kHysteresis * sidedRatio(); }
+  // A fifth of the vibration's amplitude.
+  double sidedRatio() const noexcept;
   // The last begins() had to look at the spectrum, and found this line.
   bool looked() const noexcept { return looked_; }
   const FoundLine& line() const noexcept { return line_; }
 
  private:
-  double sidedRatio() const noexcept;
   bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;
   bool lineHasSides(const LineFinder& lines, const RatioHop& hop) noexcept;
 

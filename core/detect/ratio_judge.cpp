@@ -125,7 +125,9 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  const bool held = entry_.held(joint_);
+  full_ = was && (full_ || state_ == CutState::Chatter);
+  // A fixed ratio began it, or fulfilled it; of the same line less is chatter still.
+  const bool held = entry_.held(joint_) || (full_ && line_.stays() && joint_ >= entry_.sidedRatio());
   calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
   bool entry = hop.loneLine && high;
