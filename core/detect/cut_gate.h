@@ -60,6 +60,8 @@ class CutGate {
   double settled_ = 0.0;  // how long it has not moved
   double whole_ = 0.0;    // level from which it fell, in an exit
   double louder_ = 0.0;   // how long it has been above that since
+  double still_ = 0.0;    // how long, in an exit, the level has stood where it was ...
+  double stillAt_ = 0.0;  // ... here
   bool airSeen_ = false;
   bool forced_ = false;
   bool speedKnown_ = false;
