@@ -14,6 +14,7 @@ constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
 constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kMostPassed = 0.25;   // difference over news of a line that needs the news to be heard in time
 constexpr double kLeastNews = 0.5;     // of what a line's news leaves of it in the difference
+constexpr double kRepeats = 0.1;       // of what a line leaves in the difference
 constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 
 // A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
@@ -128,7 +129,9 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   full_ = was && (full_ || state_ == CutState::Chatter);
   // A fixed ratio began it, or fulfilled it; of the same line less is chatter still.
   const bool held = entry_.held(joint_) || (full_ && line_.stays() && joint_ >= entry_.sidedRatio());
-  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
+  const bool quiet = severity_ < kHysteresis * chatterRatio_ && !held;
+  const bool same = repeats(hop.spindle);
+  calm_.watch(same ? 0.0 : changed_, same || quiet, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
   bool entry = hop.loneLine && high;
   if (!was && !entry) {
@@ -156,6 +159,14 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   if (!alarming()) feedSinceOnset_ = 0.0;
   follow(lines, hop);
   return over;
+}
+
+// Of a line as large as the ratio says, where the alarm's is, the turns would differ by far more: forced vibration that
+// changes makes that ratio, as where the tool leaves.
+bool RatioJudge::repeats(Hertz spindle) const noexcept {
+  if (grown_ || !(line_.frequency().value > 0.0)) return false;
+  const double offset = dsp::orderOffset(line_.frequency(), spindle);
+  return mostChanged_ < kRepeats * severity_ * TurnDifference::differenceGain(offset);
 }
 
 // Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small. On the axis
