@@ -29,7 +29,11 @@ class PhaseTracker {
   // Starts anew at a speed known to `sd`; drift: relative, per second, that it is known to have.
   void start(Hertz spindle, Hertz sd, double drift = 0.0) noexcept;
   // The cut changed and the speed did not: the references follow.
-  void stay() noexcept { retained_ = 1.0; }
+  void stay() noexcept {
+    retained_ = 1.0;
+    gone_ = false;
+    usualScatter_ = 0.0;
+  }
   // The machine changed its speed: the references stay, the doubt grows.
   void nudge(Hertz spindle) noexcept;
 
@@ -95,6 +99,9 @@ class PhaseTracker {
   double scatter_ = 0.0;
   std::array<double, kChannels> all_{};  // sum of squares of this turn
   double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
+  bool gone_ = false;                    // too little of it is
+  double recentScatter_ = 0.0;           // scatter over a few turns ...
+  double usualScatter_ = 0.0;            // ... and over many
   double retained_ = 1.0;                // part of the followed amplitude that is still in its place
   bool clean_ = false;                   // it was once followed with little scatter
   dsp::kernels::Kernels kernels_;

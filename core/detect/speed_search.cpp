@@ -21,6 +21,10 @@ constexpr double kAllBeside = 0.7;
 // The same where noise fills the rest, and the line's peak counts on the comb while all of its lobe is its own: the
 // comb has to outweigh the line's breadth as well.
 constexpr double kLoneSquare = 0.2;
+// A comb of one line alone fits many speeds. That line need not be forced: where it is chatter, or an order above half
+// the rate that no filter kept out, the others lie on another comb.
+constexpr double kAlone = 0.25;        // of what the vibration has on the comb, and is not that line
+constexpr double kBetterBeside = 2.0;  // the others' comb holds so much more of them
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
 }  // namespace
@@ -209,6 +213,18 @@ bool SpeedSearch::mayBeAmongOthers(Hertz line, Hertz low, Hertz high) const noex
 }
 
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
+  const SpeedCandidate found = searchCombs(low, high, notForced);
+  if (notForced.value > 0.0 || !(found.part > 0.0)) return found;
+  const Line line = strongest();
+  const Parts rest = restAt(found.spindle, line);
+  if (rest.vibration > kAlone * partsAt(found.spindle).vibration) return found;
+  const SpeedCandidate beside = searchCombs(low, high, line.frequency);
+  const Parts others = restAt(beside.spindle, line);
+  const bool better = others.vibration + others.square > kBetterBeside * (rest.vibration + rest.square);
+  return beside.stands() && better ? beside : found;
+}
+
+SpeedCandidate SpeedSearch::searchCombs(Hertz low, Hertz high, Hertz notForced) noexcept {
   SpeedCandidate found;
   const int harmonics = std::min(kMostHarmonics, static_cast<int>(kUsableBand * rate_ / std::max(high.value, 1e-3)));
   if (harmonics < 1 || !(high > low) || !(low.value > 0.0) || added_ == 0) return found;

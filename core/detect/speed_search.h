@@ -90,6 +90,7 @@ class SpeedSearch {
  private:
   static constexpr int kMostTrials = 4096;
 
+  SpeedCandidate searchCombs(Hertz low, Hertz high, Hertz notForced) noexcept;
   std::span<const double> evened(std::span<const double> samples) noexcept;
   void addSpectrum(std::span<const double> samples, std::vector<double>& power) noexcept;
   double lobeAt(const std::vector<double>& power, std::size_t middle) const noexcept;

@@ -29,13 +29,15 @@ constexpr int kReturnTurns = 4;            // after that what was found must be 
 constexpr int kDeadTurns = 8;              // a lock that was not held cleanly in these, ...
 constexpr double kDead = 0.9;              // ... of phases that scatter by so much, where no comb stands, is none
 constexpr double kGone = 0.6;              // the old comb holds so much less
-constexpr double kFar = 0.05;              // of the speed; a comb further away than that may be chatter's
+constexpr double kFar = 0.05;              // of the speed; a comb further away than that may be chatter's ...
+constexpr double kTeethOfFar = 0.5;        // ... unless the teeth make so much of it
 constexpr int kTrialTurns = 48;            // in which a comb that nobody told must be followed cleanly
 constexpr double kSlipped = 0.5;           // scatter of phases that are not held
 constexpr double kFine = 7e-4;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
+constexpr double kStaysPart = 0.2;      // of what is not in the strongest line; less is noise
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
@@ -185,7 +187,8 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     const SpeedSearch::Parts there = look.search.restAt(now.spindle / look.gone);
     if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) {
       // What else there is has stayed in its place: it is chatter that made it look lost.
-      if (here.vibration > there.vibration && here.square > there.square) tracker_.stay();
+      const double least = kStaysPart * (1.0 - look.search.strongest().part);
+      if (here.vibration > std::max(least, there.vibration) && here.square > there.square) tracker_.stay();
       return;
     }
   }
@@ -210,8 +213,7 @@ bool SpeedTracker::believed(const Look& look) const noexcept {
   const Hertz found = look.found.spindle;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
   if (!look.search.hasMoved(spindle(), found, least)) return false;
-  const auto mayChatter = [&](Hertz where) { return look.search.mayChatterAt(where, found, kGone); };
-  return std::abs(found / spindle() - 1.0) < kFar || !(mayChatter(spindle()) || mayChatter(thorough_.last.spindle));
+  return std::abs(found / spindle() - 1.0) < kFar || teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
 }
 
 void SpeedTracker::seek(Look& look) noexcept {
