@@ -127,8 +127,9 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   full_ = was && (full_ || state_ == CutState::Chatter);
-  // A fixed ratio began it, or fulfilled it; of the same line less is chatter still.
-  const bool held = entry_.held(joint_) || (full_ && line_.stays() && joint_ >= entry_.sidedRatio());
+  // Of the line that full chatter was made of, less is chatter still.
+  const bool lasts = full_ && line_.stays() && joint_ >= entry_.sidedRatio();
+  const bool held = lasts || entry_.held(joint_);
   const bool quiet = severity_ < kHysteresis * chatterRatio_ && !held;
   const bool same = repeats(hop.spindle);
   calm_.watch(same ? 0.0 : changed_, same || quiet, was ? hop.length.value : 0.0);
@@ -143,7 +144,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   if (was) {
     over = line_.lost() || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
-    const bool full = high && (hop.turnsCompare || state_ == CutState::Chatter);
+    const bool full = (high || lasts) && (hop.turnsCompare || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
       calm_.reset();
@@ -155,6 +156,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   } else {
     state_ = CutState::Stable;
   }
+  limit_ = severity_ >= chatterRatio_ ? chatterRatio_ : high ? kHysteresis * chatterRatio_ : entry_.sidedRatio();
   sinceOnset_ = alarming() ? sinceOnset_ + hop.length.value : 0.0;
   if (!alarming()) feedSinceOnset_ = 0.0;
   follow(lines, hop);
@@ -232,7 +234,7 @@ void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
   v.feedSinceOnset = Metres(feedSinceOnset_);
   v.indicators = {severity_, line_.frequency().value, changed_, floor_, evidence_, purity_};
   if (v.state == CutState::Chatter) {
-    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, chatterRatio_}};
+    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, limit_}};
   } else if (v.state == CutState::Onset) {
     v.reason = {ReasonCode::EnergyRatioGrowing, {changed_, floor_}};
   } else if (v.phase == CutPhase::RunUp) {

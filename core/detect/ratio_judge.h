@@ -51,6 +51,7 @@ class RatioJudge {
   EntryChatter entry_;
   ChatterLine line_;          // of the alarm
   double severity_ = 0.0;     // of the worst channel
+  double limit_ = 0.0;        // ... and what it is over, in full chatter
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
   double mostChanged_ = 0.0;  // turn difference, of any channel

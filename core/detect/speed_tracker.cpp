@@ -209,11 +209,11 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
 
 bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
-  if (!locked_) return true;
   const Hertz found = look.found.spindle;
+  const bool teeth = teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
+  if (!locked_) return teeth;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
-  if (!look.search.hasMoved(spindle(), found, least)) return false;
-  return std::abs(found / spindle() - 1.0) < kFar || teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
+  return look.search.hasMoved(spindle(), found, least) && (teeth || std::abs(found / spindle() - 1.0) < kFar);
 }
 
 void SpeedTracker::seek(Look& look) noexcept {
