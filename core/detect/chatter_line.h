@@ -45,7 +45,7 @@ class ChatterLine {
   double spread_ = 0.0;  // Hz, of the lines that may be the chatter's
   double purity_ = 0.0;
   double lostTurns_ = 0.0;
-  double same_ = 0.0;  // part of the last looks whose strongest line was this one
+  double same_ = 0.0;     // part of the last looks whose strongest line was this one
   int sinceLook_ = 0;     // hops
   bool doubled_ = false;  // period doubling with even teeth
 };

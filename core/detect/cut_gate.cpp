@@ -12,10 +12,11 @@ constexpr double kEntryTurns = 8.0;     // shortest entry
 constexpr double kSlowTurns = 6.0;      // memory against which entry and exit are seen
 constexpr double kSettled = 1.6;        // 2 dB: the level no longer moves
 constexpr double kFalling = 0.5;        // 3 dB down within the memory: the tool leaves
-constexpr double kStayTurns = 3.0;   // a level that falls stands still for a moment, and the tool leaves all the same
+constexpr double kStayTurns = 3.0;    // a level that falls stands still for a moment, and the tool leaves all the same
 constexpr double kStillTurns = 20.0;  // ... but not for so long: a cut that goes on with less is no exit
-constexpr double kLongTurns = 40.0;  // memory against which a slow exit is seen ...
-constexpr double kSinking = 0.35;    // ... 4.5 dB down
+constexpr double kCutsOn = 2.0;       // times the level that opens the gate
+constexpr double kLongTurns = 40.0;   // memory against which a slow exit is seen ...
+constexpr double kSinking = 0.35;     // ... 4.5 dB down
 constexpr double kLongestEntry = 120.0;  // turns; then whatever is there counts as the cut
 
 // First-order follower, exact for any step.
@@ -35,8 +36,7 @@ void CutGate::reset() noexcept {
   floor_ = {};
   cutFloor_ = {};
   calm_ = {};
-  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = whole_ = louder_ = still_ =
-      stillAt_ = 0.0;
+  slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = whole_ = louder_ = still_ = stillAt_ = 0.0;
   airSeen_ = forced_ = speedKnown_ = false;
   phase_ = CutPhase::Air;
 }
@@ -111,7 +111,8 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
   const bool settled = level_ < kSettled * slow_ && slow_ < kSettled * level_;
   settled_ = settled ? settled_ + dt : 0.0;
   louder_ = phase_ == CutPhase::Exit && level_ > whole_ ? louder_ + dt : 0.0;
-  const bool stands = phase_ == CutPhase::Exit && level_ < kSettled * stillAt_ && stillAt_ < kSettled * level_;
+  const bool cuts = phase_ == CutPhase::Exit && level_ > kCutsOn * openRatio_;
+  const bool stands = cuts && level_ < kSettled * stillAt_ && stillAt_ < kSettled * level_;
   still_ = stands ? still_ + dt : 0.0;
   if (!stands) stillAt_ = level_;
   const CutPhase before = phase_;

@@ -32,7 +32,7 @@ constexpr double kLeastRetained = 0.3;
 constexpr double kBack = 0.8;  // scatter over as many; phases that only turn past their place are not back
 // ... and so has it where next to nothing repeats from turn to turn for long. The references have then faded, and what
 // is left of them says nothing of what was retained. Chatter that drowns the forced vibration leaves some turns of it.
-constexpr double kFaded = 0.95;  // of full scatter
+constexpr double kFaded = 0.95;   // of full scatter
 constexpr double kDrowned = 4.0;  // in power
 // Part of a line's power that one order away is found on a harmonic, over a turn: sinc^2 of 0.9.
 constexpr double kLeak = 0.02;

@@ -23,8 +23,8 @@ constexpr double kAllBeside = 0.7;
 constexpr double kLoneSquare = 0.2;
 // A comb of one line alone fits many speeds. That line need not be forced: where it is chatter, or an order above half
 // the rate that no filter kept out, the others lie on another comb.
-constexpr double kAlone = 0.25;        // of what the vibration has on the comb, and is not that line
-constexpr double kBetterBeside = 2.0;  // the others' comb holds so much more of them
+constexpr double kAlone = 0.25;               // of what the vibration has on the comb, and is not that line
+constexpr double kBetterBeside = 2.0;         // the others' comb holds so much more of them
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
 }  // namespace
