@@ -127,7 +127,10 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
     if (steady > kFloorSeconds) cutFloor_ = floor_;
   }
   // A cut that goes on with less has not left; what it was before is no measure any more.
-  if (before == CutPhase::Exit && phase_ == CutPhase::Steady) long_ = level_;
+  if (before == CutPhase::Exit && phase_ == CutPhase::Steady) {
+    long_ = level_;
+    slow_ = std::min(slow_, level_);
+  }
   follow(slow_, level_, dt, kSlowTurns * std::max(revolution.value, dt));
   if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) long_ = slow_;
   follow(long_, level_, dt, kLongTurns * std::max(revolution.value, dt));

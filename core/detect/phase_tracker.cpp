@@ -29,7 +29,7 @@ constexpr double kManoeuvreStep = 1.0;  // rad of the highest order in use
 // it is: the comb has moved from under the tracker.
 constexpr double kRetainTurns = 3.0;
 constexpr double kLeastRetained = 0.3;
-constexpr double kBack = 0.8;  // scatter over as many; phases that only turn past their place are not back
+constexpr double kBack = 0.9;  // scatter, in as many turns on end; phases that only turn past their place are not back
 // ... and so has it where next to nothing repeats from turn to turn for long. The references have then faded, and what
 // is left of them says nothing of what was retained. Chatter that drowns the forced vibration leaves some turns of it.
 constexpr double kFaded = 0.95;   // of full scatter
@@ -62,7 +62,8 @@ void PhaseTracker::start(Hertz spindle, Hertz sd, double drift) noexcept {
   time_ = angleSum_ = 0.0;
   frames_ = 0;
   turns_ = 0;
-  scatter_ = recentScatter_ = usualScatter_ = 0.0;
+  scatter_ = usualScatter_ = 0.0;
+  inPlace_ = 0;
   retained_ = 1.0;
   gone_ = false;
   clean_ = false;
@@ -215,11 +216,11 @@ void PhaseTracker::learn(double delta) noexcept {
   }
   scatter_ = on > 0.0 ? std::sqrt(std::min(off / on, 1.0)) : 1.0;
   clean_ = clean_ || (turns_ >= kMemoryTurns && scatter_ < kCleanScatter);
-  recentScatter_ += (scatter_ - recentScatter_) / kRetainTurns;
   usualScatter_ += (scatter_ - usualScatter_) / kMemoryTurns;
   // Where something much louder came in, nothing can be said of what was there.
   if (on > 0.0 && all < kDrowned * on) retained_ += (std::clamp(kept / on, -1.0, 1.0) - retained_) / kRetainTurns;
-  gone_ = retained_ < kLeastRetained || (gone_ && recentScatter_ > kBack);
+  inPlace_ = scatter_ < kBack ? inPlace_ + 1 : 0;
+  gone_ = retained_ < kLeastRetained || (gone_ && inPlace_ < kRetainTurns);
   if (lost()) return;  // what was forced is remembered until the speed is found again
   const double rate = 1.0 / std::min(static_cast<double>(turns_ + 1), kMemoryTurns);
   for (std::size_t i = 0; i < errors.size(); ++i) {

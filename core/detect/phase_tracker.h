@@ -100,8 +100,8 @@ class PhaseTracker {
   std::array<double, kChannels> all_{};  // sum of squares of this turn
   double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
   bool gone_ = false;                    // too little of it is
-  double recentScatter_ = 0.0;           // scatter over a few turns ...
-  double usualScatter_ = 0.0;            // ... and over many
+  int inPlace_ = 0;                      // turns on end in which it is
+  double usualScatter_ = 0.0;            // scatter over many turns
   double retained_ = 1.0;                // part of the followed amplitude that is still in its place
   bool clean_ = false;                   // it was once followed with little scatter
   dsp::kernels::Kernels kernels_;

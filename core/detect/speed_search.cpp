@@ -264,34 +264,10 @@ SpeedSearch::Line SpeedSearch::strongest() const noexcept {
   return lineAt(static_cast<std::size_t>(std::max_element(power_.begin(), power_.end()) - power_.begin()));
 }
 
-SpeedSearch::Line SpeedSearch::strongestBeside(Hertz spindle) const noexcept {
-  std::size_t peak = 0;
-  for (std::size_t b = 0; b < power_.size(); ++b) {
-    const Hertz f(static_cast<double>(b) * spectrum_.binWidth());
-    if (power_[b] > power_[peak] && std::abs(dsp::orderOffset(f, spindle)) > kOnComb) peak = b;
-  }
-  return lineAt(peak);
-}
-
 bool SpeedSearch::hasMoved(Hertz from, Hertz to, double least) const noexcept {
   const Parts here = restAt(from);
   const Parts there = restAt(to);
   return here.vibration < least * there.vibration && here.square < least * there.square;
-}
-
-bool SpeedSearch::mayChatterAt(Hertz spindle, Hertz found, double least) const noexcept {
-  const Line line = strongestBeside(spindle);
-  const double passing = spindle.value * std::max(teeth_, 1);
-  if (!(passing > 0.0) || !(line.frequency.value > 0.0)) return false;
-  double here = restAt(spindle, line).vibration;
-  // Side lines are as broad as their line.
-  const double lowest = std::fmod(line.frequency.value, passing);
-  for (int k = 0; lowest + k * passing < kUsableBand * rate_; ++k) {
-    const double side = lowest + k * passing;
-    const bool own = std::abs(side - line.frequency.value) < 0.5 * passing;
-    if (!own) here += lobeAt(power_, static_cast<std::size_t>(std::lround(side / spectrum_.binWidth())));
-  }
-  return here > least * restAt(found, line).vibration;
 }
 
 FoundSpeed SpeedSearch::find(Hertz low, Hertz high) noexcept {

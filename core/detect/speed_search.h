@@ -54,7 +54,8 @@ class SpeedSearch {
   void begin(double drift = 0.0) noexcept;
   void add(std::span<const double> samples) noexcept;
   // notForced: a line that is known not to be forced (0: none); combs that it lies on are left out, and it and what it
-  // leaves in the square are in no other.
+  // leaves in the square are in no other. So is the strongest line, where the best comb has no more than that, and what
+  // else there is makes another comb: it is chatter, or an order that is folded down.
   SpeedCandidate search(Hertz low, Hertz high, Hertz notForced = Hertz(0.0)) noexcept;
   // In a range too wide for search(), by the lines of the vibration alone (speed_finder.h).
   FoundSpeed find(Hertz low, Hertz high) noexcept;
@@ -76,10 +77,6 @@ class SpeedSearch {
   // Chatter leaves the forced vibration where it was; a spindle that moves takes it along. Do both spectra hold less
   // than this part of the comb of `to` at `from`?
   bool hasMoved(Hertz from, Hertz to, double least) const noexcept;
-  // Near a simple fraction of a tooth passing chatter, its side lines and the tooth passings make a comb of their own:
-  // 275 Hz, 459.6 Hz and 734.6 Hz are 3, 5 and 8 times 91.8 Hz. Does a cut at the speed `spindle` that chatters, with
-  // side lines whole tooth passings away, hold at least this part of what the comb of `found` does?
-  bool mayChatterAt(Hertz spindle, Hertz found, double least) const noexcept;
   // May this line of the vibration be forced at some speed in low..high: a tooth passing, or one of a comb of lines?
   bool mayBeForced(Hertz line, Hertz low, Hertz high) const noexcept;
   // ... at this one, if at any?
@@ -97,8 +94,6 @@ class SpeedSearch {
   Line lineAt(std::size_t peak) const noexcept;
   // Where a line stands in the square, folded back if it has to be.
   double doubled(double frequency) const noexcept { return std::min(2.0 * frequency, rate_ - 2.0 * frequency); }
-  // The strongest that is not on the comb of `spindle`.
-  Line strongestBeside(Hertz spindle) const noexcept;
   Parts restAt(Hertz spindle, const Line& without) const noexcept;
   // Do other lines stand with this one on the comb of `spindle`, in the square of the vibration? What the line itself
   // leaves there at twice its frequency lies on every comb that the line lies on, and does not count.

@@ -72,6 +72,18 @@ TEST_P(CutGateBlocks, WhatGrowsAfterADipIsInTheCut) {
   EXPECT_GT(steady, 0.2);
 }
 
+// A corner is over, and the cut goes on with a tenth of what it was: no exit lasts twenty turns. Near air it does.
+TEST_P(CutGateBlocks, ACutThatGoesOnWithLessIsNoExit) {
+  for (const double less : {10.0, 4.5}) {
+    Gate g;
+    g.run(1.0, 2.0, GetParam());
+    g.run(100.0, 2.0, GetParam());
+    ASSERT_EQ(g.run(less, 0.2, GetParam()).back(), CutPhase::Exit);
+    g.run(less, 1.0, GetParam());
+    EXPECT_EQ(g.gate.phase(), less > 2.0 * kOpen ? CutPhase::Steady : CutPhase::Exit) << less;
+  }
+}
+
 // A recording begins with the tool in the material, shaken by its first bite. Chatter that comes and is cured later is
 // louder than the cut as well; what is left then is the cut and no air.
 TEST_P(CutGateBlocks, ACutThatNoAirWasHeardBeforeIsNotAirOnceItsChatterIsCured) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <initializer_list>
-#include <utility>
 #include <vector>
 
 #include "core/detect/phase_tracker.h"
@@ -104,30 +102,70 @@ TEST(SpeedSearch, RunoutOnAModeMayBeAmongOthersOfASpindleThatRanAway) {
   EXPECT_FALSE(mayBeAmongOthers(0.0));
 }
 
-// Chatter of a four-flute tool at 115 Hz: 275 Hz with a side line a tooth passing above it make a comb of 91.8 Hz with
-// the tooth passing, which holds more than the spindle's. A spindle that did go to 91.8 Hz took all of its lines along.
-TEST(SpeedSearch, ChatterNearAFractionOfAToothPassingIsNoSpindleThatMoved) {
-  constexpr double kSpindle = 114.9, kFraction = 91.8, kGone = 0.6;
-  const int size = static_cast<int>(12.0 * kRate / kSpindle);
+// An accelerometer read at 1 kHz without a filter: order 11 of 52.05 Hz is folded down to 427.5 Hz, the strongest line
+// of all and eight times 53.43 Hz. The others are the spindle's.
+TEST(SpeedSearch, AFoldedOrderAloneIsNoComb) {
+  constexpr double kSlowRate = 1000.0, kSpindle = 52.05, kFolded = kSlowRate - 11.0 * kSpindle;
+  const int size = static_cast<int>(24.0 * kSlowRate / kSpindle);
   SpeedSearch search;
-  search.prepare(size, Hertz(kRate), 4);
-  const auto hear = [&](std::initializer_list<std::pair<double, double>> lines) {
+  search.prepare(size, Hertz(kSlowRate), 0);
+  const auto found = [&](double folded, double others) {
     std::vector<double> x(static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i) {
-      for (const auto& [hertz, amplitude] : lines) {
-        x[static_cast<std::size_t>(i)] += amplitude * std::cos(kTwoPi * hertz * i / kRate + hertz);
-      }
+      const double turn = kTwoPi * kSpindle * i / kSlowRate;
+      double v = folded * std::cos(kTwoPi * kFolded * i / kSlowRate);
+      for (int h : {2, 3, 4, 6}) v += others * std::cos(h * turn + h * h);
+      x[static_cast<std::size_t>(i)] = v;
     }
     search.begin();
     search.add(x);
+    return search.search(Hertz(0.965 * kSpindle), Hertz(1.035 * kSpindle)).spindle.value;
   };
-  const double passing = 4.0 * kSpindle;
-  hear({{passing, 1.0}, {275.2, 1.2}, {275.2 + passing, 0.9}});
-  EXPECT_TRUE(search.hasMoved(Hertz(kSpindle), Hertz(kFraction), kGone));  // the reason why this is asked for as well
-  EXPECT_TRUE(search.mayChatterAt(Hertz(kSpindle), Hertz(kFraction), kGone));
-  hear({{4.0 * kFraction, 1.0}, {8.0 * kFraction, 0.7}, {3.0 * kFraction, 0.5}, {12.0 * kFraction, 0.4}});
-  EXPECT_TRUE(search.hasMoved(Hertz(kSpindle), Hertz(kFraction), kGone));
-  EXPECT_FALSE(search.mayChatterAt(Hertz(kSpindle), Hertz(kFraction), kGone));
+  EXPECT_NEAR(found(1.0, 0.25), kSpindle, 1e-3 * kSpindle);
+  // Where nothing else makes a comb, that line is all there is to go by.
+  EXPECT_NEAR(found(1.0, 0.0), kFolded / 8.0, 1e-3 * kSpindle);
+}
+
+// A tracker at `angle`, one sample after the other of what `signal` makes of the time, for `seconds`.
+template <class Signal>
+void follow(PhaseTracker& tracker, double from, double seconds, const Signal& signal) {
+  double angle = 0.0;
+  double slew = 0.0;
+  std::array<double, 1> x{};
+  const std::array<const double*, 1> samples{x.data()};
+  for (int k = 0; k < static_cast<int>(seconds * kRate); ++k) {
+    const double step = kTwoPi * tracker.spindle().value / kRate + slew;
+    x[0] = signal(from + k / kRate);
+    tracker.accumulate(angle, step, samples.data(), 0, 1);
+    angle += step;
+    if (angle < kTwoPi) continue;
+    angle -= kTwoPi;
+    slew = tracker.completeTurn() * tracker.spindle().value / kRate;
+  }
+}
+
+// A spindle slowed by a tenth or a twentieth at once, untold: its lines turn against the old ones, past their old places as well, and
+// louder. However long that lasts the lock stays lost.
+TEST(PhaseTracker, IsNotFoundAgainByPhasesThatTurnPast) {
+  constexpr double kSpindle = 105.0;
+  for (const double louder : {1.0, 3.0}) {
+    for (const double slowed : {0.91, 0.95}) {
+      PhaseTracker tracker;
+      tracker.prepare(1, Hertz(kRate), kTeeth);
+      tracker.start(Hertz(kSpindle), Hertz(0.1));
+      follow(tracker, 0.0, 0.5, [](double t) { return forced(kSpindle, 0.0, t); });
+      ASSERT_TRUE(tracker.clean());
+      ASSERT_FALSE(tracker.lost());
+      const auto moved = [&](double t) { return louder * forced(slowed * kSpindle, 0.0, t); };
+      follow(tracker, 0.5, 0.6, moved);
+      int found = 0;
+      for (int k = 0; k < 100; ++k) {
+        follow(tracker, 1.1 + 0.02 * k, 0.02, moved);
+        found += tracker.lost() ? 0 : 1;
+      }
+      EXPECT_EQ(found, 0) << louder << ' ' << slowed;
+    }
+  }
 }
 
 // Started on the speed of the middle of a search's window, of a spindle that runs away by 5 % a second, and in doubt by
