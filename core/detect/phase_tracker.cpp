@@ -29,8 +29,9 @@ constexpr double kManoeuvreStep = 1.0;  // rad of the highest order in use
 // it is: the comb has moved from under the tracker.
 constexpr double kRetainTurns = 3.0;
 constexpr double kLeastRetained = 0.3;
-constexpr double kBack = 0.9;  // scatter, in as many turns on end; phases that only turn past their place are not back
-// ... and so has it where next to nothing repeats from turn to turn for long. The references have then faded, and what
+constexpr int kBackTurns = 2;  // phases that only turn past their place are not back in it: on end ...
+constexpr double kBack = 0.8;  // ... they scatter less than this
+// ... and so has it where next to nothing repeats from turn to turn for long: the references have faded then, and what
 // is left of them says nothing of what was retained. Chatter that drowns the forced vibration leaves some turns of it.
 constexpr double kFaded = 0.95;   // of full scatter
 constexpr double kDrowned = 4.0;  // in power
@@ -220,7 +221,7 @@ void PhaseTracker::learn(double delta) noexcept {
   // Where something much louder came in, nothing can be said of what was there.
   if (on > 0.0 && all < kDrowned * on) retained_ += (std::clamp(kept / on, -1.0, 1.0) - retained_) / kRetainTurns;
   inPlace_ = scatter_ < kBack ? inPlace_ + 1 : 0;
-  gone_ = retained_ < kLeastRetained || (gone_ && inPlace_ < kRetainTurns);
+  gone_ = retained_ < kLeastRetained || (gone_ && inPlace_ < kBackTurns);
   if (lost()) return;  // what was forced is remembered until the speed is found again
   const double rate = 1.0 / std::min(static_cast<double>(turns_ + 1), kMemoryTurns);
   for (std::size_t i = 0; i < errors.size(); ++i) {

@@ -99,10 +99,10 @@ class PhaseTracker {
   double scatter_ = 0.0;
   std::array<double, kChannels> all_{};  // sum of squares of this turn
   double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
-  bool gone_ = false;                    // too little of it is
-  int inPlace_ = 0;                      // turns on end in which it is
   double usualScatter_ = 0.0;            // scatter over many turns
   double retained_ = 1.0;                // part of the followed amplitude that is still in its place
+  bool gone_ = false;                    // too little of it is
+  int inPlace_ = 0;                      // turns on end in which it is
   bool clean_ = false;                   // it was once followed with little scatter
   dsp::kernels::Kernels kernels_;
   std::array<Row, kChannels> sums_{};  // of this turn, by channel

@@ -37,7 +37,6 @@ constexpr double kFine = 7e-4;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
-constexpr double kStaysPart = 0.2;      // of what is not in the strongest line; less is noise
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
@@ -187,8 +186,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     const SpeedSearch::Parts there = look.search.restAt(now.spindle / look.gone);
     if (there.vibration < kBetter * here.vibration || there.square < kBetter * here.square) {
       // What else there is has stayed in its place: it is chatter that made it look lost.
-      const double least = kStaysPart * (1.0 - look.search.strongest().part);
-      if (here.vibration > std::max(least, there.vibration) && here.square > there.square) tracker_.stay();
+      if (here.vibration > there.vibration && here.square > there.square) tracker_.stay();
       return;
     }
   }

@@ -144,8 +144,8 @@ void follow(PhaseTracker& tracker, double from, double seconds, const Signal& si
   }
 }
 
-// A spindle slowed by a tenth or a twentieth at once, untold: its lines turn against the old ones, past their old places as well, and
-// louder. However long that lasts the lock stays lost.
+// A spindle slowed by a tenth or a twentieth at once, untold: its lines turn against the old ones, past their old
+// places as well, and louder. However long that lasts the lock stays lost.
 TEST(PhaseTracker, IsNotFoundAgainByPhasesThatTurnPast) {
   constexpr double kSpindle = 105.0;
   for (const double louder : {1.0, 3.0}) {
