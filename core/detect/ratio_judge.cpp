@@ -126,9 +126,8 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
-  full_ = was && (full_ || state_ == CutState::Chatter);
   // Of the line that full chatter was made of, less is chatter still.
-  const bool lasts = full_ && line_.stays() && joint_ >= entry_.sidedRatio();
+  const bool lasts = state_ == CutState::Chatter && line_.stays() && joint_ >= entry_.sidedRatio();
   const bool held = lasts || entry_.held(joint_);
   const bool quiet = severity_ < kHysteresis * chatterRatio_ && !held;
   const bool same = repeats(hop.spindle);

@@ -1,8 +1,8 @@
 // The default detector on every shared real recording, its programmed speed told right, 2 and 3 % too low and too high:
 // what is labelled chatter alarms within 0.3 s and is called chatter for nine tenths of its length; nothing alarms in
-// what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. One axis of the end mill's
-// by itself, told up to 2 % off, alarms within a second and, across the tool, for most of that length; the cut whose
-// spindle is a seventh slower than told is not asked for by one axis. Begun in the midst of chatter none is air.
+// what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. Any one axis by itself does
+// the same, told up to 2 % off, but for the end mill's axis along the tool: it hears its chatter for as long, later,
+// and is not asked about the spindle that is a seventh slower than told. Begun in the midst of chatter none is air.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kMostDelay = 0.3;  // s
 constexpr double kLeastPart = 0.9;
-constexpr double kMostDelayOfOne = 1.0;    // s
-constexpr double kLeastPartOfOne = 0.6;    // in alarm
+constexpr double kMostDelayAlong = 1.25;   // s, of the axis along the tool
+constexpr double kMostAfter = 0.4;         // s: the chatter is over when the tool has been leaving for a seventh of one
 constexpr double kBegun = 2.5;             // s, amid chatter in every one of them
 constexpr double kMostMissedBegun = 1.25;  // s: two windows of two dozen turns of the slowest, and an entry
 constexpr int kAlongTheTool = 2;           // axis
@@ -41,22 +41,26 @@ TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
   }
 }
 
-TEST_P(OneAxis, OfAnEndMillIsEnough) {
+TEST_P(OneAxis, IsEnough) {
   const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
   if (cuts.empty()) GTEST_SKIP() << "reference material not found: " << STILLCUT_SHARED_DIR;
   for (const RealCut& cut : cuts) {
+    if (!cut.channels.empty()) continue;  // there is only one
     const std::string file = cut.file.filename().string();
-    if (!file.starts_with("EBI") || file.ends_with("7000RPMto6000RPM.csv")) continue;
     for (const int axis : {0, 1, 2}) {
+      const bool along = file.starts_with("EBI") && axis == 2;
+      if (along && file.ends_with("7000RPMto6000RPM.csv")) continue;
       const auto judged = judgeRealCut(cut, {axis}, GetParam(), {"energy-ratio"});
+      if (!judged.ok() && axis > 0) break;  // a microphone
       ASSERT_TRUE(judged.ok()) << judged.error().line();
       const Tally& t = judged->front();
       EXPECT_EQ(t.falseInSegment, 0.0) << file << " axis " << axis << " from " << t.firstFalse;
-      if (!(chatterLength(cut) > 0.0)) continue;
+      const double length = chatterLength(cut);
+      if (!(length > 0.0)) continue;
       EXPECT_GE(t.delay, 0.0) << file << " axis " << axis;
-      EXPECT_LE(t.delay, kMostDelayOfOne) << file << " axis " << axis;
-      const double least = axis == kAlongTheTool ? 0.0 : kLeastPartOfOne;
-      EXPECT_GE(t.alarm, least * chatterLength(cut)) << file << " axis " << axis;
+      EXPECT_LE(t.delay, along ? kMostDelayAlong : kMostDelay) << file << " axis " << axis;
+      EXPECT_GE(t.chatter, kLeastPart * length) << file << " axis " << axis;
+      EXPECT_LE(t.falseAlarm, kMostAfter) << file << " axis " << axis;
     }
   }
 }
