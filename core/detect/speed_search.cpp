@@ -24,7 +24,7 @@ constexpr double kLoneSquare = 0.2;
 // A comb of one line alone fits many speeds. That line need not be forced: where it is chatter, or an order above half
 // the rate that no filter kept out, the others lie on another comb.
 constexpr double kAlone = 0.25;               // of what the vibration has on the comb, and is not that line
-constexpr double kBetterBeside = 2.0;         // the others' comb holds so much more of them
+constexpr double kBetterBeside = 2.5;         // the others' comb holds so much more of them
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
 
 }  // namespace
@@ -221,7 +221,8 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
   const SpeedCandidate beside = searchCombs(low, high, line.frequency);
   const Parts others = restAt(beside.spindle, line);
   const bool better = others.vibration + others.square > kBetterBeside * (rest.vibration + rest.square);
-  return beside.stands() && better ? beside : found;
+  // Of the combs that are left too few are no neighbours of the best one for its contrast to say much.
+  return !beside.atEdge && beside.part > SpeedCandidate::kLeastPart && better ? beside : found;
 }
 
 SpeedCandidate SpeedSearch::searchCombs(Hertz low, Hertz high, Hertz notForced) noexcept {
@@ -247,9 +248,12 @@ SpeedCandidate SpeedSearch::searchCombs(Hertz low, Hertz high, Hertz notForced) 
   found.sd = Hertz(step);
   found.part = std::min(peak, 1.0);
   found.atEdge = best == 0 || best + 1 == count;
-  const auto middle = trials_.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(trials_.begin(), middle, trials_.begin() + static_cast<std::ptrdiff_t>(count));
-  found.contrast = *middle > 0.0 ? peak / *middle : 0.0;
+  // What was left out is no measure of what a comb holds by chance.
+  const auto end = trials_.begin() + static_cast<std::ptrdiff_t>(count);
+  const auto tried = notForced.value > 0.0 ? std::remove(trials_.begin(), end, 0.0) : end;
+  const auto middle = trials_.begin() + (tried - trials_.begin()) / 2;
+  std::nth_element(trials_.begin(), middle, tried);
+  found.contrast = middle != tried && *middle > 0.0 ? peak / *middle : 0.0;
   found.toothPart = toothPart(found.spindle.value);
   return found;
 }
