@@ -31,9 +31,11 @@ constexpr double kRetainTurns = 3.0;
 constexpr double kLeastRetained = 0.3;
 constexpr int kBackTurns = 2;  // phases that only turn past their place are not back in it: on end ...
 constexpr double kBack = 0.8;  // ... they scatter less than this
-// ... and so has it where next to nothing repeats from turn to turn for long: the references have faded then, and what
-// is left of them says nothing of what was retained. Chatter that drowns the forced vibration leaves some turns of it.
-constexpr double kFaded = 0.95;   // of full scatter
+// ... and so has it where next to nothing repeats for so many turns on end: the references fade then, and what is left
+// of them says nothing of what was retained. Chatter that drowns the forced vibration leaves a turn of it now and then:
+// of an end mill's there were never more than seven without.
+constexpr int kScatteredTurns = 12;
+constexpr double kScattered = 0.98;
 constexpr double kDrowned = 4.0;  // in power
 // Part of a line's power that one order away is found on a harmonic, over a turn: sinc^2 of 0.9.
 constexpr double kLeak = 0.02;
@@ -63,8 +65,8 @@ void PhaseTracker::start(Hertz spindle, Hertz sd, double drift) noexcept {
   time_ = angleSum_ = 0.0;
   frames_ = 0;
   turns_ = 0;
-  scatter_ = usualScatter_ = 0.0;
-  inPlace_ = 0;
+  scatter_ = 0.0;
+  inPlace_ = scattered_ = 0;
   retained_ = 1.0;
   gone_ = false;
   clean_ = false;
@@ -217,7 +219,7 @@ void PhaseTracker::learn(double delta) noexcept {
   }
   scatter_ = on > 0.0 ? std::sqrt(std::min(off / on, 1.0)) : 1.0;
   clean_ = clean_ || (turns_ >= kMemoryTurns && scatter_ < kCleanScatter);
-  usualScatter_ += (scatter_ - usualScatter_) / kMemoryTurns;
+  scattered_ = scatter_ > kScattered ? scattered_ + 1 : 0;
   // Where something much louder came in, nothing can be said of what was there.
   if (on > 0.0 && all < kDrowned * on) retained_ += (std::clamp(kept / on, -1.0, 1.0) - retained_) / kRetainTurns;
   inPlace_ = scatter_ < kBack ? inPlace_ + 1 : 0;
@@ -247,7 +249,7 @@ bool PhaseTracker::drowned() noexcept {
 }
 
 bool PhaseTracker::lost() const noexcept {
-  return clean_ && (gone_ || usualScatter_ > kFaded);
+  return clean_ && (gone_ || scattered_ > kScatteredTurns);
 }
 
 double PhaseTracker::wander() const noexcept {

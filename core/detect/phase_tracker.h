@@ -32,7 +32,7 @@ class PhaseTracker {
   void stay() noexcept {
     retained_ = 1.0;
     gone_ = false;
-    usualScatter_ = 0.0;
+    scattered_ = 0;
   }
   // The machine changed its speed: the references stay, the doubt grows.
   void nudge(Hertz spindle) noexcept;
@@ -99,7 +99,7 @@ class PhaseTracker {
   double scatter_ = 0.0;
   std::array<double, kChannels> all_{};  // sum of squares of this turn
   double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
-  double usualScatter_ = 0.0;            // scatter over many turns
+  int scattered_ = 0;                    // turns on end of which next to nothing repeats
   double retained_ = 1.0;                // part of the followed amplitude that is still in its place
   bool gone_ = false;                    // too little of it is
   int inPlace_ = 0;                      // turns on end in which it is

@@ -87,7 +87,9 @@ TEST_P(BegunAmidChatter, IsNeverCalledAirForLong) {
 
 INSTANTIATE_TEST_SUITE_P(ToldSpeed, RealCuts, ::testing::Values(-0.03, -0.02, 0.0, 0.02, 0.03));
 INSTANTIATE_TEST_SUITE_P(ToldSpeed, BegunAmidChatter, ::testing::Values(-0.02, 0.0, 0.02));
-INSTANTIATE_TEST_SUITE_P(ToldSpeed, OneAxis, ::testing::Values(-0.03, -0.025, -0.02, -0.015, -0.01, -0.005, 0.0, 0.005, 0.01, 0.015, 0.02, 0.025, 0.03));
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, OneAxis,
+                         ::testing::Values(-0.03, -0.025, -0.02, -0.015, -0.01, -0.005, 0.0, 0.005, 0.01, 0.015, 0.02,
+                                           0.025, 0.03));
 
 }  // namespace
 }  // namespace stillcut::bench
