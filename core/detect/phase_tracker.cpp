@@ -248,8 +248,12 @@ bool PhaseTracker::drowned() noexcept {
   return louder;
 }
 
+bool PhaseTracker::scattered() const noexcept {
+  return scattered_ > kScatteredTurns;
+}
+
 bool PhaseTracker::lost() const noexcept {
-  return clean_ && (gone_ || scattered_ > kScatteredTurns);
+  return clean_ && (gone_ || scattered());
 }
 
 double PhaseTracker::wander() const noexcept {

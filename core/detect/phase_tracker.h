@@ -52,6 +52,8 @@ class PhaseTracker {
   // Followed with little scatter, once, since the start; a comb that is not the spindle's never is.
   bool clean() const noexcept { return clean_; }
   int turns() const noexcept { return turns_; }
+  // Next to nothing has repeated for many turns on end.
+  bool scattered() const noexcept;
   // The forced vibration that was followed is no longer where it was.
   bool lost() const noexcept;
 

@@ -213,10 +213,15 @@ bool SpeedSearch::mayBeAmongOthers(Hertz line, Hertz low, Hertz high) const noex
 }
 
 SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexcept {
-  const SpeedCandidate found = searchCombs(low, high, notForced);
+  SpeedCandidate found = searchCombs(low, high, notForced);
   if (notForced.value > 0.0 || !(found.part > 0.0)) return found;
   const Line line = strongest();
   const Parts rest = restAt(found.spindle, line);
+  // Half way between two orders a line is on no comb, and what it leaves in the square says nothing for one.
+  if (std::abs(dsp::orderOffset(line.frequency, found.spindle)) > kOnComb) {
+    found.part = 0.5 * (rest.vibration + rest.square);
+    return found;
+  }
   if (rest.vibration > kAlone * partsAt(found.spindle).vibration) return found;
   const SpeedCandidate beside = searchCombs(low, high, line.frequency);
   const Parts others = restAt(beside.spindle, line);

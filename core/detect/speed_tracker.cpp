@@ -150,7 +150,8 @@ void SpeedTracker::beginCut() noexcept {
 
 bool SpeedTracker::dead() const noexcept {
   const bool held = tracker_.clean() || tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
-  return followed_ && !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
+  return (followed_ || tracker_.scattered()) && !held && !measured_ && !quick_.last.stands() &&
+         !thorough_.last.stands();
 }
 
 bool SpeedTracker::astray() const noexcept {
