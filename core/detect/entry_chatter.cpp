@@ -38,15 +38,17 @@ double EntryChatter::sidedRatio() const noexcept {
 }
 
 void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) noexcept {
+  bool learned = true;
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const auto learn = [](double& calm, const OnsetTest& onset) {
+    const auto learn = [&](double& calm, const OnsetTest& onset) {
       if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
+      learned = learned && onset.learned();
     };
     learn(calmFloor_[i], channels[i].growth.onset());
     learn(calmNews_[i], channels[i].news.onset());
   }
   if (worst < kHysteresis * sidedRatio() && hop.steadyTurns >= kSettleTurns) calmTurns_ += 1.0 / kHopsPerTurn;
-  wasCalm_ = wasCalm_ || calmTurns_ > leastTurns(hop.spindle);
+  wasCalm_ = wasCalm_ || (learned && calmTurns_ > leastTurns(hop.spindle));
 }
 
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
