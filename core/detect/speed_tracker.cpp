@@ -160,7 +160,7 @@ bool SpeedTracker::astray() const noexcept {
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
-  if (astray() && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kFine) {
+  if (astray() && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kAgreement) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
