@@ -257,7 +257,7 @@ bool PhaseTracker::scattered() const noexcept {
 }
 
 bool PhaseTracker::lost() const noexcept {
-  return clean_ && (gone_ || scattered());
+  return clean_ && gone_;
 }
 
 double PhaseTracker::wander() const noexcept {

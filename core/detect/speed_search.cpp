@@ -131,6 +131,11 @@ SpeedSearch::Parts SpeedSearch::restAt(Hertz spindle, const Line& without) const
   return parts(spindle.value, harmonicsOf(spindle), without.frequency.value);
 }
 
+double SpeedSearch::restPartAt(Hertz spindle) const noexcept {
+  const Line line = strongest();
+  return line.part < 1.0 ? restAt(spindle, line).vibration / (1.0 - line.part) : 0.0;
+}
+
 // Both spectra's sum, into powers_.
 void SpeedSearch::addBoth(Hertz notForced) noexcept {
   std::copy(power_.begin(), power_.end(), powers_.begin());

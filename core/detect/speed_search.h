@@ -74,6 +74,8 @@ class SpeedSearch {
   // The same without the strongest line of the vibration, and without twice its frequency in the square: a comb that
   // has moved takes all of its lines along, while one that was fitted to a chatter line has little else.
   Parts restAt(Hertz spindle) const noexcept { return restAt(spindle, strongest()); }
+  // ... of the vibration, as a part of all that is not in that line.
+  double restPartAt(Hertz spindle) const noexcept;
   // Chatter leaves the forced vibration where it was; a spindle that moves takes it along. Do both spectra hold less
   // than this part of the comb of `to` at `from`?
   bool hasMoved(Hertz from, Hertz to, double least) const noexcept;

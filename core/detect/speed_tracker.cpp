@@ -37,6 +37,7 @@ constexpr double kFine = 7e-4;
 constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same speed
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
+constexpr double kStaysPart = 0.2;      // of what chatter leaves beside its line: the spindle's comb has it
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
@@ -149,9 +150,10 @@ void SpeedTracker::beginCut() noexcept {
 }
 
 bool SpeedTracker::dead() const noexcept {
-  const bool held = tracker_.clean() || tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
-  return (followed_ || tracker_.scattered()) && !held && !measured_ && !quick_.last.stands() &&
-         !thorough_.last.stands();
+  if (tracker_.clean()) return tracker_.scattered() && onComb_ < kStaysPart && !measured_;
+  const bool held = tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
+  const bool known = followed_ || tracker_.scattered();
+  return known && !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
 }
 
 bool SpeedTracker::astray() const noexcept {
@@ -160,7 +162,8 @@ bool SpeedTracker::astray() const noexcept {
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
-  if (astray() && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kAgreement) {
+  const bool doubted = astray() || tracker_.scattered();
+  if (doubted && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kAgreement) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
@@ -261,7 +264,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
-  if (locked_ && proven_ && !astray() && !(lone_.suspect().value > 0.0)) return;
+  if (locked_ && proven_ && !astray() && !tracker_.scattered() && !(lone_.suspect().value > 0.0)) return;
   const double followed = locked_ && !astray() ? tracker_.drift() : 0.0;
   look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
   look.gone = 1.0 + 0.5 * look.drift * static_cast<double>(window) / rate_;
@@ -275,6 +278,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   }
   if (&look == &quick_) {
     const double doubt = kMargin * (measured_ ? LoneLine::kReadBack : range_);
+    onComb_ = tracker_.scattered() ? look.search.restPartAt(spindle()) : 1.0;
     lone_.watch(look.search, Hertz(told_), doubt, measured_, locked_ ? spindle() : Hertz());
   }
   if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
@@ -338,6 +342,7 @@ void SpeedTracker::forget() noexcept {
     look->since = 0;
   }
   lone_.forget();
+  onComb_ = 1.0;
 }
 
 // Mean speed of the turn that has begun [rad/s].
@@ -392,7 +397,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();
   if (locked_ && leaving) return;
-  if (!sure || astray()) lookIfDue(quick_);
+  if (!sure || astray() || tracker_.scattered()) lookIfDue(quick_);
   lookIfDue(thorough_);
 }
 

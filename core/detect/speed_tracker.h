@@ -116,6 +116,7 @@ class SpeedTracker {
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
   bool followed_ = false;   // in this cut, cleanly
   bool trusted_ = false;    // told roughly, or followed cleanly
+  double onComb_ = 1.0;     // of what is not the strongest line, where next to nothing repeats
   double toothPart_ = 0.0;
   LoneLine lone_;
 
