@@ -62,8 +62,7 @@ void SpeedTracker::prepare(const CutSetup& setup, double searchRange) {
   tracker_.prepare(channels_, setup.rate, setup.teeth);
   lone_.prepare(setup.teeth, setup.rate);
   trend_.prepare(kQuickHops);
-  for (auto& ring : ring_) ring.assign(static_cast<std::size_t>(window), 0.0);
-  unrolled_.assign(static_cast<std::size_t>(window), 0.0);
+  heard_.prepare(channels_, window);
   reset();
 }
 
@@ -119,11 +118,9 @@ Hertz SpeedTracker::sd() const noexcept {
 }
 
 void SpeedTracker::remember(const double* const* samples, int frames) noexcept {
-  const std::size_t size = unrolled_.size();
-  for (int f = 0; f < frames; ++f) {
-    for (int c = 0; c < channels_; ++c) ring_[static_cast<std::size_t>(c)][head_] = samples[c][f];
-    head_ = head_ + 1 == size ? 0 : head_ + 1;
-  }
+  const int skipped = std::max(0, frames - static_cast<int>(heard_.window()));
+  const std::ptrdiff_t stride = channels_ > 1 ? samples[1] - samples[0] : 0;
+  heard_.push(samples[0] + skipped, stride, static_cast<std::size_t>(frames - skipped));
 }
 
 void SpeedTracker::lock(Hertz spindle, Hertz sd, double drift) noexcept {
@@ -269,13 +266,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
   look.gone = 1.0 + 0.5 * look.drift * static_cast<double>(window) / rate_;
   look.search.begin(look.drift);
-  const auto size = static_cast<std::ptrdiff_t>(unrolled_.size());
-  const auto head = static_cast<std::ptrdiff_t>(head_);
-  for (int c = 0; c < channels_; ++c) {
-    const auto& ring = ring_[static_cast<std::size_t>(c)];
-    std::copy(ring.begin(), ring.begin() + head, std::copy(ring.begin() + head, ring.end(), unrolled_.begin()));
-    look.search.add(std::span<const double>(unrolled_).subspan(static_cast<std::size_t>(size - window)));
-  }
+  for (int c = 0; c < channels_; ++c) look.search.add(heard_.newest(c).last(static_cast<std::size_t>(window)));
   if (&look == &quick_) {
     const double doubt = kMargin * (measured_ ? LoneLine::kReadBack : range_);
     onComb_ = tracker_.scattered() ? look.search.restPartAt(spindle()) : 1.0;
@@ -333,7 +324,6 @@ void SpeedTracker::ride(int frames, double* angle, double* step) noexcept {
 
 void SpeedTracker::forget() noexcept {
   inCut_ = 0;
-  head_ = 0;
   trend_.reset();
   for (Look* look : {&quick_, &thorough_}) {
     look->last = {};

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/detect/frame_ring.h"
 #include "core/detect/lone_line.h"
 #include "core/detect/machine_speed.h"
 #include "core/detect/phase_tracker.h"
@@ -35,8 +36,8 @@ class SpeedTracker {
   void listen(const MachineState& machine, int frames, Instant end) noexcept;
   // A new cut began: what was found in the last one is only a hint.
   void beginCut() noexcept;
-  // Conditioned samples of a block or a part of it, channel c at samples[c]; fills angle [rad, wrapped] and step [rad]
-  // per frame.
+  // Conditioned samples of a block or a part of it, channel c at samples[c], all equally far apart; fills angle [rad,
+  // wrapped] and step [rad] per frame.
   void advance(const double* const* samples, int frames, double* angle, double* step) noexcept;
   // At times that do not depend on how the stream is cut into blocks, `since` the last: searches where one is due.
   // leaving: the tool leaves the cut and takes the forced vibration along, so that a comb already found stays.
@@ -125,9 +126,7 @@ class SpeedTracker {
   int blockFrames_ = 1;  // of the block that the machine's word came with
   int blockDone_ = 0;
   long inCut_ = 0;  // frames since the cut or the stream began
-  std::size_t head_ = 0;
-  std::array<std::vector<double>, kSearchChannels> ring_;
-  std::vector<double> unrolled_;
+  FrameRing heard_;
 };
 
 }  // namespace stillcut::detect

@@ -97,12 +97,12 @@ TEST(EntryChatter, ACutIsCalmAfterAsLongAsItsChatterHasToLast) {
   hop.teeth = kTeeth;
   hop.highest = Hertz(40.5 * kFast);
   hop.steadyTurns = 100.0;
-  const auto beginsAfter = [&](double calmSeconds, double steadyTurns) {
+  const auto beginsAfter = [&](double calmSeconds, double steadyTurns, std::span<const RatioChannel> channels = {}) {
     EntryChatter chatter;
     chatter.prepare(0.2);
     RatioHop calm = hop;
     calm.steadyTurns = steadyTurns;
-    for (double t = 0.0; t < calmSeconds; t += hop.length.value) chatter.learnCalm({}, 0.01, calm);
+    for (double t = 0.0; t < calmSeconds; t += hop.length.value) chatter.learnCalm(channels, 0.01, calm);
     bool begins = false;
     for (double t = 0.0; t < 0.2; t += hop.length.value) begins |= chatter.begins({}, {0.05, 0.05}, lines, hop);
     return begins;
@@ -111,6 +111,8 @@ TEST(EntryChatter, ACutIsCalmAfterAsLongAsItsChatterHasToLast) {
   EXPECT_TRUE(beginsAfter(0.05, 100.0));
   EXPECT_FALSE(beginsAfter(0.15, 100.0));
   EXPECT_TRUE(beginsAfter(0.15, 1.0)) << "the filters had not settled";
+  const std::vector<RatioChannel> unlearned(1);
+  EXPECT_TRUE(beginsAfter(0.15, 100.0, unlearned)) << "no growth can be told yet";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <vector>
 
 #include "core/detect/phase_tracker.h"
@@ -126,6 +127,52 @@ TEST(SpeedSearch, AFoldedOrderAloneIsNoComb) {
   EXPECT_NEAR(found(1.0, 0.0), kFolded / 8.0, 1e-3 * kSpindle);
 }
 
+// A line half way between two orders is on no comb, but twice its frequency, in the square, is.
+TEST(SpeedSearch, ALineBetweenTwoOrdersIsNoComb) {
+  constexpr double kSpindle = 123.2;
+  const int size = static_cast<int>(24.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), 3);
+  std::vector<double> x(static_cast<std::size_t>(size));
+  std::mt19937 engine(3);
+  std::normal_distribution<double> noise(0.0, 0.02);
+  for (int i = 0; i < size; ++i) {
+    x[static_cast<std::size_t>(i)] = std::cos(kTwoPi * 2.5 * kSpindle * i / kRate) + noise(engine);
+  }
+  search.begin();
+  search.add(x);
+  EXPECT_GT(search.partsAt(Hertz(kSpindle)).square, 0.5);  // the reason why
+  EXPECT_FALSE(search.search(Hertz(0.95 * kSpindle), Hertz(1.05 * kSpindle)).stands());
+}
+
+// Chatter ten times as loud as the tooth passings: of what is not its line the spindle's comb has nearly all.
+TEST(SpeedSearch, WhatChatterLeavesIsOnTheSpindlesComb) {
+  constexpr double kSpindle = 60.0;
+  const int size = static_cast<int>(24.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), kTeeth);
+  std::vector<double> x = window(size, kSpindle, 0.0);
+  for (int i = 0; i < size; ++i)
+    x[static_cast<std::size_t>(i)] += 10.0 * std::cos(kTwoPi * 17.4 * kSpindle * i / kRate);
+  search.begin();
+  search.add(x);
+  EXPECT_GT(search.restPartAt(Hertz(kSpindle)), 0.5);
+  EXPECT_LT(search.restPartAt(Hertz(17.4 / 17.0 * kSpindle)), 0.1) << "it has the line alone";
+}
+
+// Nearly every comb lies on the line that is left out; the one that does not still stands out of the others.
+TEST(SpeedSearch, CombsThatAreLeftOutAreNoMeasure) {
+  constexpr double kSpindle = 60.0, kLine = 8.2 * kSpindle;
+  const int size = static_cast<int>(24.0 * kRate / kSpindle);
+  SpeedSearch search;
+  search.prepare(size, Hertz(kRate), kTeeth);
+  search.begin();
+  search.add(window(size, kSpindle, 0.0));
+  const SpeedCandidate found = search.search(Hertz(0.997 * kSpindle), Hertz(1.044 * kSpindle), Hertz(kLine));
+  EXPECT_NEAR(found.spindle.value, kSpindle, 1e-3 * kSpindle);
+  EXPECT_GT(found.contrast, 1.0);
+}
+
 // A tracker at `angle`, one sample after the other of what `signal` makes of the time, for `seconds`.
 template <class Signal>
 void follow(PhaseTracker& tracker, double from, double seconds, const Signal& signal) {
@@ -166,6 +213,22 @@ TEST(PhaseTracker, IsNotFoundAgainByPhasesThatTurnPast) {
       EXPECT_EQ(found, 0) << louder << ' ' << slowed;
     }
   }
+}
+
+// Once it is known why nothing repeats, it is doubted again only after a turn that did.
+TEST(PhaseTracker, WhatStaysIsNotDoubtedAgain) {
+  constexpr double kSpindle = 105.0;
+  PhaseTracker tracker;
+  tracker.prepare(1, Hertz(kRate), kTeeth);
+  tracker.start(Hertz(kSpindle), Hertz(0.1));
+  const auto calm = [](double t) { return forced(kSpindle, 0.0, t); };
+  const auto drowned = [&](double t) { return 3.0 * forced(0.95 * kSpindle, 0.0, t); };
+  follow(tracker, 0.0, 0.5, calm);
+  follow(tracker, 0.5, 0.4, drowned);
+  ASSERT_TRUE(tracker.scattered());
+  tracker.stay();
+  follow(tracker, 0.9, 0.4, drowned);
+  EXPECT_FALSE(tracker.scattered());
 }
 
 // Started on the speed of the middle of a search's window, of a spindle that runs away by 5 % a second, and in doubt by
