@@ -13,6 +13,7 @@ constexpr double kLeastPurity = 0.4;   // chatter is a line; chips and knocks ar
 constexpr double kLostPurity = 0.25;   // an alarm whose line sinks into the noise ...
 constexpr double kLostTurns = 32.0;    // ... for so long was none, or is over
 constexpr double kSameTurns = 16.0;    // memory of whether the strongest line stays the same
+constexpr double kSameOffset = 0.08;   // tooth passings; with few teeth an order is much of one
 constexpr double kLineReach = 0.25;    // orders within which a line is the same
 constexpr double kLeastBetween = 0.5;  // line over severity from which it is not on an order
 constexpr double kOnOrderSd = 2e-4;    // relative: as well as the spindle's speed is known
@@ -71,7 +72,7 @@ void ChatterLine::stayOnOrder(double order, Hertz spindle) noexcept {
   frequency_ = spindle * order;
   frequencySd_ = kOnOrderSd * frequency_.value;
   spread_ = 0.0;
-  lostTurns_ = 0.0;
+  lostTurns_ = same_ = 0.0;
 }
 
 void ChatterLine::move(Hertz next, const RatioHop& hop, int hops) noexcept {
@@ -122,7 +123,7 @@ bool ChatterLine::sameAs(Hertz line, const RatioHop& hop) const noexcept {
   if (hop.teeth < 1) return std::abs(line.value - frequency_.value) < kLineReach * hop.spindle.value;
   const Hertz tooth = hop.spindle * hop.teeth;
   const double away = std::abs(dsp::orderOffset(line, tooth)) - std::abs(dsp::orderOffset(frequency_, tooth));
-  return std::abs(away) * hop.teeth < kLineReach;
+  return std::abs(away) < std::min(kLineReach / hop.teeth, kSameOffset);
 }
 
 bool ChatterLine::stays() const noexcept {

@@ -42,7 +42,7 @@ void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double wors
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto learn = [&](double& calm, const OnsetTest& onset) {
       if (onset.learned()) calm = calm > 0.0 ? std::min(calm, onset.floor()) : onset.floor();
-      learned = learned && onset.learned();
+      learned = learned && calm > 0.0;
     };
     learn(calmFloor_[i], channels[i].growth.onset());
     learn(calmNews_[i], channels[i].news.onset());

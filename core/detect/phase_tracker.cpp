@@ -219,11 +219,7 @@ void PhaseTracker::learn(double delta) noexcept {
   }
   scatter_ = on > 0.0 ? std::sqrt(std::min(off / on, 1.0)) : 1.0;
   clean_ = clean_ || (turns_ >= kMemoryTurns && scatter_ < kCleanScatter);
-  if (scatter_ < kScattered) {
-    scattered_ = 0;
-  } else if (scattered_ != kStays) {
-    ++scattered_;
-  }
+  scattered_ = scatter_ < kScattered ? 0 : scattered_ + 1;
   // Where something much louder came in, nothing can be said of what was there.
   if (on > 0.0 && all < kDrowned * on) retained_ += (std::clamp(kept / on, -1.0, 1.0) - retained_) / kRetainTurns;
   inPlace_ = scatter_ < kBack ? inPlace_ + 1 : 0;

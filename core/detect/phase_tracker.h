@@ -58,7 +58,7 @@ class PhaseTracker {
   bool lost() const noexcept;
 
  private:
-  static constexpr int kStays = -1;
+  static constexpr int kStays = -48;  // turns for which it is not asked again
   struct Angle {
     double delta = 0.0;     // rad
     double variance = 0.0;  // 0: nothing to measure
@@ -102,7 +102,7 @@ class PhaseTracker {
   double scatter_ = 0.0;
   std::array<double, kChannels> all_{};  // sum of squares of this turn
   double usual_ = 0.0;                   // power of a turn beside the followed lines, over a long while
-  int scattered_ = 0;                    // turns on end of which next to nothing repeats; kStays: and why is known
+  int scattered_ = 0;                    // turns on end of which next to nothing repeats; below 0: and why is known
   double retained_ = 1.0;                // part of the followed amplitude that is still in its place
   bool gone_ = false;                    // too little of it is
   int inPlace_ = 0;                      // turns on end in which it is

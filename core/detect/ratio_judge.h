@@ -59,7 +59,6 @@ class RatioJudge {
   double evidence_ = 0.0;
   double floor_ = 0.0;
   bool learned_ = false;
-  bool full_ = false;                               // the alarm has once been of full chatter
   std::array<double, kMaxChannels> alarmEnergy_{};  // that does not repeat, of each channel, while an alarm lasts
   bool grown_ = false;                              // of any channel
   bool growing_ = false;                            // the difference of any, and neither a blow nor what is left of one

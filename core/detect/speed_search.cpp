@@ -22,7 +22,7 @@ constexpr double kAllBeside = 0.7;
 // comb has to outweigh the line's breadth as well.
 constexpr double kLoneSquare = 0.2;
 // A comb of one line alone fits many speeds. That line need not be forced: where it is chatter, or an order above half
-// the rate that no filter kept out, the others lie on another comb.
+// the rate that no filter kept out, the others lie on another comb. A tooth passing may well be all there is.
 constexpr double kAlone = 0.25;               // of what the vibration has on the comb, and is not that line
 constexpr double kBetterBeside = 2.5;         // the others' comb holds so much more of them
 constexpr double kLinePart = 1.5 * kPadding;  // a full Hann line holds 1.5 bins' worth of its peak, times the padding
@@ -222,12 +222,16 @@ SpeedCandidate SpeedSearch::search(Hertz low, Hertz high, Hertz notForced) noexc
   if (notForced.value > 0.0 || !(found.part > 0.0)) return found;
   const Line line = strongest();
   const Parts rest = restAt(found.spindle, line);
-  // Half way between two orders a line is on no comb, and what it leaves in the square says nothing for one.
+  // What a line that is not on the comb leaves in the square, at twice its frequency, says nothing for it.
   if (std::abs(dsp::orderOffset(line.frequency, found.spindle)) > kOnComb) {
-    found.part = 0.5 * (rest.vibration + rest.square);
+    const double part = std::min(found.part, 0.5 * (rest.vibration + rest.square));
+    found.contrast *= part / found.part;
+    found.part = part;
     return found;
   }
-  if (rest.vibration > kAlone * partsAt(found.spindle).vibration) return found;
+  const bool passing = teeth_ > 0 && std::lround(line.frequency / found.spindle) % teeth_ == 0;
+  const bool alone = rest.vibration < kAlone * partsAt(found.spindle).vibration;
+  if (passing || !alone || found.part > SpeedCandidate::kClearPart) return found;
   const SpeedCandidate beside = searchCombs(low, high, line.frequency);
   const Parts others = restAt(beside.spindle, line);
   const bool better = others.vibration + others.square > kBetterBeside * (rest.vibration + rest.square);

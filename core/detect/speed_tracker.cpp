@@ -149,7 +149,7 @@ void SpeedTracker::beginCut() noexcept {
 bool SpeedTracker::dead() const noexcept {
   if (tracker_.clean()) return tracker_.scattered() && onComb_ < kStaysPart && !measured_;
   const bool held = tracker_.turns() < kDeadTurns || tracker_.scatter() < kDead;
-  const bool known = followed_ || tracker_.scattered();
+  const bool known = followed_ || (tracker_.scattered() && onComb_ < kStaysPart);
   return known && !held && !measured_ && !quick_.last.stands() && !thorough_.last.stands();
 }
 
@@ -159,8 +159,9 @@ bool SpeedTracker::astray() const noexcept {
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
-  const bool doubted = astray() || tracker_.scattered();
-  if (doubted && now.stands() && std::abs(now.spindle / spindle() - 1.0) < kAgreement) {
+  const bool drowned = tracker_.scattered();
+  const double near = drowned ? kAgreement : kFine;
+  if ((astray() || drowned) && now.stands() && std::abs(now.spindle / spindle() - 1.0) < near) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
@@ -209,8 +210,8 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
 bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   const Hertz found = look.found.spindle;
+  if (!locked_) return look.found.toothPart * teeth_ >= look.found.part || teeth_ < 1;
   const bool teeth = teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
-  if (!locked_) return teeth;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
   return look.search.hasMoved(spindle(), found, least) && (teeth || std::abs(found / spindle() - 1.0) < kFar);
 }
@@ -269,7 +270,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   for (int c = 0; c < channels_; ++c) look.search.add(heard_.newest(c).last(static_cast<std::size_t>(window)));
   if (&look == &quick_) {
     const double doubt = kMargin * (measured_ ? LoneLine::kReadBack : range_);
-    onComb_ = tracker_.scattered() ? look.search.restPartAt(spindle()) : 1.0;
+    onComb_ = tracker_.scattered() ? look.search.restPartAt(spindle() / look.gone) : 1.0;
     lone_.watch(look.search, Hertz(told_), doubt, measured_, locked_ ? spindle() : Hertz());
   }
   if (&look == &quick_ && (astray() || !(told_ > 0.0))) seek(look);
@@ -383,6 +384,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   dropUntrusted();
   if (riding() && !seeksWhileRiding()) return;
   returning_ = returning_ && !tracker_.clean();
+  if (!tracker_.scattered()) onComb_ = 1.0;
   followed_ = followed_ || (locked_ && tracker_.clean());
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();

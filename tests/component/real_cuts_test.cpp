@@ -50,8 +50,8 @@ TEST_P(OneAxis, IsEnough) {
     for (const int axis : {0, 1, 2}) {
       const bool along = file.starts_with("EBI") && axis == 2;
       if (along && file.ends_with("7000RPMto6000RPM.csv")) continue;
+      if (cut.quantity == SensorQuantity::Sound && axis > 0) break;
       const auto judged = judgeRealCut(cut, {axis}, GetParam(), {"energy-ratio"});
-      if (!judged.ok() && axis > 0) break;  // a microphone
       ASSERT_TRUE(judged.ok()) << judged.error().line();
       const Tally& t = judged->front();
       EXPECT_EQ(t.falseInSegment, 0.0) << file << " axis " << axis << " from " << t.firstFalse;
