@@ -76,7 +76,8 @@ class SpeedTracker {
     double drift = 0.0;  // that is known, relative, per second
     double gone = 1.0;   // speed now over that in the middle of the window, by that drift
   };
-  // Found while the spindle, followed before in this cut, was on its way past, and never followed since.
+  // Found while the spindle, followed before in this cut, was on its way past, and never followed since; or nothing
+  // repeats any more, and what is not the strongest line is not on its comb.
   bool dead() const noexcept;
   // What was followed is no longer where it was.
   bool astray() const noexcept;
