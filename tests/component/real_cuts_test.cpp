@@ -38,7 +38,8 @@ TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
     EXPECT_GE(t.delay, 0.0) << file;
     EXPECT_LE(t.delay, kMostDelay) << file;
     EXPECT_GE(t.chatter, kLeastPart * length) << file;
-    if (file.starts_with("EBI_F20IN")) EXPECT_LE(t.falseAlarm, kMostAfter) << file;
+    if (!file.starts_with("EBI_F20IN")) continue;
+    EXPECT_LE(t.falseAlarm, kMostAfter) << file;
   }
 }
 
