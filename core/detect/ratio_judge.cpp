@@ -14,7 +14,6 @@ constexpr double kLeft = 0.1;          // of the energy while the alarm lasted
 constexpr double kFalling = 0.8;       // what grows does not make the vibration fall; a tool that leaves does
 constexpr double kMostPassed = 0.25;   // difference over news of a line that needs the news to be heard in time
 constexpr double kLeastNews = 0.5;     // of what a line's news leaves of it in the difference
-constexpr double kRepeats = 0.2;       // of what a line leaves in the difference
 constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its amplitude
 
 // A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
@@ -129,9 +128,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   // Of the line that full chatter was made of, less is chatter still.
   const bool lasts = state_ == CutState::Chatter && line_.stays() && joint_ >= entry_.sidedRatio();
   const bool held = lasts || entry_.held(joint_);
-  const bool quiet = severity_ < kHysteresis * chatterRatio_ && !held;
-  const bool same = repeats(channels, hop);
-  calm_.watch(same ? 0.0 : changed_, same || quiet, was ? hop.length.value : 0.0);
+  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
   bool entry = hop.loneLine && high;
   if (!was && !entry) {
@@ -160,20 +157,6 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   if (!alarming()) feedSinceOnset_ = 0.0;
   follow(lines, hop);
   return over;
-}
-
-// Of a line as large as what the harmonics leave, where the alarm's is, the turns would differ by far more: forced
-// vibration that changes leaves that, as where the tool leaves. Not weighted as the severity is: the difference is not.
-bool RatioJudge::repeats(std::span<const RatioChannel> channels, const RatioHop& hop) const noexcept {
-  const double order = line_.frequency() / hop.spindle;
-  if (grown_ || !(order > 0.0)) return false;
-  const double doubt = (line_.sd() + order * hop.spindleSd) / hop.spindle;
-  const double offset = std::max(0.0, std::abs(dsp::orderOffset(line_.frequency(), hop.spindle)) - doubt);
-  const double gain = kRepeats * TurnDifference::differenceGain(offset);
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    if (channels[i].growth.changed() >= gain * hop.chain->ratio(static_cast<int>(i), 0)) return false;
-  }
-  return true;
 }
 
 // Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small. On the axis

@@ -37,7 +37,6 @@ class RatioJudge {
   bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
   void gatherGrowth(const RatioChannel& c, int& risingHops) noexcept;
-  bool repeats(std::span<const RatioChannel> channels, const RatioHop& hop) const noexcept;
   bool lineCounts(Hertz line, Hertz spindle) const noexcept;
   bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
   bool grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
