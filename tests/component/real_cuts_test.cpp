@@ -1,8 +1,9 @@
 // The default detector on every shared real recording, its programmed speed told right, 2 and 3 % too low and too high:
 // what is labelled chatter alarms within 0.3 s and is called chatter for nine tenths of its length; nothing alarms in
 // what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. Any one axis by itself does
-// the same, told up to 2 % off, but for the end mill's axis along the tool: it hears its chatter for as long, later,
-// and is not asked about the spindle that is a seventh slower than told. Begun in the midst of chatter none is air.
+// the same, told right, 1 and 2 % off, but for the end mill's axis along the tool: told right it hears its chatter for
+// as long, later, and it is not asked about the spindle that is a seventh slower. Begun in the midst of chatter none is
+// air.
 #include <gtest/gtest.h>
 
 #include <algorithm>

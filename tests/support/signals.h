@@ -37,6 +37,14 @@ struct CutSignal {
   unsigned seed = 1;
 };
 
+// A steady cut at the spindle angle `turn` [rad]: five tooth passings that fall off from 1, and a little runout.
+inline double steadyCutAt(double turn, int teeth) {
+  double x = 0.0;
+  for (int k = 1; k <= 5; ++k) x += std::cos(k * teeth * turn + k) / k;
+  for (int k = 1; k <= 4; ++k) x += 0.05 * std::cos(k * turn + 2.0 * k);
+  return x;
+}
+
 inline Recording makeCut(const CutSignal& s) {
   std::mt19937 engine(s.seed);
   std::normal_distribution<double> normal;

@@ -30,9 +30,7 @@ Recording make(std::initializer_list<Chatter> all) {
     const double t = static_cast<double>(i) / kRate;
     const double turn = kTwoPi * kSpindle * t;
     const double in = std::clamp((t - kCut) / 0.03, 0.0, 1.0);
-    double x = 0.0;
-    for (int k = 1; k <= 5; ++k) x += std::cos(k * kTeeth * turn + k) / k;
-    for (int k = 1; k <= 4; ++k) x += 0.05 * std::cos(k * turn + 2.0 * k);
+    double x = steadyCutAt(turn, kTeeth);
     for (const Chatter& c : all) {
       for (int k = -2; k <= 2; ++k) {
         x += c.amplitude * (k == 0 ? 1.0 : c.beside / std::abs(k)) * std::sin((c.order + k * kTeeth) * turn + k);

@@ -34,9 +34,7 @@ Recording make(const Rest& rest) {
     const double in = std::clamp((t - kCut) / 0.03, 0.0, 1.0);
     const double fallen = std::clamp((t - kFalls) / (kFallen - kFalls), 0.0, 1.0);
     const double grown = t < kGrows ? 0.0 : std::min(kFull, 0.02 * std::exp((t - kGrows) / 0.03));
-    double x = 0.0;
-    for (int k = 1; k <= 5; ++k) x += std::cos(k * kTeeth * turn + k) / k;
-    for (int k = 1; k <= 4; ++k) x += 0.05 * std::cos(k * turn + 2.0 * k);
+    double x = steadyCutAt(turn, kTeeth);
     x += (grown + fallen * (rest.amplitude - grown)) * std::sin(kOrder * turn);
     x += fallen * rest.otherAmplitude * std::sin(rest.otherOrder * turn);
     r.channels[0][i] = static_cast<float>(in * x + 0.01 * normal(engine));

@@ -198,7 +198,7 @@ TEST(SpeedSearch, CombsThatAreLeftOutAreNoMeasure) {
   EXPECT_GT(found.contrast, 1.0);
 }
 
-// A tracker at `angle`, one sample after the other of what `signal` makes of the time, for `seconds`.
+// What `signal` makes of the time, from `from` on for `seconds`, one sample after the other.
 template <class Signal>
 void follow(PhaseTracker& tracker, double from, double seconds, const Signal& signal) {
   double angle = 0.0;
@@ -241,7 +241,7 @@ TEST(PhaseTracker, IsNotFoundAgainByPhasesThatTurnPast) {
 }
 
 // Once it is known why nothing repeats, it is doubted again after a while.
-TEST(PhaseTracker, WhatStaysIsNotDoubtedAgain) {
+TEST(PhaseTracker, WhatStaysIsDoubtedAgainOnlyAfterAWhile) {
   constexpr double kSpindle = 105.0;
   PhaseTracker tracker;
   tracker.prepare(1, Hertz(kRate), kTeeth);
