@@ -1,6 +1,7 @@
 // Chatter that is there from the entry, and too small for the fixed ratio: by its side lines.
 #include "core/detect/entry_chatter.h"
 
+#include <cmath>
 #include <random>
 
 #include "tests/support/signals.h"
@@ -100,9 +101,10 @@ TEST(EntryChatter, ACutIsCalmAfterAsLongAsItsChatterHasToLast) {
     chatter.prepare(0.2);
     RatioHop calm = hop;
     calm.steadyTurns = steadyTurns;
-    for (double t = 0.0; t < calmSeconds; t += hop.length.value) chatter.learnCalm(channels, 0.01, calm);
+    const auto hops = [&](double seconds) { return static_cast<int>(std::ceil(seconds / hop.length.value)); };
+    for (int i = 0; i < hops(calmSeconds); ++i) chatter.learnCalm(channels, 0.01, calm);
     bool begins = false;
-    for (double t = 0.0; t < 0.2; t += hop.length.value) begins |= chatter.begins({}, {0.05, 0.05}, lines, hop);
+    for (int i = 0; i < hops(0.2); ++i) begins |= chatter.begins({}, {0.05, 0.05}, lines, hop);
     return begins;
   };
   EXPECT_TRUE(beginsAfter(0.0, 100.0));

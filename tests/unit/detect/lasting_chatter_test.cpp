@@ -1,6 +1,7 @@
 // Full chatter that becomes less: for how long it is called chatter, and by which line.
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "tests/support/signals.h"
 
@@ -50,10 +51,17 @@ RunResult runOn(const Rest& rest) {
   return run(make(rest), o);
 }
 
+// Twenty times a second.
+std::vector<double> looks(double begin, double end) {
+  std::vector<double> out(static_cast<size_t>(std::ceil((end - begin) * 20.0)));
+  for (size_t i = 0; i < out.size(); ++i) out[i] = begin + 0.05 * static_cast<double>(i);
+  return out;
+}
+
 void expectChatterTo(const RunResult& r, double end) {
   EXPECT_GT(r.firstAlarm, kGrows);
   EXPECT_LT(r.firstAlarm, kGrows + 0.15);
-  for (double t = kGrows + 0.3; t < end; t += 0.05) {
+  for (const double t : looks(kGrows + 0.3, end)) {
     const Verdict& v = r.at(t);
     EXPECT_EQ(v.state, CutState::Chatter) << t;
     ASSERT_EQ(v.reason.code, ReasonCode::EnergyRatioHigh) << t;
@@ -78,7 +86,7 @@ TEST(LastingChatter, LastsInItsSideLine) {
 // Less, or as much of something else, still is more than the calm cut had, and no full chatter.
 void expectNoneFrom(const RunResult& r, double begin) {
   expectChatterTo(r, kFalls);
-  for (double t = begin; t < kSeconds - 0.05; t += 0.05) EXPECT_NE(r.at(t).state, CutState::Chatter) << t;
+  for (const double t : looks(begin, kSeconds - 0.05)) EXPECT_NE(r.at(t).state, CutState::Chatter) << t;
 }
 
 TEST(LastingChatter, IsNoneWhereLessIsLeft) {
