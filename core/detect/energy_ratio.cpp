@@ -194,6 +194,7 @@ void EnergyRatioDetector::relearn() noexcept {
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
     s.orders.relearn();
+    s.usual.reset();
   }
 }
 

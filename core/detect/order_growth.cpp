@@ -141,6 +141,11 @@ double OrderGrowth::share(const Class& c) const noexcept {
   return others > 0.0 ? c.power / std::max(others - leak, kLeastOthers * others) : 0.0;
 }
 
+// A class that holds noise in a narrow band, or a line that beats, is now and then much louder than it mostly is.
+double OrderGrowth::muchLouder(const Class& c) noexcept {
+  return kLouder * (1.0 + 1.0 / c.onset.shape());
+}
+
 // Does one order stand out of it, as a mode does?
 bool OrderGrowth::isOne(const Class& c) noexcept {
   return c.strongest > kLeastOfClass * c.power;
@@ -202,7 +207,7 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
   if (pulled(c)) return;
   const double drift = ownDrift(c);
-  const bool louder = c.onset.learned() && c.power > kLouder * c.onset.floorEnergy() && share(c) > kSmallestBeside;
+  const bool louder = c.onset.learned() && c.power > muchLouder(c) * c.onset.floorEnergy() && share(c) > kSmallestBeside;
   const bool one = isOne(c) && turnsByItself(c);
   const bool on = louder && one && std::abs(drift) > kSpeedDoubts * c.order * speedDoubt;
   const bool turning = one && c.onset.evidence() > 0.0;
@@ -219,7 +224,7 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
   const double least = std::max(OrderTurns::kLeastDrift, kApartDoubts * c.order * speedDoubt);
   const bool one = isOne(c) && turnsByItself(c);
   const bool apart =
-      one && !explained(c) && std::abs(drift) > least && now > std::max(kLouder * c.timed.share(), kSmallestBeside);
+      one && !explained(c) && std::abs(drift) > least && now > std::max(muchLouder(c) * c.timed.share(), kSmallestBeside);
   if (!pulled(c)) {
     c.apartTurns = apart ? c.apartTurns + turns : 0.0;
     c.apartBy = apart ? c.apartBy + sense(c) * drift * turns : 0.0;

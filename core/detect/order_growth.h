@@ -112,6 +112,7 @@ class OrderGrowth {
     Alone alone;
   };
   static void relearn(Class& c) noexcept;
+  static double muchLouder(const Class& c) noexcept;
   static bool isOne(const Class& c) noexcept;
   static bool withheld(const Class& c) noexcept;
   void followStretches() noexcept;

@@ -9,6 +9,7 @@
 #include "core/detect/new_line.h"
 #include "core/detect/order_growth.h"
 #include "core/detect/turn_marks.h"
+#include "core/detect/usual_ratio.h"
 #include "core/model/channel.h"
 #include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
@@ -28,6 +29,7 @@ struct RatioChannel {
   ForcedResonance forced;
   LoadWatch load;
   double ratio = 0.0;  // ER, smoothed
+  UsualRatio usual;    // ... and what it is in the calm cut
   SensorQuantity quantity = SensorQuantity::Acceleration;
 };
 

@@ -78,7 +78,21 @@ void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
   rising_ = rising_ || (rises && c.growth.steadyGrowth() && c.news.steadyGrowth());
 }
 
+void RatioJudge::gatherRatio(const RatioChannel& c) noexcept {
+  const auto take = [&](double ratio, const UsualRatio& usual) {
+    const double full = usual.limit(chatterRatio_, 1.0);
+    if (ratio * full_ < severity_ * full) return;
+    severity_ = ratio;
+    full_ = full;
+    fullStill_ = usual.limit(chatterRatio_, kHysteresis);
+  };
+  take(c.ratio, c.usual);
+  take(c.orders.severity(), {});
+}
+
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
+  full_ = chatterRatio_;
+  fullStill_ = kHysteresis * chatterRatio_;
   severity_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
   grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
@@ -86,8 +100,7 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
   learned_ = true;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RatioChannel& c = channels[i];
-    severity_ = std::max(severity_, c.ratio);
-    severity_ = std::max(severity_, c.orders.severity());
+    gatherRatio(c);
     forced_ = forced_ || c.forced.stands();
     weigh(c.growth);
     mostChanged_ = std::max(mostChanged_, c.growth.changed());
@@ -121,15 +134,18 @@ bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase pha
   return left;
 }
 
-bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   gather(channels);
   const bool was = alarming();
-  const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
+  const bool high = severity_ >= (state_ == CutState::Chatter ? fullStill_ : full_);
   // Of the line that full chatter was made of, less is chatter still.
   const bool lasts = state_ == CutState::Chatter && line_.stays() && joint_ >= entry_.sidedRatio();
   const bool held = lasts || entry_.held(joint_);
-  calm_.watch(changed_, severity_ < kHysteresis * chatterRatio_ && !held, was ? hop.length.value : 0.0);
+  calm_.watch(changed_, severity_ < fullStill_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
+  if (!was && hop.steadyTurns >= kSettleTurns && joint_ < entry_.sidedRatio()) {
+    for (RatioChannel& c : channels) c.usual.learn(c.ratio, 1.0 / kHopsPerTurn);
+  }
   bool entry = hop.loneLine && high;
   if (!was && !entry) {
     entry = entry_.begins(channels, {severity_, joint_}, lines, hop);
@@ -152,7 +168,7 @@ bool RatioJudge::judge(std::span<const RatioChannel> channels, LineFinder& lines
   } else {
     state_ = CutState::Stable;
   }
-  limit_ = severity_ >= chatterRatio_ ? chatterRatio_ : high ? kHysteresis * chatterRatio_ : entry_.sidedRatio();
+  limit_ = severity_ >= full_ ? full_ : high ? fullStill_ : entry_.sidedRatio();
   sinceOnset_ = alarming() ? sinceOnset_ + hop.length.value : 0.0;
   if (!alarming()) feedSinceOnset_ = 0.0;
   follow(lines, hop);
@@ -208,7 +224,7 @@ bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines
 
 void RatioJudge::follow(LineFinder& lines, const RatioHop& hop) noexcept {
   if (!alarming()) return line_.forget();
-  const bool ringing = calm_.floorGone() && severity_ < chatterRatio_;
+  const bool ringing = calm_.floorGone() && severity_ < full_;
   line_.follow(lines, hop, {onOrder_, doubling_, mostChanged_, severity_, ringing});
   purity_ = line_.purity();
 }

@@ -24,7 +24,7 @@ class RatioJudge {
   void loseFloor() noexcept { calm_.loseFloor(); }
 
   // True when an alarm ended: floors are to be learned anew.
-  bool judge(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
+  bool judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
   void addFeed(double metres) noexcept { feedSinceOnset_ += metres; }
 
   CutState state() const noexcept { return state_; }
@@ -34,6 +34,7 @@ class RatioJudge {
 
  private:
   void gather(std::span<const RatioChannel> channels) noexcept;
+  void gatherRatio(const RatioChannel& c) noexcept;
   bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
   void weigh(const EnergyGrowth& growth) noexcept;
   void gatherGrowth(const RatioChannel& c, int& risingHops) noexcept;
@@ -49,7 +50,9 @@ class RatioJudge {
   CalmWatch calm_;
   EntryChatter entry_;
   ChatterLine line_;          // of the alarm
-  double severity_ = 0.0;     // of the worst channel
+  double severity_ = 0.0;     // of the channel that is furthest beyond what it may be,
+  double full_ = 0.0;         // ... which is this to be full chatter,
+  double fullStill_ = 0.0;    // ... this to stay so,
   double limit_ = 0.0;        // ... and what it is over, in full chatter
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
