@@ -65,7 +65,7 @@ void ChatterLine::forget() noexcept {
   frequency_ = {};
   frequencySd_ = spread_ = lostTurns_ = same_ = 0.0;
   sinceLook_ = 0;
-  doubled_ = false;
+  doubled_ = another_ = false;
 }
 
 void ChatterLine::stayOnOrder(double order, Hertz spindle) noexcept {
@@ -99,7 +99,7 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   const bool caught = std::abs(evidence.onOrder - std::round(evidence.onOrder)) > kMostOffset;
   // ... but one beside an order that doubles and stands still is the doubling's own change of size.
   const double least = evidence.doubling ? kCaught : kLeastOffset;
-  const bool between = offset >= least && line.purity >= kLeastPurity && (larger || caught);
+  const bool between = offset >= least && line.purity >= (caught ? kLostPurity : kLeastPurity) && (larger || caught);
   const bool onOrder = evidence.onOrder > 0.0 && !between;
   doubled_ = onOrder && evidence.doubling;
   if (onOrder) return stayOnOrder(evidence.onOrder, hop.spindle);
@@ -112,7 +112,8 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   if (frequency_.value > 0.0 && (!hop.turnsCompare || evidence.ringing)) return;
   const Hertz kept =
       frequency_.value > 0.0 ? lines.keep(frequency_, line.frequency, hop.spindle * kLineReach) : line.frequency;
-  if (!sameAs(kept, hop)) same_ = 0.0;
+  another_ = !sameAs(kept, hop);
+  if (another_) same_ = 0.0;
   const Hertz newer = newLineNear(kept, hop);
   move(newer.value > 0.0 ? newer : kept, hop, hops);
 }

@@ -32,6 +32,8 @@ class ChatterLine {
   bool lost() const noexcept;
   // The strongest line of the last turns mostly was this one, or one whole tooth passings away from it.
   bool stays() const noexcept;
+  // With the last look it became another one.
+  bool another() const noexcept { return another_; }
   // teeth: 0 where nobody told.
   ChatterKind kind(int teeth, Hertz spindle) const noexcept;
 
@@ -47,6 +49,7 @@ class ChatterLine {
   double lostTurns_ = 0.0;
   double same_ = 0.0;     // part of the last looks whose strongest line was this one
   int sinceLook_ = 0;     // hops
+  bool another_ = false;
   bool doubled_ = false;  // period doubling with even teeth
 };
 

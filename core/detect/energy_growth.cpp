@@ -18,7 +18,7 @@ constexpr double kBeyond = 2.0;                 // in energy, of what has grown 
 constexpr double kBeating = 3.0;                // a line beats with the harmonics beside it
 constexpr int kHalfTurn = kHopsPerTurn / 2;
 constexpr int kBumpHops = 2 * kHopsPerTurn;  // of a forced vibration that begins to change
-constexpr double kFalling = 0.7;             // of the most energy in them: it rings down, or was such a bump
+constexpr double kFalling = 1.0;             // of the most energy in them: it rings down, or was such a bump
 
 }  // namespace
 

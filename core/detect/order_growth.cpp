@@ -197,7 +197,7 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  const bool turns = turnsByItself(c) && (!stretches_.engagementChanges() || std::abs(c.turnedBy) > kQuarterTurn);
+  const bool turns = turnsByItself(c) && (!(stretches_.engagementChanges() || stretches_.otherEngagement()) || std::abs(c.turnedBy) > kQuarterTurn);
   if (c.own && turns && !explained(c)) return true;
   if (!c.flips) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor() &&

@@ -40,7 +40,7 @@ void RatioJudge::leaveCut() noexcept {
   entry_.leaveCut();
   line_.forget();
   joint_ = severity_ = evidence_ = floor_ = changed_ = purity_ = 0.0;
-  learned_ = false;
+  learned_ = wasFull_ = false;
   risingHops_ = {};
   sinceOnset_ = feedSinceOnset_ = 0.0;
 }
@@ -137,9 +137,9 @@ bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase pha
 bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   gather(channels);
   const bool was = alarming();
-  const bool high = severity_ >= (state_ == CutState::Chatter ? fullStill_ : full_);
+  const bool high = severity_ >= (wasFull_ ? fullStill_ : full_);
   // Of the line that full chatter was made of, less is chatter still.
-  const bool lasts = state_ == CutState::Chatter && line_.stays() && joint_ >= entry_.sidedRatio();
+  const bool lasts = wasFull_ && line_.stays() && joint_ >= entry_.sidedRatio();
   const bool held = lasts || entry_.held(joint_);
   calm_.watch(changed_, severity_ < fullStill_ && !held, was ? hop.length.value : 0.0);
   if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
@@ -156,7 +156,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   if (was) {
     over = line_.lost() || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
-    const bool full = (high || lasts) && (hop.turnsCompare || state_ == CutState::Chatter);
+    const bool full = (high || lasts) && (hop.turnsCompare || wasFull_);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
       calm_.reset();
@@ -169,6 +169,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
     state_ = CutState::Stable;
   }
   limit_ = severity_ >= full_ ? full_ : high ? fullStill_ : entry_.sidedRatio();
+  wasFull_ = state_ == CutState::Chatter || (wasFull_ && alarming() && !line_.another());
   sinceOnset_ = alarming() ? sinceOnset_ + hop.length.value : 0.0;
   if (!alarming()) feedSinceOnset_ = 0.0;
   follow(lines, hop);

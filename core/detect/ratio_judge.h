@@ -53,6 +53,7 @@ class RatioJudge {
   double severity_ = 0.0;     // of the channel that is furthest beyond what it may be,
   double full_ = 0.0;         // ... which is this to be full chatter,
   double fullStill_ = 0.0;    // ... this to stay so,
+  bool wasFull_ = false;      // chatter once, in this alarm and of this line
   double limit_ = 0.0;        // ... and what it is over, in full chatter
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence

@@ -159,6 +159,8 @@ bool SpeedTracker::astray() const noexcept {
 
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
+  const bool same = now.stands() && before.stands() && std::abs(now.spindle / before.spindle - 1.0) < kAgreement;
+  if (&look == &thorough_) still_ = same;
   const bool drowned = tracker_.scattered();
   const double near = drowned ? kAgreement : kFine;
   if ((astray() || drowned) && now.stands() && std::abs(now.spindle / spindle() - 1.0) < near) {
@@ -166,7 +168,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     tracker_.stay();
     return;
   }
-  if (!now.stands() || !before.stands() || std::abs(now.spindle / before.spindle - 1.0) > kAgreement) return;
+  if (!same) return;
   if (locked_) {
     const double away = std::abs(now.spindle / spindle() - 1.0);
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
@@ -262,7 +264,7 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
-  if (locked_ && proven_ && !astray() && !tracker_.scattered() && !(lone_.suspect().value > 0.0)) return;
+  if (locked_ && proven_ && !astray() && !motion_.moving() && !tracker_.scattered() && !(lone_.suspect().value > 0.0)) return;
   const double followed = locked_ && !astray() ? tracker_.drift() : 0.0;
   look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
   look.gone = 1.0 + 0.5 * look.drift * static_cast<double>(window) / rate_;
@@ -334,6 +336,7 @@ void SpeedTracker::forget() noexcept {
   }
   lone_.forget();
   onComb_ = 1.0;
+  still_ = false;
 }
 
 // Mean speed of the turn that has begun [rad/s].
@@ -388,6 +391,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   followed_ = followed_ || (locked_ && tracker_.clean());
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();
+  still_ = still_ && (motion_.moving() || !proven_);
   if (locked_ && leaving) return;
   if (!sure || astray() || tracker_.scattered()) lookIfDue(quick_);
   lookIfDue(thorough_);

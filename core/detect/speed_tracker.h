@@ -55,7 +55,7 @@ class SpeedTracker {
   // its own lag is no turning of the spindle, and turns are told by the speed alone.
   bool riding() const noexcept { return motion_.riding(); }
   // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
-  bool moving() const noexcept { return motion_.moving() || astray(); }
+  bool moving() const noexcept { return (motion_.moving() && !(still_ && !measured_)) || astray(); }
   // A tone that most of what is heard was, and that still is its strongest line; 0: none.
   Hertz suspect() const noexcept { return told_ > 0.0 && lone_.heard() ? lone_.suspect() : Hertz(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
@@ -117,6 +117,7 @@ class SpeedTracker {
   bool proven_ = false;     // the comb of the lock carried most of the power
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
   bool followed_ = false;   // in this cut, cleanly
+  bool still_ = false;      // the last two thorough windows say the same speed
   bool trusted_ = false;    // told roughly, or followed cleanly
   double onComb_ = 1.0;     // of what is not the strongest line, where next to nothing repeats
   double toothPart_ = 0.0;

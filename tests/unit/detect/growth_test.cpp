@@ -59,6 +59,31 @@ TEST(SlowGrowth, BesideAnOrderIsHeardByItsNews) {
   EXPECT_LE(delay, 2.53 * s.growthConstant);
 }
 
+// Fourteen samples a turn, as logged by a data logger: what leaks into the few harmonics there are pulls their phases,
+// and the speed that is followed by them runs to and fro. The comb stays where it was.
+TEST(Growth, ThatPullsTheFollowedSpeedAlongIsHeardInTime) {
+  CutSignal s;
+  s.rate = 1650.0;
+  s.spindle = 115.0;
+  s.harmonics = 7;
+  s.noise = 0.05;
+  s.speedSd = 3e-4;
+  s.amplitudeSd = 0.02;
+  s.chatterHertz = 275.0;
+  s.growthStart = 1.3;
+  s.startAmplitude = 0.05;
+  s.cap = 6.0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    s.seed = seed;
+    RunOptions o = told(s, 0.0);
+    o.blockFrames = 8;
+    const RunResult r = run(makeCut(s), o);
+    EXPECT_GT(r.firstAlarm, s.growthStart) << seed;
+    // As large as the main tooth harmonic after three constants.
+    EXPECT_LT(r.firstAlarm, s.growthStart + 3.0 * s.growthConstant) << seed;
+  }
+}
+
 TEST(NoGrowth, SilentForAMinute) {
   CutSignal s;
   s.rate = 10240.0;  // less to compute; 32 harmonics reach 3.2 kHz

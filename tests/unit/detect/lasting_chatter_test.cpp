@@ -13,12 +13,14 @@ constexpr double kSpindle = 105.0;
 constexpr int kTeeth = 3;
 constexpr double kOrder = 7.4;
 constexpr double kCut = 0.5, kGrows = 1.5, kFalls = 2.5, kFallen = 2.7, kSeconds = 4.5;  // s
+constexpr double kDips = 3.2, kDipped = 3.3;  // s
 constexpr double kFull = 1.5;  // amplitude, over that of the first tooth passing
 
 // What is left of it: the line that grew, and another one.
 struct Rest {
   double amplitude = 0.0;
   double otherOrder = 0.0, otherAmplitude = 0.0;
+  double inDip = 1.0;  // part of all that from kDips to kDipped
 };
 
 // Air; a cut with five tooth passings and runout; from kGrows on chatter, full within 0.15 s; from kFalls to kFallen it
@@ -36,8 +38,9 @@ Recording make(const Rest& rest) {
     const double fallen = std::clamp((t - kFalls) / (kFallen - kFalls), 0.0, 1.0);
     const double grown = t < kGrows ? 0.0 : std::min(kFull, 0.02 * std::exp((t - kGrows) / 0.03));
     double x = steadyCutAt(turn, kTeeth);
-    x += (grown + fallen * (rest.amplitude - grown)) * std::sin(kOrder * turn);
-    x += fallen * rest.otherAmplitude * std::sin(rest.otherOrder * turn);
+    const double left = fallen * (t > kDips && t < kDipped ? rest.inDip : 1.0);
+    x += ((1.0 - fallen) * grown + left * rest.amplitude) * std::sin(kOrder * turn);
+    x += left * rest.otherAmplitude * std::sin(rest.otherOrder * turn);
     r.channels[0][i] = static_cast<float>(in * x + 0.01 * normal(engine));
   }
   return r;
@@ -81,6 +84,16 @@ TEST(LastingChatter, LastsInItsSideLine) {
   const RunResult r = runOn({0.1, kOrder + kTeeth, 0.4});
   EXPECT_LT(r.at(kSeconds - 0.1).severity.value, 0.1);
   expectChatterTo(r, kSeconds - 0.05);
+}
+
+// For ten turns it is less than chatter has to be, and then as much as before.
+TEST(LastingChatter, ComesBackAsWhatItWas) {
+  const RunResult r = runOn({0.4, 0.0, 0.0, 0.2});
+  expectChatterTo(r, kDips);
+  EXPECT_LT(r.at(kSeconds - 0.1).severity.value, 0.1);
+  EXPECT_EQ(r.at(kDipped - 0.02).state, CutState::Onset);
+  EXPECT_EQ(r.at(kDipped + 0.2).state, CutState::Chatter);
+  EXPECT_EQ(r.verdicts.back().state, CutState::Chatter);
 }
 
 // Less, or as much of something else, still is more than the calm cut had, and no full chatter.
