@@ -18,7 +18,6 @@ constexpr double kBeyond = 2.0;                 // in energy, of what has grown 
 constexpr double kBeating = 3.0;                // a line beats with the harmonics beside it
 constexpr int kHalfTurn = kHopsPerTurn / 2;
 constexpr int kBumpHops = 2 * kHopsPerTurn;  // of a forced vibration that begins to change
-constexpr double kFalling = 1.0;             // of the most energy in them: it rings down, or was such a bump
 
 }  // namespace
 
@@ -148,7 +147,7 @@ bool EnergyGrowth::steadyGrowth() const noexcept {
   const double now = changedIn(0, kHopsPerTurn);
   double most = 0.0;
   for (int ago = kHalfTurn; ago <= kBumpHops; ago += kHalfTurn) most = std::max(most, changedIn(ago, kHopsPerTurn));
-  return now > kFalling * most;
+  return now > most;  // or it rings down, or was such a bump
 }
 
 }  // namespace stillcut::detect

@@ -66,7 +66,7 @@ class EnergyGrowth {
   // its noise and what it is now; a blow, or a tooth that leaves the material at once, leaps over them. What is there
   // after a leap has grown only where it exceeds the leap; where it neither does nor calms down the load has changed,
   // and the floor of the new one is learned. Where a forced vibration begins to change by the same in each turn, the
-  // turn difference holds a bump of two turns: growth does not fall below what was there in them.
+  // turn difference holds a bump of two turns: growth is always more than what was there in them.
   bool steadyGrowth() const noexcept;
   // ... and it grows on: a burst of narrow-band noise stands at its height for some turns, a line that has come does
   // not.
