@@ -29,8 +29,9 @@ class EnergySeparation {
 
   // bandWidth: lowest tooth-passing frequency the bank will be asked to follow, which sets the longest lag.
   void prepare(int channels, int bands, Hertz rate, Hertz lowestWidth, const dsp::kernels::Kernels& kernels);
-  // Band m = [(m-1) width, m width], band 1 from `floor`; follows the speed without allocation.
-  void tune(Hertz width, Hertz floor) noexcept;
+  // Band m = [(m-1) width, m width], band 1 from `floor`, and none beyond `top`: the last has what there is of it, if
+  // that is a quarter. Follows the speed without allocation.
+  void tune(Hertz width, Hertz floor, Hertz top) noexcept;
   void reset() noexcept;
   int bands() const { return bands_; }
   int active() const { return active_; }

@@ -1,9 +1,8 @@
-// The default detector on every shared real recording, its programmed speed told right, 2 and 3 % too low and too high:
-// what is labelled chatter alarms within 0.3 s and is called chatter for nine tenths of its length; nothing alarms in
-// what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. Any one axis by itself does
-// the same, told right, 1 and 2 % off, but for the end mill's axis along the tool: told right it hears its chatter for
-// as long, later, and it is not asked about the spindle that is a seventh slower. Begun in the midst of chatter none is
-// air.
+// The default detector on every shared real recording, its programmed speed told right and up to 3 % too low and too
+// high: what is labelled chatter alarms within 0.3 s and is called chatter for nine tenths of its length; nothing
+// alarms in what is labelled stable, idle or entry, nor anywhere in the files where nothing chatters. Any one axis by
+// itself does the same, but for the end mill's axis along the tool: told right it hears its chatter for as long, later,
+// and it is not asked about the spindle that is a seventh slower. Begun in the midst of chatter none is air.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,16 +19,16 @@ constexpr double kBegun = 2.5;             // s, amid chatter in every one of th
 constexpr double kMostMissedBegun = 1.25;  // s: two windows of two dozen turns of the slowest, and an entry
 constexpr int kAlongTheTool = 2;           // axis
 
-class RealCuts : public ::testing::TestWithParam<double> {};
-class BegunAmidChatter : public ::testing::TestWithParam<double> {};
-class OneAxis : public ::testing::TestWithParam<double> {};
+class RealCuts : public ::testing::TestWithParam<int> {};
+class BegunAmidChatter : public ::testing::TestWithParam<int> {};
+class OneAxis : public ::testing::TestWithParam<int> {};
 
 TEST_P(RealCuts, ChatterAlarmsAndNothingElseDoes) {
   const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
   if (cuts.empty()) GTEST_SKIP() << "reference material not found: " << STILLCUT_SHARED_DIR;
   for (const RealCut& cut : cuts) {
     const std::string file = cut.file.filename().string();
-    const auto judged = judgeRealCut(cut, cut.channels, GetParam(), {"energy-ratio"});
+    const auto judged = judgeRealCut(cut, cut.channels, 0.005 * GetParam(), {"energy-ratio"});
     ASSERT_TRUE(judged.ok()) << judged.error().line();
     const Tally& t = judged->front();
     EXPECT_EQ(t.falseInSegment, 0.0) << file << " from " << t.firstFalse;
@@ -51,12 +50,12 @@ TEST_P(OneAxis, IsEnough) {
       const bool along = file.starts_with("EBI") && axis == 2;
       if (along && file.ends_with("7000RPMto6000RPM.csv")) continue;
       if (cut.quantity == SensorQuantity::Sound && axis > 0) break;
-      const auto judged = judgeRealCut(cut, {axis}, GetParam(), {"energy-ratio"});
+      const auto judged = judgeRealCut(cut, {axis}, 0.005 * GetParam(), {"energy-ratio"});
       ASSERT_TRUE(judged.ok()) << judged.error().line();
       const Tally& t = judged->front();
       EXPECT_EQ(t.falseInSegment, 0.0) << file << " axis " << axis << " from " << t.firstFalse;
       const double length = chatterLength(cut);
-      if (!(length > 0.0) || (along && GetParam() != 0.0)) continue;
+      if (!(length > 0.0) || (along && GetParam() != 0)) continue;
       EXPECT_GE(t.delay, 0.0) << file << " axis " << axis;
       EXPECT_LE(t.delay, along ? kMostDelayAlong : kMostDelay) << file << " axis " << axis;
       EXPECT_GE(t.chatter, kLeastPart * length) << file << " axis " << axis;
@@ -74,7 +73,7 @@ TEST_P(BegunAmidChatter, IsNeverCalledAirForLong) {
     if (chatter == cut.segments.end()) continue;
     ASSERT_TRUE(chatter->from < kBegun && kBegun < chatter->to);
     const std::string file = cut.file.filename().string();
-    const auto judged = judgeRealCut(cut, cut.channels, GetParam(), {"energy-ratio"}, kBegun);
+    const auto judged = judgeRealCut(cut, cut.channels, 0.005 * GetParam(), {"energy-ratio"}, kBegun);
     ASSERT_TRUE(judged.ok()) << judged.error().line();
     const Tally& t = judged->front();
     EXPECT_GT(t.delay, 0.0) << file;
@@ -84,9 +83,10 @@ TEST_P(BegunAmidChatter, IsNeverCalledAirForLong) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(ToldSpeed, RealCuts, ::testing::Values(-0.03, -0.02, 0.0, 0.02, 0.03));
-INSTANTIATE_TEST_SUITE_P(ToldSpeed, BegunAmidChatter, ::testing::Values(-0.02, 0.0, 0.02));
-INSTANTIATE_TEST_SUITE_P(ToldSpeed, OneAxis, ::testing::Values(-0.02, -0.01, 0.0, 0.01, 0.02));
+const auto kToldOff = ::testing::Range(-6, 7);  // half per cents
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, RealCuts, kToldOff);
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, BegunAmidChatter, ::testing::Values(-4, 0, 4));
+INSTANTIATE_TEST_SUITE_P(ToldSpeed, OneAxis, kToldOff);
 
 }  // namespace
 }  // namespace stillcut::bench

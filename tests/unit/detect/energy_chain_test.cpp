@@ -65,11 +65,13 @@ class SideBySide {
     if (width_ > 0.0 && std::abs(width / width_ - 1.0) < kRetune) return;
     width_ = width;
     sinceRetune_ = 0.0;
-    usable_ = std::clamp(static_cast<int>(0.45 * rate_ / width), 1, static_cast<int>(bands_.size()));
+    const double top = std::floor(EnergyChain::kUsableBand * rate_ / spindle_) * spindle_;
+    usable_ = static_cast<int>(bands_.size());
+    while (usable_ > 1 && top - (usable_ - 1) * width < 0.25 * width) --usable_;
     for (int m = 0; m < usable_; ++m) {
       PlainBand& band = bands_[static_cast<std::size_t>(m)];
       const double low = m == 0 ? 0.5 * spindle_ : m * width;
-      band.tune(Hertz(low), Hertz(std::min((m + 1) * width, 0.49 * rate_)), Hertz(rate_));
+      band.tune(Hertz(low), Hertz(std::min((m + 1) * width, top)), Hertz(rate_));
       band.setLag(lagOf(m, width, rate_));
     }
   }

@@ -27,7 +27,7 @@ double tone(double hertz, int k) {
 TEST(EnergySeparation, FindsAmplitudeAndFrequencyOfATone) {
   EnergySeparation bands;
   bands.prepare(1, 6, Hertz(kRate), Hertz(200.0), dsp::kernels::bestKernels());
-  bands.tune(Hertz(366.7), Hertz(90.0));
+  bands.tune(Hertz(366.7), Hertz(90.0), Hertz(0.45 * kRate));
   for (int k = 0; k < 12800; ++k) {
     if (k == 12000) bands.estimate();
     const double x = 3.0 * tone(935.0, k);  // band 3: 733..1100 Hz, flat there
@@ -41,10 +41,28 @@ TEST(EnergySeparation, FindsAmplitudeAndFrequencyOfATone) {
   EXPECT_NEAR(std::sqrt(b.power), 3.0, 0.1);
 }
 
+// Half a band is left below the top: what chatters there is heard as well. A tenth is none.
+TEST(EnergySeparation, HearsUpToTheTop) {
+  for (const double left : {0.5, 0.1}) {
+    EnergySeparation bands;
+    bands.prepare(1, 4, Hertz(kRate), Hertz(200.0), dsp::kernels::bestKernels());
+    bands.tune(Hertz(366.7), Hertz(90.0), Hertz((2.0 + left) * 366.7));
+    EXPECT_EQ(bands.active(), left > 0.25 ? 3 : 2);
+    for (int k = 0; k < 12800; ++k) {
+      if (k == 12000) bands.estimate();
+      const double x = 3.0 * tone(825.0, k);
+      bands.process(0, &x, 1);
+      bands.advance(1);
+    }
+    bands.estimate();
+    EXPECT_NEAR(std::sqrt(bands.band(0, 2).power), left > 0.25 ? 3.0 : 0.0, 0.1);
+  }
+}
+
 TEST(EnergySeparation, SilenceGivesNoEstimateAndNoNan) {
   EnergySeparation bands;
   bands.prepare(1, 3, Hertz(kRate), Hertz(200.0), dsp::kernels::bestKernels());
-  bands.tune(Hertz(366.7), Hertz(90.0));
+  bands.tune(Hertz(366.7), Hertz(90.0), Hertz(0.45 * kRate));
   const double zero = 0.0;
   for (int k = 0; k < 1000; ++k) {
     bands.process(0, &zero, 1);
