@@ -47,8 +47,8 @@ class ChatterLine {
   double spread_ = 0.0;  // Hz, of the lines that may be the chatter's
   double purity_ = 0.0;
   double lostTurns_ = 0.0;
-  double same_ = 0.0;     // part of the last looks whose strongest line was this one
-  int sinceLook_ = 0;     // hops
+  double same_ = 0.0;  // part of the last looks whose strongest line was this one
+  int sinceLook_ = 0;  // hops
   bool another_ = false;
   bool doubled_ = false;  // period doubling with even teeth
 };

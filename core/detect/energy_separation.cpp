@@ -14,7 +14,7 @@ constexpr std::size_t kCoefficientRows = 5;
 constexpr std::size_t kStateRows = 4;
 constexpr std::size_t kLeastCapacity = 4 * EnergySeparation::kMostFrames;
 constexpr double kLeastOfBand = 0.25;  // a narrower one is left out
-constexpr double kRetune = 1e-3;      // smaller speed changes move no edge worth mentioning
+constexpr double kRetune = 1e-3;       // smaller speed changes move no edge worth mentioning
 
 }  // namespace
 

@@ -197,7 +197,8 @@ double OrderGrowth::products(const Class& c) const noexcept {
 bool OrderGrowth::begins(const Class& c) const noexcept {
   const double now = share(c);
   if (now < products(c)) return false;
-  const bool turns = turnsByItself(c) && (!(stretches_.engagementChanges() || stretches_.otherEngagement()) || std::abs(c.turnedBy) > kQuarterTurn);
+  const bool learnedArc = !stretches_.engagementChanges() && !stretches_.otherEngagement();
+  const bool turns = turnsByItself(c) && (learnedArc || std::abs(c.turnedBy) > kQuarterTurn);
   if (c.own && turns && !explained(c)) return true;
   if (!c.flips) return c.unstable && now > std::max(kMostOfAll, kBeyond * c.onset.floor());
   return c.unstable || (c.onset.floor() < kSmallestBeside && now > kFarBeyond * c.onset.floor() &&
@@ -207,7 +208,8 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
 void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
   if (pulled(c)) return;
   const double drift = ownDrift(c);
-  const bool louder = c.onset.learned() && c.power > muchLouder(c) * c.onset.floorEnergy() && share(c) > kSmallestBeside;
+  const bool louder =
+      c.onset.learned() && c.power > muchLouder(c) * c.onset.floorEnergy() && share(c) > kSmallestBeside;
   const bool one = isOne(c) && turnsByItself(c);
   const bool on = louder && one && std::abs(drift) > kSpeedDoubts * c.order * speedDoubt;
   const bool turning = one && c.onset.evidence() > 0.0;
@@ -223,8 +225,8 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
   const double drift = ownDrift(c);
   const double least = std::max(OrderTurns::kLeastDrift, kApartDoubts * c.order * speedDoubt);
   const bool one = isOne(c) && turnsByItself(c);
-  const bool apart =
-      one && !explained(c) && std::abs(drift) > least && now > std::max(muchLouder(c) * c.timed.share(), kSmallestBeside);
+  const bool apart = one && !explained(c) && std::abs(drift) > least &&
+                     now > std::max(muchLouder(c) * c.timed.share(), kSmallestBeside);
   if (!pulled(c)) {
     c.apartTurns = apart ? c.apartTurns + turns : 0.0;
     c.apartBy = apart ? c.apartBy + sense(c) * drift * turns : 0.0;

@@ -26,12 +26,13 @@
 //   itself and against them: chatter that takes the tracked speed along turns against nothing. (Runout on a mode
 //   becomes four times what it was where it is that much, as the width of cut rises to nine tenths of the limit.)
 // Not believed are a class that holds no more than teeth which leave the material make of runout on two others, a
-// turning that is no more than what an arc which moves pulls the tracked speed by (arc_pull.h), and, while the
-// engagement changes, an order that has not yet turned by a quarter of a turn beyond that. For three windows of the fit
-// no class (of period doubling: for as long as it does) begins to be chatter while its strongest order surely settles
-// (order_pole.h): at 0.95 of the limit a mode beats with runout for tens of turns, turns with it and becomes many times
-// louder. Tooth-passing orders are not tested: what grows there may be the load. Not in Caliskan 2018. Thread: worker;
-// everything but prepare() is real-time.
+// turning that is no more than what an arc which moves pulls the tracked speed by (arc_pull.h), and, in an engagement
+// that changes or is not the learned one, an order that has not yet turned by a quarter of a turn beyond that. What is
+// louder by turning has to be so by the more, the more its share scatters: noise in a narrow band. For three windows of
+// the fit no class (of period doubling: for as long as it does) begins to be chatter while its strongest order surely
+// settles (order_pole.h): at 0.95 of the limit a mode beats with runout for tens of turns, turns with it and becomes
+// many times louder. Tooth-passing orders are not tested: what grows there may be the load. Not in Caliskan 2018.
+// Thread: worker; everything but prepare() is real-time.
 #pragma once
 
 #include <complex>

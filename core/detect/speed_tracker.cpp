@@ -162,28 +162,27 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
   const bool same = now.stands() && before.stands() && std::abs(now.spindle / before.spindle - 1.0) < kAgreement;
   if (&look == &thorough_) still_ = same;
   const bool drowned = tracker_.scattered();
-  const double near = drowned ? kAgreement : kFine;
-  if ((astray() || drowned) && now.stands() && std::abs(now.spindle / spindle() - 1.0) < near) {
+  const double off = std::abs(now.spindle / spindle() - 1.0);
+  if ((astray() || drowned) && now.stands() && off < (drowned ? kAgreement : kFine)) {
     toothPart_ = now.toothPart;  // the comb that was followed says the same speed: it was the cut that changed
     tracker_.stay();
     return;
   }
   if (!same) return;
   if (locked_) {
-    const double away = std::abs(now.spindle / spindle() - 1.0);
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
-    if (away < kMoved && !astray()) {
-      const bool slipped = !proven_ && away > kFine && tracker_.scatter() > kSlipped;
+    if (off < kMoved && !astray()) {
+      const bool slipped = !proven_ && off > kFine && tracker_.scatter() > kSlipped;
       // Not by its window alone: a comb may fit the coming in of the tool, when a mode rings and lines are broad.
-      const bool held = tracker_.clean() || (away < kFine && tracker_.turns() > kThoroughTurns);
+      const bool held = tracker_.clean() || (off < kFine && tracker_.turns() > kThoroughTurns);
       proven_ = proven_ || (now.part > SpeedCandidate::kClearPart && held);
       if (!slipped) return;
     }
-    if (away > kMoved && proven_ && !astray()) return;
+    if (off > kMoved && proven_ && !astray()) return;
   }
   // Where nobody tells a change and no lock has settled, what the windows have led on to is the comb that was found.
   const bool sameComb = &look == &quick_ && !measured_ && !proven_ && trend_.unbroken();
-  if (locked_ && !sameComb && std::abs(now.spindle / spindle() - 1.0) > kMoved) {
+  if (locked_ && !sameComb && off > kMoved) {
     // Both spectra must prefer the new comb: a chatter line that happens to fit it shows in one of them only, and has
     // little beside it.
     const SpeedSearch::Parts here = look.search.restAt(spindle() / look.gone);
@@ -264,7 +263,8 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
-  if (locked_ && proven_ && !astray() && !motion_.moving() && !tracker_.scattered() && !(lone_.suspect().value > 0.0)) return;
+  if (locked_ && proven_ && !astray() && !motion_.moving() && !tracker_.scattered() && !(lone_.suspect().value > 0.0))
+    return;
   const double followed = locked_ && !astray() ? tracker_.drift() : 0.0;
   look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
   look.gone = 1.0 + 0.5 * look.drift * static_cast<double>(window) / rate_;
@@ -391,7 +391,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   followed_ = followed_ || (locked_ && tracker_.clean());
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();
-  still_ = still_ && (motion_.moving() || !proven_);
+  still_ = still_ && (motion_.moving() || !proven_);  // else nobody looks again
   if (locked_ && leaving) return;
   if (!sure || astray() || tracker_.scattered()) lookIfDue(quick_);
   lookIfDue(thorough_);

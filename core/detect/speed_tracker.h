@@ -4,9 +4,7 @@
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
 
-#include <array>
-#include <span>
-#include <vector>
+#include <cstdint>
 
 #include "core/detect/frame_ring.h"
 #include "core/detect/lone_line.h"
@@ -54,8 +52,9 @@ class SpeedTracker {
   // The speed changes and the angle follows the machine's word. Where it follows the vibration, what it catches up of
   // its own lag is no turning of the spindle, and turns are told by the speed alone.
   bool riding() const noexcept { return motion_.riding(); }
-  // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
-  bool moving() const noexcept { return (motion_.moving() && !(still_ && !measured_)) || astray(); }
+  // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed. Chatter
+  // that grows pulls the phases that are followed, and not the comb.
+  bool moving() const noexcept { return (motion_.moving() && (measured_ || !still_)) || astray(); }
   // A tone that most of what is heard was, and that still is its strongest line; 0: none.
   Hertz suspect() const noexcept { return told_ > 0.0 && lone_.heard() ? lone_.suspect() : Hertz(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.

@@ -13,7 +13,7 @@ constexpr double kSpindle = 105.0;
 constexpr int kTeeth = 3;
 constexpr double kOrder = 7.4;
 constexpr double kCut = 0.5, kGrows = 1.5, kFalls = 2.5, kFallen = 2.7, kSeconds = 4.5;  // s
-constexpr double kDips = 3.2, kDipped = 3.3;  // s
+constexpr double kDips = 3.2, kDipped = 3.3;                                             // s
 constexpr double kFull = 1.5;  // amplitude, over that of the first tooth passing
 
 // What is left of it: the line that grew, and another one.

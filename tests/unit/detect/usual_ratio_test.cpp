@@ -40,7 +40,8 @@ TEST(UsualRatio, DoesNotTakeWhatGrowsUnheardForUsual) {
   EXPECT_LT(usual.limit(kChatter, 1.0), 0.32);
 }
 
-// Two axes: one hears the cut, the other little but noise and a line of the machine. Chatter comes, is alarmed, and goes.
+// Two axes: one hears the cut, the other little but noise and a line of the machine. Chatter comes, is alarmed, and
+// goes.
 TEST(UsualRatio, OfANoisyAxisHoldsNoAlarm) {
   constexpr double kRate = 12800.0;
   constexpr double kSpindle = 105.0;
@@ -56,7 +57,8 @@ TEST(UsualRatio, OfANoisyAxisHoldsNoAlarm) {
     const double chatter = grown * std::min(1.0, std::exp((2.4 - t) / 0.1));
     const double cut = t < 0.5 ? 0.0 : steadyCutAt(turn, 3) + chatter * std::sin(7.4 * turn);
     r.channels[0].push_back(static_cast<float>(cut + 0.02 * noise(engine)));
-    r.channels[1].push_back(static_cast<float>(0.02 * cut + (t < 0.5 ? 0.0 : 0.015 * std::sin(3.35 * turn)) + 0.003 * noise(engine)));
+    r.channels[1].push_back(
+        static_cast<float>(0.02 * cut + (t < 0.5 ? 0.0 : 0.015 * std::sin(3.35 * turn)) + 0.003 * noise(engine)));
   }
   RunOptions o;
   o.teeth = 3;
