@@ -184,10 +184,6 @@
         <translation>voll</translation>
     </message>
     <message>
-        <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation>Energieanteil (Gl. 28), ab dem ein Schnitt voll rattert</translation>
-    </message>
-    <message>
         <source>Smallest onset</source>
         <translation>Kleinster Beginn</translation>
     </message>
@@ -4754,6 +4750,22 @@
     <message>
         <source>the torque loop&apos;s bandwidth must not be negative</source>
         <translation>die Bandbreite des Drehmomentreglers darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>Energy ratio (eq. 28) from which a cut is in full chatter; more where it is high in the calm cut</source>
+        <translation>Energieanteil (Gl. 28), ab dem ein Schnitt voll rattert; mehr, wo er im ruhigen Schnitt hoch ist</translation>
+    </message>
+    <message>
+        <source>Full chatter</source>
+        <translation>Volles Rattern</translation>
+    </message>
+    <message>
+        <source>the chatter ratio, as set</source>
+        <translation>der Ratteranteil, wie gesetzt</translation>
+    </message>
+    <message>
+        <source>four times what the channel has in the calm cut</source>
+        <translation>das Vierfache dessen, was der Kanal im ruhigen Schnitt hat</translation>
     </message>
 </context>
 <context>

@@ -183,10 +183,6 @@
         <translation>full</translation>
     </message>
     <message>
-        <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation>Energy ratio (eq. 28) from which a cut is in full chatter</translation>
-    </message>
-    <message>
         <source>Smallest onset</source>
         <translation>Smallest onset</translation>
     </message>
@@ -4753,6 +4749,22 @@
     <message>
         <source>the torque loop's bandwidth must not be negative</source>
         <translation>the torque loop's bandwidth must not be negative</translation>
+    </message>
+    <message>
+        <source>Energy ratio (eq. 28) from which a cut is in full chatter; more where it is high in the calm cut</source>
+        <translation>Energy ratio (eq. 28) from which a cut is in full chatter; more where it is high in the calm cut</translation>
+    </message>
+    <message>
+        <source>Full chatter</source>
+        <translation>Full chatter</translation>
+    </message>
+    <message>
+        <source>the chatter ratio, as set</source>
+        <translation>the chatter ratio, as set</translation>
+    </message>
+    <message>
+        <source>four times what the channel has in the calm cut</source>
+        <translation>four times what the channel has in the calm cut</translation>
     </message>
 </context>
 <context>

@@ -184,10 +184,6 @@
         <translation>完整</translation>
     </message>
     <message>
-        <source>Energy ratio (eq. 28) from which a cut is in full chatter</source>
-        <translation>达到此能量比（式 28）即为完全颤振</translation>
-    </message>
-    <message>
         <source>Smallest onset</source>
         <translation>最小开始</translation>
     </message>
@@ -4754,6 +4750,22 @@
     <message>
         <source>the torque loop&apos;s bandwidth must not be negative</source>
         <translation>转矩环的带宽不能为负</translation>
+    </message>
+    <message>
+        <source>Energy ratio (eq. 28) from which a cut is in full chatter; more where it is high in the calm cut</source>
+        <translation>达到此能量比（式 28）即为完全颤振；平稳切削时该值已高的通道要求更高</translation>
+    </message>
+    <message>
+        <source>Full chatter</source>
+        <translation>完全颤振</translation>
+    </message>
+    <message>
+        <source>the chatter ratio, as set</source>
+        <translation>颤振比，按设定</translation>
+    </message>
+    <message>
+        <source>four times what the channel has in the calm cut</source>
+        <translation>该通道在平稳切削时的四倍</translation>
     </message>
 </context>
 <context>

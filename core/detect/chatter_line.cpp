@@ -68,8 +68,9 @@ void ChatterLine::forget() noexcept {
   doubled_ = another_ = false;
 }
 
-void ChatterLine::stayOnOrder(double order, Hertz spindle) noexcept {
-  frequency_ = spindle * order;
+void ChatterLine::stayOnOrder(double order, const RatioHop& hop) noexcept {
+  another_ = frequency_.value > 0.0 && !sameAs(hop.spindle * order, hop);
+  frequency_ = hop.spindle * order;
   frequencySd_ = kOnOrderSd * frequency_.value;
   spread_ = 0.0;
   lostTurns_ = same_ = 0.0;
@@ -89,6 +90,7 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   const int hops = frequency_.value > 0.0 ? followingHops(hop.length) : 1;
   if (++sinceLook_ < hops) return;
   sinceLook_ = 0;
+  another_ = false;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
   spread_ = line.spread.value;
@@ -102,7 +104,7 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   const bool between = offset >= least && line.purity >= (caught ? kLostPurity : kLeastPurity) && (larger || caught);
   const bool onOrder = evidence.onOrder > 0.0 && !between;
   doubled_ = onOrder && evidence.doubling;
-  if (onOrder) return stayOnOrder(evidence.onOrder, hop.spindle);
+  if (onOrder) return stayOnOrder(evidence.onOrder, hop);
   lostTurns_ = purity_ < kLostPurity ? lostTurns_ + static_cast<double>(hops) / kHopsPerTurn : 0.0;
   if (!(line.frequency.value > 0.0)) return;
   const double turns = static_cast<double>(hops) / kHopsPerTurn;
@@ -112,8 +114,8 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   if (frequency_.value > 0.0 && (!hop.turnsCompare || evidence.ringing)) return;
   const Hertz kept =
       frequency_.value > 0.0 ? lines.keep(frequency_, line.frequency, hop.spindle * kLineReach) : line.frequency;
-  another_ = !sameAs(kept, hop);
-  if (another_) same_ = 0.0;
+  another_ = frequency_.value > 0.0 && !sameAs(kept, hop);
+  if (!sameAs(kept, hop)) same_ = 0.0;
   const Hertz newer = newLineNear(kept, hop);
   move(newer.value > 0.0 ? newer : kept, hop, hops);
 }

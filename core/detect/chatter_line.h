@@ -38,7 +38,7 @@ class ChatterLine {
   ChatterKind kind(int teeth, Hertz spindle) const noexcept;
 
  private:
-  void stayOnOrder(double order, Hertz spindle) noexcept;
+  void stayOnOrder(double order, const RatioHop& hop) noexcept;
   void move(Hertz next, const RatioHop& hop, int hops) noexcept;
   bool sameAs(Hertz line, const RatioHop& hop) const noexcept;
 

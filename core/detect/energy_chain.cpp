@@ -45,8 +45,8 @@ void EnergyChain::tune(Hertz spindle, double gain) noexcept {
     harmonics_.setActive(usable);
     harmonics_.setGain(gain);
   }
-  // What the harmonics are left in is no chatter's.
-  bands_.tune(spindle * size_.bandOrders, spindle * 0.5, spindle * std::max(usable, 1));
+  // What forced vibration is left in is no chatter's.
+  bands_.tune(spindle, size_.bandOrders, std::max(active(), 1));
 }
 
 void EnergyChain::align(double angle, double step) noexcept {

@@ -14,7 +14,7 @@ constexpr std::array<const config::ParamDecl*, 6> kParams{&kErHarmonics, &kErLam
                                                           &kErChatter,   &kErOnsetAmplitude, &kErEvidence};
 constexpr std::array<std::string_view, 6> kIndicators{"er", "frequency_hz", "changed", "floor", "evidence", "purity"};
 
-enum Own : std::size_t { OwnHarmonics, OwnLambda, OwnFloor, OwnOnset };
+enum Own : std::size_t { OwnHarmonics, OwnLambda, OwnFloor, OwnOnset, OwnFull };
 constexpr std::array<std::string_view, 4> kWhyHarmonics{kSetByHand, "as many as the sampling rate hears at this speed",
                                                         "the least there are, for a tool of few teeth",
                                                         "12 tooth passings"};
@@ -22,11 +22,14 @@ constexpr std::array<std::string_view, 2> kWhyLambda{kSetByHand, "a memory of tw
 constexpr std::array<std::string_view, 3> kWhyFloor{kNotLearned, kMeanOfStable, kHeldInAlarm};
 constexpr std::array<std::string_view, 3> kWhyOnset{kNotLearned, "four times the noise floor in energy",
                                                     "the smallest onset, as set, which the noise does not reach"};
-constexpr std::array<OwnValueDecl, 4> kOwnValues{{
+constexpr std::array<std::string_view, 2> kWhyFull{"the chatter ratio, as set",
+                                                   "four times what the channel has in the calm cut"};
+constexpr std::array<OwnValueDecl, 5> kOwnValues{{
     {"energy-ratio.harmonics", "Harmonics", "", kWhyHarmonics},
     {"energy-ratio.lambda", "Process noise ratio", "", kWhyLambda},
     {"energy-ratio.floor", "Noise floor", "", kWhyFloor},
     {"energy-ratio.onset", "Growth that is an onset", "", kWhyOnset},
+    {"energy-ratio.full", "Full chatter", "", kWhyFull},
 }};
 
 constexpr double kMemoryTurns = 2.0;  // of the harmonic filter
@@ -141,6 +144,7 @@ void EnergyRatioDetector::tellOwn(double gain) noexcept {
            : teeth < kLeastHarmonics                   ? 2
                                                        : 3);
   own_.set(OwnLambda, lambdaForGain(gain, active), fixedGain_ > 0.0 ? 0 : 1);
+  own_.set(OwnFull, judge_.full(), judge_.usualIsHigh() ? 1 : 0);
   const OnsetTest* lead = nullptr;
   for (const RatioChannel& s : channelStates_) {
     const OnsetTest& onset = s.growth.onset();
@@ -186,6 +190,7 @@ void EnergyRatioDetector::leaveCut() noexcept {
     s.orders.restart();
     s.forced.reset();
     s.load.reset();
+    s.usual.reset();
   }
   judge_.leaveCut();
 }
@@ -194,7 +199,6 @@ void EnergyRatioDetector::relearn() noexcept {
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
     s.orders.relearn();
-    s.usual.reset();
   }
 }
 

@@ -14,6 +14,7 @@
 //   on, 0.04 or a fifth of the amplitude, where its line has side lines whole tooth passings away, as the
 //   tooth-periodic cut gives to what vibrates in it (entry_chatter.h). A line of other origin that shakes the tool so
 //   strongly from the entry on has them too, and is taken for chatter.
+// - A channel whose ratio is high in the calm cut anyway is asked for more than 0.2 in full chatter (usual_ratio.h).
 // - A channel whose own vibration falls begins no alarm: a sensor that loses its seat differs from the turn before by
 //   what it no longer hears.
 // - Air, entry and exit are told by the conditioner; nothing is judged there.
@@ -54,9 +55,9 @@ inline constexpr config::ParamDecl kErCovariance = config::locked(config::choice
     "energy-ratio.covariance", "Covariance", 0, kErCovariances,
     "Covariance of the Kalman filter: its settled gain from the start, or eq. 20 at every sample, which is right from "
     "the first turn on and costs some twenty times as much"));
-inline constexpr config::ParamDecl kErChatter =
-    config::realParam("energy-ratio.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0,
-                      "Energy ratio (eq. 28) from which a cut is in full chatter");
+inline constexpr config::ParamDecl kErChatter = config::realParam(
+    "energy-ratio.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0,
+    "Energy ratio (eq. 28) from which a cut is in full chatter; more where it is high in the calm cut");
 inline constexpr config::ParamDecl kErOnsetAmplitude = config::realParam(
     "energy-ratio.onset-amplitude", "Smallest onset", "", 0.0125, 0.001, 1.0,
     "Unrepeated vibration over all vibration (amplitudes) below which growth is not yet called onset");

@@ -13,8 +13,9 @@ using dsp::kernels::wholeLanes;
 constexpr std::size_t kCoefficientRows = 5;
 constexpr std::size_t kStateRows = 4;
 constexpr std::size_t kLeastCapacity = 4 * EnergySeparation::kMostFrames;
-constexpr double kLeastOfBand = 0.25;  // a narrower one is left out
-constexpr double kRetune = 1e-3;       // smaller speed changes move no edge worth mentioning
+constexpr int kBandsOfLeast = 4;    // a quarter; a narrower one is left out
+constexpr double kLastEdge = 0.49;  // of the rate
+constexpr double kRetune = 1e-3;    // smaller speed changes move no edge worth mentioning
 
 }  // namespace
 
@@ -44,22 +45,26 @@ void EnergySeparation::prepare(int channels, int bands, Hertz rate, Hertz lowest
     c.newest.assign(lanes_, nullptr);
   }
   width_ = 0.0;
+  top_ = 0;
   reset();
 }
 
 // Neighbouring bands share an edge: tan(pi m width / rate) from the powers of one turn.
-void EnergySeparation::tune(Hertz width, Hertz floor, Hertz top) noexcept {
-  if (width_ > 0.0 && std::abs(width.value / width_ - 1.0) < kRetune) return;
-  width_ = width.value;
-  active_ = std::clamp(static_cast<int>(top / width + 1.0 - kLeastOfBand), 1, bands_);
+void EnergySeparation::tune(Hertz spindle, int bandOrders, int topOrders) noexcept {
+  const double width = spindle.value * bandOrders;
+  if (topOrders == top_ && width_ > 0.0 && std::abs(width / width_ - 1.0) < kRetune) return;
+  width_ = width;
+  top_ = topOrders;
+  const int left = topOrders % bandOrders;
+  active_ = std::clamp(topOrders / bandOrders + (kBandsOfLeast * left >= bandOrders ? 1 : 0), 1, bands_);
   used_ = wholeLanes(static_cast<std::size_t>(active_));
   const double turn = std::numbers::pi / rate_;
   const auto n = static_cast<std::size_t>(active_);
   kernels_.powers(std::cos(turn * width_), std::sin(turn * width_), n, low_.data(), high_.data());
   for (std::size_t m = 0; m < n; ++m) high_[m] /= low_[m];
-  const double last = std::min(static_cast<double>(n) * width_, top.value);
+  const double last = std::min({static_cast<double>(n) * width_, topOrders * spindle.value, kLastEdge * rate_});
   high_[n - 1] = std::tan(turn * last);
-  low_[0] = std::tan(turn * floor.value);
+  low_[0] = std::tan(turn * 0.5 * spindle.value);
   for (std::size_t m = 1; m < n; ++m) low_[m] = high_[m - 1];
   for (std::size_t m = n; m < lanes_; ++m) {  // any filter that is one; nobody listens
     low_[m] = low_[0];

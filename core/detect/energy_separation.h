@@ -29,9 +29,9 @@ class EnergySeparation {
 
   // bandWidth: lowest tooth-passing frequency the bank will be asked to follow, which sets the longest lag.
   void prepare(int channels, int bands, Hertz rate, Hertz lowestWidth, const dsp::kernels::Kernels& kernels);
-  // Band m = [(m-1) width, m width], band 1 from `floor`, and none beyond `top`: the last has what there is of it, if
-  // that is a quarter. Follows the speed without allocation.
-  void tune(Hertz width, Hertz floor, Hertz top) noexcept;
+  // Band m = [(m-1) B, m B] orders, B = bandOrders, the first from half an order on and none beyond topOrders: the last
+  // has what there is of it, if that is a quarter. Follows the speed without allocation.
+  void tune(Hertz spindle, int bandOrders, int topOrders) noexcept;
   void reset() noexcept;
   int bands() const { return bands_; }
   int active() const { return active_; }
@@ -72,6 +72,7 @@ class EnergySeparation {
   std::size_t used_ = 0;   // active ones in whole lanes
   double rate_ = 0.0;
   double width_ = 0.0;
+  int top_ = 0;               // orders
   std::size_t capacity_ = 0;  // frames after the history
   std::size_t position_ = 0;  // of the next frame
   std::size_t pending_ = 0;   // frames not yet in the sums

@@ -39,7 +39,7 @@ void RatioJudge::leaveCut() noexcept {
   calm_.forgetLevel();
   entry_.leaveCut();
   line_.forget();
-  joint_ = severity_ = evidence_ = floor_ = changed_ = purity_ = 0.0;
+  joint_ = severity_ = worst_ = evidence_ = floor_ = changed_ = purity_ = 0.0;
   learned_ = wasFull_ = false;
   risingHops_ = {};
   sinceOnset_ = feedSinceOnset_ = 0.0;
@@ -78,22 +78,27 @@ void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
   rising_ = rising_ || (rises && c.growth.steadyGrowth() && c.news.steadyGrowth());
 }
 
+// Full chatter is asked of the channel that is furthest beyond what it may be.
 void RatioJudge::gatherRatio(const RatioChannel& c) noexcept {
   const auto take = [&](double ratio, const UsualRatio& usual) {
     const double full = usual.limit(chatterRatio_, 1.0);
-    if (ratio * full_ < severity_ * full) return;
+    const double still = usual.limit(chatterRatio_, kHysteresis);
+    const double limit = wasFull_ ? still : full;
+    worst_ = std::max(worst_, ratio);
+    quiet_ = quiet_ && ratio < still;
+    if (ratio * limit_ < severity_ * limit) return;
     severity_ = ratio;
     full_ = full;
-    fullStill_ = usual.limit(chatterRatio_, kHysteresis);
+    limit_ = limit;
   };
   take(c.ratio, c.usual);
   take(c.orders.severity(), {});
 }
 
 void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
-  full_ = chatterRatio_;
-  fullStill_ = kHysteresis * chatterRatio_;
-  severity_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
+  full_ = limit_ = chatterRatio_;
+  quiet_ = true;
+  severity_ = worst_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
   grown_ = growing_ = newsGrowing_ = rising_ = forced_ = false;
   onOrder_ = 0.0;
   doubling_ = false;
@@ -137,18 +142,18 @@ bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase pha
 bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
   gather(channels);
   const bool was = alarming();
-  const bool high = severity_ >= (wasFull_ ? fullStill_ : full_);
+  const bool high = severity_ >= limit_;
   // Of the line that full chatter was made of, less is chatter still.
   const bool lasts = wasFull_ && line_.stays() && joint_ >= entry_.sidedRatio();
   const bool held = lasts || entry_.held(joint_);
-  calm_.watch(changed_, severity_ < fullStill_ && !held, was ? hop.length.value : 0.0);
-  if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, severity_, hop);
+  calm_.watch(changed_, quiet_ && !held, was ? hop.length.value : 0.0);
+  if (!was && !high && hop.phase == CutPhase::Steady) entry_.learnCalm(channels, worst_, hop);
   if (!was && hop.steadyTurns >= kSettleTurns && joint_ < entry_.sidedRatio()) {
     for (RatioChannel& c : channels) c.usual.learn(c.ratio, 1.0 / kHopsPerTurn);
   }
   bool entry = hop.loneLine && high;
   if (!was && !entry) {
-    entry = entry_.begins(channels, {severity_, joint_}, lines, hop);
+    entry = entry_.begins(channels, {worst_, joint_}, lines, hop);
     if (entry_.looked()) purity_ = entry_.line().purity;
   }
   const bool left = toolLeaves(channels, hop.phase);
@@ -156,7 +161,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   if (was) {
     over = line_.lost() || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
-    const bool full = (high || lasts) && (hop.turnsCompare || wasFull_);
+    const bool full = (high || lasts) && (hop.turnsCompare || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
       calm_.reset();
@@ -168,7 +173,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   } else {
     state_ = CutState::Stable;
   }
-  limit_ = severity_ >= full_ ? full_ : high ? fullStill_ : entry_.sidedRatio();
+  over_ = severity_ >= full_ ? full_ : high ? limit_ : entry_.sidedRatio();
   wasFull_ = state_ == CutState::Chatter || (wasFull_ && alarming() && !line_.another());
   sinceOnset_ = alarming() ? sinceOnset_ + hop.length.value : 0.0;
   if (!alarming()) feedSinceOnset_ = 0.0;
@@ -239,7 +244,7 @@ void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
   v.feedSinceOnset = Metres(feedSinceOnset_);
   v.indicators = {severity_, line_.frequency().value, changed_, floor_, evidence_, purity_};
   if (v.state == CutState::Chatter) {
-    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, limit_}};
+    v.reason = {ReasonCode::EnergyRatioHigh, {severity_, over_}};
   } else if (v.state == CutState::Onset) {
     v.reason = {ReasonCode::EnergyRatioGrowing, {changed_, floor_}};
   } else if (v.phase == CutPhase::RunUp) {

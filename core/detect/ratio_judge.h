@@ -28,6 +28,9 @@ class RatioJudge {
   void addFeed(double metres) noexcept { feedSinceOnset_ += metres; }
 
   CutState state() const noexcept { return state_; }
+  // Ratio of full chatter in the channel that is furthest beyond what it may be, and whether that is more than was set.
+  double full() const noexcept { return full_; }
+  bool usualIsHigh() const noexcept { return full_ > chatterRatio_; }
   bool alarming() const noexcept { return state_ == CutState::Onset || state_ == CutState::Chatter; }
   // State, severity, frequency, kind, reason and indicators of a valid verdict whose time and phase are set.
   void fill(Verdict& v, Hertz spindle) const noexcept;
@@ -51,10 +54,12 @@ class RatioJudge {
   EntryChatter entry_;
   ChatterLine line_;          // of the alarm
   double severity_ = 0.0;     // of the channel that is furthest beyond what it may be,
-  double full_ = 0.0;         // ... which is this to be full chatter,
-  double fullStill_ = 0.0;    // ... this to stay so,
+  double full_ = 0.2;         // ... which is this to be full chatter,
+  double limit_ = 0.0;        // ... or that to stay so,
+  double over_ = 0.0;         // ... and what it is over, in full chatter
+  double worst_ = 0.0;        // of any channel
+  bool quiet_ = true;         // none is over what full chatter may become less to
   bool wasFull_ = false;      // chatter once, in this alarm and of this line
-  double limit_ = 0.0;        // ... and what it is over, in full chatter
   double joint_ = 0.0;        // of all channels of a quantity together, by their levels
   double changed_ = 0.0;      // of the channel with the strongest evidence
   double mostChanged_ = 0.0;  // turn difference, of any channel

@@ -12,6 +12,7 @@ constexpr double kRide = 2e-3;    // from the mean of the recent past: faster th
 constexpr double kMoving = 1e-2;  // ... than turns can be compared
 constexpr double kSwift = 4e-3;   // the same of the speed that is heard, which lags
 constexpr double kArrived = 1e-3;
+constexpr double kStands = 0.5 * kSwift / kRecentSeconds;  // a second: half of the slowest such change
 
 double share(double seconds, double memory) noexcept {
   return 1.0 - std::exp(-seconds / memory);
@@ -36,6 +37,10 @@ bool SpeedMotion::followMachine(double told, double sd, double seconds) noexcept
   const bool rode = riding_;
   riding_ = away > (riding_ ? kArrived : kRide) || doubt > kRide;
   return rode && !riding_;
+}
+
+void SpeedMotion::followCombs(double change, double seconds) noexcept {
+  stands_ = std::abs(change) < kStands * seconds;
 }
 
 // Of this moment only: what was heard while a lock settled is no change that the machine has begun and is to end.

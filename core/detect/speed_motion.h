@@ -23,10 +23,18 @@ class SpeedMotion {
   // speed.
   void followSignal(double hertz, double drift, double seconds) noexcept;
 
+  // Two windows of the vibration, so far apart, hold combs whose speeds differ by so much of themselves. Chatter that
+  // grows pulls the phases that are followed, and not the comb.
+  void followCombs(double change, double seconds) noexcept;
+  // Nobody looks for them any more.
+  void forgetCombs() noexcept { stands_ = false; }
+
   // The machine says that the speed changes, faster than the vibration can be followed.
   bool riding() const noexcept { return riding_; }
   // ... or than turns can be compared, whoever says so.
-  bool moving() const noexcept { return moving_; }
+  bool moving() const noexcept { return toldMoving_ || (moving_ && !stands_); }
+  // ... or the phases that are followed, whatever the combs say.
+  bool phasesMove() const noexcept { return moving_; }
   // Told now, or over the last turn of a slow spindle.
   double told() const noexcept { return turning_; }
   // Heard on average, recently, led along its drift.
@@ -39,6 +47,7 @@ class SpeedMotion {
   bool riding_ = false;
   bool toldMoving_ = false;
   bool moving_ = false;
+  bool stands_ = false;  // by the combs
 };
 
 }  // namespace stillcut::detect

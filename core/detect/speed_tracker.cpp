@@ -160,7 +160,8 @@ bool SpeedTracker::astray() const noexcept {
 void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcept {
   const SpeedCandidate& now = look.last;
   const bool same = now.stands() && before.stands() && std::abs(now.spindle / before.spindle - 1.0) < kAgreement;
-  if (&look == &thorough_) still_ = same;
+  const double apart = look.search.window() / (kThoroughHops * rate_);  // s, of thorough windows
+  if (&look == &thorough_) motion_.followCombs(same ? now.spindle / before.spindle - 1.0 : 1.0, apart);
   const bool drowned = tracker_.scattered();
   const double off = std::abs(now.spindle / spindle() - 1.0);
   if ((astray() || drowned) && now.stands() && off < (drowned ? kAgreement : kFine)) {
@@ -263,7 +264,8 @@ void SpeedTracker::lookIfDue(Look& look) noexcept {
   if (look.since < window / (&look == &quick_ ? kQuickHops : kThoroughHops) || inCut_ < window) return;
   look.since = 0;
   // A proven comb that is followed is not given up for another (judge()): there is nothing to be found.
-  if (locked_ && proven_ && !astray() && !motion_.moving() && !tracker_.scattered() && !(lone_.suspect().value > 0.0))
+  if (locked_ && proven_ && !astray() && !motion_.phasesMove() && !tracker_.scattered() &&
+      !(lone_.suspect().value > 0.0))
     return;
   const double followed = locked_ && !astray() ? tracker_.drift() : 0.0;
   look.drift = followed != 0.0 || measured_ ? followed : trend_.drift();
@@ -336,13 +338,7 @@ void SpeedTracker::forget() noexcept {
   }
   lone_.forget();
   onComb_ = 1.0;
-  still_ = false;
-}
-
-// Mean speed of the turn that has begun [rad/s].
-double SpeedTracker::turnToCome() const noexcept {
-  const double hertz = tracker_.spindle().value;
-  return kTwoPi * (hertz + 0.5 * tracker_.drift());
+  motion_.forgetCombs();
 }
 
 // Within the next turn; never more than 2 % of the speed, so that the angle stays monotone.
@@ -391,7 +387,7 @@ void SpeedTracker::look(Seconds since, bool leaving) noexcept {
   followed_ = followed_ || (locked_ && tracker_.clean());
   const bool sure = locked_ && tracker_.clean();  // until then the comb may be the chatter's
   if (sure) lone_.forget();
-  still_ = still_ && (motion_.moving() || !proven_);  // else nobody looks again
+  if (proven_ && !motion_.phasesMove()) motion_.forgetCombs();
   if (locked_ && leaving) return;
   if (!sure || astray() || tracker_.scattered()) lookIfDue(quick_);
   lookIfDue(thorough_);

@@ -52,9 +52,8 @@ class SpeedTracker {
   // The speed changes and the angle follows the machine's word. Where it follows the vibration, what it catches up of
   // its own lag is no turning of the spindle, and turns are told by the speed alone.
   bool riding() const noexcept { return motion_.riding(); }
-  // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed. Chatter
-  // that grows pulls the phases that are followed, and not the comb.
-  bool moving() const noexcept { return (motion_.moving() && (measured_ || !still_)) || astray(); }
+  // ... faster than vibration can be compared from turn to turn, or it has moved away from what was followed.
+  bool moving() const noexcept { return motion_.moving() || astray(); }
   // A tone that most of what is heard was, and that still is its strongest line; 0: none.
   Hertz suspect() const noexcept { return told_ > 0.0 && lone_.heard() ? lone_.suspect() : Hertz(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
@@ -84,7 +83,8 @@ class SpeedTracker {
   // A speed that has never stood in this cut is looked for all the same, where it moves little in a window.
   bool seeksWhileRiding() const noexcept { return !locked_ && !motion_.moving(); }
   void ride(int frames, double* angle, double* step) noexcept;
-  double turnToCome() const noexcept;
+  // Mean speed of the turn that has begun [rad/s].
+  double turnToCome() const noexcept { return kTwoPi * (tracker_.spindle().value + 0.5 * tracker_.drift()); }
   void catchUp(double angle, double omega) noexcept;
   void lookIfDue(Look& look) noexcept;
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
@@ -116,7 +116,6 @@ class SpeedTracker {
   bool proven_ = false;     // the comb of the lock carried most of the power
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
   bool followed_ = false;   // in this cut, cleanly
-  bool still_ = false;      // the last two thorough windows say the same speed
   bool trusted_ = false;    // told roughly, or followed cleanly
   double onComb_ = 1.0;     // of what is not the strongest line, where next to nothing repeats
   double toothPart_ = 0.0;

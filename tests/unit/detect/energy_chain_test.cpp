@@ -62,12 +62,13 @@ class SideBySide {
     active_ = std::min(kHarmonics, static_cast<int>(EnergyChain::kUsableBand * rate_ / spindle_));
     hop_ = std::max(1, static_cast<int>(rate_ / spindle_ / 8.0));
     const double width = spindle_ * orders_;
-    if (width_ > 0.0 && std::abs(width / width_ - 1.0) < kRetune) return;
+    if (active_ == top_ && width_ > 0.0 && std::abs(width / width_ - 1.0) < kRetune) return;
     width_ = width;
+    top_ = active_;
     sinceRetune_ = 0.0;
-    const double top = std::floor(EnergyChain::kUsableBand * rate_ / spindle_) * spindle_;
+    const double top = active_ * spindle_;
     usable_ = static_cast<int>(bands_.size());
-    while (usable_ > 1 && top - (usable_ - 1) * width < 0.25 * width) --usable_;
+    while (usable_ > 1 && 4 * (active_ - (usable_ - 1) * orders_) < orders_) --usable_;
     for (int m = 0; m < usable_; ++m) {
       PlainBand& band = bands_[static_cast<std::size_t>(m)];
       const double low = m == 0 ? 0.5 * spindle_ : m * width;
@@ -122,6 +123,7 @@ class SideBySide {
   double largest_ = 0.0;
   double sinceRetune_ = 0.0;  // turns
   int active_ = 0;
+  int top_ = 0;  // of the bands, in orders
   int usable_ = 0;
   int hop_ = 1;
   int inHop_ = 0;

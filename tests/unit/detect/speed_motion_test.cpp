@@ -44,5 +44,32 @@ TEST(SpeedMotion, AStepThatTheMachineTellsLastsUntilItHasArrived) {
   EXPECT_FALSE(motion.moving());
 }
 
+// Chatter that grows pulls the phases, not the comb. A comb that itself moves by as much as turns cannot be compared in
+// stands nowhere, however near each other two windows of a fast spindle are; nor is it asked while the machine tells.
+TEST(SpeedMotion, WhatThePhasesSayIsNoneWhereTheCombStands) {
+  SpeedMotion motion;
+  motion.reset(kSpindle);
+  motion.startHearing(kSpindle);
+  motion.noMachine();
+  const auto jump = [&] {
+    motion.noMachine();
+    motion.startHearing(kSpindle);
+    motion.followSignal(1.01 * kSpindle, 0.0, kStep);
+  };
+  jump();
+  EXPECT_TRUE(motion.moving());
+  motion.followCombs(5e-4, 0.05);
+  EXPECT_FALSE(motion.moving());
+  EXPECT_TRUE(motion.phasesMove());
+  motion.followCombs(-5e-4, 0.01);
+  EXPECT_TRUE(motion.moving());
+  motion.followCombs(0.0, 0.05);
+  motion.forgetCombs();
+  EXPECT_TRUE(motion.moving());
+  motion.followCombs(0.0, 0.05);
+  motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  EXPECT_TRUE(motion.moving());
+}
+
 }  // namespace
 }  // namespace stillcut::detect
