@@ -13,7 +13,7 @@ constexpr double kGood = 0.01;      // Hz, of what the machine reads
 // So long of a speed that falls by 3 % a second, and both say so.
 void ramp(SpeedMotion& motion, double& hertz, double seconds) {
   constexpr double kDrift = -0.03;
-  for (double t = 0.0; t < seconds; t += kStep) {
+  for (int i = 0; i * kStep < seconds; ++i) {
     hertz *= 1.0 + kDrift * kStep;
     motion.followMachine(hertz, kGood, kStep);
     motion.followSignal(hertz, kDrift, kStep);
@@ -38,9 +38,9 @@ TEST(SpeedMotion, AStepThatTheMachineTellsLastsUntilItHasArrived) {
   motion.reset(kSpindle);
   motion.followMachine(1.05 * kSpindle, kGood, kStep);
   EXPECT_TRUE(motion.moving());
-  for (double t = 0.0; t < 0.1; t += kStep) motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  for (int i = 0; i * kStep < 0.1; ++i) motion.followMachine(1.05 * kSpindle, kGood, kStep);
   EXPECT_TRUE(motion.moving());
-  for (double t = 0.0; t < 0.2; t += kStep) motion.followMachine(1.05 * kSpindle, kGood, kStep);
+  for (int i = 0; i * kStep < 0.2; ++i) motion.followMachine(1.05 * kSpindle, kGood, kStep);
   EXPECT_FALSE(motion.moving());
 }
 
