@@ -11,7 +11,6 @@
 #include "core/detect/line_finder.h"
 #include "core/detect/onset_test.h"
 #include "core/detect/turn_difference.h"
-#include "core/dsp/kernels/choose.h"
 #include "core/dsp/window.h"
 
 namespace stillcut::detect {
