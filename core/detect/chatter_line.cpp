@@ -114,8 +114,9 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   if (frequency_.value > 0.0 && (!hop.turnsCompare || evidence.ringing)) return;
   const Hertz kept =
       frequency_.value > 0.0 ? lines.keep(frequency_, line.frequency, hop.spindle * kLineReach) : line.frequency;
-  another_ = frequency_.value > 0.0 && !sameAs(kept, hop);
-  if (!sameAs(kept, hop)) same_ = 0.0;
+  const bool same = sameAs(kept, hop);
+  another_ = frequency_.value > 0.0 && !same;
+  if (!same) same_ = 0.0;
   const Hertz newer = newLineNear(kept, hop);
   move(newer.value > 0.0 ? newer : kept, hop, hops);
 }

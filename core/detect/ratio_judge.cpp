@@ -30,7 +30,7 @@ bool arrives(const RatioChannel& c) noexcept {
 
 void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
   teeth_ = teeth;
-  chatterRatio_ = chatterRatio;
+  chatterRatio_ = full_ = chatterRatio;
   entry_.prepare(chatterRatio);
 }
 

@@ -54,7 +54,7 @@ class RatioJudge {
   EntryChatter entry_;
   ChatterLine line_;          // of the alarm
   double severity_ = 0.0;     // of the channel that is furthest beyond what it may be,
-  double full_ = 0.2;         // ... which is this to be full chatter,
+  double full_ = 0.0;         // ... which is this to be full chatter,
   double limit_ = 0.0;        // ... or that to stay so,
   double over_ = 0.0;         // ... and what it is over, in full chatter
   double worst_ = 0.0;        // of any channel

@@ -51,12 +51,7 @@ TEST(SpeedMotion, WhatThePhasesSayIsNoneWhereTheCombStands) {
   motion.reset(kSpindle);
   motion.startHearing(kSpindle);
   motion.noMachine();
-  const auto jump = [&] {
-    motion.noMachine();
-    motion.startHearing(kSpindle);
-    motion.followSignal(1.01 * kSpindle, 0.0, kStep);
-  };
-  jump();
+  motion.followSignal(1.01 * kSpindle, 0.0, kStep);
   EXPECT_TRUE(motion.moving());
   motion.followCombs(5e-4, 0.05);
   EXPECT_FALSE(motion.moving());
