@@ -1,4 +1,4 @@
-// Made by translations/core_sentences; put together and read by ui/models/core_sentence.cpp.
+// Made by translations/core_sentences; put together and read by ui/base/core_sentence.cpp.
 // clang-format off
 #pragma once
 

@@ -16,22 +16,22 @@ std::string figure(double value, const char* format) {
 }
 
 // Of what the alarms named, relative; not a number: no alarm, or nobody has said where the chatter was.
-double frequencyError(const RecordedTruth& truth, const VerdictLog::Summary& s) {
+double frequencyError(const evaluate::RecordedTruth& truth, const evaluate::VerdictLog::Summary& s) {
   return truth.chatter && s.alarms > 0 ? s.frequency_Hz / truth.chatter->value - 1.0
                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
-void printOwnValues(const std::vector<OwnValueLog::Entry>& values) {
+void printOwnValues(const std::vector<evaluate::OwnValueLog::Entry>& values) {
   if (!values.empty()) std::printf("set by itself, as last known\n");
-  for (const OwnValueLog::Entry& e : values) {
+  for (const evaluate::OwnValueLog::Entry& e : values) {
     const std::string value = std::isfinite(e.value) ? figure(e.value, "%.4g ") + std::string(e.decl->unit) : "-";
     std::printf("  %-26s %-12s %s\n", std::string(e.decl->key).c_str(), value.c_str(), std::string(e.why).c_str());
   }
 }
 
-nlohmann::json ownJson(const std::vector<OwnValueLog::Entry>& values) {
+nlohmann::json ownJson(const std::vector<evaluate::OwnValueLog::Entry>& values) {
   nlohmann::json array = nlohmann::json::array();
-  for (const OwnValueLog::Entry& e : values) {
+  for (const evaluate::OwnValueLog::Entry& e : values) {
     array.push_back({{"key", e.decl->key},
                      {"value", std::isfinite(e.value) ? nlohmann::json(e.value) : nlohmann::json()},
                      {"unit", e.decl->unit},
@@ -40,13 +40,13 @@ nlohmann::json ownJson(const std::vector<OwnValueLog::Entry>& values) {
   return array;
 }
 
-void printScore(const AlarmScore& s, double error) {
+void printScore(const evaluate::AlarmScore& s, double error) {
   const std::string found = s.spans > 0 ? std::to_string(s.found) + "/" + std::to_string(s.spans) : "-";
   std::printf(" %7s %10s %9s %6d", found.c_str(), figure(s.delayQuantile(0.5), "%.3f s").c_str(),
               figure(100.0 * error, "%+.2f %%").c_str(), s.falseAlarms);
 }
 
-void printRow(const VerdictLog::Summary& s) {
+void printRow(const evaluate::VerdictLog::Summary& s) {
   if (s.alarms > 0) {
     std::printf("%-14s %6d %12s %11s %11s %11s %9.2f", s.detector.c_str(), s.alarms,
                 figure(s.firstAlarm_s, "%.3f s").c_str(), figure(s.alarmTime_s, "%.3f s").c_str(),
@@ -56,7 +56,7 @@ void printRow(const VerdictLog::Summary& s) {
   }
 }
 
-nlohmann::json scoreJson(const AlarmScore& s, double error) {
+nlohmann::json scoreJson(const evaluate::AlarmScore& s, double error) {
   const double delay = s.delayQuantile(0.5);
   return {{"spans", s.spans},
           {"found", s.found},
@@ -78,7 +78,7 @@ void printTable(const Analysis& a) {
   if (a.truth) std::printf(" %7s %10s %9s %6s", "found", "delay", "f error", "false");
   std::printf("\n");
   for (std::size_t d = 0; d < a.detectors.size(); ++d) {
-    const VerdictLog::Summary& s = a.detectors[d];
+    const evaluate::VerdictLog::Summary& s = a.detectors[d];
     printRow(s);
     if (a.truth) printScore(a.scores[d], frequencyError(*a.truth, s));
     std::printf("\n");

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/compose/own_value_log.h"
-#include "app/compose/recorded_truth.h"
-#include "app/compose/verdict_log.h"
-#include "core/record/recording_reader.h"
+#include "core/evaluate/own_value_log.h"
+#include "core/evaluate/recorded_truth.h"
+#include "core/evaluate/verdict_log.h"
+#include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
 
@@ -17,10 +17,10 @@ struct Analysis {
   std::string recording;
   record::RecordingFormat format;
   std::vector<std::string> remarks;  // what the answer rests on that nobody has told
-  std::vector<VerdictLog::Summary> detectors;
-  std::optional<RecordedTruth> truth;
-  std::vector<AlarmScore> scores;         // of each detector, where there is a truth
-  std::vector<OwnValueLog::Entry> own{};  // what is to be told of them
+  std::vector<evaluate::VerdictLog::Summary> detectors;
+  std::optional<evaluate::RecordedTruth> truth;
+  std::vector<evaluate::AlarmScore> scores;         // of each detector, where there is a truth
+  std::vector<evaluate::OwnValueLog::Entry> own{};  // what is to be told of them
 };
 
 void printTable(const Analysis& analysis);

@@ -8,12 +8,12 @@
 #include "app/cli/out_path.h"
 #include "app/cli/reading_options.h"
 #include "app/cli/setting_options.h"
-#include "app/compose/own_value_log.h"
 #include "app/compose/recording_rig.h"
-#include "app/compose/series_log.h"
-#include "app/compose/verdict_log.h"
-#include "core/base/atomic_file.h"
 #include "core/detect/registry.h"
+#include "core/evaluate/own_value_log.h"
+#include "core/evaluate/series_log.h"
+#include "core/evaluate/verdict_log.h"
+#include "core/storage/atomic_file.h"
 
 namespace stillcut::app {
 namespace {
@@ -78,7 +78,8 @@ Result<RecordingOptions> understand(const AnalyzeOptions& given) {
 }
 
 // What the answer rests on that nobody has told.
-std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed, const std::vector<VerdictLog>& logs) {
+std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed,
+                                 const std::vector<evaluate::VerdictLog>& logs) {
   std::vector<std::string> lines;
   if (setup.teeth <= 0) lines.emplace_back("teeth not told (--teeth): judged by spindle harmonics alone");
   if (setup.nominalSpeed.value > 0.0 || measuredSpeed) return lines;
@@ -91,11 +92,11 @@ std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed, cons
 }
 
 // Both or neither.
-Status writeFiles(const AnalyzeOptions& given, const std::vector<VerdictLog>& logs,
-                  const std::optional<SeriesLog>& series) {
+Status writeFiles(const AnalyzeOptions& given, const std::vector<evaluate::VerdictLog>& logs,
+                  const std::optional<evaluate::SeriesLog>& series) {
   if (!given.events.empty()) {
     nlohmann::json array = nlohmann::json::array();
-    for (const VerdictLog& log : logs) log.appendEvents(array);
+    for (const evaluate::VerdictLog& log : logs) log.appendEvents(array);
     if (Status s = writeFileAtomically(given.events, array.dump(1) + "\n"); !s) return s;
   }
   if (series) {
@@ -114,15 +115,15 @@ int analyze(const AnalyzeOptions& given) {
   if (!built) return fail(built.error());
   Rig& rig = *built->rig;
 
-  auto truth = truthOf(given.recording);
+  auto truth = evaluate::truthOf(given.recording);
   if (!truth) return fail(truth.error());
   std::vector<detect::DetectorInfo> infos;
   for (const auto& detector : rig.chain().parts().detectors) infos.push_back(detector->describe());
-  std::vector<VerdictLog> logs;
-  std::vector<AlarmList> alarms(infos.size());
-  std::optional<SeriesLog> series;
+  std::vector<evaluate::VerdictLog> logs;
+  std::vector<evaluate::AlarmList> alarms(infos.size());
+  std::optional<evaluate::SeriesLog> series;
   std::optional<Instant> begin;
-  OwnValueLog own(rig.chain());
+  evaluate::OwnValueLog own(rig.chain());
   rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
     if (!begin) {
       begin = in.block.firstSample;
@@ -143,7 +144,7 @@ int analyze(const AnalyzeOptions& given) {
   analysis.truth = std::move(truth).value();
   for (std::size_t d = 0; d < logs.size(); ++d) {
     analysis.detectors.push_back(logs[d].summary());
-    if (analysis.truth) analysis.scores.push_back(scoreAlarms(analysis.truth->spans, alarms[d].alarms()));
+    if (analysis.truth) analysis.scores.push_back(evaluate::scoreAlarms(analysis.truth->spans, alarms[d].alarms()));
   }
   if (given.values || given.json) analysis.own = own.entries();
   given.json ? printJson(analysis) : printTable(analysis);

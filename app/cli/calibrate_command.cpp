@@ -7,8 +7,8 @@
 #include "app/cli/command.h"
 #include "app/cli/hearing_options.h"
 #include "app/cli/reading_options.h"
-#include "app/compose/catalog.h"
 #include "core/daq/calibrator.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -43,7 +43,7 @@ int run(const CalibrateOptions& o) {
   if (!reading) return fail(reading.error());
   if (reading->channels.size() > 1) return fail({"--channel", "one at a time", "the calibrator is on one sensor"});
   const int channel = reading->channels.empty() ? 0 : reading->channels.front();
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = profileOf(o, catalog);
   if (!profile) return fail(profile.error());
   SetUpFault fault = SetUpFault::Input;

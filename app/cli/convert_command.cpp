@@ -10,10 +10,10 @@
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "app/cli/reading_options.h"
-#include "core/milling/case_json.h"
+#include "core/milling/simulation/case_json.h"
 #include "core/milling/stability/lobe_case.h"
-#include "core/record/convert_recording.h"
-#include "core/record/marker_span.h"
+#include "core/session/convert_recording.h"
+#include "core/session/marker_span.h"
 
 namespace stillcut::app {
 namespace {

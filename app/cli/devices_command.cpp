@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/compose/catalog.h"
 #include "app/compose/effect_trial.h"
 #include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
@@ -20,6 +19,7 @@
 #include "core/cnc/registry.h"
 #include "core/daq/device_words.h"
 #include "core/daq/registry.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -110,7 +110,7 @@ Result<config::Profile> wanted(const DeviceOptions& o, const config::ParamCatalo
 
 int tryLink(const DeviceOptions& o) {
   if (o.save && o.profile.empty()) return fail({"--save", "needs --profile", "that is where it is saved"});
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = wanted(o, catalog);
   if (!profile) return fail(profile.error());
   const auto events = wireEvents();  // outlives the link and its wires

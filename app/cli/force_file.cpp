@@ -1,6 +1,6 @@
 #include "app/cli/force_file.h"
 
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::app {
 namespace {

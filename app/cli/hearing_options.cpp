@@ -3,10 +3,10 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
-#include "app/compose/catalog.h"
 #include "app/compose/heard_samples.h"
 #include "app/compose/profile_rig.h"
 #include "app/io/wires.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 

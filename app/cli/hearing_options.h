@@ -10,7 +10,7 @@
 #include "core/base/result.h"
 #include "core/config/profile.h"
 #include "core/daq/heard_samples.h"
-#include "core/record/recording_reader.h"
+#include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
 

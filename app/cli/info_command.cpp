@@ -4,8 +4,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/reading_options.h"
-#include "core/record/describe_recording.h"
-#include "core/record/session_reader.h"
+#include "core/session/describe_recording.h"
+#include "core/session/file/session_reader.h"
 
 namespace stillcut::app {
 namespace {

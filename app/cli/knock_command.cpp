@@ -6,9 +6,9 @@
 #include "app/cli/command.h"
 #include "app/cli/hearing_options.h"
 #include "app/cli/reading_options.h"
-#include "app/compose/catalog.h"
 #include "app/compose/heard_samples.h"
 #include "core/daq/axis_knock.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -30,7 +30,7 @@ int run(const KnockOptions& o) {
     return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = profileOf(o, catalog);
   if (!profile) return fail(profile.error());
   if (!o.profile.empty()) {

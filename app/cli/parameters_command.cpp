@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/compose/catalog.h"
 #include "core/config/nearest_word.h"
-#include "core/config/number_text.h"
+#include "core/pipeline/catalog.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::app {
 namespace {
@@ -95,7 +95,7 @@ void printChapter(const std::vector<const ParamDecl*>& decls) {
 }
 
 Status print(const std::string& wanted, bool markdown) {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   std::vector<const ParamDecl*> chosen;
   std::vector<std::string_view> parts;
   for (const ParamDecl* decl : catalog.all()) {

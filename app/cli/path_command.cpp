@@ -11,7 +11,7 @@
 #include "app/cli/out_path.h"
 #include "core/active/lms.h"
 #include "core/active/path_promise.h"
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/record/recording_reader.h"
+#include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
 

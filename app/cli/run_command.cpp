@@ -9,17 +9,17 @@
 
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
-#include "app/compose/catalog.h"
 #include "app/compose/flight_log.h"
 #include "app/compose/interruption.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/wires.h"
+#include "core/pipeline/catalog.h"
 #include "core/pipeline/engine.h"
-#include "core/record/session_folder.h"
 #include "core/rt/deadline_stats.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
+#include "core/session/session_folder.h"
 
 namespace stillcut::app {
 namespace {
@@ -154,7 +154,7 @@ Status record(Rig& rig, const config::Profile& profile, const RunOptions& option
 
 int run(const RunOptions& options) {
   if (const Status usable = checkOptions(options); !usable) return fail(usable.error());
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = config::loadProfile(options.profile, catalog, knownIds());
   if (!profile) return fail(profile.error());
   if (!options.operatorName.empty()) profile->operatorName = options.operatorName;

@@ -25,7 +25,7 @@ struct ScoreOptions {
 
 struct Totals {
   std::vector<FileScore> files;
-  std::map<std::string, AlarmScore> byDetector;
+  std::map<std::string, evaluate::AlarmScore> byDetector;
 
   void add(FileScore score) {
     for (const auto& [detector, s] : score.byDetector) byDetector[detector].add(s);
@@ -68,7 +68,7 @@ Result<ScoreRequest> understand(const ScoreOptions& given) {
 
 Status scoreOne(const std::string& file, const std::vector<std::string>& settings, ScoreRequest& request,
                 Outcome& outcome) {
-  const auto truth = truthOf(file);
+  const auto truth = evaluate::truthOf(file);
   if (!truth) return truth.error();
   if (!truth.value()) {
     outcome.unmarked.push_back(file);
@@ -108,7 +108,7 @@ Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   return outcome;
 }
 
-nlohmann::ordered_json toJson(const AlarmScore& s) {
+nlohmann::ordered_json toJson(const evaluate::AlarmScore& s) {
   const auto number = [](double value) { return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr; };
   return {{"spans", s.spans},
           {"found", s.found},
@@ -121,7 +121,7 @@ nlohmann::ordered_json toJson(const AlarmScore& s) {
           {"delay_p95_s", number(s.delayQuantile(0.95))}};
 }
 
-nlohmann::ordered_json toJson(const std::map<std::string, AlarmScore>& byDetector) {
+nlohmann::ordered_json toJson(const std::map<std::string, evaluate::AlarmScore>& byDetector) {
   nlohmann::ordered_json json;
   for (const auto& [detector, score] : byDetector) json[detector] = toJson(score);
   return json;
@@ -160,7 +160,7 @@ std::string figure(double value, const char* format) {
   return text;
 }
 
-void printRow(const std::string& detector, const AlarmScore& s) {
+void printRow(const std::string& detector, const evaluate::AlarmScore& s) {
   std::printf("%-14s %6d %6d %7d %6d %8.4f %9s %10s %10s\n", detector.c_str(), s.spans, s.found, s.missed(),
               s.falseAlarms, s.quiet.value / 3600.0, figure(s.falsePerHour(), "%.1f").c_str(),
               figure(s.delayQuantile(0.5), "%.3f s").c_str(), figure(s.delayQuantile(0.95), "%.3f s").c_str());

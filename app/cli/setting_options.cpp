@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/config/profile.h"
 #include "core/config/toml_reader.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 
@@ -30,7 +30,7 @@ Result<Settings> readConfig(const std::string& path, const config::ParamCatalog&
 }  // namespace
 
 Result<Settings> SettingOptions::read() const {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   Settings result;
   if (!config.empty()) {
     auto loaded = readConfig(config, catalog);

@@ -9,7 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/compose/active_run.h"
-#include "core/record/wav_reader.h"
+#include "core/formats/sound/wav_reader.h"
 
 namespace stillcut::app {
 namespace {

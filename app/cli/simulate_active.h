@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/config/param_set.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::app {
 

@@ -13,11 +13,11 @@
 #include "app/cli/simulate_active.h"
 #include "app/compose/resource_folder.h"
 #include "app/compose/scenario_rig.h"
-#include "app/compose/simulation_report.h"
 #include "core/control/registry.h"
-#include "core/milling/scenario.h"
-#include "core/record/session_folder.h"
-#include "core/record/wav_reader.h"
+#include "core/evaluate/simulation_report.h"
+#include "core/formats/sound/wav_reader.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/session/session_folder.h"
 
 namespace stillcut::app {
 namespace {
@@ -90,7 +90,7 @@ class OutFile {
 
 struct FinishedRun {
   ScenarioRig built;
-  RunHistory history;
+  evaluate::SimulationHistory history;
 };
 
 Result<FinishedRun> runOnce(const milling::Scenario& scenario, const ScenarioOptions& options, const std::string& out) {
@@ -161,7 +161,7 @@ int simulate(const SimulateOptions& options) {
   run.methods.strategy = options.strategy;
   const auto controlled = runOnce(*scenario, run, options.out);
   if (!controlled) return fail(controlled.error());
-  SimulationReport result = report(controlled->history, alone->history, controlled->built.source->plant());
+  evaluate::SimulationReport result = report(controlled->history, alone->history, controlled->built.source->plant());
   result.strategy = run.methods.strategy;
   if (options.json) {
     std::printf("%s\n", toJson(result).dump(2).c_str());

@@ -11,7 +11,7 @@
 #include "core/active/active_engine.h"
 #include "core/active/active_params.h"
 #include "core/base/result.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 #include "core/safety/actuator_gate.h"
 
 namespace stillcut::app {

@@ -7,7 +7,7 @@
 #include "core/active/active_engine.h"
 #include "core/config/param_set.h"
 #include "core/config/profile.h"
-#include "core/milling/work_holder.h"
+#include "core/milling/simulation/work_holder.h"
 
 namespace stillcut::app {
 

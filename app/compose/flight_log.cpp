@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/atomic_file.h"
+#include "core/storage/atomic_file.h"
 
 namespace stillcut::app {
 namespace {

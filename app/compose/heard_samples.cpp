@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/compose/profile_rig.h"
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::app {
 namespace {

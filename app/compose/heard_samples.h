@@ -8,7 +8,7 @@
 #include "app/compose/rig.h"
 #include "core/config/profile.h"
 #include "core/daq/heard_samples.h"
-#include "core/record/recording_reader.h"
+#include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
 

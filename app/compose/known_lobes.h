@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/config/override_limits.h"
 #include "core/config/profile.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"
 
 namespace stillcut::app {

@@ -4,7 +4,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/known_lobes.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/alsa_driver.h"
@@ -12,12 +11,13 @@
 #include "app/io/comedi_output.h"
 #include "app/io/iio_driver.h"
 #include "app/io/wires.h"
+#include "core/cnc/analog/silent_output.h"
 #include "core/cnc/registry.h"
-#include "core/cnc/silent_output.h"
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -143,7 +143,7 @@ std::string modelFile(const config::Profile& profile, const std::string& path) {
 std::string profileOrigin(const config::Profile& profile, const std::string& path) {
   config::Profile whole = profile;
   if (!whole.model.empty()) whole.model = std::filesystem::absolute(modelFile(profile, path)).string();
-  return config::profileText(whole, fullCatalog());
+  return config::profileText(whole, pipeline::fullCatalog());
 }
 
 std::string recordingFolder(const config::Profile& profile, const std::string& path) {

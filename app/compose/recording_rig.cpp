@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/run_text.h"
-#include "app/compose/scenario_reader.h"
-#include "core/daq/replay_source.h"
-#include "core/record/open_recording.h"
+#include "core/evaluate/scenario_reader.h"
+#include "core/pipeline/catalog.h"
+#include "core/session/open_recording.h"
+#include "core/session/replay_source.h"
 
 namespace stillcut::app {
 namespace {
@@ -51,7 +51,7 @@ class SessionStepSource final : public pipeline::StepSource {
 std::vector<std::uint32_t> chosenNow(const record::RecordingFormat& format, const config::ParamSet& params) {
   const auto recorded = parseRunText(format.configuration, "configuration");
   const config::ParamSet before = recorded ? recorded->params : config::ParamSet();
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   std::vector<std::uint32_t> chosen;
   for (const config::ParamDecl* decl : catalog.all()) {
     const bool same = before.isSet(*decl) && before.text(*decl) == params.text(*decl);
@@ -64,7 +64,7 @@ void controlBy(const ReplayHand& hand, const std::string& path, const record::Re
                daq::ReplayOptions& replay) {
   replay.control = hand.control;
   replay.clock = hand.clock;
-  replay.reopen = [path, read] { return openCut(path, read); };
+  replay.reopen = [path, read] { return evaluate::openCut(path, read); };
 }
 
 // What filters and windows are sized for before the first block.
@@ -78,7 +78,7 @@ Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
 }  // namespace
 
 Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingOptions& options) {
-  auto reader = openCut(path, options.read);
+  auto reader = evaluate::openCut(path, options.read);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
   if (format.blocks > 0 && format.frames == 0) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/compose/rig.h"
-#include "core/daq/replay_control.h"
-#include "core/record/recording_reader.h"
+#include "core/formats/recording_reader.h"
+#include "core/session/replay_control.h"
 
 namespace stillcut::app {
 

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <string_view>
 
-#include "app/compose/catalog.h"
 #include "app/compose/recording_rig.h"
 #include "app/compose/run_text.h"
-#include "app/compose/scenario_reader.h"
 #include "core/config/profile.h"
+#include "core/evaluate/scenario_reader.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -20,7 +20,7 @@ std::string times(int n) {
   return n == 1 ? "once" : std::to_string(n) + " times";
 }
 
-std::string counted(const AlarmScore& s) {
+std::string counted(const evaluate::AlarmScore& s) {
   std::string text = times(s.alarms);
   if (s.alarms > 0)
     text += ", " + (s.falseAlarms == 0 ? "none" : std::to_string(s.falseAlarms)) + " of them marked false";
@@ -30,7 +30,7 @@ std::string counted(const AlarmScore& s) {
 Result<config::ParamSet> paramsFor(const std::string& path, const ScoreRequest& request) {
   config::ParamSet params = request.params;
   if (request.ownParams) {
-    auto reader = openCut(path);
+    auto reader = evaluate::openCut(path);
     if (!reader) return reader.error();
     if ((*reader)->format().setup) {
       auto run = parseRunText((*reader)->format().configuration, path + " (configuration)");
@@ -38,14 +38,15 @@ Result<config::ParamSet> paramsFor(const std::string& path, const ScoreRequest& 
     }
   }
   for (const std::string& setting : request.settings) {
-    if (const Status s = config::applySetting(params, fullCatalog(), setting); !s) return s.error();
+    if (const Status s = config::applySetting(params, pipeline::fullCatalog(), setting); !s) return s.error();
   }
   return params;
 }
 
 }  // namespace
 
-Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& truth, const ScoreRequest& request) {
+Result<FileScore> scoreRecording(const std::string& path, const evaluate::RecordedTruth& truth,
+                                 const ScoreRequest& request) {
   RecordingOptions options;
   options.read.quantity = truth.quantity;
   options.read.scale = truth.scale;
@@ -58,7 +59,7 @@ Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& t
   auto built = buildRecordingRig(path, options);
   if (!built) return built.error();
   Rig& rig = *built->rig;
-  std::vector<AlarmList> lists(request.detectors.size());
+  std::vector<evaluate::AlarmList> lists(request.detectors.size());
   std::optional<Instant> begin;
   Instant end{};
   const auto observe = [&](const StepInput& in, const StepOutput& out) {
@@ -75,13 +76,14 @@ Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& t
   if (const std::string fault = rig.device().fault(); !fault.empty()) return Error{"", fault, ""};
   FileScore score{path, truth, begin ? secondsBetween(*begin, end) : Seconds(), {}, {}};
   for (std::size_t d = 0; d < lists.size(); ++d) {
-    score.byDetector[request.detectors[d]] = scoreAlarms(truth.spans, lists[d].alarms(), score.length);
+    score.byDetector[request.detectors[d]] = evaluate::scoreAlarms(truth.spans, lists[d].alarms(), score.length);
     score.alarms[request.detectors[d]] = lists[d].alarms();
   }
   return score;
 }
 
-std::string whatIfSentence(const std::string& detector, const AlarmScore& before, const AlarmScore& after) {
+std::string whatIfSentence(const std::string& detector, const evaluate::AlarmScore& before,
+                           const evaluate::AlarmScore& after) {
   return detector + " would have alarmed " + counted(after) + "; before " + counted(before);
 }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/compose/recorded_truth.h"
 #include "core/config/param_set.h"
+#include "core/evaluate/recorded_truth.h"
 
 namespace stillcut::app {
 
@@ -24,17 +24,19 @@ struct ScoreRequest {
 
 struct FileScore {
   std::string file;
-  RecordedTruth truth;
+  evaluate::RecordedTruth truth;
   Seconds length{};
-  std::map<std::string, AlarmScore> byDetector;
-  std::map<std::string, std::vector<Alarm>> alarms;
+  std::map<std::string, evaluate::AlarmScore> byDetector;
+  std::map<std::string, std::vector<evaluate::Alarm>> alarms;
 };
 
 // Without spans of truth only the alarms are told.
-Result<FileScore> scoreRecording(const std::string& path, const RecordedTruth& truth, const ScoreRequest& request);
+Result<FileScore> scoreRecording(const std::string& path, const evaluate::RecordedTruth& truth,
+                                 const ScoreRequest& request);
 
 // "energy-ratio would have alarmed 3 times, 2 of them marked false; before 5 times, 4 of them marked false"
-std::string whatIfSentence(const std::string& detector, const AlarmScore& before, const AlarmScore& after);
+std::string whatIfSentence(const std::string& detector, const evaluate::AlarmScore& before,
+                           const evaluate::AlarmScore& after);
 
 // Recordings below `folder`, by name; tables of truth and other by-files left out. `goOn`: asked at each file; false:
 // stop with what there is. Empty: to the end.

@@ -6,9 +6,9 @@
 
 #include "app/compose/run_text.h"
 #include "core/control/registry.h"
-#include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
-#include "core/record/session_markers.h"
+#include "core/sensing/conditioner.h"
+#include "core/session/file/session_markers.h"
 #include "generated/version.h"
 
 namespace stillcut::app {

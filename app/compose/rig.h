@@ -11,8 +11,8 @@
 #include "core/config/param_set.h"
 #include "core/pipeline/engine.h"
 #include "core/pipeline/serial_run.h"
-#include "core/record/recorder.h"
-#include "core/record/session_folder.h"
+#include "core/session/recorder.h"
+#include "core/session/session_folder.h"
 
 namespace stillcut::app {
 

@@ -3,10 +3,10 @@
 #include <sstream>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "core/config/profile.h"
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 
@@ -26,7 +26,7 @@ std::string runText(const RunText& run, std::string_view origin) {
   if (!run.methods.fallback.empty()) out.text("fallback", run.methods.fallback);
   out.text("strategy", run.methods.strategy);
   out.boolean("allow_auto", run.autoAllowed);
-  config::writeParameters(out, run.params, fullCatalog());
+  config::writeParameters(out, run.params, pipeline::fullCatalog());
   if (!origin.empty()) {
     out.comment("");
     out.comment(kMadeFrom);
@@ -60,7 +60,7 @@ Result<RunText> parseRunText(std::string_view content, const std::string& name) 
   run.methods.fallback = methods.textOr("fallback", "");
   run.methods.strategy = methods.text("strategy");
   run.autoAllowed = methods.boolean("allow_auto");
-  auto params = config::readParameters(in.root().tableOr("parameters"), fullCatalog());
+  auto params = config::readParameters(in.root().tableOr("parameters"), pipeline::fullCatalog());
   if (const Status finished = in.finish(); !finished) return finished.error();
   if (!params) return params.error();
   run.params = std::move(params).value();

@@ -7,7 +7,7 @@
 
 #include "app/compose/rig.h"
 #include "core/daq/simulated_source.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::app {
 

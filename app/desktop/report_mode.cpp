@@ -1,6 +1,6 @@
 #include "app/desktop/report_mode.h"
 
-#include "app/compose/session_summary_builder.h"
+#include "core/evaluate/session_summary_builder.h"
 #include "ui/report/report_files.h"
 
 namespace stillcut::app {
@@ -12,7 +12,7 @@ Status makeReport(const QStringList& files, QSize pictureSize, ui::UnitSystem un
   if (!pdf && !out.endsWith(QStringLiteral(".png")) && !out.endsWith(QStringLiteral(".svg"))) {
     return Error{out.toStdString(), "cannot be written", "the suffix must be .pdf, .png or .svg"};
   }
-  const auto summary = summarizeRecording(files[0].toStdString());
+  const auto summary = evaluate::summarizeRecording(files[0].toStdString());
   if (!summary) return summary.error();
   return pdf ? ui::writeReport(*summary, out, units) : ui::writePicture(*summary, out, pictureSize);
 }

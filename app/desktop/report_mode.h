@@ -5,7 +5,7 @@
 #include <QStringList>
 
 #include "core/base/result.h"
-#include "ui/models/units.h"
+#include "ui/base/units.h"
 
 namespace stillcut::app {
 

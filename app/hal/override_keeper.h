@@ -10,7 +10,7 @@
 #include <chrono>
 
 #include "core/base/time.h"
-#include "core/cnc/hal_words.h"
+#include "core/cnc/linuxcnc/hal_words.h"
 
 namespace stillcut::hal {
 

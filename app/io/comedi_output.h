@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/cnc/analog_link.h"
+#include "core/cnc/analog/analog_link.h"
 
 namespace stillcut::app {
 

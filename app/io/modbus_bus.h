@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "core/cnc/register_bus.h"
+#include "core/cnc/modbus/register_bus.h"
 
 class QModbusClient;
 class QModbusReply;

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "core/cnc/byte_channel.h"
-#include "core/cnc/register_bus.h"
+#include "core/cnc/modbus/register_bus.h"
 
 namespace stillcut::app {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "core/record/apart_server.h"
+#include "core/session/apart_server.h"
 
 int main(int argc, char** argv) {
   constexpr int kArguments = 4;

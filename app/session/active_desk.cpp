@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/compose/active_setup.h"
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 

@@ -10,7 +10,7 @@
 #include "core/active/active_engine.h"
 #include "core/active/simulated_duplex.h"
 #include "core/config/param_set.h"
-#include "ui/models/active_desk.h"
+#include "ui/facade/active_desk.h"
 
 namespace stillcut::app {
 

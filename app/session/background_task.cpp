@@ -3,7 +3,7 @@
 #include <exception>
 #include <utility>
 
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 

@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "ui/models/core_sentence.h"
+#include "ui/base/core_sentence.h"
 
 namespace stillcut::app {
 

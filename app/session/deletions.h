@@ -8,9 +8,9 @@
 #include <mutex>
 #include <string>
 
-#include "core/record/recorder.h"
-#include "core/record/session_folder.h"
-#include "ui/models/setup_desk.h"
+#include "core/session/recorder.h"
+#include "core/session/session_folder.h"
+#include "ui/facade/setup_desk.h"
 
 namespace stillcut::app {
 

@@ -6,7 +6,7 @@
 #include "app/compose/recording_score.h"
 #include "app/session/session_view.h"
 #include "core/detect/registry.h"
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -24,14 +24,14 @@ QString labelOf(const std::string& id) {
   return QString::fromStdString(id);
 }
 
-std::vector<ui::AlarmSpan> spansOf(const std::vector<Alarm>& alarms) {
+std::vector<ui::AlarmSpan> spansOf(const std::vector<evaluate::Alarm>& alarms) {
   std::vector<ui::AlarmSpan> spans;
   spans.reserve(alarms.size());
-  for (const Alarm& alarm : alarms) spans.push_back({alarm.begin, alarm.end});
+  for (const evaluate::Alarm& alarm : alarms) spans.push_back({alarm.begin, alarm.end});
   return spans;
 }
 
-ui::ScoreLine lineOf(const std::string& detector, const AlarmScore& s) {
+ui::ScoreLine lineOf(const std::string& detector, const evaluate::AlarmScore& s) {
   return {labelOf(detector), s.spans, s.found, s.alarms, s.falseAlarms, s.falsePerHour(), s.delayQuantile(0.5)};
 }
 
@@ -45,7 +45,7 @@ std::function<bool(double)> told(BackgroundTask::Progress& progress, double from
 
 // Nothing: nobody has marked anything in it.
 Result<std::optional<FileScore>> scoreOne(const std::string& file, const ScoreRequest& request) {
-  const auto truth = truthOf(file);
+  const auto truth = evaluate::truthOf(file);
   if (!truth) return truth.error();
   if (!truth.value()) return std::optional<FileScore>();
   auto scored = scoreRecording(file, *truth.value(), request);
@@ -57,8 +57,8 @@ Result<std::optional<FileScore>> scoreOne(const std::string& file, const ScoreRe
 
 Result<std::vector<ui::DetectorTrack>> trackDetectors(const std::string& file, const std::vector<std::string>& settings,
                                                       BackgroundTask::Progress& progress) {
-  const auto truth = truthOf(file);
-  const RecordedTruth known = truth && truth.value() ? *truth.value() : RecordedTruth{};
+  const auto truth = evaluate::truthOf(file);
+  const evaluate::RecordedTruth known = truth && truth.value() ? *truth.value() : evaluate::RecordedTruth{};
   const bool compared = !settings.empty();
   const double share = compared ? 0.5 : 1.0;
   ScoreRequest request;
@@ -80,7 +80,7 @@ Result<std::vector<ui::DetectorTrack>> trackDetectors(const std::string& file, c
 
 Result<Scores> scoreFiles(const std::vector<std::string>& files, BackgroundTask::Progress& progress) {
   Scores scores;
-  std::map<std::string, AlarmScore> sums;
+  std::map<std::string, evaluate::AlarmScore> sums;
   ScoreRequest request;
   request.detectors = allDetectors();
   const double share = 1.0 / static_cast<double>(files.size());

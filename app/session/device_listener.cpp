@@ -2,10 +2,10 @@
 
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/session/session_view.h"
-#include "ui/models/core_sentence.h"
+#include "core/pipeline/catalog.h"
+#include "ui/base/core_sentence.h"
 
 namespace stillcut::app {
 
@@ -18,7 +18,7 @@ void DeviceListener::listen(const config::Profile& profile, const std::string& p
   alone.allowAuto = false;
   task_.start(ui::TaskState::What::None, {},
               [this, alone, path](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
-                const config::ParamCatalog catalog = fullCatalog();
+                const config::ParamCatalog catalog = pipeline::fullCatalog();
                 const auto sound = config::parseProfile(config::profileText(alone, catalog), path, catalog, knownIds());
                 if (!sound) return sound.error();
                 auto built = buildProfileRig(*sound, path);

@@ -7,7 +7,7 @@
 
 #include "app/compose/rig.h"
 #include "app/session/background_task.h"
-#include "ui/models/setup_desk.h"
+#include "ui/facade/setup_desk.h"
 
 namespace stillcut::app {
 

@@ -11,7 +11,7 @@
 #include "app/compose/profile_rig.h"
 #include "core/milling/stability/lobe_case.h"
 #include "core/milling/stability/lobe_sweep.h"
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {

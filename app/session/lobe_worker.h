@@ -11,9 +11,9 @@
 
 #include "core/config/profile.h"
 #include "core/milling/cut_model.h"
-#include "core/milling/profile.h"
-#include "core/milling/scenario.h"
-#include "ui/models/lobe_service.h"
+#include "core/milling/simulation/profile.h"
+#include "core/milling/simulation/scenario.h"
+#include "ui/facade/lobe_service.h"
 
 namespace stillcut::app {
 

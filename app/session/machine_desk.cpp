@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/find_machines.h"
@@ -17,8 +16,9 @@
 #include "core/control/registry.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
-#include "core/record/record_params.h"
-#include "ui/models/say.h"
+#include "core/pipeline/catalog.h"
+#include "core/session/record_params.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -132,7 +132,7 @@ QString MachineDesk::profileInForce() const {
 }
 
 Result<config::Profile> MachineDesk::load(const QString& name) const {
-  return config::loadProfile(profileFile(name), fullCatalog(), knownIds());
+  return config::loadProfile(profileFile(name), pipeline::fullCatalog(), knownIds());
 }
 
 Result<QString> MachineDesk::save(const config::Profile& profile, const QString& name) {
@@ -146,7 +146,7 @@ Result<QString> MachineDesk::save(const config::Profile& profile, const QString&
   const std::string file = profileFile(name);
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   // What could not be read again is not written.
   const config::Profile complete = withDelays(withScenario(profile));
   const auto sound = config::parseProfile(config::profileText(complete, catalog), file, catalog, knownIds());
@@ -288,12 +288,13 @@ void MachineDesk::keepDraft(const config::Profile& profile) {
   if (folder_.isEmpty()) return;
   std::error_code problem;
   std::filesystem::create_directories(folder_.toStdString(), problem);
-  (void)config::saveProfile(profile, fullCatalog(), draftFile()).ok();  // SAVE tells why a disk does not take it
+  (void)config::saveProfile(profile, pipeline::fullCatalog(), draftFile())
+      .ok();  // SAVE tells why a disk does not take it
 }
 
 std::optional<config::Profile> MachineDesk::keptDraft() const {
   if (folder_.isEmpty()) return std::nullopt;
-  auto profile = config::loadProfile(draftFile(), fullCatalog(), knownIds());
+  auto profile = config::loadProfile(draftFile(), pipeline::fullCatalog(), knownIds());
   return profile ? std::optional(std::move(*profile)) : std::nullopt;
 }
 

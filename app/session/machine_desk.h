@@ -9,7 +9,7 @@
 #include "app/session/background_task.h"
 #include "app/session/device_listener.h"
 #include "app/session/machine_trial.h"
-#include "ui/models/setup_desk.h"
+#include "ui/facade/setup_desk.h"
 
 namespace stillcut::app {
 

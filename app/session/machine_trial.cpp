@@ -2,13 +2,13 @@
 
 #include <cmath>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/base/time.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/model/sample_block.h"
-#include "ui/models/say.h"
+#include "core/pipeline/catalog.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -123,7 +123,7 @@ ProfileTrial tryProfile(const config::Profile& profile, const std::string& path)
     steps.leaveOut(What::Link);
     steps.leaveOut(What::Machine);
   }
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   const auto sound = config::parseProfile(config::profileText(profile, catalog), path, catalog, knownIds());
   auto parts =
       sound ? makeProfileParts(*sound, path, nullptr, AnalogOutputs::LeftAlone) : Result<ProfileParts>(sound.error());

@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "app/compose/recording_rig.h"
-#include "app/compose/session_summary_builder.h"
 #include "app/session/recorded_lobes.h"
 #include "core/detect/registry.h"
-#include "core/record/session_markers.h"
-#include "core/record/session_overview.h"
+#include "core/evaluate/session_summary_builder.h"
+#include "core/session/file/session_markers.h"
+#include "core/session/session_overview.h"
 
 namespace stillcut::app {
 namespace {
@@ -35,7 +35,7 @@ Result<Instant> beginOf(const std::string& path, bool session) {
 
 Result<std::shared_ptr<OpenedRecording>> openRecording(const std::string& path, const Clock& clock,
                                                        BackgroundTask::Progress& progress) {
-  auto summary = glimpseOf(path);
+  auto summary = evaluate::glimpseOf(path);
   if (!summary) return summary.error();
   const auto begin = beginOf(path, summary->session);
   if (!begin) return begin.error();

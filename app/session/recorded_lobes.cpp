@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/run_text.h"
 #include "core/config/profile.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -33,7 +33,7 @@ std::unique_ptr<LobeWorker> recordedLobes(const std::string& path, const std::st
   if (path.ends_with(".toml")) return ofScenario(path);
   const std::string origin = runOrigin(configuration);
   if (origin.empty()) return nullptr;
-  const auto profile = config::parseProfile(origin, path, fullCatalog(), knownIds());
+  const auto profile = config::parseProfile(origin, path, pipeline::fullCatalog(), knownIds());
   if (!profile) return ofScenarioText(QByteArray::fromStdString(origin));
   auto lobes = LobeWorker::ofProfile(*profile, path);
   return lobes ? std::move(lobes).value() : nullptr;

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/compose/session_summary_builder.h"
 #include "app/session/detector_runs.h"
 #include "app/session/scenario_list.h"
 #include "app/session/session_view.h"
 #include "app/session/stoppable_reader.h"
-#include "core/record/convert_recording.h"
-#include "core/record/session_markers.h"
-#include "ui/models/say.h"
+#include "core/evaluate/session_summary_builder.h"
+#include "core/session/convert_recording.h"
+#include "core/session/file/session_markers.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {
@@ -73,7 +73,7 @@ void ReplayDesk::readWhole() {
   whole_.start(
       ui::TaskState::What::Reading, path_,
       [this, file = path_.toStdString()](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-        auto read = summarizeRecording(file, {}, {}, [&progress](double part) {
+        auto read = evaluate::summarizeRecording(file, {}, {}, [&progress](double part) {
           progress.part.store(part, std::memory_order_relaxed);
           return !progress.stopped();
         });

@@ -14,8 +14,8 @@
 #include "app/session/lobe_worker.h"
 #include "app/session/opened_recording.h"
 #include "app/session/session_lister.h"
-#include "ui/models/session_desk.h"
-#include "ui/models/session_info.h"
+#include "ui/facade/session_desk.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::app {
 

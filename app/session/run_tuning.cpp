@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "core/active/active_params.h"
 #include "core/config/profile.h"
@@ -13,8 +12,9 @@
 #include "core/control/fuzzy_params.h"
 #include "core/control/registry.h"
 #include "core/detect/registry.h"
-#include "core/record/record_params.h"
+#include "core/pipeline/catalog.h"
 #include "core/safety/gate_limits.h"
+#include "core/session/record_params.h"
 
 namespace stillcut::app {
 namespace {
@@ -117,7 +117,7 @@ std::vector<ui::OwnReading> ownReadings(const Rig& rig, const ui::TunablePart& p
 }
 
 Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile, const QString& folder) {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   // Only what was changed: what the machine has narrowed at the start is not the profile's.
   const auto putInto = [&](config::ParamSet& params) -> Status {
     for (const config::ParamDecl* decl : catalog.all()) {

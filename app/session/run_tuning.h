@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/compose/rig.h"
-#include "ui/models/tuning.h"
+#include "ui/models/tune/tuning.h"
 
 namespace stillcut::app {
 

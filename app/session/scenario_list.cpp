@@ -5,7 +5,7 @@
 #include <QFileInfo>
 
 #include "app/compose/resource_folder.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::app {
 

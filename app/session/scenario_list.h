@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/session_desk.h"
+#include "ui/facade/session_desk.h"
 
 namespace stillcut::app {
 

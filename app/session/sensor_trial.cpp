@@ -3,7 +3,7 @@
 #include "app/compose/heard_samples.h"
 #include "core/daq/axis_knock.h"
 #include "core/daq/calibrator.h"
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 namespace {

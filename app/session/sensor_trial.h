@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/config/profile.h"
-#include "ui/models/setup_desk.h"
+#include "ui/facade/setup_desk.h"
 
 namespace stillcut::app {
 

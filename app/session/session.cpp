@@ -7,16 +7,16 @@
 #include <utility>
 
 #include "app/compose/active_setup.h"
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
 #include "app/session/run_tuning.h"
 #include "app/session/session_view.h"
 #include "core/control/fuzzy.h"
-#include "core/milling/scenario.h"
-#include "core/record/session_folder.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/pipeline/catalog.h"
 #include "core/rt/realtime_thread.h"
-#include "ui/models/core_sentence.h"
+#include "core/session/session_folder.h"
+#include "ui/base/core_sentence.h"
 #include "ui/shell/main_window.h"
 
 namespace stillcut::app {
@@ -168,7 +168,8 @@ Status Session::switchTo(const Opening& open) {
 // Of a profile all of it; of a scenario what a profile can say of it.
 config::Profile Session::runningProfile() const {
   if (!profile_.empty()) {
-    if (auto loaded = config::loadProfile(profile_, fullCatalog(), knownIds()); loaded) return std::move(*loaded);
+    if (auto loaded = config::loadProfile(profile_, pipeline::fullCatalog(), knownIds()); loaded)
+      return std::move(*loaded);
   }
   config::Profile profile;
   profile.cut = rig_->setup();
@@ -225,7 +226,7 @@ void Session::tune() {
 }
 
 const config::ParamDecl* Session::noteTuned(const OperatorInput& input) {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   for (const config::ParamDecl* decl : catalog.all()) {
     if (config::parameterId(decl->key) != input.parameter) continue;
     config::ParamSet value;
@@ -313,7 +314,7 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
 }
 
 Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Recorded recorded) {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   const auto profile = config::loadProfile(path, catalog, knownIds());
   if (!profile) return profile.error();
   auto rig = buildProfileRig(*profile, path);

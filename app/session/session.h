@@ -17,7 +17,7 @@
 #include "app/session/machine_desk.h"
 #include "app/session/replay_desk.h"
 #include "app/session/run_tuning.h"
-#include "ui/models/tuning.h"
+#include "ui/models/tune/tuning.h"
 #include "ui/shell/session_facade.h"
 
 namespace stillcut::ui {

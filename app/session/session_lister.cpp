@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/compose/recording_score.h"
-#include "core/record/session_glance.h"
+#include "core/session/session_glance.h"
 
 namespace stillcut::app {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "core/detect/coherence.h"
-#include "core/detect/conditioner.h"
-#include "core/detect/energy_ratio.h"
+#include "core/detect/caliskan/energy_ratio.h"
+#include "core/detect/xu/coherence.h"
+#include "core/sensing/conditioner.h"
 
 namespace stillcut::app {
 

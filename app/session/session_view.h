@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "app/compose/rig.h"
-#include "ui/models/session_info.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::app {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/compose/scenario_reader.h"
+#include "core/evaluate/scenario_reader.h"
 
 namespace stillcut::app {
 namespace {
@@ -39,7 +39,7 @@ class StoppableReader final : public record::RecordingReader {
 record::OpenCut openStoppable(BackgroundTask::Progress& progress) {
   return [&progress](const std::string& path,
                      const record::ReadOptions& options) -> Result<std::unique_ptr<record::RecordingReader>> {
-    auto reader = openCut(path, options);
+    auto reader = evaluate::openCut(path, options);
     if (!reader) return reader.error();
     return std::unique_ptr<record::RecordingReader>(
         std::make_unique<StoppableReader>(std::move(reader).value(), path, progress));

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/session/background_task.h"
-#include "core/record/convert_recording.h"
+#include "core/session/convert_recording.h"
 
 namespace stillcut::app {
 

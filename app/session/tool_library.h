@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "ui/models/tool_entry.h"
+#include "ui/facade/tool_entry.h"
 
 namespace stillcut::app {
 

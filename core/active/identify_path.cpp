@@ -9,7 +9,7 @@
 #include "core/active/path_filter.h"
 #include "core/dsp/kernels/choose.h"
 #include "core/dsp/spectrum.h"
-#include "core/milling/noise.h"
+#include "core/milling/simulation/noise.h"
 
 namespace stillcut::active {
 

@@ -13,7 +13,7 @@
 #include "core/active/lms.h"
 #include "core/active/path_model.h"
 #include "core/active/tap_line.h"
-#include "core/milling/noise.h"
+#include "core/milling/simulation/noise.h"
 #include "core/rt/triple_buffer.h"
 
 namespace stillcut::active {

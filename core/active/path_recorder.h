@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/active/active_loop.h"
-#include "core/milling/noise.h"
+#include "core/milling/simulation/noise.h"
 
 namespace stillcut::active {
 

@@ -12,7 +12,7 @@
 
 #include "core/active/duplex_device.h"
 #include "core/base/time.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::active {
 

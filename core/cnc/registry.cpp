@@ -6,10 +6,10 @@
 #include <string>
 #include <utility>
 
-#include "core/cnc/grbl_link.h"
-#include "core/cnc/linuxcnc_link.h"
-#include "core/cnc/modbus_link.h"
-#include "core/cnc/register_map.h"
+#include "core/cnc/grbl/grbl_link.h"
+#include "core/cnc/linuxcnc/linuxcnc_link.h"
+#include "core/cnc/modbus/modbus_link.h"
+#include "core/cnc/modbus/register_map.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/cnc/wire_number.h"
 #include "core/config/part_settings.h"

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "core/cnc/analog_link.h"
+#include "core/cnc/analog/analog_link.h"
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
-#include "core/cnc/register_bus.h"
+#include "core/cnc/modbus/register_bus.h"
 #include "core/config/part_settings.h"
-#include "core/milling/plant_port.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/plant_port.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::cnc {
 

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "core/cnc/cnc_link.h"
-#include "core/milling/plant_port.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/plant_port.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::cnc {
 

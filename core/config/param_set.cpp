@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/config/nearest_word.h"
-#include "core/config/number_text.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::config {
 namespace {

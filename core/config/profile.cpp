@@ -5,11 +5,11 @@
 #include <numeric>
 #include <optional>
 
-#include "core/base/atomic_file.h"
 #include "core/config/nearest_word.h"
 #include "core/config/quantity_toml.h"
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
+#include "core/storage/atomic_file.h"
 
 namespace stillcut::config {
 namespace {

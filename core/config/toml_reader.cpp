@@ -13,7 +13,7 @@
 #include <toml++/toml.h>
 
 #include "core/config/nearest_word.h"
-#include "core/config/number_text.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::config {
 

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/base/atomic_file.h"
-#include "core/config/number_text.h"
+#include "core/storage/atomic_file.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::config {
 namespace {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/config/number_text.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::control {
 namespace {

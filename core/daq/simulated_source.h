@@ -8,8 +8,8 @@
 #include <string>
 
 #include "core/daq/daq_source.h"
-#include "core/milling/plant_port.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/plant_port.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::daq {
 

@@ -7,8 +7,8 @@
 // Thread: worker; real-time.
 #pragma once
 
-#include "core/detect/conditioned_block.h"
 #include "core/model/verdict.h"
+#include "core/sensing/conditioned_block.h"
 
 namespace stillcut::detect {
 

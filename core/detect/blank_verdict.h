@@ -1,8 +1,8 @@
 // What every detector says of a block before it judges anything. Thread: worker; real-time.
 #pragma once
 
-#include "core/detect/conditioned_block.h"
 #include "core/model/verdict.h"
+#include "core/sensing/conditioned_block.h"
 
 namespace stillcut::detect {
 

@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "core/config/param_set.h"
-#include "core/detect/conditioned_block.h"
-#include "core/detect/own_values.h"
 #include "core/model/cut_setup.h"
 #include "core/model/verdict.h"
+#include "core/sensing/conditioned_block.h"
+#include "core/sensing/own_values.h"
 
 namespace stillcut::detect {
 

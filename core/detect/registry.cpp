@@ -5,10 +5,10 @@
 #include <string>
 
 #include "core/config/nearest_word.h"
-#include "core/detect/coherence.h"
-#include "core/detect/energy_ratio.h"
-#include "core/detect/parametric.h"
-#include "core/detect/spectral.h"
+#include "core/detect/caliskan/energy_ratio.h"
+#include "core/detect/liao/spectral.h"
+#include "core/detect/van_dijk/parametric.h"
+#include "core/detect/xu/coherence.h"
 
 namespace stillcut::detect {
 namespace {

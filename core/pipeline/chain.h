@@ -11,13 +11,13 @@
 
 #include "core/config/param_set.h"
 #include "core/control/strategy.h"
-#include "core/detect/conditioner.h"
 #include "core/detect/detector.h"
 #include "core/model/cut_setup.h"
 #include "core/model/sensor_status.h"
 #include "core/model/step_record.h"
 #include "core/safety/flight_recorder.h"
 #include "core/safety/override_gate.h"
+#include "core/sensing/conditioner.h"
 
 namespace stillcut::pipeline {
 

@@ -13,7 +13,7 @@
 #include <random>
 
 #include "app/compose/active_run.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/exact_lobes.h"
 
 namespace stillcut::app {

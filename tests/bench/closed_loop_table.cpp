@@ -42,7 +42,7 @@ void head() {
               "n");
 }
 
-void row(const app::SimulationReport& r, const std::string& name, const char* by, std::string_view expected,
+void row(const evaluate::SimulationReport& r, const std::string& name, const char* by, std::string_view expected,
          const char* lobes = "") {
   std::printf("%-22s %-15s %-5s %-16s %-16s %7.3f %7.3f %7.3f %8.2f %6.2f %6.2f %7.0f %8.0f %6.2f %4d %s\n",
               name.c_str(), r.strategy.c_str(), by, r.outcome.c_str(), std::string(expected).c_str(), r.alarmDelay,
@@ -51,7 +51,7 @@ void row(const app::SimulationReport& r, const std::string& name, const char* by
   std::fflush(stdout);
 }
 
-void count(Tally& tally, const app::SimulationReport& r, std::string_view expected, bool sound = true) {
+void count(Tally& tally, const evaluate::SimulationReport& r, std::string_view expected, bool sound = true) {
   ++tally.runs;
   if (r.outcome != expected || !sound) return;
   ++tally.reached;
@@ -121,7 +121,7 @@ void scenarios(const TableOptions& options) {
   for (const auto& file : files) {
     const auto scenario = milling::loadScenario(file.string());
     if (!scenario) throw std::runtime_error(scenario.error().line());
-    const app::RunHistory alone = runAlone(*scenario);
+    const evaluate::SimulationHistory alone = runAlone(*scenario);
     for (const std::string& strategy : options.strategies.empty() ? bySpeedStrategies() : options.strategies) {
       LoopOptions loop;
       loop.strategy = strategy;
@@ -131,7 +131,7 @@ void scenarios(const TableOptions& options) {
         if (options.verdicts == (ideal ? "real" : "ideal")) continue;
         loop.ideal = ideal;
         if (options.trace) trace(*scenario, loop);
-        const app::SimulationReport r = runLoop(*scenario, loop, alone);
+        const evaluate::SimulationReport r = runLoop(*scenario, loop, alone);
         row(r, scenario->name, ideal ? "truth" : "own", name(scenario->expect));
         count(tallies[strategy + (ideal ? " by truth" : "")], r, name(scenario->expect));
       }
@@ -148,7 +148,7 @@ void randomTools(const TableOptions& options) {
   for (std::uint64_t number = options.first; number < options.first + options.tools; ++number) {
     const RandomTool tool = randomTool(number);
     if (options.trace) describe(tool);
-    const app::RunHistory alone = runAlone(tool.scenario);
+    const evaluate::SimulationHistory alone = runAlone(tool.scenario);
     const auto& points = alone.points();
     const bool chatters = std::any_of(points.begin(), points.end(), [](const auto& p) { return p.chattering; });
     quiet += chatters ? 0 : 1;
@@ -163,7 +163,7 @@ void randomTools(const TableOptions& options) {
         loop.ideal = ideal;
         if (options.modesKnown) loop.stableSpeeds = tool.known;
         if (options.trace) trace(tool.scenario, loop);
-        const app::SimulationReport r = runLoop(tool.scenario, loop, alone);
+        const evaluate::SimulationReport r = runLoop(tool.scenario, loop, alone);
         const std::string_view expected = name(tool.scenario.expect);
         if (!chatters) continue;  // grows too slowly for the time there is, or locks where the truth sees nothing
         const bool reachable = tool.scenario.expect == milling::Expectation::Stable;
@@ -187,7 +187,7 @@ void delays(const TableOptions& options) {
     auto scenario = milling::loadScenario(std::string(STILLCUT_SOURCE_DIR "/resources/scenarios/") + file + ".toml");
     if (!scenario) throw std::runtime_error(scenario.error().line());
     scenario->programme.duration = std::min(scenario->programme.duration, Seconds(9.0));
-    const app::RunHistory alone = runAlone(*scenario);
+    const evaluate::SimulationHistory alone = runAlone(*scenario);
     for (const std::string& strategy : options.strategies.empty() ? bySpeedStrategies() : options.strategies) {
       for (int ms = 0; ms <= 120; ms += 20) {
         scenario->overrides.shortestDelay = scenario->overrides.longestDelay = Seconds(ms / 1000.0);

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/milling/regenerative_cut.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::milling {
 namespace {

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "core/detect/coherence_ratio.h"
-#include "core/detect/energy_chain.h"
-#include "core/detect/frame_ring.h"
-#include "core/detect/full_harmonic_kalman.h"
-#include "core/detect/new_line.h"
-#include "core/detect/order_pole.h"
-#include "core/detect/parametric_recursions.h"
-#include "core/detect/spectral.h"
-#include "core/detect/spectral_frames.h"
+#include "core/detect/caliskan/energy_chain.h"
+#include "core/detect/caliskan/full_harmonic_kalman.h"
+#include "core/detect/growth/new_line.h"
+#include "core/detect/growth/order_pole.h"
+#include "core/detect/liao/spectral.h"
+#include "core/detect/van_dijk/parametric_recursions.h"
+#include "core/detect/xu/coherence_ratio.h"
+#include "core/dsp/frame_ring.h"
 #include "core/dsp/kernels/choose.h"
+#include "core/dsp/spectral_frames.h"
 #include "tests/bench/best_of.h"
 
 namespace stillcut::detect {

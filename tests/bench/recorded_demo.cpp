@@ -3,10 +3,10 @@
 #include "core/cnc/simulated_machine.h"
 #include "core/control/registry.h"
 #include "core/daq/simulated_source.h"
-#include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/step_loop.h"
+#include "core/sensing/conditioner.h"
 #include "tests/support/demo_cut.h"
 
 namespace stillcut::bench {

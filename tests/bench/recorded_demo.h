@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "core/detect/conditioned_block.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"
 #include "core/model/step_record.h"
 #include "core/pipeline/chain.h"
 #include "core/safety/gate_limits.h"
+#include "core/sensing/conditioned_block.h"
 
 namespace stillcut::bench {
 

@@ -18,12 +18,12 @@
 #include "app/compose/recording_rig.h"
 #include "app/compose/run_text.h"
 #include "app/compose/scenario_rig.h"
-#include "app/compose/session_summary_builder.h"
 #include "core/detect/registry.h"
-#include "core/record/open_recording.h"
-#include "core/record/recorder.h"
-#include "core/record/session_markers.h"
-#include "core/record/session_overview.h"
+#include "core/evaluate/session_summary_builder.h"
+#include "core/session/file/session_markers.h"
+#include "core/session/open_recording.h"
+#include "core/session/recorder.h"
+#include "core/session/session_overview.h"
 #include "tests/support/demo_cut.h"
 #include "tests/support/temp_folder.h"
 
@@ -143,8 +143,9 @@ bool goingAnywhere(const record::TempFolder& folder, double hours) {
     }));
   }
   forget(path);
-  const double opening = milliseconds(
-      [&] { return app::glimpseOf(path).ok() && record::readMarkers(path).ok() && app::buildReplayRig(path).ok(); });
+  const double opening = milliseconds([&] {
+    return evaluate::glimpseOf(path).ok() && record::readMarkers(path).ok() && app::buildReplayRig(path).ok();
+  });
   std::printf("opening it on the Sessions page: %.0f ms (asked: 300)\n", opening);
   std::sort(times.begin(), times.end());
   std::printf(

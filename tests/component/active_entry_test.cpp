@@ -10,7 +10,7 @@
 #include "app/compose/active_setup.h"
 #include "core/active/path_recorder.h"
 #include "core/active/simulated_duplex.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::app {
 namespace {

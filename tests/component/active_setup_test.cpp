@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 Result<ActiveParts> partsOf(const std::string& settings) {
   const auto profile =
       config::parseProfile("version = 1\nmachine = \"Mill\"\n[active]\nid = \"alsa\"\n[active.settings]\n" + settings,
-                           "test.toml", fullCatalog(), knownIds());
+                           "test.toml", pipeline::fullCatalog(), knownIds());
   if (!profile) return profile.error();
   return makeActiveParts(*profile);
 }
@@ -51,7 +51,7 @@ TEST(ActiveSetup, WhatContradictsItselfIsOneLine) {
 }
 
 TEST(ActiveSetup, AProfileKeepsIt) {
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   const auto profile =
       config::parseProfile("version = 1\nmachine = \"Mill\"\n[active]\nid = \"alsa\"\n[active.settings]\ninput_y = 3\n",
                            "test.toml", catalog, knownIds());

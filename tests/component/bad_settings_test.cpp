@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "app/compose/catalog.h"
 #include "app/compose/scenario_rig.h"
 #include "core/config/profile.h"
+#include "core/pipeline/catalog.h"
 #include "tests/support/demo_cut.h"
 
 namespace stillcut::app {
@@ -29,7 +29,7 @@ TEST_P(BadSettings, AreOneLineWithKeyAndReason) {
   options.methods.strategy = "fuzzy";
   std::string line;
   for (const char* setting : GetParam().settings) {
-    const Status set = config::applySetting(options.params, fullCatalog(), setting);
+    const Status set = config::applySetting(options.params, pipeline::fullCatalog(), setting);
     if (!set) line = set.error().line();
   }
   if (line.empty()) {

@@ -27,7 +27,7 @@ TEST_P(Delayed, TheDefaultStrategyEndsStableWithinThreeChanges) {
   delay(cut, GetParam());
   LoopRun run(cut, {});
   run.toEnd();
-  const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+  const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
   EXPECT_EQ(result.outcome, "stable");
   EXPECT_LE(result.speedChanges, 3);
   EXPECT_NEAR(result.finalSpeed, 7030.0, 250.0);
@@ -36,7 +36,7 @@ TEST_P(Delayed, TheDefaultStrategyEndsStableWithinThreeChanges) {
 INSTANTIATE_TEST_SUITE_P(Milliseconds, Delayed, testing::ValuesIn(kDelays));
 
 // Whether a verdict of the last second in the cut still marked it.
-bool marked(const app::RunHistory& history) {
+bool marked(const evaluate::SimulationHistory& history) {
   const auto& points = history.points();
   const double end = points.back().t;
   return std::any_of(points.begin(), points.end(),
@@ -64,7 +64,7 @@ TEST_P(DelayedLaw, EndsStableWhereItsTargetIsAndDoesNotHunt) {
     options.strategy = strategy;
     LoopRun run(cut, options);
     run.toEnd();
-    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
     const bool untold = strategy == "extremum-paper" && !marked(run.history());
     if (result.outcome != ending && !untold) ADD_FAILURE() << result.outcome << " at " << ms << " ms";
     EXPECT_LE(result.speedChanges, 6) << ms << " ms";
@@ -93,7 +93,7 @@ TEST(DelayedLawByTruth, TheSecondStrategyOfThePaperEndsStable) {
     options.ideal = true;
     LoopRun run(cut, options);
     run.toEnd();
-    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
     EXPECT_EQ(result.outcome, "stable") << ms << " ms";
   }
 }

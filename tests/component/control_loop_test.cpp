@@ -17,12 +17,12 @@ namespace {
 
 // How a run of a fuzzy strategy ended, and how far it moved the overrides on the way.
 struct FuzzyEnd {
-  app::SimulationReport report;
+  evaluate::SimulationReport report;
   double coherence = 0.0, energy = 0.0;  // as the strategy itself says
   double travel = 0.0;                   // of both factors
 };
 
-FuzzyEnd fuzzyRun(const milling::Scenario& cut, const std::string& strategy, const app::RunHistory& alone) {
+FuzzyEnd fuzzyRun(const milling::Scenario& cut, const std::string& strategy, const evaluate::SimulationHistory& alone) {
   LoopOptions options;
   options.strategy = strategy;
   LoopRun run(cut, options);
@@ -39,7 +39,7 @@ FuzzyEnd fuzzyRun(const milling::Scenario& cut, const std::string& strategy, con
     speed = out.command.speed.value;
     feed = out.command.feed.value;
   }
-  end.report = app::report(run.history(), alone, run.plant());
+  end.report = evaluate::report(run.history(), alone, run.plant());
   return end;
 }
 
@@ -51,7 +51,7 @@ TEST(XuSteel, EndsBelowBothReferencesForEverySeedAndDirectTuningMovesLess) {
     milling::Scenario cut = scenarioNamed("xu-steel");
     cut.seed = seed;
     cut.programme.duration = Seconds(26.0);  // until the averaged spectra have forgotten the chatter
-    const app::RunHistory alone = runAlone(cut);
+    const evaluate::SimulationHistory alone = runAlone(cut);
     for (const std::string strategy : {"fuzzy", "fuzzy-learning", "fuzzy-direct"}) {
       const FuzzyEnd end = fuzzyRun(cut, strategy, alone);
       const std::string run = strategy + ", seed " + std::to_string(seed);
@@ -72,7 +72,7 @@ class XuCut : public testing::TestWithParam<const char*> {};
 // reach is quiet, not always stable: their rules know the vibration and no lobes.
 TEST_P(XuCut, EndsBelowBothReferencesWithMostOfTheRemovalRate) {
   const milling::Scenario cut = scenarioNamed(GetParam());
-  const app::RunHistory alone = runAlone(cut);
+  const evaluate::SimulationHistory alone = runAlone(cut);
   // The single wall gets thinner than the limit depth: left alone it ends quiet too.
   const auto& points = alone.points();
   const auto last = std::find_if(points.rbegin(), points.rend(), [](const auto& p) { return p.cutting; });
@@ -95,7 +95,7 @@ TEST(XuCuts, DirectTuningMovesLessThanThePlainController) {
   double plain = 0.0, direct = 0.0;
   for (const std::string name : {"xu-steel", "xu-aluminium", "xu-thin-wall-double", "xu-thin-wall-single"}) {
     const milling::Scenario cut = scenarioNamed(name);
-    const app::RunHistory alone = runAlone(cut);
+    const evaluate::SimulationHistory alone = runAlone(cut);
     const double plainHere = fuzzyRun(cut, "fuzzy", alone).travel;
     const double directHere = fuzzyRun(cut, "fuzzy-direct", alone).travel;
     const bool byItself = name == "xu-steel" || name == "xu-thin-wall-single";
@@ -122,12 +122,12 @@ TEST(VanDijkRamp, ExtremumSeekEndsQuieterThanLobeCenterForEverySeed) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     milling::Scenario cut = scenarioNamed("van-dijk-ramp");
     cut.seed = seed;
-    const app::RunHistory alone = runAlone(cut);
+    const evaluate::SimulationHistory alone = runAlone(cut);
     LoopOptions options;
     options.strategy = "lobe-center";
-    const app::SimulationReport center = runLoop(cut, options, alone);
+    const evaluate::SimulationReport center = runLoop(cut, options, alone);
     options.strategy = "extremum-seek";
-    const app::SimulationReport seek = runLoop(cut, options, alone);
+    const evaluate::SimulationReport seek = runLoop(cut, options, alone);
     EXPECT_EQ(center.outcome, "stable") << seed;
     EXPECT_EQ(seek.outcome, "stable") << seed;
     EXPECT_LT(seek.finalRatio, 0.99 * center.finalRatio) << seed;
@@ -167,7 +167,7 @@ TEST_P(EveryScenario, EndsAsExpectedWithinThreeChanges) {
   options.ideal = true;
   LoopRun run(cut, options);
   run.toEnd();
-  const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+  const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
   EXPECT_EQ(result.outcome, name(cut.expect));
   const int back = cut.expect == milling::Expectation::NoStableSpeed ? 1 : 0;
   EXPECT_LE(result.speedChanges, 3 + back);
@@ -246,7 +246,7 @@ TEST(NoStableSpeed, WithKnownModesItNamesTheDepthAndMovesNothing) {
       EXPECT_NEAR(r.reason.n[1], 1e3 * tool.known.deepestDepth.value, 1e-9);
       EXPECT_LT(r.reason.n[1], r.reason.n[0]);
     }
-    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
     EXPECT_TRUE(named) << tool.scenario.name;
     EXPECT_EQ(result.outcome, "no-stable-speed") << tool.scenario.name;
     EXPECT_EQ(result.speedChanges, 0) << tool.scenario.name;
@@ -265,7 +265,7 @@ TEST(NoStableSpeed, WithoutModesItTriesAFewSpeedsThenOnlyAdvises) {
     options.ideal = true;
     LoopRun run(tool.scenario, options);
     run.toEnd();
-    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
     EXPECT_LE(result.speedChanges, 4) << tool.scenario.name;  // three tries and the way back
     if (result.outcome != "no-stable-speed") continue;
     EXPECT_NEAR(result.finalSpeed, tool.scenario.programme.speed.value, 0.01 * result.finalSpeed);
@@ -289,7 +289,7 @@ TEST_P(RandomTools, EndInAStablePocketWithAndWithoutKnownModesButForOneInFour) {
       if (modes) options.stableSpeeds = tool.known;
       LoopRun run(tool.scenario, options);
       run.toEnd();
-      const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+      const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
       const bool reached = result.outcome == "stable" && stableByLobes(tool, Rpm(result.finalSpeed));
       (modes ? known : unknown) += reached ? 1 : 0;
     }

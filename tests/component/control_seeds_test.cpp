@@ -19,7 +19,7 @@ TEST_P(EverySeed, EndsAsExpectedWithinThreeChanges) {
     cut.seed = seed;
     LoopRun run(cut, {});
     run.toEnd();
-    const app::SimulationReport result = app::report(run.history(), run.history(), run.plant());
+    const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());
     EXPECT_EQ(result.outcome, name(cut.expect)) << seed;
     const int back = cut.expect == milling::Expectation::NoStableSpeed ? 1 : 0;  // to the programmed speed
     EXPECT_LE(result.speedChanges, 3 + back) << seed;

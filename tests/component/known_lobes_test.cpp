@@ -6,10 +6,10 @@
 
 #include <fstream>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/lobe_case.h"
+#include "core/pipeline/catalog.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
@@ -23,7 +23,7 @@ class KnownLobes : public testing::Test {
     ASSERT_TRUE(demo.ok());
     const milling::LobeCase cut{.name = "demo", .model = demo->model, .maxDepth = Metres(5e-3), .reference = {}};
     ASSERT_TRUE(milling::saveLobeCase(cut, path("cut.toml")).ok());
-    auto read = config::loadProfile(STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml", fullCatalog());
+    auto read = config::loadProfile(STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml", pipeline::fullCatalog());
     ASSERT_TRUE(read.ok()) << read.error().line();
     profile_ = *read;
     profile_.source.settings["scenario"] = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";

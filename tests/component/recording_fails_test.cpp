@@ -5,7 +5,7 @@
 #include <cerrno>
 #include <vector>
 
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 #include "tests/component/demo_rig.h"
 #include "tests/component/same_bits.h"
 #include "tests/support/temp_folder.h"

@@ -15,7 +15,7 @@
 #include "app/compose/run_text.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/daq/simulated_source.h"
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 #include "tests/component/same_bits.h"
 #include "tests/support/demo_cut.h"
 #include "tests/support/temp_folder.h"

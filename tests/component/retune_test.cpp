@@ -8,13 +8,13 @@
 #include <set>
 #include <vector>
 
-#include "app/compose/catalog.h"
 #include "app/compose/recording_rig.h"
-#include "app/compose/session_summary_builder.h"
 #include "core/control/registry.h"
-#include "core/detect/energy_ratio.h"
+#include "core/detect/caliskan/energy_ratio.h"
 #include "core/detect/registry.h"
-#include "core/record/open_recording.h"
+#include "core/evaluate/session_summary_builder.h"
+#include "core/pipeline/catalog.h"
+#include "core/session/open_recording.h"
 #include "tests/component/demo_rig.h"
 #include "tests/component/same_bits.h"
 #include "tests/support/temp_folder.h"
@@ -159,7 +159,7 @@ TEST(Retune, InTheMiddleOfACutIsRecordedAndDecidedTheSameAgain) {
   EXPECT_EQ(usual[kAt].verdicts[0].valid, tuned[kAt].verdicts[0].valid);
 
   // And a report of it tells what was set, when.
-  const auto summary = summarizeRecording(path);
+  const auto summary = evaluate::summarizeRecording(path);
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   ASSERT_EQ(summary->settingChanges.size(), 1U);
   EXPECT_EQ(config::parameterId(summary->settingChanges[0].key), stricter.parameter);
@@ -181,7 +181,7 @@ TEST(Retune, LockedUnknownAndSenselessValuesChangeNothing) {
 
 TEST(Retune, NoTwoParametersHaveTheSameNumber) {
   std::set<std::uint32_t> ids;
-  const config::ParamCatalog catalog = fullCatalog();
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
   for (const ParamDecl* decl : catalog.all())
     EXPECT_TRUE(ids.insert(config::parameterId(decl->key)).second) << decl->key;
   EXPECT_GT(ids.size(), 60U);

@@ -14,7 +14,7 @@
 #include "core/detect/registry.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/step_loop.h"
-#include "core/record/recorder.h"
+#include "core/session/recorder.h"
 #include "tests/support/demo_cut.h"
 #include "tests/support/path_counter.h"
 #include "tests/support/scripted_parts.h"

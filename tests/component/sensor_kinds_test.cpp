@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 #include "tests/support/recording_runner.h"
 
 namespace stillcut::detect::testing {

@@ -5,9 +5,9 @@
 
 #include <filesystem>
 
-#include "app/compose/catalog.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
+#include "core/pipeline/catalog.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::app {
@@ -22,7 +22,7 @@ TEST(ShippedFiles, EveryProfileIsOneToStartFromOnceItIsCopied) {
   for (const auto& entry : fs::directory_iterator(resourceFolder() / "profiles")) {
     const std::string copy = folder / entry.path().filename().string();
     fs::copy_file(entry.path(), copy);
-    const auto profile = config::loadProfile(copy, fullCatalog(), knownIds());
+    const auto profile = config::loadProfile(copy, pipeline::fullCatalog(), knownIds());
     ASSERT_TRUE(profile.ok()) << profile.error().line();
     std::vector<config::AskedSetting> asked;
     const auto parts = makeProfileParts(*profile, copy, &asked, AnalogOutputs::LeftAlone);

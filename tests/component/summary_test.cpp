@@ -12,7 +12,7 @@
 #include <string>
 
 #include "app/compose/scenario_rig.h"
-#include "app/compose/session_summary_builder.h"
+#include "core/evaluate/session_summary_builder.h"
 #include "tests/support/demo_cut.h"
 #include "tests/support/kept_features.h"
 #include "tests/support/temp_folder.h"
@@ -51,7 +51,7 @@ std::string fourChannels(int frames) {
 
 TEST(Summary, SensorsAreCheckedInSiUnits) {
   const Recording file(fourChannels(4000));
-  const auto summary = summarizeRecording(file.path());
+  const auto summary = evaluate::summarizeRecording(file.path());
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   ASSERT_EQ(summary->sensors.size(), 4U);
   EXPECT_NEAR(summary->sensors[0].rms, 9.80665 / std::sqrt(2.0), 1e-3);
@@ -72,7 +72,7 @@ TEST(Summary, LongRecordingsStaySmallAndKeepTheirPeak) {
     text += std::to_string(i) + "e-3," + (burst ? (i % 2 == 0 ? "7\n" : "-7\n") : (i % 2 == 0 ? "1\n" : "-1\n"));
   }
   const Recording file(text);
-  const auto summary = summarizeRecording(file.path());
+  const auto summary = evaluate::summarizeRecording(file.path());
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   EXPECT_LE(summary->curve.size(), 4096U);
   EXPECT_LE(summary->spectrogram.size(), 2048U);
@@ -88,10 +88,10 @@ TEST(Summary, LongRecordingsStaySmallAndKeepTheirPeak) {
 
 TEST(Summary, ASpanIsSummarizedAlone) {
   const Recording file(fourChannels(4000));
-  const auto summary = summarizeRecording(file.path(), {}, {Seconds(1.0), Seconds(3.0)});
+  const auto summary = evaluate::summarizeRecording(file.path(), {}, {Seconds(1.0), Seconds(3.0)});
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   EXPECT_NEAR(summary->length.value, 2.0, 1e-9);
-  EXPECT_FALSE(summarizeRecording(file.path(), {}, {Seconds(8.0), Seconds(9.0)}).ok());
+  EXPECT_FALSE(evaluate::summarizeRecording(file.path(), {}, {Seconds(8.0), Seconds(9.0)}).ok());
 }
 
 // The demo's cut, everything kept.
@@ -118,7 +118,7 @@ TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
   for (const Cut& cut : {Cut{"monitor", Authority::Off}, Cut{"lobe-center", Authority::Auto}}) {
     SCOPED_TRACE(cut.strategy);
     const std::string whole = recordDemo(folder / (std::string(cut.strategy) + ".h5"), cut.strategy, cut.authority);
-    const auto all = summarizeRecording(whole);
+    const auto all = evaluate::summarizeRecording(whole);
     ASSERT_TRUE(all.ok()) << all.error().line();
     ASSERT_GE(all->alarms, 1U);
     const double block = all->setup.blockFrames / all->setup.rate.value;
@@ -126,7 +126,7 @@ TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
       SCOPED_TRACE(interval);
       const std::string path = folder / (cut.strategy + std::to_string(interval) + ".h5");
       test::keepFeatures(whole, path, Seconds(interval));
-      const auto kept = summarizeRecording(path);
+      const auto kept = evaluate::summarizeRecording(path);
       ASSERT_TRUE(kept.ok()) << kept.error().line();
       EXPECT_EQ(kept->alarms, all->alarms);
       EXPECT_NEAR(kept->chatterTime.value, all->chatterTime.value, 1.5 * block);
@@ -159,7 +159,7 @@ TEST(Summary, EverySettingThatWasChangedIsCounted) {
     ASSERT_TRUE((*writer)->add(input, (*reader)->recordedStep()->output).ok());
   }
   ASSERT_TRUE((*writer)->close().ok());
-  const auto summary = summarizeRecording(folder / "tuned.h5");
+  const auto summary = evaluate::summarizeRecording(folder / "tuned.h5");
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   EXPECT_EQ(summary->settingChangeCount, 600U);
   EXPECT_LT(summary->settingChanges.size(), 600U);

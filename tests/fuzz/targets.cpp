@@ -10,18 +10,18 @@
 #include <fstream>
 #include <string>
 
-#include "core/cnc/analog_map.h"
-#include "core/cnc/emc_status.h"
-#include "core/cnc/grbl_status.h"
-#include "core/cnc/hal_words.h"
+#include "core/cnc/analog/analog_map.h"
+#include "core/cnc/grbl/grbl_status.h"
 #include "core/cnc/line_splitter.h"
-#include "core/cnc/register_map.h"
+#include "core/cnc/linuxcnc/emc_status.h"
+#include "core/cnc/linuxcnc/hal_words.h"
+#include "core/cnc/modbus/register_map.h"
 #include "core/config/profile.h"
-#include "core/milling/case_json.h"
-#include "core/milling/scenario.h"
+#include "core/formats/universal/uff58.h"
+#include "core/milling/simulation/case_json.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/lobe_case.h"
-#include "core/record/open_recording.h"
-#include "core/record/uff/uff58.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::fuzz {
 namespace {

@@ -156,6 +156,31 @@ std::vector<std::string> forbiddenIncludes(const std::vector<SourceFile>& files,
   return offences;
 }
 
+std::vector<std::string> crossings(const std::vector<SourceFile>& files, const std::vector<Separate>& separate) {
+  // "core/detect/liao" of "core/detect/liao/spectral.h" in core/detect; empty for what lies in the room itself.
+  const auto inner = [](std::string_view path, std::string_view room) -> std::string_view {
+    if (!path.starts_with(std::string(room) + '/')) return {};
+    const std::size_t end = path.find('/', room.size() + 1);
+    return end == std::string_view::npos ? std::string_view() : path.substr(0, end);
+  };
+  std::vector<std::string> offences;
+  for (const SourceFile& file : files) {
+    if (!isSource(file.path)) continue;
+    for (const Separate& s : separate) {
+      const std::string_view from = inner(file.path, s.room);
+      if (from.empty()) continue;
+      for (const Include& include : includesOf(file)) {
+        const std::string_view to = inner(include.target, s.room);
+        const bool shared = std::find(s.shared.begin(), s.shared.end(), to) != s.shared.end();
+        if (!to.empty() && to != from && !shared)
+          offences.push_back(file.path + ":" + std::to_string(include.line) + ": " + std::string(from) +
+                             " must know nothing of " + include.target);
+      }
+    }
+  }
+  return offences;
+}
+
 std::vector<std::string> wrongLinks(const std::vector<SourceFile>& files, const std::vector<Room>& table) {
   std::vector<std::string> offences;
   LinkGraph graph;

@@ -19,6 +19,10 @@ TEST(IncludeEdges, TheLinkLinesKeepToTheTableAndCoverTheIncludes) {
   EXPECT_THAT(wrongLinks(readTree(STILLCUT_SOURCE_DIR), roomTable()), IsEmpty());
 }
 
+TEST(IncludeEdges, MethodsFormatsAndMachinesKnowNothingOfEachOther) {
+  EXPECT_THAT(crossings(readTree(STILLCUT_SOURCE_DIR), separateFolders()), IsEmpty());
+}
+
 TEST(IncludeEdges, TheTableHasNoCycle) {
   EXPECT_THAT(tableFaults(roomTable()), IsEmpty());
 }
@@ -62,6 +66,14 @@ TEST(IncludeEdgesCheck, CatchesAForbiddenLinkAndAnIncludeWithoutItsLink) {
   EXPECT_THAT(wrongLinks(files, roomTable()),
               ElementsAre("core/detect/CMakeLists.txt: core_detect must not link core_cnc",
                           "core/detect/a.cpp:2: includes core/dsp/fft.h, but core/detect does not link core/dsp"));
+}
+
+TEST(IncludeEdgesCheck, CatchesAMethodThatIncludesAnother) {
+  const std::vector<SourceFile> files{{"core/detect/xu/a.cpp",
+                                       "#include \"core/detect/detector.h\"\n#include \"core/detect/growth/b.h\"\n"
+                                       "#include \"core/detect/liao/c.h\"\n"}};
+  EXPECT_THAT(crossings(files, separateFolders()),
+              ElementsAre("core/detect/xu/a.cpp:3: core/detect/xu must know nothing of core/detect/liao/c.h"));
 }
 
 TEST(IncludeEdgesCheck, CatchesACycleInTheTable) {

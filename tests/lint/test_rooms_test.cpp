@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "tests/unit/detect" of "tests/unit/detect/oracle/sources.h", "tests/ui" of "tests/ui/main.cpp".
+// "tests/unit/detect" of "tests/unit/detect/oracle/sources.h", "tests/ui" of "tests/ui/support/main.cpp".
 std::string testRoomOf(std::string_view path) {
   const std::size_t words = path.starts_with("tests/unit/") ? 3 : 2;
   std::size_t end = 0;

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/compose/catalog.h"
 #include "app/compose/rig.h"
+#include "core/pipeline/catalog.h"
 #include "core/rt/wakeup.h"
 #include "tests/protocol/source_request.h"
 #include "tests/support/null_sink.h"

@@ -1,5 +1,5 @@
 // Overrides as voltages: calibration tables, their files, and the link with a backend that only notes what it is told.
-#include "core/cnc/analog_link.h"
+#include "core/cnc/analog/analog_link.h"
 
 #include <gtest/gtest.h>
 #include <sys/mman.h>
@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/cnc/analog/silent_output.h"
 #include "core/cnc/link_trial.h"
-#include "core/cnc/silent_output.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/commands.h"
 #include "tests/support/virtual_clock.h"

@@ -20,7 +20,7 @@
 
 #include "app/io/comedi_driver.h"
 #include "app/io/comedi_output.h"
-#include "core/cnc/analog_link.h"
+#include "core/cnc/analog/analog_link.h"
 #include "core/daq/registry.h"
 
 struct comedi_t_struct {

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/cnc/register_bus.h"
-#include "core/cnc/register_map.h"
+#include "core/cnc/modbus/register_bus.h"
+#include "core/cnc/modbus/register_map.h"
 #include "tests/support/virtual_clock.h"
 
 namespace stillcut::cnc::testing {

@@ -1,5 +1,5 @@
 // GRBL's manners on a scripted controller, on virtual time.
-#include "core/cnc/grbl_link.h"
+#include "core/cnc/grbl/grbl_link.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/cnc/linuxcnc_link.h"
+#include "core/cnc/linuxcnc/linuxcnc_link.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/fake_hal.h"
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "core/base/sanitized.h"
-#include "core/cnc/grbl_link.h"
-#include "core/cnc/linuxcnc_link.h"
-#include "core/cnc/modbus_link.h"
+#include "core/cnc/grbl/grbl_link.h"
+#include "core/cnc/linuxcnc/linuxcnc_link.h"
+#include "core/cnc/modbus/modbus_link.h"
 #include "tests/protocol/commands.h"
 #include "tests/protocol/fake_emc.h"
 #include "tests/protocol/fake_hal.h"

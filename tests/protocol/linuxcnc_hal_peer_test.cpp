@@ -10,9 +10,9 @@
 #include <string>
 #include <utility>
 
-#include "core/cnc/emc_session.h"
-#include "core/cnc/emc_status.h"
 #include "core/cnc/link_trial.h"
+#include "core/cnc/linuxcnc/emc_session.h"
+#include "core/cnc/linuxcnc/emc_status.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
 

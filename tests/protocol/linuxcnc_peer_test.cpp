@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/io/find_machines.h"
-#include "core/cnc/linuxcnc_link.h"
+#include "core/cnc/linuxcnc/linuxcnc_link.h"
 #include "tests/protocol/commander.h"
 #include "tests/protocol/linuxcnc_bench.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/io/wires.h"
-#include "core/cnc/modbus_link.h"
+#include "core/cnc/modbus/modbus_link.h"
 #include "tests/protocol/commands.h"
 #include "tests/support/bounded_wait.h"
 #include "tests/support/child.h"

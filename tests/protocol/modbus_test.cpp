@@ -1,5 +1,5 @@
 // Register maps, and the Modbus link against a machine of registers on virtual time.
-#include "core/cnc/modbus_link.h"
+#include "core/cnc/modbus/modbus_link.h"
 
 #include <gtest/gtest.h>
 

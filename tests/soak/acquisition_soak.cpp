@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "app/compose/scenario_rig.h"
-#include "core/milling/chatter_truth.h"
+#include "core/milling/simulation/chatter_truth.h"
 #include "core/rt/wakeup.h"
 #include "tests/soak/resident.h"
 

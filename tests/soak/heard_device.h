@@ -6,13 +6,13 @@
 #include <string>
 #include <utility>
 
-#include "app/compose/catalog.h"
 #include "app/compose/rig.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/iio_driver.h"
 #include "app/io/wires.h"
 #include "core/base/time.h"
 #include "core/daq/registry.h"
+#include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 

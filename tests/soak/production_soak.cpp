@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "app/compose/scenario_rig.h"
-#include "app/compose/simulation_report.h"
+#include "core/evaluate/simulation_report.h"
 #include "tests/soak/resident.h"
 
 namespace stillcut::app {

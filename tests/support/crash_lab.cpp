@@ -11,8 +11,8 @@
 #include <memory>
 #include <new>
 
-#include "core/record/journal.h"
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
+#include "core/storage/journal.h"
 #include "tests/support/step_samples.h"
 
 namespace stillcut::record {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/record/disk.h"
-#include "core/record/session_writer.h"
+#include "core/session/file/session_writer.h"
+#include "core/storage/disk.h"
 
 namespace stillcut::record {
 

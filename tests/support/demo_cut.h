@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::test {
 

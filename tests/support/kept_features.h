@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "core/record/open_recording.h"
-#include "core/record/step_sink.h"
+#include "core/session/open_recording.h"
+#include "core/session/step_sink.h"
 
 namespace stillcut::test {
 

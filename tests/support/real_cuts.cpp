@@ -4,9 +4,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/detect/conditioner.h"
 #include "core/detect/registry.h"
-#include "core/record/open_recording.h"
+#include "core/sensing/conditioner.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::bench {
 namespace {

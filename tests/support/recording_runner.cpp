@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "core/detect/registry.h"
-#include "core/record/open_recording.h"
+#include "core/session/open_recording.h"
 
 namespace stillcut::detect::testing {
 

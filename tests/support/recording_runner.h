@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/detect/conditioner.h"
 #include "core/detect/detector.h"
 #include "core/model/cut_setup.h"
+#include "core/sensing/conditioner.h"
 
 namespace stillcut::detect::testing {
 

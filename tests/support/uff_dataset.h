@@ -1,5 +1,6 @@
 // Whole universal files for tests of what reads them: every form of dataset 58, evenly spaced or not, real or complex,
-// single or double. The program itself writes evenly spaced real samples only, as they come (core/record/uff_sink.cpp).
+// single or double. The program itself writes evenly spaced real samples only, as they come
+// (core/formats/universal/uff_sink.cpp).
 #pragma once
 
 #include <bit>
@@ -7,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "core/record/uff/uff58.h"
+#include "core/formats/universal/uff58.h"
 
 namespace stillcut::test {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
-#include "ui/models/say.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
 namespace {

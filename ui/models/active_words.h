@@ -6,7 +6,7 @@
 #include <QStringList>
 
 #include "core/model/active_state.h"
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 namespace stillcut::ui {
 

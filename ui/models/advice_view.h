@@ -3,8 +3,8 @@
 
 #include <QString>
 
-#include "ui/models/session_info.h"
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::ui {
 

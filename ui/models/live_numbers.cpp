@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
 

@@ -4,7 +4,7 @@
 #include <QString>
 
 #include "core/model/verdict.h"
-#include "ui/models/session_info.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::ui {
 

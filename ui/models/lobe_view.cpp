@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
-#include "ui/models/say.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "ui/models/lobe_service.h"
-#include "ui/models/run_history.h"
-#include "ui/models/theme.h"
-#include "ui/models/units.h"
+#include "ui/base/theme.h"
+#include "ui/base/units.h"
+#include "ui/facade/lobe_service.h"
+#include "ui/models/history/run_history.h"
 
 namespace stillcut::ui {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "ui/models/format.h"
-#include "ui/models/reason_text.h"
-#include "ui/models/say.h"
+#include "ui/base/format.h"
+#include "ui/base/reason_text.h"
+#include "ui/base/say.h"
 
 namespace stillcut::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <QAbstractListModel>
 #include <QSortFilterProxyModel>
 
-#include "ui/models/session_desk.h"
+#include "ui/facade/session_desk.h"
 
 namespace stillcut::ui {
 

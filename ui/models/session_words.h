@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "ui/models/session_desk.h"
+#include "ui/facade/session_desk.h"
 
 namespace stillcut::ui {
 

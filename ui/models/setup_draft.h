@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/models/setup_desk.h"
-#include "ui/models/units.h"
+#include "ui/base/units.h"
+#include "ui/facade/setup_desk.h"
 
 namespace stillcut::ui {
 

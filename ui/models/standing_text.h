@@ -1,8 +1,8 @@
 // What a plot adds to its title when it does not move, and why. GUI thread, pure.
 #pragma once
 
-#include "ui/models/say.h"
-#include "ui/models/session_info.h"
+#include "ui/base/say.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::ui {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/format.h"
+#include "ui/base/reason_text.h"
+#include "ui/base/say.h"
 #include "ui/models/active_words.h"
 #include "ui/models/advice_view.h"
-#include "ui/models/format.h"
-#include "ui/models/reason_text.h"
-#include "ui/models/say.h"
 
 namespace stillcut::ui {
 namespace {

@@ -4,8 +4,8 @@
 #include <QString>
 #include <vector>
 
-#include "ui/models/session_info.h"
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
+#include "ui/facade/session_info.h"
 #include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {

@@ -3,9 +3,9 @@
 
 #include <QString>
 
-#include "ui/models/session_info.h"
+#include "ui/base/theme.h"
+#include "ui/facade/session_info.h"
 #include "ui/models/severity_trend.h"
-#include "ui/models/theme.h"
 
 namespace stillcut::ui {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/base/say.h"
 #include "ui/models/active_words.h"
-#include "ui/models/say.h"
 #include "ui/plots/path_fit_plot.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"

@@ -6,8 +6,8 @@
 #include <array>
 #include <functional>
 
-#include "ui/models/active_desk.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/active_desk.h"
 
 class QHBoxLayout;
 

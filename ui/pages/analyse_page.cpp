@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
+#include "ui/base/say.h"
+#include "ui/models/history/run_history.h"
+#include "ui/models/history/signal_history.h"
+#include "ui/models/history/spectrum_view.h"
 #include "ui/models/live_numbers.h"
-#include "ui/models/run_history.h"
-#include "ui/models/say.h"
-#include "ui/models/signal_history.h"
-#include "ui/models/spectrum_view.h"
 #include "ui/pages/analyse_tools.h"
 #include "ui/pages/preset_bar.h"
-#include "ui/plots/history_map.h"
+#include "ui/plots/spectrogram/history_map.h"
 #include "ui/plots/spectrum_plot.h"
 #include "ui/plots/trace_plot.h"
 #include "ui/plots/track_plot.h"

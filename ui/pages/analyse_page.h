@@ -2,8 +2,8 @@
 // any moment of it. GUI thread.
 #pragma once
 
-#include "ui/models/analyse_view.h"
-#include "ui/models/preset_list.h"
+#include "ui/models/history/analyse_view.h"
+#include "ui/models/tune/preset_list.h"
 #include "ui/pages/page.h"
 
 class QGridLayout;

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/analyse_view.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/models/history/analyse_view.h"
 
 class QComboBox;
 class QHBoxLayout;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/model/operator_input.h"
+#include "ui/base/themed.h"
 #include "ui/models/strip_view.h"
-#include "ui/models/themed.h"
 
 namespace stillcut::ui {
 

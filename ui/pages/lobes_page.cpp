@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/models/format.h"
-#include "ui/models/say.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 #include "ui/plots/lobe_chart.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/panel.h"

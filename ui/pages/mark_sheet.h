@@ -6,8 +6,8 @@
 #include <functional>
 #include <optional>
 
+#include "ui/base/themed.h"
 #include "ui/models/session_models.h"
-#include "ui/models/themed.h"
 
 class QBoxLayout;
 class QLineEdit;

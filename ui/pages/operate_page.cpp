@@ -3,9 +3,9 @@
 #include <QGridLayout>
 #include <QVBoxLayout>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/pages/intervention_list.h"
-#include "ui/plots/spectrogram_widget.h"
+#include "ui/plots/spectrogram/spectrogram_widget.h"
 #include "ui/widgets/advice_panel.h"
 #include "ui/widgets/limit_bar.h"
 #include "ui/widgets/override_table.h"

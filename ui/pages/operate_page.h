@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/models/advice_view.h"
-#include "ui/models/column_reader.h"
+#include "ui/models/history/column_reader.h"
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
 #include "ui/pages/page.h"

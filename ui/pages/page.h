@@ -6,8 +6,8 @@
 #include <QWidget>
 
 #include "core/model/operator_input.h"
-#include "ui/models/session_info.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_info.h"
 
 class QSettings;
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/models/time_text.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/touch_button.h"

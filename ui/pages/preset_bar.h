@@ -3,10 +3,10 @@
 
 #include <QWidget>
 
-#include "ui/models/analyse_view.h"
-#include "ui/models/preset_list.h"
-#include "ui/models/session_info.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_info.h"
+#include "ui/models/history/analyse_view.h"
+#include "ui/models/tune/preset_list.h"
 
 class QComboBox;
 class QGridLayout;

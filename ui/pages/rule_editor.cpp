@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/plots/membership_plot.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"

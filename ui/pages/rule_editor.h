@@ -3,10 +3,10 @@
 #pragma once
 
 #include "core/model/rule_tables.h"
-#include "ui/models/themed.h"
-#include "ui/models/tune_desk.h"
-#include "ui/models/tuning.h"
-#include "ui/widgets/rule_grid.h"
+#include "ui/base/themed.h"
+#include "ui/models/tune/tune_desk.h"
+#include "ui/models/tune/tuning.h"
+#include "ui/pages/rule_grid.h"
 
 class QHBoxLayout;
 

@@ -4,8 +4,8 @@
 
 #include <QWidget>
 
+#include "ui/base/themed.h"
 #include "ui/models/session_models.h"
-#include "ui/models/themed.h"
 
 class QHBoxLayout;
 class QLineEdit;

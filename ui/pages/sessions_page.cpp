@@ -11,9 +11,9 @@
 #include <array>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 #include "ui/models/live_numbers.h"
-#include "ui/models/say.h"
 #include "ui/models/session_words.h"
 #include "ui/pages/mark_sheet.h"
 #include "ui/pages/session_list.h"

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/session_desk.h"
+#include "ui/facade/session_desk.h"
 #include "ui/pages/page.h"
 
 class QBoxLayout;

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
+#include "ui/base/reason_text.h"
+#include "ui/base/say.h"
 #include "ui/models/live_numbers.h"
-#include "ui/models/reason_text.h"
-#include "ui/models/say.h"
 #include "ui/pages/active_view.h"
 #include "ui/pages/rule_editor.h"
 #include "ui/widgets/painting.h"

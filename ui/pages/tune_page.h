@@ -5,9 +5,9 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/param_model.h"
-#include "ui/models/tune_desk.h"
-#include "ui/models/tuning.h"
+#include "ui/models/tune/param_model.h"
+#include "ui/models/tune/tune_desk.h"
+#include "ui/models/tune/tuning.h"
 #include "ui/pages/page.h"
 
 class QListView;

@@ -5,7 +5,7 @@
 #include <QRect>
 #include <QString>
 
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 namespace stillcut::ui {
 

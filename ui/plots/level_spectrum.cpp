@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"
 

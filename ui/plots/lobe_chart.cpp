@@ -13,7 +13,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/plots/lobe_marks.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/touch_input.h"

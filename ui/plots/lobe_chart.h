@@ -6,8 +6,8 @@
 #include <QChartView>
 #include <vector>
 
+#include "ui/base/themed.h"
 #include "ui/models/lobe_view.h"
-#include "ui/models/themed.h"
 
 class QAreaSeries;
 class QLineSeries;

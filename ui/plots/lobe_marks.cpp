@@ -6,7 +6,7 @@
 #include <cmath>
 #include <functional>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 
 namespace stillcut::ui {
 namespace {

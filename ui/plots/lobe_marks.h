@@ -7,7 +7,7 @@
 #include <QPolygonF>
 
 #include "core/base/units.h"
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 namespace stillcut::ui {
 

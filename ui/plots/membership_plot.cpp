@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 
 namespace stillcut::ui {
 

@@ -5,7 +5,7 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 namespace stillcut::ui {
 

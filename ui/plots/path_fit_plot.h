@@ -6,7 +6,7 @@
 #include <QWidget>
 
 #include "core/model/active_state.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 namespace stillcut::ui {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/model/marker.h"
-#include "ui/models/session_desk.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_desk.h"
 
 namespace stillcut::ui {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/models/session_models.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/recording_curve.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/models/standing_text.h"
 #include "ui/plots/touch_input.h"
 

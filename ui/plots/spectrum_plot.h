@@ -7,9 +7,9 @@
 #include <QWidget>
 #include <optional>
 
-#include "ui/models/session_info.h"
-#include "ui/models/spectrum_view.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_info.h"
+#include "ui/models/history/spectrum_view.h"
 #include "ui/plots/axis_painter.h"
 
 namespace stillcut::ui {

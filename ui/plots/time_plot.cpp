@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/models/standing_text.h"
 #include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"

@@ -8,9 +8,9 @@
 #include <functional>
 #include <optional>
 
-#include "ui/models/analyse_view.h"
-#include "ui/models/session_info.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_info.h"
+#include "ui/models/history/analyse_view.h"
 
 namespace stillcut::ui {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/plots/axis_painter.h"
 
 namespace stillcut::ui {

@@ -1,7 +1,7 @@
 // The samples of one channel over time, as far as they are kept; what was not measured is shaded. GUI thread.
 #pragma once
 
-#include "ui/models/signal_history.h"
+#include "ui/models/history/signal_history.h"
 #include "ui/plots/time_plot.h"
 
 namespace stillcut::ui {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 
 namespace stillcut::ui {
 namespace {

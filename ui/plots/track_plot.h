@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "ui/models/run_history.h"
+#include "ui/models/history/run_history.h"
 #include "ui/plots/time_plot.h"
 
 namespace stillcut::ui {

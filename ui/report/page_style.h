@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <QString>
 
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 namespace stillcut::ui {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/plots/nice_ticks.h"
 
 namespace stillcut::ui {

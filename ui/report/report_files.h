@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "core/model/session_summary.h"
-#include "ui/models/units.h"
+#include "ui/base/units.h"
 
 namespace stillcut::ui {
 

@@ -6,7 +6,7 @@
 #include <QPainter>
 
 #include "core/model/session_summary.h"
-#include "ui/models/units.h"
+#include "ui/base/units.h"
 #include "ui/report/page_style.h"
 
 namespace stillcut::ui {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/model/session_summary.h"
-#include "ui/models/units.h"
+#include "ui/base/units.h"
 #include "ui/report/table.h"
 
 namespace stillcut::ui {

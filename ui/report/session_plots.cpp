@@ -8,8 +8,8 @@
 #include <functional>
 #include <vector>
 
-#include "ui/models/format.h"
-#include "ui/models/say.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 #include "ui/report/plot_frame.h"
 #include "ui/report/spectrogram_picture.h"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "ui/models/format.h"
-#include "ui/models/say.h"
-#include "ui/plots/colormap.h"
+#include "ui/base/format.h"
+#include "ui/base/say.h"
 #include "ui/plots/nice_ticks.h"
+#include "ui/plots/spectrogram/colormap.h"
 #include "ui/report/plot_frame.h"
 
 namespace stillcut::ui {

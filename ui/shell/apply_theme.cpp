@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 #include "ui/widgets/painting.h"
 
 static void loadStyleResource() {

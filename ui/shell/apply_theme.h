@@ -1,7 +1,7 @@
 // Hands a theme to a window and to everything in it. GUI thread.
 #pragma once
 
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 class QWidget;
 

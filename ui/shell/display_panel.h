@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/models/themed.h"
-#include "ui/models/units.h"
+#include "ui/base/themed.h"
+#include "ui/base/units.h"
 #include "ui/shell/language.h"
 
 namespace stillcut::ui {

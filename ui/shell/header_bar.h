@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/session_info.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_info.h"
 
 namespace stillcut::ui {
 

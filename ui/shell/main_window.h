@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
+#include "ui/base/theme.h"
 #include "ui/models/freshness.h"
-#include "ui/models/run_history.h"
-#include "ui/models/signal_history.h"
-#include "ui/models/theme.h"
+#include "ui/models/history/run_history.h"
+#include "ui/models/history/signal_history.h"
 #include "ui/shell/display_panel.h"
 #include "ui/shell/session_facade.h"
 #include "ui/shell/window_state.h"

@@ -6,7 +6,7 @@
 #include <QUrl>
 #include <QWidget>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 #include "ui/shell/language.h"
 
 class QTextBrowser;

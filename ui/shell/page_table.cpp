@@ -7,7 +7,7 @@
 #include "ui/pages/lobes_page.h"
 #include "ui/pages/operate_page.h"
 #include "ui/pages/sessions_page.h"
-#include "ui/pages/setup_page.h"
+#include "ui/pages/setup/setup_page.h"
 #include "ui/pages/tune_page.h"
 #include "ui/report/report_files.h"
 

@@ -9,12 +9,12 @@
 #include "core/model/operator_input.h"
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
-#include "ui/models/active_desk.h"
-#include "ui/models/lobe_service.h"
-#include "ui/models/session_desk.h"
-#include "ui/models/session_info.h"
-#include "ui/models/setup_desk.h"
-#include "ui/models/tuning.h"
+#include "ui/facade/active_desk.h"
+#include "ui/facade/lobe_service.h"
+#include "ui/facade/session_desk.h"
+#include "ui/facade/session_info.h"
+#include "ui/facade/setup_desk.h"
+#include "ui/models/tune/tuning.h"
 
 namespace stillcut::ui {
 

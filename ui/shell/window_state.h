@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 
-#include "ui/models/theme.h"
-#include "ui/models/units.h"
+#include "ui/base/theme.h"
+#include "ui/base/units.h"
 #include "ui/shell/language.h"
 
 class QSettings;

@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
+#include "ui/base/themed.h"
 #include "ui/models/advice_view.h"
-#include "ui/models/themed.h"
 
 namespace stillcut::ui {
 

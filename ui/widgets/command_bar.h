@@ -5,8 +5,8 @@
 #include <array>
 
 #include "core/model/operator_input.h"
+#include "ui/base/themed.h"
 #include "ui/models/strip_view.h"
-#include "ui/models/themed.h"
 
 namespace stillcut::ui {
 

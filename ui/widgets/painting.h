@@ -6,7 +6,7 @@
 #include <QRectF>
 #include <QString>
 
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 
 namespace stillcut::ui {
 

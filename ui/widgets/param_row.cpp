@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
-#include "ui/models/param_scale.h"
+#include "ui/base/format.h"
+#include "ui/models/tune/param_scale.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"

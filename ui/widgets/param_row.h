@@ -5,8 +5,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/param_model.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/models/tune/param_model.h"
 
 class QHBoxLayout;
 class QLineEdit;

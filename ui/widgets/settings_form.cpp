@@ -4,7 +4,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
-#include "ui/models/say.h"
+#include "ui/base/say.h"
 #include "ui/models/setup_draft.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/config/part_settings.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 class QVBoxLayout;
 

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/base/themed.h"
 #include "ui/models/strip_view.h"
-#include "ui/models/themed.h"
 
 namespace stillcut::ui {
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 class QVBoxLayout;
 

@@ -3,7 +3,7 @@
 
 #include <QLabel>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 namespace stillcut::ui {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/models/format.h"
+#include "ui/base/format.h"
 #include "ui/models/session_models.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/tool_button.h"

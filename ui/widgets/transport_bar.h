@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "ui/models/session_desk.h"
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
+#include "ui/facade/session_desk.h"
 
 namespace stillcut::ui {
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 
 namespace stillcut::ui {
 

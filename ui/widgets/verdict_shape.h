@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "ui/models/theme.h"
+#include "ui/base/theme.h"
 #include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "ui/models/themed.h"
+#include "ui/base/themed.h"
 #include "ui/models/verdict_view.h"
 
 namespace stillcut::ui {

@@ -1,11 +1,11 @@
 #include <cmath>
 
-#include "core/base/atomic_file.h"
-#include "core/config/number_text.h"
 #include "core/config/toml_reader.h"
 #include "core/config/toml_writer.h"
 #include "core/milling/identify/model_files.h"
 #include "core/milling/model_toml.h"
+#include "core/storage/atomic_file.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::identify {
 namespace {

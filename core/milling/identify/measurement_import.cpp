@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/formats/universal/uff58.h"
 #include "core/milling/identify/file_bytes.h"
 #include "core/milling/identify/number_table.h"
 #include "core/milling/identify/unit_label.h"
-#include "core/record/uff/number_scan.h"
-#include "core/record/uff/uff58.h"
+#include "core/units/number_scan.h"
 
 namespace stillcut::identify {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/record/uff/number_scan.h"
+#include "core/units/number_scan.h"
 
 namespace stillcut::identify {
 namespace {

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/base/atomic_file.h"
 #include "core/config/toml_reader.h"
+#include "core/storage/atomic_file.h"
 
 namespace stillcut::milling {
 

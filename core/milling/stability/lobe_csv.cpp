@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "core/base/atomic_file.h"
+#include "core/storage/atomic_file.h"
 
 namespace stillcut::milling {
 

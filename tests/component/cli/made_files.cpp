@@ -10,7 +10,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::cli_test {
 

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/record/session_markers.h"
-#include "core/record/session_reader.h"
+#include "core/session/file/session_markers.h"
+#include "core/session/file/session_reader.h"
 #include "tests/component/cli/made_files.h"
 #include "tests/component/cli/program.h"
 #include "tests/support/kept_features.h"

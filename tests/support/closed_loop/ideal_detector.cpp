@@ -5,7 +5,7 @@
 #include <cmath>
 #include <complex>
 
-#include "core/detect/peak_shift.h"
+#include "core/dsp/peak_shift.h"
 
 namespace stillcut::test {
 namespace {

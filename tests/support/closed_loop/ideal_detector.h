@@ -7,7 +7,7 @@
 
 #include "core/detect/detector.h"
 #include "core/dsp/spectrum.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::test {
 

@@ -83,16 +83,16 @@ milling::Scenario scenarioNamed(const std::string& name) {
   return must(milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/" + name + ".toml"));
 }
 
-app::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
-                              const app::RunHistory& alone) {
+evaluate::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
+                                   const evaluate::SimulationHistory& alone) {
   LoopRun run(scenario, options);
   run.toEnd();
-  app::SimulationReport result = app::report(run.history(), alone, run.plant());
+  evaluate::SimulationReport result = evaluate::report(run.history(), alone, run.plant());
   result.strategy = options.strategy;
   return result;
 }
 
-app::RunHistory runAlone(const milling::Scenario& scenario) {
+evaluate::SimulationHistory runAlone(const milling::Scenario& scenario) {
   LoopOptions options;
   options.strategy = "monitor";
   options.ideal = true;

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "app/compose/simulation_report.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/daq/simulated_source.h"
-#include "core/milling/scenario.h"
+#include "core/evaluate/simulation_report.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"
 #include "core/pipeline/link_runner.h"
 #include "core/pipeline/machine_feed.h"
@@ -40,7 +40,7 @@ class LoopRun {
   bool advance();
   void toEnd();
 
-  const app::RunHistory& history() const { return history_; }
+  const evaluate::SimulationHistory& history() const { return history_; }
   const milling::SimulatedCut& plant() const { return source_.plant(); }
   const pipeline::StepLoop& loop() const { return *loop_; }
   const pipeline::Chain& chain() const { return *chain_; }
@@ -78,15 +78,15 @@ class LoopRun {
   std::unique_ptr<pipeline::LinkRunner> link_;
   std::unique_ptr<pipeline::SerialRun> serial_;
   const pipeline::Chain::Step* done_ = nullptr;
-  app::RunHistory history_;
+  evaluate::SimulationHistory history_;
 };
 
 // One of resources/scenarios, without its folder and ending. Throws std::runtime_error with one line.
 milling::Scenario scenarioNamed(const std::string& name);
 
 // The whole cut, and what became of it against `alone`, the same cut under "monitor".
-app::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
-                              const app::RunHistory& alone);
-app::RunHistory runAlone(const milling::Scenario& scenario);
+evaluate::SimulationReport runLoop(const milling::Scenario& scenario, const LoopOptions& options,
+                                   const evaluate::SimulationHistory& alone);
+evaluate::SimulationHistory runAlone(const milling::Scenario& scenario);
 
 }  // namespace stillcut::test

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"
 
 namespace stillcut::test {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/milling/noise.h"
+#include "core/milling/simulation/noise.h"
 #include "tests/support/signals.h"
 
 namespace stillcut::bench {

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/milling/noise.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/noise.h"
+#include "core/milling/simulation/simulated_cut.h"
 #include "tests/support/known_cuts/doubling.h"
 #include "tests/support/known_cuts/spindle_turns.h"
 

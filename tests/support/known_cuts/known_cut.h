@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/model/machine_state.h"
 #include "core/model/verdict.h"
 #include "tests/support/recording_runner.h"

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "core/milling/noise.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/noise.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/exact_lobes.h"
 
 namespace stillcut::bench {

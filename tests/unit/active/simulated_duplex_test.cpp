@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/active/active_engine.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/rt/deadline_stats.h"
 #include "tests/unit/active/commands.h"
 

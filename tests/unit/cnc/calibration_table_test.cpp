@@ -1,5 +1,5 @@
 // What voltage stands for what value: straight lines between the points, nothing beyond the ends, and back again.
-#include "core/cnc/calibration_table.h"
+#include "core/cnc/analog/calibration_table.h"
 
 #include <gtest/gtest.h>
 

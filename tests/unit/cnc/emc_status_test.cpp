@@ -1,5 +1,5 @@
 // LinuxCNC's replies as values: each reply sets what it says and when, nonsense sets nothing.
-#include "core/cnc/emc_status.h"
+#include "core/cnc/linuxcnc/emc_status.h"
 
 #include <gtest/gtest.h>
 

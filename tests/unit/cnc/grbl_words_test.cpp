@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "core/cnc/grbl_status.h"
+#include "core/cnc/grbl/grbl_status.h"
 
 namespace stillcut::cnc {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/cnc/delay_gauge.h"
-#include "core/cnc/hal_words.h"
 #include "core/cnc/line_splitter.h"
-#include "core/cnc/register_map.h"
+#include "core/cnc/linuxcnc/hal_words.h"
+#include "core/cnc/modbus/register_map.h"
 #include "core/cnc/wire_number.h"
 
 namespace stillcut::cnc {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <functional>
 
-#include "core/base/atomic_file.h"
+#include "core/storage/atomic_file.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::config {

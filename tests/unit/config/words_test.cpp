@@ -10,8 +10,8 @@
 #include <string>
 
 #include "core/config/nearest_word.h"
-#include "core/config/number_text.h"
 #include "core/config/param.h"
+#include "core/units/number_text.h"
 
 namespace stillcut::config {
 namespace {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/daq/block_stamper.h"
-#include "core/detect/conditioner.h"
+#include "core/sensing/conditioner.h"
 
 namespace stillcut {
 namespace {

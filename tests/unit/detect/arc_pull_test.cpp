@@ -1,5 +1,5 @@
 // An arc that moves pulls the tracked speed, and orders turn by that.
-#include "core/detect/arc_pull.h"
+#include "core/detect/growth/arc_pull.h"
 
 #include <gtest/gtest.h>
 

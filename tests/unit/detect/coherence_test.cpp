@@ -1,5 +1,5 @@
 // The coherence ratio against Xu 2003 written out plainly.
-#include "core/detect/coherence.h"
+#include "core/detect/xu/coherence.h"
 
 #include <random>
 

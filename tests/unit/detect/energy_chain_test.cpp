@@ -1,6 +1,6 @@
 // The energy-ratio detector's numeric chain against its equations written out plainly (oracle/plain_energy.h), with
 // every instruction set.
-#include "core/detect/energy_chain.h"
+#include "core/detect/caliskan/energy_chain.h"
 
 #include "core/dsp/kernels/choose.h"
 #include "tests/unit/detect/oracle/plain_energy.h"

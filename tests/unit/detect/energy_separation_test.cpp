@@ -1,5 +1,5 @@
 // Bands between the tooth passings and the energy separation in each.
-#include "core/detect/energy_separation.h"
+#include "core/detect/caliskan/energy_separation.h"
 
 #include <gtest/gtest.h>
 

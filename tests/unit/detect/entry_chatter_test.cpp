@@ -1,5 +1,5 @@
 // Chatter that is there from the entry, and too small for the fixed ratio: by its side lines.
-#include "core/detect/entry_chatter.h"
+#include "core/detect/caliskan/entry_chatter.h"
 
 #include <cmath>
 #include <random>

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "core/detect/full_harmonic_kalman.h"
+#include "core/detect/caliskan/full_harmonic_kalman.h"
 #include "core/dsp/kernels/choose.h"
 
 namespace stillcut::detect {

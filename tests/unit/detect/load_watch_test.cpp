@@ -1,5 +1,5 @@
 // A load that changes within a few turns, and chatter meanwhile.
-#include "core/detect/load_watch.h"
+#include "core/detect/caliskan/load_watch.h"
 
 #include <gtest/gtest.h>
 

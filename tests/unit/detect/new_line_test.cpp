@@ -1,5 +1,5 @@
 // The frequency of a line that has just come, beside a harmonic that is as strong.
-#include "core/detect/new_line.h"
+#include "core/detect/growth/new_line.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/detect/line_finder.h"
-#include "core/detect/turn_difference.h"
+#include "core/detect/caliskan/line_finder.h"
+#include "core/detect/growth/turn_difference.h"
 
 namespace stillcut::detect {
 namespace {

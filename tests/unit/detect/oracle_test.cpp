@@ -3,9 +3,9 @@
 #include <Eigen/Dense>
 #include <complex>
 
-#include "core/detect/coherence_ratio.h"
-#include "core/detect/parametric_recursions.h"
-#include "core/detect/spectral.h"
+#include "core/detect/liao/spectral.h"
+#include "core/detect/van_dijk/parametric_recursions.h"
+#include "core/detect/xu/coherence_ratio.h"
 #include "core/dsp/kernels/choose.h"
 #include "tests/unit/detect/oracle/sources.h"
 

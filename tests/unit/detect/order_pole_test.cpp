@@ -1,6 +1,6 @@
 // An order that runout drives on a mode, in a cut whose load rises towards its limit and beyond: E' = p E + f b, with a
 // pole p that the load moves.
-#include "core/detect/order_pole.h"
+#include "core/detect/growth/order_pole.h"
 
 #include <algorithm>
 #include <cmath>

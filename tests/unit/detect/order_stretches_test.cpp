@@ -1,5 +1,5 @@
 // What tells a class of orders that grows by itself from runout that the load makes louder.
-#include "core/detect/order_stretches.h"
+#include "core/detect/growth/order_stretches.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Orders that turn against the spindle, and the floor that rises by time alone.
-#include "core/detect/order_turns.h"
+#include "core/detect/growth/order_turns.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <complex>
 
 #include "core/base/units.h"
-#include "core/detect/timed_floor.h"
+#include "core/detect/growth/timed_floor.h"
 
 namespace stillcut::detect {
 namespace {

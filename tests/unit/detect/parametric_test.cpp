@@ -3,9 +3,9 @@
 #include <complex>
 #include <random>
 
-#include "core/detect/line_phase.h"
-#include "core/detect/parametric.h"
+#include "core/detect/van_dijk/parametric.h"
 #include "core/dsp/kernels/choose.h"
+#include "core/dsp/line_phase.h"
 #include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {

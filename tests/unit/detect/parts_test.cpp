@@ -7,10 +7,10 @@
 #include <complex>
 #include <random>
 
-#include "core/detect/energy_growth.h"
-#include "core/detect/line_finder.h"
-#include "core/detect/onset_test.h"
-#include "core/detect/turn_difference.h"
+#include "core/detect/caliskan/line_finder.h"
+#include "core/detect/growth/energy_growth.h"
+#include "core/detect/growth/onset_test.h"
+#include "core/detect/growth/turn_difference.h"
 #include "core/dsp/window.h"
 
 namespace stillcut::detect {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/detect/line_finder.h"
+#include "core/detect/caliskan/line_finder.h"
 #include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {

@@ -1,10 +1,10 @@
 // The spectral detector's line against a plain discrete Fourier transform.
-#include "core/detect/spectral.h"
+#include "core/detect/liao/spectral.h"
 
 #include <complex>
 
-#include "core/detect/conditioner.h"
 #include "core/dsp/kernels/choose.h"
+#include "core/sensing/conditioner.h"
 #include "tests/support/signals.h"
 
 namespace stillcut::detect::testing {

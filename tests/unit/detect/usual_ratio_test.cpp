@@ -1,5 +1,5 @@
 // A channel whose energy ratio is high in the calm cut: from where on it is more than usual.
-#include "core/detect/usual_ratio.h"
+#include "core/detect/caliskan/usual_ratio.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/base/units.h"
+#include "core/formats/universal/uff58.h"
 #include "core/milling/identify/unit_label.h"
-#include "core/record/uff/uff58.h"
 #include "tests/support/uff_dataset.h"
 
 namespace stillcut::identify {

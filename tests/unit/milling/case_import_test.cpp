@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "core/milling/case_json.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/case_json.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::milling {
 namespace {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/milling/case_json.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/case_json.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::milling {
 namespace {

@@ -6,9 +6,9 @@
 #include <complex>
 #include <limits>
 
-#include "core/milling/override_path.h"
-#include "core/milling/profile.h"
-#include "core/milling/spindle_drive.h"
+#include "core/milling/simulation/override_path.h"
+#include "core/milling/simulation/profile.h"
+#include "core/milling/simulation/spindle_drive.h"
 
 namespace stillcut::milling {
 namespace {

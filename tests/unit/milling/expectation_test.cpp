@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/advice.h"
 #include "core/milling/stability/exact_lobes.h"
 

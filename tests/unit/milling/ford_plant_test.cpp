@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "core/milling/noise.h"
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/noise.h"
+#include "core/milling/simulation/scenario.h"
 #include "core/milling/stability/exact_lobes.h"
 
 namespace stillcut::milling {

@@ -9,8 +9,8 @@
 #include <set>
 #include <vector>
 
-#include "core/milling/low_pass.h"
-#include "core/milling/noise.h"
+#include "core/milling/simulation/low_pass.h"
+#include "core/milling/simulation/noise.h"
 
 namespace stillcut::milling {
 namespace {

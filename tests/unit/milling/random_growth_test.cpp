@@ -8,9 +8,9 @@
 #include <iostream>
 #include <vector>
 
-#include "core/milling/growth_probe.h"
-#include "core/milling/noise.h"
 #include "core/milling/regenerative_cut.h"
+#include "core/milling/simulation/growth_probe.h"
+#include "core/milling/simulation/noise.h"
 #include "core/milling/stability/exact_lobes.h"
 #include "tests/support/dominant_multiplier.h"
 

@@ -1,5 +1,5 @@
 // Scenarios as files: every shipped one loads, saving loses nothing, bad input gives one clear line.
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <fstream>
 #include <string>
 
-#include "core/milling/case_json.h"
 #include "core/milling/model_toml.h"
+#include "core/milling/simulation/case_json.h"
 
 namespace stillcut::milling {
 namespace {

@@ -1,5 +1,5 @@
 // One channel of the simulated measurement: bandwidth, noise, echoes, faults.
-#include "core/milling/sensors.h"
+#include "core/milling/simulation/sensors.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The plant: determinism, blocks and stream time, overrides on a spindle, sensors, truth, no allocation.
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 #include <gtest/gtest.h>
 

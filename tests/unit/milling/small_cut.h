@@ -1,7 +1,7 @@
 // A small cut of two equal modes across each other, for tests that ask about one thing and want it soon.
 #pragma once
 
-#include "core/milling/scenario.h"
+#include "core/milling/simulation/scenario.h"
 
 namespace stillcut::milling {
 

@@ -14,8 +14,8 @@
 #include <iostream>
 #include <numbers>
 
-#include "core/milling/scenario.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/milling/simulation/simulated_cut.h"
 
 namespace stillcut::milling {
 namespace {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "core/milling/growth_probe.h"
 #include "core/milling/regenerative_cut.h"
+#include "core/milling/simulation/growth_probe.h"
 
 namespace stillcut::milling {
 namespace {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/milling/case_json.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/case_json.h"
+#include "core/milling/simulation/simulated_cut.h"
 #include "tests/unit/milling/small_cut.h"
 
 namespace stillcut::milling {

@@ -1,12 +1,12 @@
-#include "core/milling/work_holder.h"
+#include "core/milling/simulation/work_holder.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "core/milling/scenario.h"
-#include "core/milling/simulated_cut.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/milling/simulation/simulated_cut.h"
 #include "tests/support/temp_folder.h"
 
 namespace stillcut::milling {

@@ -1,0 +1,257 @@
+#include "core/cnc/grbl/grbl_link.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "core/cnc/move_order.h"
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kConnectTime = std::chrono::seconds(1);
+constexpr Duration kPatience = std::chrono::milliseconds(150);  // grblHAL answers after 30 ms; a '?' may go unanswered
+constexpr Seconds kPeriod{0.2};                                 // one that went unanswered, and the answer to the next
+constexpr int kMostMissed = 4;
+constexpr Duration kWordsEvery = std::chrono::milliseconds(500);
+constexpr Duration kFresh = std::chrono::milliseconds(500);
+constexpr Duration kOpenTime = std::chrono::seconds(3);
+// "Ov:" comes right after a change, and every 10 to 20 reports; a step that has not shown by then was lost.
+constexpr Duration kShowsWithin = std::chrono::milliseconds(700);
+constexpr double kInch = 0.0254;
+
+}  // namespace
+
+GrblLink::GrblLink(const GrblSettings& settings, std::unique_ptr<ByteChannel> wire, const Clock& clock)
+    : settings_(settings), wire_(std::move(wire)), clock_(clock), lettingGo_(clock, kReleaseTime) {}
+
+GrblLink::~GrblLink() {
+  release(clock_.now());
+}
+
+void GrblLink::close() noexcept {
+  release(clock_.now());
+  drop(clock_.now());
+  speed_ = feed_ = Axis();
+}
+
+LinkInfo GrblLink::describe() const {
+  LinkInfo info;
+  info.id = "grbl";
+  info.label = "GRBL";
+  info.lowestSpeed = info.lowestFeed = Ratio(kGrblLowest * 0.01);
+  info.highestSpeed = info.highestFeed = Ratio(kGrblHighest * 0.01);
+  info.period = kPeriod;
+  return info;
+}
+
+Status GrblLink::open() {
+  const Instant began = clock_.now();
+  while (!read(clock_.now()).valid) {
+    wire_->wait(kWait);
+    if (clock_.now() - began <= kOpenTime) continue;
+    const bool opened = wire_->state() == WireState::Open;
+    return Error{std::string(wire_->address()), opened ? "no GRBL status report" : "cannot be opened",
+                 opened ? "is this the controller's port, and the baud rate right?" : "is it there, and free?"};
+  }
+  drop(began);  // the wire is taken up again by the thread that reads from now on
+  return Done{};
+}
+
+void GrblLink::drop(Instant now) noexcept {
+  wire_->close();
+  splitter_.clear();
+  speed_.lost();
+  feed_.lost();
+  waiting_ = ever_ = wordsKnown_ = false;
+  missed_ = 0;
+  nextTry_ = now + kRetry;
+}
+
+void GrblLink::keepUp(Instant now) noexcept {
+  const WireState wire = wire_->state();
+  if (wire == WireState::Opening && now >= nextTry_ - kRetry + kConnectTime) drop(now);
+  if (wire != WireState::Closed) return;
+  if (ever_ || waiting_) drop(now);
+  if (now < nextTry_) return;
+  nextTry_ = now + kRetry;
+  wire_->connect();
+}
+
+void GrblLink::listen(Instant now) noexcept {
+  std::array<char, 512> bytes;
+  while (const std::size_t n = wire_->read(bytes)) {
+    splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
+      GrblReport report;
+      switch (readGrblLine(line, report, words_)) {
+        case GrblLine::Report:
+          takeReport(report, now);
+          break;
+        case GrblLine::Words:
+          wordsKnown_ = true;
+          toldWords_ = now;
+          break;
+        case GrblLine::Welcome:  // overrides are back at 100 %
+          speed_.restarted();
+          feed_.restarted();
+          break;
+        case GrblLine::AlarmNote:
+          report_.state = GrblState::Alarm;
+          break;
+        case GrblLine::Other:
+          break;
+      }
+    });
+    if (n < bytes.size()) break;
+  }
+}
+
+void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
+  // GRBL writes a report before it takes the steps that came with the question: only the answer to a later question
+  // shows what was lost on the way.
+  const bool sinceMove = waiting_ && asked_ >= moved_;
+  const bool sure = sinceMove && answersSinceMove_ > 0;
+  if (sinceMove) ++answersSinceMove_;
+  if (std::exchange(waiting_, false)) roundTrip_.take(secondsBetween(askedAt_, std::max(now, clock_.now())));
+  missed_ = 0;
+  ever_ = true;
+  heard_ = now;
+  report_ = report;
+  if (!report.speedOverride) return;
+  shownAt_ = now;
+  speed_.seen(*report.speedOverride, now);
+  feed_.seen(*report.feedOverride, now);
+  settled_ = settled_ || (speed_.settled() && feed_.settled());
+  if (sure && !settled_) resynchronise();
+}
+
+void GrblLink::ask(Instant now) noexcept {
+  if (waiting_ && now - asked_ <= kPatience) return;
+  if (waiting_ && ++missed_ > kMostMissed) return drop(now);
+  waiting_ = true;
+  asked_ = now;
+  askedAt_ = std::max(now, clock_.now());
+  const bool words = settings_.askWords && now - askedWords_ > kWordsEvery;
+  if (words) askedWords_ = now;
+  if (!wire_->write(words ? "?$G\n" : "?")) drop(now);
+}
+
+// One step of a kind, then its "Ov:" is waited for: the next step is relative to where this one led.
+void GrblLink::moveOverrides(Instant now) noexcept {
+  if (!settled_ && now - moved_ <= kShowsWithin) return;
+  if (!settled_) resynchronise();
+  const bool feedGoesFirst = feedFirst(feed_.target(), feed_.shown());
+  if (feedGoesFirst) move(feed_, kGrblFeedBytes, now);
+  move(speed_, kGrblSpindleBytes, now);
+  if (!feedGoesFirst) move(feed_, kGrblFeedBytes, now);
+}
+
+// What was sent has not shown: taken or lost, nobody knows, and a step from here could be one too many. 100 % has a
+// byte of its own, which means the same however often it is taken.
+void GrblLink::resynchronise() noexcept {
+  for (Axis* axis : {&speed_, &feed_}) {
+    axis->adrift = axis->adrift || !axis->settled();
+    axis->refused();
+  }
+  settled_ = true;
+}
+
+void GrblLink::move(Axis& knob, unsigned char firstByte, Instant now) noexcept {
+  const auto target = knob.due();
+  if (!target && !knob.adrift) return;
+  GrblSteps steps = stepToward(target.value_or(100), knob.shown(), firstByte);
+  if (knob.adrift) steps = {firstByte, 0, 100, 100, 100};
+  std::array<char, 2> bytes{};
+  std::size_t n = 0;
+  for (const unsigned char byte : {steps.coarse, steps.fine}) {
+    if (byte != 0) bytes[n++] = static_cast<char>(byte);
+  }
+  if (n == 0 || !wire_->write({bytes.data(), n})) return;
+  for (const int part : {steps.coarseAlone, steps.fineAlone}) {
+    if (part != steps.percent && part != knob.shown()) knob.sent(part, now);
+  }
+  knob.sent(steps.percent, now);
+  knob.adrift = false;
+  settled_ = false;
+  answersSinceMove_ = 0;
+  moved_ = now;
+}
+
+void GrblLink::tick(Instant now) noexcept {
+  keepUp(now);
+  if (wire_->state() != WireState::Open) return;
+  listen(now);
+  moveOverrides(now);
+  ask(now);
+  wire_->wait(kWait);
+  listen(now);
+}
+
+MachineState GrblLink::read(Instant now) noexcept {
+  tick(now);
+  const MachineState m = state(now);
+  if (m.valid) lettingGo_.anew();
+  return m;
+}
+
+MachineState GrblLink::state(Instant now) const noexcept {
+  MachineState m;
+  m.time = heard_;
+  m.linkUp = ever_ && wire_->state() == WireState::Open;
+  m.link.overrides = shownAt_;
+  m.link.speed = m.link.feed = heard_;
+  m.link.program = settings_.askWords ? std::min(heard_, toldWords_) : heard_;
+  m.link.roundTrip = roundTrip_.typical();
+  const GrblReport& r = report_;
+  m.valid =
+      m.linkUp && now - heard_ <= kFresh && speed_.known() && r.feed && r.speed && (wordsKnown_ || !settings_.askWords);
+  if (!m.valid) return m;
+  m.programRunning = r.state == GrblState::Run || r.state == GrblState::Hold;
+  m.feedHold = r.state == GrblState::Hold;
+  if (r.state == GrblState::Alarm) m.block = OrderBlock::MachineAlarm;
+  if (r.state == GrblState::Idle) m.block = OrderBlock::NoProgram;
+  m.speedOverride = Ratio(speed_.shown() * 0.01);
+  m.feedOverride = Ratio(feed_.shown() * 0.01);
+  m.operatorSpeed = speed_.base();
+  m.operatorFeed = feed_.base();
+  const double perMinute = (settings_.inches ? kInch : 1e-3) / 60.0;
+  m.actualFeed = MetresPerSecond(*r.feed * perMinute);
+  m.actualSpeed = Rpm(r.measuredSpeed.value_or(0.0));
+  if (wordsKnown_) {
+    m.programmedSpeed = Rpm(words_.speed);
+    m.programmedFeed = MetresPerSecond(words_.feed * (words_.inches ? kInch : 1e-3) / 60.0);
+  } else {
+    m.programmedSpeed = Rpm(*r.speed / m.speedOverride.value);
+    m.programmedFeed = MetresPerSecond(*r.feed * perMinute / m.feedOverride.value);
+  }
+  m.atSpeed = *r.speed > 0.0;
+  return m;
+}
+
+void GrblLink::apply(const OverrideCommand& command, Instant now) noexcept {
+  const bool set = command.kind() == CommandKind::Set;
+  lettingGo_.anew();
+  speed_.want(set ? command.speed() : Ratio(1.0), command.engagement());
+  feed_.want(set ? command.feed() : Ratio(1.0), command.engagement());
+  if (wire_->state() == WireState::Open) moveOverrides(now);
+}
+
+void GrblLink::release(Instant now) noexcept {
+  if (speed_.home() && feed_.home()) return;
+  speed_.letGo();
+  feed_.letGo();
+  lettingGo_.run(
+      now, kWait, [&] { return speed_.seenHome() && feed_.seenHome(); }, [&](Instant at) { tick(at); });
+  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
+  const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
+  const bool home = speed_.seenHome() && feed_.seenHome();
+  if (home || wire_->state() != WireState::Open || !wire_->write({programmed.data(), programmed.size()})) return;
+  for (Axis* axis : {&speed_, &feed_}) axis->sent(100, now);
+  settled_ = false;
+  answersSinceMove_ = 0;
+  moved_ = now;
+}
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,93 @@
+#include "core/cnc/linuxcnc/emc_session.h"
+
+#include <chrono>
+#include <utility>
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kPatience = std::chrono::milliseconds(600);  // an override's ACK takes 100 ms
+
+// One write: without verbose the first has no reply, only its own echo.
+constexpr std::string_view kManners = "set echo off\r\nset verbose on";
+
+}  // namespace
+
+EmcSession::EmcSession(std::unique_ptr<ByteChannel> channel, std::string password)
+    : channel_(std::move(channel)), hello_("hello " + std::move(password) + " stillcut 1.0") {}
+
+void EmcSession::keepUp(Instant now) noexcept {
+  switch (channel_->state()) {
+    case WireState::Closed:
+      if (standing_ != Standing::Down || opening_) {
+        close();
+        nextTry_ = now + kRetry;
+      }
+      if (now < nextTry_) return;
+      nextTry_ = now + kRetry;
+      opening_ = true;
+      asked_ = now;
+      channel_->connect();
+      return;
+    case WireState::Opening:
+      if (now - asked_ > kPatience) close();
+      return;
+    case WireState::Open:
+      if (standing_ != Standing::Down) return;
+      opening_ = false;
+      standing_ = Standing::Greeting;
+      say(hello_, now);
+      return;
+  }
+}
+
+void EmcSession::greeted(std::string_view line, Instant now) noexcept {
+  if (line.starts_with("HELLO ACK")) {
+    say(kManners, now);
+  } else if (line.starts_with("SET VERBOSE ACK")) {
+    waiting_ = false;
+    standing_ = Standing::Ready;
+  } else if (line.find("NAK") != std::string_view::npos) {
+    close();
+    nextTry_ = now + kRetry;
+  }
+}
+
+void EmcSession::say(std::string_view line, Instant now) noexcept {
+  std::array<char, 256> out;
+  if (line.size() + 2 > out.size()) return;
+  line.copy(out.data(), line.size());
+  out[line.size()] = '\r';
+  out[line.size() + 1] = '\n';
+  waiting_ = true;
+  asked_ = now;
+  if (!channel_->write({out.data(), line.size() + 2})) close();
+}
+
+bool EmcSession::ask(std::string_view request, Instant now) noexcept {
+  if (!idle()) return false;
+  say(request, now);
+  return standing_ == Standing::Ready;
+}
+
+// Echoes are lower case as we write them; replies are upper case.
+bool EmcSession::isReply(std::string_view line) noexcept {
+  return line.front() >= 'A' && line.front() <= 'Z';
+}
+
+void EmcSession::watchSilence(Instant now) noexcept {
+  if (standing_ == Standing::Down || !waiting_ || now - asked_ <= kPatience) return;
+  close();
+  nextTry_ = now + kRetry;
+}
+
+void EmcSession::close() noexcept {
+  channel_->close();
+  splitter_.clear();
+  standing_ = Standing::Down;
+  waiting_ = false;
+  opening_ = false;
+}
+
+}  // namespace stillcut::cnc

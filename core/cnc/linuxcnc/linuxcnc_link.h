@@ -1,0 +1,88 @@
+// LinuxCncLink: a machine run by LinuxCNC. One conversation with linuxcncrsh watches, one with halrmt measures, and a
+// hand turns the knobs: linuxcncrsh's own, or stillcut-hal beside the machine, which has a watchdog.
+//   watch     overrides, program, S and F words, machine on
+//   hal       spindle.0.speed-in, speed-out, at-speed; motion.current-vel, feed-hold, adaptive-feed
+//   hand      RshHand (an override's ACK takes 100 ms, a get 0.05 ms) or HalHand
+// At most one request to linuxcncrsh is under way at any time: with two links under load the machine was seen to go
+// down. Not caught in the act; likely, as its sources (emcrsh.cc) split the requests of all clients, each on a thread
+// of its own, with strtok, whose place is shared. Told to end it may hang, as it frees what those threads still read:
+// nothing here waits for it longer than kReleaseTime.
+// An ACK is not believed: under M49, M50 P0 and M51 P0 a set is acknowledged and even read back, and only speed-out and
+// current-vel tell; under M52 P0 adaptive-feed has no effect.
+// Thread: as CncLink says. A tick waits for replies at most kWait; all of letting go takes at most kReleaseTime, and
+// ends earlier where a server that was up falls silent.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/cnc/cnc_link.h"
+#include "core/cnc/delay_gauge.h"
+#include "core/cnc/letting_go.h"
+#include "core/cnc/linuxcnc/emc_hand.h"
+#include "core/cnc/linuxcnc/emc_session.h"
+#include "core/cnc/linuxcnc/emc_status.h"
+#include "core/cnc/linuxcnc/lock_judge.h"
+#include "core/cnc/shared_knob.h"
+
+namespace stillcut::cnc {
+
+struct LinuxCncSettings {
+  WireAddress rsh{.host = "localhost", .port = 5007, .device = {}};
+  WireAddress hal{.host = "localhost", .port = 5006, .device = {}};
+  // stillcut-hal; port 0: there is none, and linuxcncrsh turns the knobs.
+  WireAddress component{.host = "localhost", .port = 0, .device = {}};
+  bool adaptiveFeed = false;               // with stillcut-hal: the feed by motion.adaptive-feed, which reduces only
+  bool inches = false;                     // [TRAJ] LINEAR_UNITS = inch
+  std::string password = "EMC";            // of the connection
+  std::string controlPassword = "EMCTOO";  // of "set enable"
+  // linuxcncrsh enforces no limit of its own, so these are the machine's [DISPLAY] limits, %.
+  int lowestSpeed = 50, highestSpeed = 150, lowestFeed = 0, highestFeed = 150;
+};
+
+class LinuxCncLink final : public CncLink {
+ public:
+  struct Wires {
+    std::unique_ptr<ByteChannel> control, watch, hal;  // control: to linuxcncrsh, or to stillcut-hal
+  };
+  // `clock` bounds what open() and release() wait.
+  LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const Clock& clock);
+  ~LinuxCncLink() override;
+
+  LinkInfo describe() const override;
+  // Connects, greets and reads once; then lets go of the wires, which the link thread takes up anew.
+  Status open() override;
+  MachineState read(Instant now) noexcept override;
+  void apply(const OverrideCommand& command, Instant now) noexcept override;
+  void release(Instant now) noexcept override;
+  void close() noexcept override;
+
+  static constexpr Duration kWait = std::chrono::milliseconds(2);
+  static constexpr Duration kReleaseTime = std::chrono::milliseconds(1500);
+
+ private:
+  void watchMachine(Instant now) noexcept;
+  void command(Instant now) noexcept;
+  Error handFault() const;
+  MachineState state(Instant now) noexcept;
+  void judgeEffect(MachineState& state, Instant now) noexcept;
+  OrderBlock block(const MachineState& state, Instant now) const noexcept;
+
+  LinuxCncSettings settings_;
+  const Clock& clock_;
+  std::unique_ptr<EmcHand> hand_;
+  EmcSession watch_, hal_;
+  EmcStatus status_;
+  EmcKnobs knobs_;
+  bool wanted_ = false;  // commands are to be sent
+  // The watch has had its round since the hand spoke: commands that come with every tick must not keep it from looking.
+  bool handsTurn_ = false;
+  std::size_t nextWatch_ = 0, nextHal_ = 0;
+  DelayGauge look_;  // of a get
+  LockJudge speedLock_, feedLock_, adaptiveLock_;
+  LettingGo lettingGo_;
+};
+
+}  // namespace stillcut::cnc

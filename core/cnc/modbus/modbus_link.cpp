@@ -1,0 +1,302 @@
+#include "core/cnc/modbus/modbus_link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "core/cnc/move_order.h"
+
+namespace stillcut::cnc {
+namespace {
+
+constexpr Duration kRetry = std::chrono::milliseconds(500);
+constexpr Duration kConnectTime = std::chrono::seconds(1);
+constexpr Duration kOverdue = std::chrono::milliseconds(300);
+constexpr Duration kOpenTime = std::chrono::seconds(3);
+constexpr Duration kFreshAtLeast = std::chrono::milliseconds(300);
+constexpr int kMostFailures = 3;
+constexpr double kAtSpeed = 0.02;  // share of the target
+constexpr double kHeartbeatSpan = 32768.0;
+
+constexpr std::array<MachineOrder, 3> kStanding{MachineOrder::Control, MachineOrder::FeedOverride,
+                                                MachineOrder::SpeedOverride};
+
+bool isFlag(MachineOrder o) {
+  return o == MachineOrder::Control;
+}
+
+}  // namespace
+
+ModbusLink::ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock)
+    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock), lettingGo_(clock, kReleaseTime) {
+  order(MachineOrder::SpeedOverride).wanted = 100.0;
+  order(MachineOrder::FeedOverride).wanted = 100.0;
+}
+
+ModbusLink::~ModbusLink() {
+  release(clock_.now());
+}
+
+LinkInfo ModbusLink::describe() const {
+  LinkInfo info;
+  info.id = "modbus";
+  info.label = map_.label;
+  info.machineWatchdog = map_.watchdog;
+  info.lowestSpeed = map_.lowestSpeed;
+  info.highestSpeed = map_.highestSpeed;
+  const bool feed = map_.at(MachineOrder::FeedOverride).has_value();
+  info.lowestFeed = feed ? map_.lowestFeed : Ratio(1.0);
+  info.highestFeed = feed ? map_.highestFeed : Ratio(1.0);
+  // The register that is read least often, and its wait behind all the others.
+  for (const auto& r : map_.read) {
+    if (r) info.period = std::max(info.period, r->period);
+  }
+  info.period += toSeconds(kWait) * static_cast<double>(kMachineSignals + kMachineOrders);
+  return info;
+}
+
+Status ModbusLink::open() {
+  const Instant began = clock_.now();
+  while (!read(clock_.now()).valid) {
+    bus_->wait(kWait);
+    if (clock_.now() - began <= kOpenTime) continue;
+    const bool connected = bus_->state() == WireState::Open;
+    return Error{std::string(bus_->address()), connected ? "the registers do not answer" : "no connection",
+                 connected ? "are the unit and the register map right?" : "is the machine on, and the address right?"};
+  }
+  close();  // taken up again by the thread that reads from now on
+  return Done{};
+}
+
+void ModbusLink::close() noexcept {
+  release(clock_.now());
+  bus_->close();
+  broke(clock_.now());
+  nextTry_ = {};
+}
+
+void ModbusLink::broke(Instant now) noexcept {
+  underway_ = Underway::Nothing;
+  failures_ = 0;
+  nextTry_ = now + kRetry;
+  for (Seen& s : seen_) s = Seen{};
+  for (Order& o : orders_) {
+    o.written.reset();
+    o.sure = false;
+  }
+}
+
+void ModbusLink::pump(Instant now) noexcept {
+  switch (bus_->state()) {
+    case WireState::Closed:
+      if (underway_ != Underway::Nothing || seen_[0].ever) broke(now);
+      if (now < nextTry_) return;
+      nextTry_ = now + kRetry;
+      bus_->connect();
+      return;
+    case WireState::Opening:
+      if (now < nextTry_ - kRetry + kConnectTime) return;
+      bus_->close();
+      broke(now);
+      return;
+    case WireState::Open:
+      break;
+  }
+  // A request that is not even given up: Qt's client was seen to wait for ever on a port whose device had gone.
+  const bool stuck = underway_ != Underway::Nothing && now - askedAt_ > toDuration(map_.bus.answerWithin) + kOverdue;
+  if (stuck) {
+    bus_->close();
+    broke(now);
+    return;
+  }
+  for (int i = 0; i < kRequests; ++i) {
+    takeReply(now);
+    if (bus_->busy() || bus_->state() != WireState::Open) return;
+    if (!writeNext(now) && !readNext(now)) return;
+    bus_->wait(kWait);
+  }
+  takeReply(now);
+}
+
+void ModbusLink::takeReply(Instant now) noexcept {
+  const auto reply = bus_->take();
+  if (!reply || underway_ == Underway::Nothing) return;
+  const Underway what = std::exchange(underway_, Underway::Nothing);
+  if (!reply->ok) {
+    // One exception is the machine's business; several in a row are a machine that cannot be believed.
+    if (++failures_ < kMostFailures) return;
+    bus_->close();
+    broke(now);
+    return;
+  }
+  failures_ = 0;
+  const Instant answered = std::max(now, clock_.now());
+  roundTrip_.take(secondsBetween(askedAt_, answered));
+  if (what == Underway::Read) {
+    seen_[which_].words = reply->words;
+    seen_[which_].when = now;
+    seen_[which_].ever = true;
+  } else {
+    orders_[which_].written = writing_;
+    orders_[which_].sure = true;
+    if (static_cast<MachineOrder>(which_) != MachineOrder::Heartbeat) acknowledged_ = answered;
+  }
+}
+
+bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
+  const auto& r = map_.at(which);
+  Order& o = order(which);
+  const auto words = r->encode(o.wanted);
+  if (!words) return false;  // outside what the register can hold: nothing is sent
+  writing_ = o.wanted;
+  which_ = static_cast<std::size_t>(which);
+  underway_ = Underway::Write;
+  o.when = now;
+  askedAt_ = std::max(now, clock_.now());
+  touched_ = true;
+  o.sure = false;
+  if (bus_->write(r->table, r->address, r->words, *words)) return true;
+  broke(now);
+  return false;
+}
+
+bool ModbusLink::writeNext(Instant now) noexcept {
+  if (!inCommand_ && !touched_) return false;
+  const Order& feed = order(MachineOrder::FeedOverride);
+  std::array<MachineOrder, 3> sequence = kStanding;
+  if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
+  for (const MachineOrder o : sequence) {
+    if (!map_.at(o) || stands(o, order(o).wanted)) continue;
+    if (isFlag(o) && !inCommand_ && !home()) continue;  // control is given back last
+    if (write(o, now)) return true;
+  }
+  if (!inCommand_) {
+    touched_ = !home() || (map_.at(MachineOrder::Control) && !stands(MachineOrder::Control, 0.0));
+    return false;
+  }
+  const auto& beat = map_.at(MachineOrder::Heartbeat);
+  Order& heart = order(MachineOrder::Heartbeat);
+  if (!beat || now - heart.when < toDuration(beat->period)) return false;
+  heart.wanted = std::fmod(heart.wanted + 1.0, kHeartbeatSpan);
+  return write(MachineOrder::Heartbeat, now);
+}
+
+bool ModbusLink::readNext(Instant now) noexcept {
+  std::size_t oldest = kMachineSignals;
+  for (std::size_t i = 0; i < kMachineSignals; ++i) {
+    if (!map_.read[i] || seen_[i].due > now) continue;
+    if (oldest == kMachineSignals || seen_[i].due < seen_[oldest].due) oldest = i;
+  }
+  if (oldest == kMachineSignals) return false;
+  const Register& r = *map_.read[oldest];
+  seen_[oldest].due = now + toDuration(r.period);
+  which_ = oldest;
+  underway_ = Underway::Read;
+  askedAt_ = std::max(now, clock_.now());
+  if (bus_->read(r.table, r.address, r.words)) return true;
+  broke(now);
+  return false;
+}
+
+MachineState ModbusLink::read(Instant now) noexcept {
+  pump(now);
+  const MachineState m = state(now);
+  if (m.valid) lettingGo_.anew();
+  return m;
+}
+
+Instant ModbusLink::readAt(std::initializer_list<MachineSignal> of) const noexcept {
+  std::optional<Instant> oldest;
+  for (const MachineSignal s : of) {
+    if (!map_.at(s)) continue;
+    const Instant when = seen_[static_cast<std::size_t>(s)].when;
+    oldest = std::min(oldest.value_or(when), when);
+  }
+  return oldest.value_or(Instant{});
+}
+
+double ModbusLink::number(MachineSignal s, double otherwise) const noexcept {
+  const auto& r = map_.at(s);
+  return r ? r->decode(seen_[static_cast<std::size_t>(s)].words) : otherwise;
+}
+
+bool ModbusLink::flag(MachineSignal s, bool otherwise) const noexcept {
+  const auto& r = map_.at(s);
+  return r ? r->flag(seen_[static_cast<std::size_t>(s)].words) : otherwise;
+}
+
+MachineState ModbusLink::state(Instant now) const noexcept {
+  MachineState m;
+  bool fresh = true;
+  bool any = false;
+  m.time = now;
+  for (std::size_t i = 0; i < kMachineSignals; ++i) {
+    if (!map_.read[i]) continue;
+    const Duration allowed = std::max(kFreshAtLeast, 4 * toDuration(map_.read[i]->period));
+    fresh = fresh && seen_[i].ever && now - seen_[i].when <= allowed;
+    any = any || seen_[i].ever;
+    m.time = std::min(m.time, seen_[i].when);
+  }
+  m.linkUp = any;
+  m.link.acknowledged = acknowledged_;
+  const bool believed = (map_.at(MachineOrder::SpeedOverride) && !map_.at(MachineSignal::SpeedOverride)) ||
+                        (map_.at(MachineOrder::FeedOverride) && !map_.at(MachineSignal::FeedOverride));
+  if (!believed) m.link.overrides = readAt({MachineSignal::SpeedOverride, MachineSignal::FeedOverride});
+  m.link.speed = readAt({MachineSignal::ActualSpeed, MachineSignal::AtSpeed});
+  m.link.feed = readAt({MachineSignal::ActualFeed});
+  m.link.program = readAt({MachineSignal::ProgrammedSpeed, MachineSignal::Running, MachineSignal::FeedHold});
+  m.link.roundTrip = roundTrip_.typical();
+  m.valid = any && fresh;
+  if (!m.valid) return m;
+  m.programmedSpeed = Rpm(number(MachineSignal::ProgrammedSpeed, 0.0));
+  m.actualSpeed = Rpm(std::abs(number(MachineSignal::ActualSpeed, 0.0)));
+  m.programmedFeed = fromMmPerMin(number(MachineSignal::ProgrammedFeed, 0.0));
+  m.actualFeed = fromMmPerMin(number(MachineSignal::ActualFeed, 0.0));
+  m.operatorSpeed = Ratio(number(MachineSignal::OperatorSpeed, 100.0) * 0.01);
+  m.operatorFeed = Ratio(number(MachineSignal::OperatorFeed, 100.0) * 0.01);
+  const double speed = order(MachineOrder::SpeedOverride).written.value_or(100.0) * m.operatorSpeed.value;
+  const double feed = order(MachineOrder::FeedOverride).written.value_or(100.0) * m.operatorFeed.value;
+  m.speedOverride = Ratio(number(MachineSignal::SpeedOverride, speed) * 0.01);
+  m.feedOverride = Ratio(number(MachineSignal::FeedOverride, feed) * 0.01);
+  m.programRunning = flag(MachineSignal::Running, m.programmedSpeed.value > 0.0);
+  m.feedHold = flag(MachineSignal::FeedHold, false);
+  const double target = m.targetSpeed().value;
+  m.atSpeed = flag(MachineSignal::AtSpeed, std::abs(m.actualSpeed.value - target) <= kAtSpeed * target);
+  m.overridesEnabled = flag(MachineSignal::OverridesEnabled, true);
+  return m;
+}
+
+void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {
+  inCommand_ = command.kind() == CommandKind::Set;
+  lettingGo_.anew();
+  order(MachineOrder::Control).wanted = inCommand_ ? 1.0 : 0.0;
+  order(MachineOrder::SpeedOverride).wanted = inCommand_ ? 100.0 * command.speed().value : 100.0;
+  order(MachineOrder::FeedOverride).wanted = inCommand_ ? 100.0 * command.feed().value : 100.0;
+  pump(now);
+}
+
+bool ModbusLink::stands(MachineOrder which, double value) const noexcept {
+  return order(which).sure && order(which).written == value;
+}
+
+bool ModbusLink::home() const noexcept {
+  for (const MachineOrder o : {MachineOrder::SpeedOverride, MachineOrder::FeedOverride}) {
+    if (map_.at(o) && !stands(o, 100.0)) return false;
+  }
+  return true;
+}
+
+void ModbusLink::release(Instant now) noexcept {
+  inCommand_ = false;
+  order(MachineOrder::Control).wanted = 0.0;
+  order(MachineOrder::SpeedOverride).wanted = order(MachineOrder::FeedOverride).wanted = 100.0;
+  lettingGo_.run(
+      now, kWait, [&] { return !touched_; },
+      [&](Instant at) {
+        pump(at);
+        bus_->wait(kWait);
+      });
+}
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,90 @@
+// ModbusLink: a spindle drive or PLC gateway behind Modbus TCP or RTU, by a register map. Our factors have registers of
+// their own; the machine multiplies with the operator's knob, or has none.
+// One request at a time: what is to be written first, then whatever register is due longest. While we are in command
+// the heartbeat counts; a machine whose map says `watchdog` restores 100 % when it stops. Registers that the map leaves
+// out: overrides in force are taken as written, "running" as a programmed speed above 0, "at speed" from the speeds.
+// Thread: as CncLink says; a tick waits at most kWait a request and kRequests requests; all of letting go takes at most
+// kReleaseTime.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+
+#include "core/cnc/cnc_link.h"
+#include "core/cnc/delay_gauge.h"
+#include "core/cnc/letting_go.h"
+#include "core/cnc/modbus/register_bus.h"
+#include "core/cnc/modbus/register_map.h"
+
+namespace stillcut::cnc {
+
+class ModbusLink final : public CncLink {
+ public:
+  // `clock` bounds what open() and release() wait.
+  ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock);
+  ~ModbusLink() override;
+
+  LinkInfo describe() const override;
+  Status open() override;
+  MachineState read(Instant now) noexcept override;
+  void apply(const OverrideCommand& command, Instant now) noexcept override;
+  void release(Instant now) noexcept override;
+  void close() noexcept override;
+
+  static constexpr Duration kWait = std::chrono::milliseconds(2);
+  static constexpr int kRequests = 4;
+  static constexpr Duration kReleaseTime = std::chrono::milliseconds(1000);
+
+ private:
+  struct Seen {
+    RegisterWords words{};
+    Instant when{};
+    bool ever = false;
+    Instant due{};
+  };
+  struct Order {
+    double wanted = 0.0;            // in the map's unit
+    std::optional<double> written;  // acknowledged last
+    bool sure = false;              // nothing was sent since: a write may act and its reply be lost
+    Instant when{};
+  };
+  enum class Underway : std::uint8_t { Nothing, Read, Write };
+
+  void pump(Instant now) noexcept;
+  void takeReply(Instant now) noexcept;
+  bool writeNext(Instant now) noexcept;
+  bool readNext(Instant now) noexcept;
+  bool write(MachineOrder which, Instant now) noexcept;
+  void broke(Instant now) noexcept;
+  bool home() const noexcept;
+  bool stands(MachineOrder which, double value) const noexcept;
+  MachineState state(Instant now) const noexcept;
+  // When the oldest of these was read; 0: none is in the map, or not all have been.
+  Instant readAt(std::initializer_list<MachineSignal> of) const noexcept;
+  double number(MachineSignal s, double otherwise) const noexcept;
+  bool flag(MachineSignal s, bool otherwise) const noexcept;
+  Order& order(MachineOrder o) { return orders_[static_cast<std::size_t>(o)]; }
+  const Order& order(MachineOrder o) const { return orders_[static_cast<std::size_t>(o)]; }
+
+  RegisterMap map_;
+  std::unique_ptr<RegisterBus> bus_;
+  const Clock& clock_;
+  std::array<Seen, kMachineSignals> seen_{};
+  std::array<Order, kMachineOrders> orders_{};
+  Underway underway_ = Underway::Nothing;
+  std::size_t which_ = 0;
+  double writing_ = 0.0;
+  bool inCommand_ = false;
+  bool touched_ = false;  // something of ours may stand in the machine
+  int failures_ = 0;      // in a row
+  Instant nextTry_{}, acknowledged_{};
+  LettingGo lettingGo_;
+  Instant askedAt_{};  // by the clock, for the round trip
+  DelayGauge roundTrip_;
+};
+
+}  // namespace stillcut::cnc

@@ -1,0 +1,27 @@
+// SeriesLog: the `--series` file. CSV with a header, first column t, then DETECTOR.NAME, one row per block.
+// Thread: one; not the sample path.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/detect/detector.h"
+
+namespace stillcut::evaluate {
+
+class SeriesLog {
+ public:
+  SeriesLog(std::span<const detect::DetectorInfo> detectors, Instant begin);
+  void observe(std::span<const Verdict> verdicts);
+  Status write(const std::string& path) const;
+
+ private:
+  std::vector<std::size_t> counts_;  // indicators per detector
+  Instant begin_;
+  std::string text_;
+};
+
+}  // namespace stillcut::evaluate

@@ -1,0 +1,40 @@
+#include "core/formats/recording_reader.h"
+
+#include <cmath>
+
+#include "core/units/unit_names.h"
+
+namespace stillcut::record {
+
+Result<std::vector<RecordedChannel>> keepChannels(const std::vector<RecordedChannel>& all,
+                                                  const std::vector<int>& wanted, const std::string& where) {
+  if (wanted.empty()) return all;
+  std::vector<RecordedChannel> kept;
+  for (const int index : wanted) {
+    if (index < 0 || index >= static_cast<int>(all.size())) {
+      return Error{where, "there is no channel " + std::to_string(index),
+                   "it has " + std::to_string(all.size()) + ", counted from 0"};
+    }
+    kept.push_back(all[static_cast<std::size_t>(index)]);
+  }
+  return kept;
+}
+
+Status applyOptions(std::vector<RecordedChannel>& channels, const ReadOptions& options) {
+  if (options.scale && (!std::isfinite(*options.scale) || *options.scale == 0.0)) {
+    return Error{"--scale", "must be a number other than zero", ""};
+  }
+  for (RecordedChannel& channel : channels) {
+    if (options.quantity) {
+      const std::optional<UnitMeaning> unit = unitFromText(channel.unit);
+      const bool unitFits = unit && unit->quantity == options.quantity;
+      if (!unitFits) channel.info.scale = 1.0;
+      channel.info.quantity = *options.quantity;
+      channel.quantityKnown = true;
+    }
+    if (options.scale) channel.info.scale = *options.scale;
+  }
+  return Done{};
+}
+
+}  // namespace stillcut::record

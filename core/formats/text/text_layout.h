@@ -1,0 +1,47 @@
+// TextLayout: how a text recording is laid out, found from its first lines by content alone: delimiter, decimal sign,
+// where the numbers begin, names and units, the time column. The rules are in resources/manual/recordings.md.
+// Pure: any thread; set-up, not real-time.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/formats/recording_reader.h"
+#include "core/formats/text/text_cells.h"
+
+namespace stillcut::record {
+
+struct TextColumn {
+  std::string name;    // empty: no header
+  std::string unit;    // empty: not said
+  bool empty = false;  // no cell of it holds anything
+};
+
+struct TextLayout {
+  std::string kind = "text";
+  CellFormat cells;
+  std::int64_t firstDataLine = 1;
+  int minCells = 0;  // a data line has at least so many cells
+  int maxCells = 0;  // and at most so many; those over the columns are comments
+  std::vector<TextColumn> columns;
+  int timeColumn = -1;                  // -1: none
+  double secondsPerTime = 1.0;          // unit of the time column
+  std::optional<Hertz> rateFromHeader;  // where the header declares it
+};
+
+// `lines` are the first lines of the file (all of them when `complete`); a few hundred are enough.
+Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool complete, const std::string& where);
+
+// The columns that are channels, in the order of the file, and the names of those that are not.
+struct TextChannels {
+  std::vector<int> columns;
+  std::vector<RecordedChannel> channels;
+  std::vector<std::string> skipped;
+};
+Result<TextChannels> chooseTextChannels(const TextLayout& layout, const ReadOptions& options, const std::string& where);
+
+}  // namespace stillcut::record

@@ -1,0 +1,278 @@
+#include "core/sensing/conditioner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/dsp/kernels/choose.h"
+#include "core/sensing/feed_now.h"
+
+namespace stillcut::detect {
+namespace {
+
+constexpr std::array<const config::ParamDecl*, 4> kParams{&kHighPass, &kSpeedRange, &kCutLevel, &kVibrationLimit};
+enum Own : std::size_t { OwnHighPass, OwnSpeed, OwnSpeedSd, OwnNoise };
+constexpr std::size_t kNoises = 4;  // channels that tell theirs
+constexpr std::array<std::string_view, 3> kWhyHighPass{kSetByHand, "a quarter of the told spindle frequency",
+                                                       "low enough for any spindle, as no speed was told"};
+// By SpeedSource.
+constexpr std::array<std::string_view, 4> kWhySpeed{"nobody has told it, and the signal has not shown it", "as told",
+                                                    "as the machine reads it", "found in the signal, and followed"};
+constexpr std::array<std::string_view, 3> kWhySpeedSd{"no speed is known", "of what was told",
+                                                      "of what the signal shows"};
+constexpr std::array<std::string_view, 2> kWhyNoise{"no air has been heard yet",
+                                                    "the quietest fifth of a second so far"};
+constexpr std::array<OwnValueDecl, OwnNoise + kNoises> kOwnValues{{
+    {"conditioner.high-pass", "High-pass edge", "Hz", kWhyHighPass},
+    {"conditioner.speed", "Spindle speed", "rpm", kWhySpeed},
+    {"conditioner.speed-doubt", "Doubt of the speed", "rpm", kWhySpeedSd},
+    {"conditioner.noise-1", "Noise in air, channel 1", "", kWhyNoise},
+    {"conditioner.noise-2", "Noise in air, channel 2", "", kWhyNoise},
+    {"conditioner.noise-3", "Noise in air, channel 3", "", kWhyNoise},
+    {"conditioner.noise-4", "Noise in air, channel 4", "", kWhyNoise},
+}};
+
+constexpr double kHighPassOrder = 0.25;  // of the spindle frequency: keeps the first order whole
+constexpr Hertz kHighPassUnknown{2.0};   // no speed known
+constexpr int kFilterOrder = 2;
+constexpr Hertz kHighestChatter{2500.0};
+constexpr int kLowPassOrder = 4;
+constexpr Seconds kTurnUnknown{0.02};
+constexpr Seconds kStep{1e-3};
+
+// Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
+// adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
+bool hasLowPass(SensorQuantity q) {
+  return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
+}
+
+void refuse(const CutSetup& setup) {
+  const auto count = static_cast<int>(setup.channels.size());
+  if (count < 1 || count > kMaxChannels) {
+    throw std::runtime_error("conditioner: " + std::to_string(count) + " channels (allowed: 1 to " +
+                             std::to_string(kMaxChannels) + ")");
+  }
+  if (!(setup.rate.value >= 100.0) || setup.rate.value > 1e6) {
+    throw std::runtime_error("conditioner: sampling rate " + std::to_string(setup.rate.value) +
+                             " Hz (allowed: 100 to 1000000)");
+  }
+  if (setup.blockFrames < 1) throw std::runtime_error("conditioner: the longest block has no frames");
+}
+
+}  // namespace
+
+config::ParamTable conditionerParams() {
+  return kParams;
+}
+
+void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params) {
+  refuse(setup);
+  setup_ = setup;
+  capacity_ = setup.blockFrames;
+  channels_ = static_cast<int>(setup.channels.size());
+  const Hertz spindle = toHertz(setup.nominalSpeed);
+  if (!params.isAutomatic(kHighPass)) {
+    highPass_ = Hertz(params.real(kHighPass));
+  } else {
+    highPass_ = spindle.value > 0.0 ? spindle * kHighPassOrder : kHighPassUnknown;
+  }
+  const auto count = static_cast<std::size_t>(channels_);
+  const auto frames = static_cast<std::size_t>(capacity_);
+  kernels_ = dsp::kernels::bestKernels();
+  filters_.assign(count, {});
+  const bool any = std::any_of(setup.channels.begin(), setup.channels.end(),
+                               [](const ChannelInfo& c) { return hasLowPass(c.quantity); });
+  integrals_.assign(any && kHighestChatter < setup.rate * 0.45 ? count : 0, {});
+  offset_.assign(count, 0.0);
+  samples_.assign(count * frames, 0.0);
+  angle_.assign(frames, 0.0);
+  angleStep_.assign(frames, 0.0);
+  stepFrames_ = std::max(1, static_cast<int>(std::lround(kStep.value * setup.rate.value)));
+  check_.prepare(setup);
+  sensors_.prepare(setup);
+  speed_.prepare(setup, params.real(kSpeedRange));
+  gate_.prepare(setup);
+  retune(params);
+  reset();
+  own_.set(OwnHighPass, highPass_.value, !params.isAutomatic(kHighPass) ? 0 : spindle.value > 0.0 ? 1 : 2);
+}
+
+void Conditioner::retune(const config::ParamSet& params) noexcept {
+  gate_.setOpenRatio(std::pow(10.0, params.real(kCutLevel) / 10.0));
+}
+
+double Conditioner::chosen(const config::ParamDecl& decl) const {
+  return decl.key == kHighPass.key ? highPass_.value : config::kAutomatic;
+}
+
+void Conditioner::reset() noexcept {
+  check_.reset();
+  sensors_.reset();
+  speed_.reset();
+  gate_.reset();
+  out_ = {};
+  restart();
+  gapPending_ = false;
+  doubted_ = false;
+}
+
+void Conditioner::restart() noexcept {
+  primed_ = false;
+  for (auto& filter : filters_) {
+    filter.reset();
+    filter.highPass(kFilterOrder, highPass_, setup_.rate);
+  }
+  for (auto& filter : integrals_) {
+    filter.reset();
+    filter.lowPass(kLowPassOrder, kHighestChatter, setup_.rate);
+  }
+  speed_.restart();
+  stepDone_ = 0;
+  squares_ = {};
+}
+
+bool Conditioner::usable(const SampleBlock& block) noexcept {
+  if (block.channels != channels_ || block.frames > capacity_ || block.frames < 1) {
+    out_.reason = {ReasonCode::DetectorFault, {}};
+    return false;
+  }
+  out_.reason = check_.check(block);
+  if (out_.reason.code == ReasonCode::None && block.has(kBlockGap)) {
+    // The block after the gap is sound in itself, but everything that was followed through it is not.
+    out_.reason = {ReasonCode::InputGap, {static_cast<double>(block.lostFrames)}};
+  }
+  return out_.reason.code == ReasonCode::None;
+}
+
+void Conditioner::makeSi(const SampleBlock& block) noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const std::span<const float> in = block.channel(c);
+    double* out = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
+    const double scale = setup_.channels[i].scale;
+    if (!primed_) offset_[i] = scale * static_cast<double>(in[0]);  // spares the filter the step
+    for (int f = 0; f < block.frames; ++f) {
+      out[f] = scale * static_cast<double>(in[static_cast<std::size_t>(f)]) - offset_[i];
+    }
+  }
+  dsp::Butterworth::process(filters_, samples_.data(), capacity_, samples_.data(), capacity_,
+                            static_cast<std::size_t>(block.frames), kernels_);
+  for (std::size_t c = 0; c < integrals_.size(); ++c) {
+    if (!hasLowPass(setup_.channels[c].quantity)) continue;
+    double* row = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_;
+    for (int f = 0; f < block.frames; ++f) row[f] = integrals_[c].process(row[f]);
+  }
+  primed_ = true;
+}
+
+void Conditioner::addSquares(int from, int frames) noexcept {
+  for (int c = 0; c < channels_; ++c) {
+    const double* x = samples_.data() + static_cast<std::ptrdiff_t>(c) * capacity_ + from;
+    double sum = 0.0;
+    for (int f = 0; f < frames; ++f) sum += x[f] * x[f];
+    squares_[static_cast<std::size_t>(c)] += sum;
+  }
+}
+
+void Conditioner::follow(int frames) noexcept {
+  for (int f = 0; f < frames;) {
+    const int now = std::min(frames - f, stepFrames_ - stepDone_);
+    for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_ + f;
+    speed_.advance(pointers_.data(), now, angle_.data() + f, angleStep_.data() + f);
+    addSquares(f, now);
+    f += now;
+    stepDone_ += now;
+    if (stepDone_ < stepFrames_) continue;
+    speed_.look(Seconds(stepFrames_ / setup_.rate.value), gate_.phase() == CutPhase::Exit);
+    advanceGate();
+    stepDone_ = 0;
+    squares_ = {};
+  }
+}
+
+void Conditioner::advanceGate() noexcept {
+  const double spindle = speed_.known() ? speed_.spindle().value : 0.0;
+  const Seconds turn = spindle > 0.0 ? Seconds(1.0 / spindle) : kTurnUnknown;
+  const CutPhase before = gate_.phase();
+  gate_.setForced(speed_.forced());
+  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.loneLine().value > 0.0);
+  for (double& s : squares_) s /= stepFrames_;
+  gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
+                Seconds(stepFrames_ / setup_.rate.value), turn);
+  if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
+}
+
+// Where nothing quieter was ever heard, a tone that no teeth force may be chatter that was there before, or the
+// machine's own.
+Reason Conditioner::doubtAir() const noexcept {
+  const Hertz tone = speed_.suspect();
+  if (gate_.airSeen() || gate_.inCut() || !(tone.value > 0.0)) return {};
+  return {ReasonCode::NoAir, {tone.value}};
+}
+
+// The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
+void Conditioner::checkSensors(const SampleBlock& block) noexcept {
+  Reason doubt = sensors_.check(block, out_, gate_);
+  if (doubt.code == ReasonCode::None) doubt = doubtAir();
+  if (doubted_ && doubt.code == ReasonCode::None) out_.afterGap = true;
+  doubted_ = doubt.code != ReasonCode::None;
+  if (!doubted_) return;
+  out_.valid = false;
+  out_.reason = doubt;
+}
+
+OwnValueTable Conditioner::ownValues() {
+  return kOwnValues;
+}
+
+void Conditioner::tellOwn() noexcept {
+  const bool known = speed_.known();
+  own_.set(OwnSpeed, known ? toRpm(speed_.spindle()).value : config::kAutomatic,
+           known ? static_cast<std::size_t>(speed_.source()) : 0);
+  own_.set(OwnSpeedSd, known ? toRpm(speed_.sd()).value : config::kAutomatic, !known ? 0 : speed_.locked() ? 2 : 1);
+  for (std::size_t c = 0; c < kNoises && c < static_cast<std::size_t>(channels_); ++c) {
+    const double air = gate_.airFloor(static_cast<int>(c));
+    own_.set(OwnNoise + c, air > 0.0 ? std::sqrt(air) : config::kAutomatic, air > 0.0 ? 1 : 0);
+  }
+}
+
+const ConditionedBlock& Conditioner::process(const SampleBlock& block, const MachineState& machine) noexcept {
+  out_.sequence = block.sequence;
+  out_.firstSample = block.firstSample;
+  out_.rate = setup_.rate;
+  out_.channels = channels_;
+  out_.frames = std::clamp(block.frames, 0, capacity_);
+  out_.samples = samples_.data();
+  out_.stride = capacity_;
+  out_.angle = angle_.data();
+  out_.angleStep = angleStep_.data();
+  out_.afterGap = false;
+  out_.feed = feedNow(machine, setup_.nominalFeed);
+  speed_.listen(machine, out_.frames, out_.end());
+  out_.valid = usable(block);
+  if (!out_.valid) {
+    gapPending_ = true;  // whatever follows starts anew
+    sensors_.interrupt(block, out_.reason);
+    return out_;
+  }
+  if (gapPending_) {
+    restart();
+    out_.afterGap = true;
+    gapPending_ = false;
+  }
+  makeSi(block);
+  follow(block.frames);
+  out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
+  out_.loneLine = speed_.loneLine();
+  out_.spindleSd = speed_.sd();
+  out_.speedMoving = speed_.riding();
+  out_.turnsCompare = !speed_.moving();
+  out_.phase = gate_.phase();
+  out_.levelTrend = gate_.trend();
+  checkSensors(block);
+  tellOwn();
+  return out_;
+}
+
+}  // namespace stillcut::detect

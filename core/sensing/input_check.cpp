@@ -1,0 +1,60 @@
+#include "core/sensing/input_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stillcut::detect {
+namespace {
+
+constexpr double kDeadSeconds = 0.05;  // a live sensor's last bit moves far sooner
+
+}  // namespace
+
+void InputCheck::prepare(const CutSetup& setup) {
+  deadRun_ = std::max(16, static_cast<int>(kDeadSeconds * setup.rate.value));
+  const auto& told = setup.channels;
+  const auto isSpeed = [](const ChannelInfo& c) { return c.quantity == SensorQuantity::SpindleSpeed; };
+  const bool onlySpeeds = std::all_of(told.begin(), told.end(), isSpeed);
+  for (std::size_t c = 0; c < told.size() && c < channels_.size(); ++c) {
+    channels_[c].quantity = told[c].quantity;
+    channels_[c].hears = onlySpeeds || !isSpeed(told[c]);
+  }
+  reset();
+}
+
+void InputCheck::reset() noexcept {
+  for (Channel& c : channels_) {
+    c.run = 0;
+    c.clip = {};
+  }
+}
+
+Reason InputCheck::checkChannel(std::span<const float> samples, int index) noexcept {
+  Channel& c = channels_[static_cast<std::size_t>(index)];
+  for (const float v : samples) {
+    if (!std::isfinite(v)) return {ReasonCode::InputNotFinite, {static_cast<double>(index)}};
+    c.run = c.run > 0 && v == c.last ? c.run + 1 : 1;
+    c.last = v;
+  }
+  if (c.run >= deadRun_ && changesOnly(c.quantity)) return {ReasonCode::InputDead, {static_cast<double>(index)}};
+  // What holds a value is no converter at its limit.
+  if (c.quantity != SensorQuantity::SpindleSpeed && c.clip.see(samples)) return {ReasonCode::InputClipped, {}};
+  return {};
+}
+
+Reason InputCheck::check(const SampleBlock& block) noexcept {
+  Reason worst;
+  const int channels = std::min(block.channels, kMaxChannels);
+  bool still = channels > 0;
+  for (int c = 0; c < channels; ++c) {
+    const Reason reason = checkChannel(block.channel(c), c);
+    if (worst.code == ReasonCode::None) worst = reason;
+    const Channel& of = channels_[static_cast<std::size_t>(c)];
+    still = still && (!of.hears || of.run >= deadRun_);
+  }
+  if (worst.code == ReasonCode::None && block.has(kBlockClipped)) return {ReasonCode::InputClipped, {}};
+  if (worst.code == ReasonCode::None && still) return {ReasonCode::InputDead, {0.0}};
+  return worst;
+}
+
+}  // namespace stillcut::detect

@@ -1,0 +1,90 @@
+#include "core/session/open_recording.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+
+#include "core/formats/gap_list.h"
+#include "core/formats/hdf5/apart_reader.h"
+#include "core/formats/matlab/mat_import.h"
+#include "core/formats/sound/wav_reader.h"
+#include "core/formats/text/text_reader.h"
+#include "core/formats/universal/uff58.h"
+#include "core/formats/universal/uff_import.h"
+#include "core/session/file/session_reader.h"
+
+namespace stillcut::record {
+namespace {
+
+bool isSound(std::string_view head) {
+  constexpr auto kMagics = std::to_array<std::string_view>({"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff"});
+  for (const std::string_view magic : kMagics) {
+    if (head.starts_with(magic)) return true;
+  }
+  return false;
+}
+
+bool hasSuffix(const std::string& path, std::string_view suffix) {
+  return std::filesystem::path(path).extension() == suffix;
+}
+
+// "FILE.h5:/folder/set": a file and a place in it.
+struct Place {
+  std::string file;
+  std::string inner;  // begins with '/'; empty: the whole file
+};
+
+Place splitPlace(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored)) return {path, ""};
+  for (std::size_t at = path.rfind(":/"); at != std::string::npos && at > 0; at = path.rfind(":/", at - 1)) {
+    if (std::filesystem::is_regular_file(path.substr(0, at), ignored)) return {path.substr(0, at), path.substr(at + 1)};
+  }
+  return {path, ""};
+}
+
+Status checkFile(const std::string& path) {
+  std::error_code problem;
+  const std::filesystem::file_status status = std::filesystem::status(path, problem);
+  if (!std::filesystem::exists(status)) return Error{path, "there is no such file", ""};
+  if (std::filesystem::is_directory(status)) return Error{path, "is a folder, not a recording", ""};
+  if (!std::filesystem::is_regular_file(status)) return Error{path, "is not a regular file", ""};
+  return Done{};
+}
+
+Result<std::unique_ptr<RecordingReader>> withGaps(Result<std::unique_ptr<RecordingReader>> opened,
+                                                  const std::string& name) {
+  if (!opened) return opened;
+  return openWithGaps(std::move(opened).value(), name);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, const ReadOptions& options) {
+  const auto [name, inner] = splitPlace(path);
+  if (const Status s = checkFile(name); !s) return s.error();
+  std::ifstream file(name, std::ios::binary);
+  if (!file) return Error{name, "cannot be opened", std::strerror(errno)};
+  std::array<char, 128> bytes{};
+  file.read(bytes.data(), bytes.size());
+  const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
+  if (head.empty()) return Error{name, "the file is empty", ""};
+  if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
+    auto foreign = openApart(name, inner, options);
+    if (!foreign || *foreign) return foreign;
+    return openSession(name, options);
+  }
+  if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
+  if (!inner.empty()) return Error{path, "only HDF5 and MATLAB files have places inside", ""};
+  if (hasSuffix(name, ".mat")) return Error{name, "is no MATLAB file of version 5 to 7.3", "its header is missing"};
+  if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) {
+    return withGaps(openWav(name, options), name);
+  }
+  if (uff::looksLikeUff(head)) return withGaps(openUff(name, options), name);
+  return TextReader::open(name, options);
+}
+
+}  // namespace stillcut::record

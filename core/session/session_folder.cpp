@@ -1,0 +1,158 @@
+#include "core/session/session_folder.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <optional>
+
+#include "core/session/file/marker_rows.h"
+#include "core/session/file/session_layout.h"
+#include "core/session/file/session_markers.h"
+#include "core/session/file/session_open.h"
+#include "core/session/file/session_reader.h"
+#include "core/storage/hdf5_file.h"
+#include "core/storage/journal.h"
+
+namespace stillcut::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string fileName(const std::string& text, const char* otherwise) {
+  constexpr std::size_t kLongest = 80;
+  std::string name;
+  for (const char c : text) {
+    const auto code = static_cast<unsigned char>(c);
+    const bool bad = code < 0x20 || code == 0x7f || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+    name += bad ? '-' : c;
+  }
+  name.resize(std::min(name.size(), kLongest));
+  while (!name.empty() && (name.back() == ' ' || name.back() == '.')) name.pop_back();
+  while (!name.empty() && (name.front() == ' ' || name.front() == '.')) name.erase(0, 1);
+  return name.empty() ? otherwise : name;
+}
+
+struct Candidate {
+  std::string path;
+  std::uint64_t bytes = 0;
+  std::int64_t changed_ns = 0;
+};
+
+enum class Holds : std::uint8_t { Everything, FeaturesOnly };
+
+// What a session holds that nobody has marked; nothing: it stays. What cannot be read stays too: somebody may want to
+// mend it.
+std::optional<Holds> mayGo(const std::string& path) {
+  std::error_code unknown;
+  if (fs::exists(journalPath(path), unknown) || !isHdf5File(path)) return std::nullopt;
+  Holds holds = Holds::Everything;
+  {
+    const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
+    if (!opened || !readSessionFormat(*opened, path)) return std::nullopt;
+    if (readInteger(opened->file.get(), kFeaturesOnly).value_or(0) != 0) holds = Holds::FeaturesOnly;
+  }
+  const Result<std::vector<Marker>> markers = readMarkers(path);
+  if (!markers || !markers->empty()) return std::nullopt;
+  return holds;
+}
+
+std::string inWords(Seconds age) {
+  const long hours = std::lround(age.value / 3600.0);
+  return hours >= 48 ? std::to_string(hours / 24) + " days" : std::to_string(hours) + " hours";
+}
+
+std::vector<Candidate> sessionsBelow(const std::string& folder) {
+  std::vector<Candidate> found;
+  std::error_code problem;
+  for (auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, problem);
+       !problem && entry != fs::recursive_directory_iterator(); entry.increment(problem)) {
+    struct stat info {};
+    if (entry->path().extension() != ".h5" || stat(entry->path().c_str(), &info) != 0 || !S_ISREG(info.st_mode))
+      continue;
+    constexpr std::int64_t kSecond_ns = 1'000'000'000;
+    found.push_back({entry->path().string(), static_cast<std::uint64_t>(info.st_size),
+                     info.st_mtim.tv_sec * kSecond_ns + info.st_mtim.tv_nsec});
+  }
+  std::sort(found.begin(), found.end(),
+            [](const Candidate& a, const Candidate& b) { return a.changed_ns < b.changed_ns; });
+  return found;
+}
+
+std::string freeName(const std::string& stem, const std::string& suffix, const char* between) {
+  std::string path = stem + suffix;
+  std::error_code unknown;
+  for (int n = 2; fs::exists(path, unknown) || fs::exists(journalPath(path), unknown); ++n) {
+    path = stem;
+    path.append(between).append(std::to_string(n)).append(suffix);
+  }
+  return path;
+}
+
+}  // namespace
+
+Result<std::string> newSessionPath(const std::string& folder, const std::string& job, const std::string& tool,
+                                   std::int64_t utc_ns) {
+  const fs::path place = fs::path(folder) / fileName(job, "job") / fileName(tool, "tool");
+  std::error_code problem;
+  fs::create_directories(place, problem);
+  if (problem) return Error{place.string(), "the folder cannot be made", problem.message()};
+  if (access(place.c_str(), W_OK) != 0) return Error{place.string(), "the folder cannot be written to", ""};
+  const std::time_t seconds = utc_ns / 1'000'000'000;
+  std::tm parts{};
+  char text[40] = "";
+  if (gmtime_r(&seconds, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d_%H-%M-%S", &parts);
+  return freeName((place / text).string(), ".h5", "_");
+}
+
+std::string freeSessionPath(const std::string& wanted) {
+  return freeName(fs::path(wanted).replace_extension().string(), fs::path(wanted).extension().string(), "-");
+}
+
+Status checkReplaceable(const std::string& path, MayReplace may) {
+  constexpr const char* kRefused = "is not replaced";
+  std::error_code unknown;
+  if (fs::exists(journalPath(path), unknown)) {
+    return Error{path, kRefused, "a recording of this name is still being written, or was cut off; take another name"};
+  }
+  if (!isHdf5File(path)) return Done{};
+  const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
+  if (!opened) return Error{path, kRefused, "it may be a recording that is damaged; take another name"};
+  const hid_t file = opened->file.get();
+  if (readText(file, "format") != kSessionFormat) return Done{};
+  if (may == MayReplace::SimulatedSession && readInteger(file, "simulated").value_or(0) != 0) {
+    const auto markers = readMarkerRows(file, path);
+    if (markers && markers->empty()) return Done{};
+  }
+  return Error{path, kRefused, "it is a recorded session; take another name"};
+}
+
+std::vector<Deleted> applyRetention(const std::string& folder, const RecordPlan& plan, std::int64_t now_utc_ns) {
+  const Seconds features = plan.mode == RecordMode::Features ? plan.history : plan.keepFor;
+  std::vector<Candidate> files = sessionsBelow(folder);
+  std::uint64_t total = 0;
+  for (const Candidate& f : files) total += f.bytes;
+  std::vector<Deleted> deleted;
+  for (const Candidate& f : files) {
+    const Seconds age(static_cast<double>(now_utc_ns - f.changed_ns) * 1e-9);
+    const bool beyond = total > plan.keepBytes;
+    if (!beyond && age <= std::min(features, plan.keepFor)) continue;
+    const std::optional<Holds> holds = mayGo(f.path);
+    if (!holds) continue;
+    const Seconds keep = *holds == Holds::FeaturesOnly ? features : plan.keepFor;
+    if (!beyond && age <= keep) continue;
+    std::error_code problem;
+    const bool gone = fs::remove(f.path, problem) || !problem;  // or somebody else was first
+    total -= f.bytes;
+    deleted.push_back(
+        {f.path,
+         age > keep ? "older than " + inWords(keep) : "more than " + std::to_string(plan.keepBytes / 1'000'000) + " MB",
+         gone ? "" : problem.message()});
+  }
+  return deleted;
+}
+
+}  // namespace stillcut::record

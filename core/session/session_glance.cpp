@@ -1,0 +1,41 @@
+#include "core/session/session_glance.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/formats/hdf5/apart_reader.h"
+#include "core/session/file/marker_rows.h"
+#include "core/session/file/session_layout.h"
+#include "core/session/file/session_open.h"
+#include "core/session/file/session_table.h"
+#include "core/storage/journal.h"
+
+namespace stillcut::record {
+
+std::optional<SessionGlance> glanceAtSession(const std::string& path) {
+  // With its journal beside it the file is being written, or was cut off and wants a repair.
+  std::error_code ignored;
+  if (std::filesystem::exists(journalPath(path), ignored)) return std::nullopt;
+  const auto foreign = openApart(path, "", {});
+  if (!foreign || *foreign) return std::nullopt;
+  const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
+  if (!opened) return std::nullopt;
+  const hid_t file = opened->file.get();
+  TableReader<BlockRow> blocks;
+  const auto markers = readMarkerRows(file, path);
+  if (!blocks.open(file, kBlocksPath) || !markers) return std::nullopt;
+  SessionGlance glance;
+  bool damaged = false;
+  if (const BlockRow* first = blocks.at(0, damaged)) {
+    const std::int64_t begin_ns = first->firstSample;
+    const BlockRow* last = blocks.at(blocks.rows() - 1, damaged);
+    if (last == nullptr || !(last->rate > 0.0)) return std::nullopt;
+    glance.length = Seconds(static_cast<double>(last->firstSample - begin_ns) * 1e-9 + last->frames / last->rate);
+  }
+  if (damaged) return std::nullopt;
+  glance.markers = static_cast<int>(
+      std::count_if(markers->begin(), markers->end(), [](const auto& row) { return row.second.removed == 0; }));
+  return glance;
+}
+
+}  // namespace stillcut::record

@@ -1,0 +1,42 @@
+#include "core/storage/part_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace stillcut::record {
+
+PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
+  file_ = std::fopen(part_.c_str(), "wb");
+  if (file_ == nullptr) problem_ = errno;
+}
+
+PartFile::~PartFile() {
+  if (file_ == nullptr) return;
+  std::fclose(file_);
+  std::remove(part_.c_str());
+}
+
+void PartFile::writeAt(std::uint64_t position, std::string_view bytes) {
+  if (position != position_ && fseeko(file_, static_cast<off_t>(position), SEEK_SET) != 0 && problem_ == 0) {
+    problem_ = errno;
+  }
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_) != bytes.size() && problem_ == 0) problem_ = errno;
+  position_ = position + bytes.size();
+}
+
+Error PartFile::failure() const {
+  return Error{path_, "cannot be written", problem_ != 0 ? std::strerror(problem_) : ""};
+}
+
+Status PartFile::finish() {
+  const bool written = std::ferror(file_) == 0 && problem_ == 0;
+  const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+  if (problem_ == 0 && !closed) problem_ = errno;
+  if (written && closed && std::rename(part_.c_str(), path_.c_str()) == 0) return Done{};
+  if (problem_ == 0) problem_ = errno;
+  std::remove(part_.c_str());
+  return failure();
+}
+
+}  // namespace stillcut::record

@@ -1,0 +1,347 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/ui/support/pictures.h"
+#include "ui/base/format.h"
+#include "ui/models/advice_view.h"
+#include "ui/models/freshness.h"
+#include "ui/models/history/column_reader.h"
+#include "ui/models/machine_view.h"
+#include "ui/models/severity_trend.h"
+#include "ui/models/strip_view.h"
+#include "ui/models/verdict_view.h"
+
+namespace stillcut::ui {
+namespace {
+
+const QString kThin(kThousandsSpace);
+
+Scene chatterScene(CutState state = CutState::Chatter) {
+  Scene s = stableScene();
+  Verdict& v = s.verdict();
+  v.state = state;
+  v.kind = ChatterKind::Hopf;
+  v.frequency = Hertz(1713);
+  v.frequencySd = Hertz(2);
+  v.severity = Ratio(0.62);
+  v.sinceOnset = Seconds(0.038);
+  v.feedSinceOnset = Metres(0.0012);
+  return s;
+}
+
+TEST(VerdictView, EachStateHasItsOwnWordShapeAndTone) {
+  const VerdictView stable = makeVerdictView(stableScene().picture(), Trend::Unknown);
+  EXPECT_EQ(stable.word, "STABLE");
+  EXPECT_EQ(stable.shape, Shape::Circle);
+  EXPECT_EQ(stable.tone, Tone::Normal);
+  const VerdictView onset = makeVerdictView(chatterScene(CutState::Onset).picture(), Trend::Unknown);
+  EXPECT_EQ(onset.word, "ONSET");
+  EXPECT_EQ(onset.shape, Shape::Triangle);
+  EXPECT_EQ(onset.tone, Tone::Onset);
+  const VerdictView chatter = makeVerdictView(chatterScene().picture(), Trend::Growing);
+  EXPECT_EQ(chatter.word, "CHATTER");
+  EXPECT_EQ(chatter.shape, Shape::Octagon);
+  EXPECT_EQ(chatter.tone, Tone::Chatter);
+  EXPECT_TRUE(chatter.frequency.startsWith("1" + kThin + "713"));
+  EXPECT_EQ(chatter.kind, "regenerative") << "no word of theory for a machinist";
+  EXPECT_EQ(chatter.detail, "growing");
+  EXPECT_TRUE(chatter.marked.contains("1.2")) << chatter.marked.toStdString();
+}
+
+TEST(VerdictView, AnInvalidVerdictIsNeverStable) {
+  Scene s = stableScene();
+  s.verdict().valid = false;
+  s.verdict().reason = {ReasonCode::InputClipped, {}};
+  const VerdictView view = makeVerdictView(s.picture(), Trend::Unknown);
+  EXPECT_EQ(view.word, "NO VERDICT");
+  EXPECT_EQ(view.tone, Tone::Faint);
+  EXPECT_EQ(view.detail, "The sensor is at its limit");
+}
+
+TEST(VerdictView, AStalePictureSaysSoAndHowOldItIs) {
+  const Scene s = chatterScene();
+  Picture p = s.picture();
+  p.stale = true;
+  p.age = Seconds(2.3);
+  const VerdictView view = makeVerdictView(p, Trend::Growing);
+  EXPECT_EQ(view.word, "NO VERDICT");
+  EXPECT_TRUE(view.detail.contains("stale"));
+  EXPECT_TRUE(view.detail.contains("2.3"));
+  EXPECT_TRUE(view.marked.contains("CHATTER"));
+}
+
+TEST(VerdictView, BeforeTheFirstSamplesThereIsNoVerdict) {
+  const Scene s = stableScene();
+  Picture p = s.picture();
+  p.snapshot = nullptr;
+  EXPECT_EQ(makeVerdictView(p, Trend::Unknown).word, "NO VERDICT");
+}
+
+TEST(AdviceView, OpenAdviceGivesTargetDeltaReasonAndCost) {
+  Scene s = chatterScene();
+  s.snapshot.authority = Authority::Advise;
+  s.snapshot.adviceOpen = true;
+  OverrideRequest& r = s.snapshot.request;
+  r.kind = RequestKind::Set;
+  r.claimsSpeed = r.claimsFeed = true;
+  r.speed = Rpm(8565);
+  r.feed = fromMmPerMin(1408.0 * 8565 / 8800);
+  r.reason = {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}};
+  const AdviceView view = makeAdviceView(s.picture());
+  EXPECT_TRUE(view.canAnswer());
+  EXPECT_EQ(view.target, "8" + kThin + "565" + QChar(0xa0) + "rpm");
+  EXPECT_TRUE(view.delta.contains(QChar(0x2212) + QStringLiteral("235 rpm"))) << view.delta.toStdString();
+  EXPECT_TRUE(view.delta.contains("97"));
+  EXPECT_TRUE(view.feed.contains("1" + kThin + "370"));
+  // 8800 / 8565 - 1 = 2.7 % more time; pi * 12 mm * 8565 / min = 323 m/min.
+  EXPECT_TRUE(view.cost.contains("2.7")) << view.cost.toStdString();
+  EXPECT_TRUE(view.cost.contains("323")) << view.cost.toStdString();
+}
+
+TEST(AdviceView, ACommandThatMovesNothingIsNotInForce) {
+  Scene s = stableScene();
+  s.snapshot.commanding = true;
+  s.snapshot.command.kind = CommandKind::Set;
+  EXPECT_EQ(makeAdviceView(s.picture()).mode, AdviceView::Mode::Nothing);
+  s.snapshot.command.speed = Ratio(0.973);
+  const AdviceView view = makeAdviceView(s.picture());
+  EXPECT_EQ(view.mode, AdviceView::Mode::InForce);
+  EXPECT_EQ(view.title, "IN FORCE");
+  EXPECT_FALSE(view.canAnswer());
+  s.snapshot.machine.linkUp = false;
+  EXPECT_TRUE(makeAdviceView(s.picture()).title.contains("NOT CONFIRMED"));
+}
+
+TEST(AdviceView, TheReasonOfAMoveStaysUnlessTheGateHoldsSomethingBack) {
+  Scene s = stableScene();
+  MoveReason why;
+  s.snapshot.commanding = true;
+  s.snapshot.command.kind = CommandKind::Set;
+  s.snapshot.command.speed = Ratio(0.973);
+  s.snapshot.command.reason = {ReasonCode::GateInForce, {97.3, 97.3, 97.3, 97.3}};
+  s.snapshot.request.kind = RequestKind::Set;
+  s.snapshot.request.reason = {ReasonCode::CentreOfNextPocket, {8565, 3, 1713, 8800}};
+  why.see(s.snapshot);
+  s.snapshot.request = OverrideRequest{};
+  why.see(s.snapshot);
+  EXPECT_TRUE(makeAdviceView(s.picture(), why.reason()).reason.contains("chatter waves"));
+  s.snapshot.command.reason = {ReasonCode::GateSettling, {8700, 8565}};
+  EXPECT_TRUE(makeAdviceView(s.picture(), why.reason()).reason.contains("Waiting for the spindle"));
+  s.snapshot.commanding = false;
+  why.see(s.snapshot);
+  EXPECT_EQ(why.reason().code, ReasonCode::None);
+}
+
+TEST(AdviceView, StaleAdviceCannotBeAccepted) {
+  Scene s = chatterScene();
+  s.snapshot.adviceOpen = true;
+  s.snapshot.request.kind = RequestKind::Set;
+  Picture p = s.picture();
+  p.stale = true;
+  EXPECT_FALSE(makeAdviceView(p).canAnswer());
+}
+
+TEST(MachineView, OldValuesAreShownAsOld) {
+  Scene s = stableScene();
+  EXPECT_FALSE(makeMachineView(s.picture()).speed.old);
+  s.snapshot.machine.time = s.snapshot.time - std::chrono::seconds(3);
+  const MachineView old = makeMachineView(s.picture());
+  EXPECT_TRUE(old.speed.old);
+  EXPECT_TRUE(old.warning);
+  EXPECT_TRUE(old.note.contains("3.0"));
+  s.snapshot.machine.valid = false;
+  EXPECT_EQ(makeMachineView(s.picture()).speed.actual, QString(QChar(0x2013)));
+}
+
+TEST(MachineView, TheOperatorsKnobIsNotOurMove) {
+  Scene s = stableScene();
+  s.snapshot.machine.operatorSpeed = s.snapshot.machine.speedOverride = Ratio(0.8);
+  EXPECT_EQ(makeMachineView(s.picture()).speed.tone, Tone::Normal);
+  s.snapshot.machine.speedOverride = Ratio(0.78);
+  EXPECT_EQ(makeMachineView(s.picture()).speed.tone, Tone::Advice);
+}
+
+// A raised speed on a machine whose feed ends at 100 %: the chip gets thinner, and that is said.
+TEST(MachineView, AFeedPerToothThatIsNotHeldIsShown) {
+  Scene s = stableScene();
+  MachineState& m = s.snapshot.machine;
+  m.speedOverride = m.feedOverride = Ratio(0.83);  // the feed follows
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("Knobs %1, %2").arg(overrideText(1.0), overrideText(1.0)));
+  m.speedOverride = Ratio(1.2);
+  m.feedOverride = Ratio(1.0);
+  EXPECT_EQ(
+      makeMachineView(s.picture()).note,
+      QString("Knobs %1, %2; feed per tooth %3").arg(overrideText(1.0), overrideText(1.0), overrideText(1.0 / 1.2)));
+  m.operatorFeed = m.feedOverride = Ratio(0.8);  // his own knob is his own say
+  m.speedOverride = Ratio(1.0);
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("Knobs %1, %2").arg(overrideText(1.0), overrideText(0.8)));
+}
+
+// What keeps our overrides from acting has a sentence of its own each.
+TEST(MachineView, WhatHindersIsToldApart) {
+  QStringList said;
+  for (bool MachineState::*whole : {&MachineState::linkUp, &MachineState::controlOurs, &MachineState::overridesEnabled,
+                                    &MachineState::programRunning}) {
+    Scene s = stableScene();
+    s.snapshot.machine.*whole = false;
+    const QString note = makeMachineView(s.picture()).note;
+    EXPECT_FALSE(note.isEmpty());
+    EXPECT_FALSE(said.contains(note)) << note.toStdString();
+    said << note;
+  }
+}
+
+// Where the link knows the cause it is said; each in other words.
+TEST(MachineView, EveryCauseHasWordsOfItsOwn) {
+  QStringList said;
+  for (int k = 1; k < kOrderBlocks; ++k) {
+    Scene s = stableScene();
+    s.snapshot.machine.block = static_cast<OrderBlock>(k);
+    const MachineView view = makeMachineView(s.picture());
+    EXPECT_TRUE(view.warning);
+    EXPECT_FALSE(view.note.isEmpty()) << k;
+    EXPECT_FALSE(said.contains(view.note)) << view.note.toStdString();
+    said << view.note;
+  }
+}
+
+// Not taken back while it is off: what it will begin with is said while somebody can still read it.
+TEST(MachineView, AMachineThatIsOffSaysWhatItKeepsOfOurs) {
+  Scene s = stableScene();
+  MachineState& m = s.snapshot.machine;
+  m.block = OrderBlock::MachineOff;
+  m.programRunning = false;
+  EXPECT_EQ(makeMachineView(s.picture()).note, QString("The machine is off"));
+  m.speedOverride = Ratio(0.9);
+  EXPECT_TRUE(makeMachineView(s.picture()).note.contains(overrideText(0.9)));
+  EXPECT_TRUE(makeMachineView(s.picture()).note.contains("Stillcut brings them back"));  // if it is still there
+}
+
+TEST(Bars, LimitsBecomeMarksAndAbsentDetectorsNoBar) {
+  Scene s = chatterScene();
+  s.info.limits.energyRatio = 0.3;
+  VibrationScale scale;
+  std::vector<BarView> bars = makeBars(s.picture(), scale);
+  ASSERT_EQ(bars.size(), 2U);
+  EXPECT_EQ(bars[0].marks, (std::vector<double>{0.3}));
+  EXPECT_DOUBLE_EQ(bars[0].fraction, 0.62);
+  EXPECT_EQ(bars[0].tone, Tone::Chatter);
+  EXPECT_EQ(bars[1].tone, Tone::Normal) << "vibration has a limit only where somebody has set one";
+  s.snapshot.vibrationRms = 4.0;
+  s.info.limits.vibration = 3.0;
+  bars = makeBars(s.picture(), scale);
+  EXPECT_EQ(bars[1].marks.size(), 1U);
+  EXPECT_EQ(bars[1].tone, Tone::Chatter);
+  s.verdict().state = CutState::Stable;
+  EXPECT_EQ(makeBars(s.picture(), scale)[0].tone, Tone::Normal) << "colour means act: the verdict alarms, not a number";
+  s.info.detectors.push_back({"coherence", "Coherence", {"energy", "gamma_max"}});
+  s.snapshot.verdicts[1].valid = true;
+  s.snapshot.verdicts[1].indicators[1] = 0.41;
+  bars = makeBars(s.picture(), scale);
+  ASSERT_EQ(bars.size(), 3U);
+  EXPECT_DOUBLE_EQ(bars[2].fraction, 0.41);
+}
+
+TEST(Bars, AnInvalidVerdictGivesNoNumber) {
+  Scene s = chatterScene();
+  s.verdict().valid = false;
+  VibrationScale scale;
+  EXPECT_FALSE(makeBars(s.picture(), scale)[0].known);
+}
+
+TEST(VibrationScale, GrowsInRoundStepsAndNeverShrinks) {
+  VibrationScale scale;
+  EXPECT_DOUBLE_EQ(scale.fullFor(1.2, std::nan("")), 2.0);
+  EXPECT_DOUBLE_EQ(scale.fullFor(16.0, std::nan("")), 20.0);
+  EXPECT_DOUBLE_EQ(scale.fullFor(0.1, std::nan("")), 20.0);
+  EXPECT_DOUBLE_EQ(scale.fullFor(std::nan(""), std::nan("")), 20.0);
+}
+
+TEST(Strip, CountersAndLossesStandOut) {
+  Scene s = stableScene();
+  s.snapshot.health.droppedBlocks = 3;
+  s.snapshot.machine.linkUp = false;
+  Picture p = s.picture();
+  p.recorder = {RecorderStatus::State::Failed, Seconds(), "disk full"};
+  const std::vector<StripItem> items = makeStrip(p);
+  ASSERT_EQ(items.size(), 7U);
+  EXPECT_EQ(items[0].tone, Tone::Chatter);
+  EXPECT_EQ(items[3].value, "3");
+  EXPECT_EQ(items[3].tone, Tone::Onset);
+  EXPECT_EQ(items[4].tone, Tone::Normal);
+  EXPECT_EQ(items[6].value, "disk full");
+  EXPECT_EQ(items[6].tone, Tone::Chatter);
+}
+
+TEST(Strip, ALostLinkIsRedForAsLongAsItHasNotAnswered) {
+  Scene s = stableScene();
+  s.snapshot.machine.time = s.snapshot.time - std::chrono::seconds(3);
+  s.snapshot.machine.linkUp = s.snapshot.machine.valid = false;
+  StripItem link = makeStrip(s.picture())[0];
+  EXPECT_EQ(link.tone, Tone::Chatter);
+  EXPECT_TRUE(link.value.startsWith("no answer for 3")) << link.value.toStdString();
+  s.snapshot.machine = MachineState{};  // never read
+  link = makeStrip(s.picture())[0];
+  EXPECT_EQ(link.tone, Tone::Faint);
+  EXPECT_EQ(link.value, "not read yet");
+}
+
+TEST(Strip, TheEndOfTheSamplesIsSaid) {
+  Scene s = stableScene();
+  Picture p = s.picture();
+  p.link.ended = "ALSA hw:1: unplugged";
+  EXPECT_EQ(makeStrip(p)[1].value, p.link.ended);
+  EXPECT_EQ(makeStrip(p)[1].tone, Tone::Chatter);
+}
+
+TEST(SeverityTrend, FollowsTheSlope) {
+  for (const auto& [slope, wanted] : {std::pair{1.0, Trend::Growing}, {0.0, Trend::Steady}, {-1.0, Trend::Fading}}) {
+    SeverityTrend trend;
+    Verdict v = chatterScene().verdict();
+    for (int k = 0; k < 20; ++k) {
+      v.time = instantFromNs(k * 20'000'000LL);
+      v.severity = Ratio(0.5 + slope * 0.02 * k);
+      trend.add(v);
+    }
+    EXPECT_EQ(trend.trend(), wanted) << slope;
+    v.state = CutState::Stable;
+    trend.add(v);
+    EXPECT_EQ(trend.trend(), Trend::Unknown);
+  }
+}
+
+TEST(Freshness, CountsFromTheLastChange) {
+  Freshness freshness;
+  Snapshot s;
+  s.number = 1;
+  freshness.see(&s, 1000);
+  freshness.see(&s, 1500);
+  EXPECT_FALSE(freshness.stale());
+  freshness.see(&s, 1501);
+  EXPECT_TRUE(freshness.stale());
+  EXPECT_NEAR(freshness.age().value, 0.501, 1e-9);
+  ++s.number;
+  freshness.see(&s, 1600);
+  EXPECT_FALSE(freshness.stale());
+}
+
+TEST(ColumnReader, HandsOnEachColumnOnceAndWhatTheRingStillHas) {
+  Snapshot s;
+  ColumnReader reader;
+  std::vector<std::uint64_t> seen;
+  const auto make = [&](std::uint64_t upTo) {
+    for (; s.columnCount < upTo; ++s.columnCount) s.columns[s.columnCount % kSpectrumColumns].number = s.columnCount;
+    reader.read(s, [&](const SpectrumColumn& c) { seen.push_back(c.number); });
+  };
+  make(3);
+  make(3);
+  EXPECT_EQ(seen, (std::vector<std::uint64_t>{0, 1, 2}));
+  seen.clear();
+  make(3 + kSpectrumColumns + 5);
+  ASSERT_EQ(seen.size(), static_cast<std::size_t>(kSpectrumColumns));
+  EXPECT_EQ(seen.front(), 8U);
+}
+
+}  // namespace
+}  // namespace stillcut::ui

@@ -1,0 +1,85 @@
+// The cards of the last interventions, as values: what was before, what came of it, what it has marked and costs.
+#include <gtest/gtest.h>
+
+#include "tests/ui/support/pictures.h"
+#include "ui/models/strip_view.h"
+#include "ui/models/verdict_view.h"
+
+namespace stillcut::ui {
+namespace {
+
+TEST(Cards, NewestFirstAndNoMoreThanKept) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 6;
+  for (std::uint64_t n = 2; n < 6; ++n) s.snapshot.interventions[n % kInterventionsShown].number = n;
+  const std::vector<CardView> cards = makeCards(s.picture());
+  ASSERT_EQ(cards.size(), 4U);
+  EXPECT_EQ(cards.front().number, 5U);
+  EXPECT_EQ(cards.back().number, 2U);
+}
+
+TEST(Cards, AnOnsetThatWasCaughtHasMarkedNothing) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.finished = i.quiet = true;
+  i.feedBefore = fromMmPerMin(1400.0);
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("nothing marked")));
+  EXPECT_TRUE(makeVerdictView(s.picture(), Trend::Unknown).marked.contains(QStringLiteral("no chatter")));
+  i.marked = Metres(0.002);
+  EXPECT_FALSE(makeCards(s.picture())[0].headline.contains(QStringLiteral("nothing")));
+  s.snapshot.chatterTime = Seconds(0.2);
+  s.snapshot.chatterLength = i.marked;
+  EXPECT_FALSE(makeVerdictView(s.picture(), Trend::Unknown).marked.contains(QStringLiteral("no chatter")));
+}
+
+TEST(Cards, SayThatStillcutActsOnlyWhereItMay) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  s.snapshot.interventions[0].finished = false;
+  s.snapshot.authority = Authority::Auto;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("acting")));
+  s.snapshot.authority = Authority::Off;
+  EXPECT_TRUE(makeCards(s.picture())[0].headline.contains(QStringLiteral("going on")));
+}
+
+TEST(Cards, TellWhatTheQuietSpeedCostsInTime) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 1;
+  Intervention& i = s.snapshot.interventions[0];
+  i.finished = i.quiet = true;
+  i.speedBefore = Rpm(8500.0);
+  i.speedAfter = Rpm(7012.0);
+  i.cycleTime = Ratio(8500.0 / 7012.0);
+  EXPECT_EQ(makeCards(s.picture()).front().cost, QStringLiteral("time +21") + QChar(0xa0) + u'%');
+  i.cycleTime = Ratio(1.0);
+  EXPECT_TRUE(makeCards(s.picture()).front().cost.isEmpty());
+}
+
+// The quiet speed may lie where the teeth excite a mode: what was cured is said, and what shakes now is not hidden.
+TEST(Cards, TellThatTheChatterIsGoneThoughTheVibrationHasRisen) {
+  Scene s = stableScene();
+  s.snapshot.interventionCount = 2;
+  for (std::uint64_t n = 0; n < 2; ++n) {
+    Intervention& i = s.snapshot.interventions[n];
+    i.number = n;
+    i.finished = i.quiet = true;
+    i.severityBefore = Ratio(0.04);
+    i.severityAfter = Ratio(0.004);
+    i.vibrationBefore = 1.4;
+    i.vibrationAfter = 9.2;
+  }
+  Intervention& newest = s.snapshot.interventions[1];
+  const std::vector<CardView> cards = makeCards(s.picture());
+  EXPECT_TRUE(cards[0].vibration.contains(QStringLiteral("no chatter"))) << cards[0].vibration.toStdString();
+  EXPECT_TRUE(cards[0].vibration.contains(QStringLiteral("99") + QChar(0xa0) + u'%')) << "never rounded up to all";
+  EXPECT_TRUE(cards[0].vibration.contains(QStringLiteral("9.2")));
+  EXPECT_TRUE(cards[1].vibration.isEmpty()) << "it is about now";
+  newest.vibrationAfter = 0.4;
+  EXPECT_TRUE(makeCards(s.picture())[0].vibration.contains(QStringLiteral("gone")));
+  newest.quiet = false;
+  EXPECT_FALSE(makeCards(s.picture())[0].vibration.contains(u':')) << "nothing is proven";
+}
+
+}  // namespace
+}  // namespace stillcut::ui

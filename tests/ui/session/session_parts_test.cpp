@@ -1,0 +1,88 @@
+// What a session and its folder hand to the pages: the tools, the values of the Tune page, another run in its place.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/session/session.h"
+#include "app/session/tool_library.h"
+#include "core/detect/caliskan/energy_ratio.h"
+
+namespace stillcut::app {
+namespace {
+
+TEST(ToolLibrary, ComesBackAsItWasAndNamesWhatIsWrong) {
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("data/tools.toml")).toStdString();
+  EXPECT_TRUE(loadTools(path)->empty());
+  ui::ToolEntry tool;
+  tool.name = QStringLiteral("T12 \"D12\" Z4 µ");
+  tool.holder = QStringLiteral("HSK63");
+  tool.teeth = 4;
+  tool.diameter_mm = 12.0;
+  tool.highestSpeed_rpm = 18000.0;
+  tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot")}, {8200.0, 0.0, 0.0, {}}};
+  ui::ToolEntry plain;
+  plain.name = QStringLiteral("T3");
+  ASSERT_TRUE(saveTools({tool, plain}, path).ok());
+  const auto back = loadTools(path);
+  ASSERT_TRUE(back.ok()) << back.error().line();
+  EXPECT_EQ(*back, (std::vector<ui::ToolEntry>{tool, plain}));
+  QFile file(QString::fromStdString(path));
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("version = 1\n[[tool]]\nname = \"T1\"\nteeth = 0\ndiameter_mm = 3\n");
+  file.close();
+  const auto wrong = loadTools(path);
+  ASSERT_FALSE(wrong.ok());
+  EXPECT_NE(wrong.error().line().find("teeth"), std::string::npos) << wrong.error().line();
+}
+
+TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
+  auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  int automatic = 0;
+  for (const ui::TunablePart& part : (*session)->tunableParts()) {
+    for (const config::ParamDecl* decl : part.params) {
+      if (!decl->mayBeAutomatic) continue;
+      ++automatic;
+      EXPECT_NE(decl->meaning.find("auto: "), std::string_view::npos) << decl->key;
+      if (part.running && part.role == ui::TunablePart::Role::Detector) {
+        EXPECT_EQ(part.chosen.count(decl->key), 1U) << decl->key;
+      }
+    }
+  }
+  EXPECT_GT(automatic, 10);
+}
+
+TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
+  const QTemporaryDir folder;
+  const std::string demo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
+  auto session = openScenarioSession(demo, true);
+  ASSERT_TRUE(session.ok()) << session.error().line();
+  (*session)->keepStateIn(folder.path());
+  (*session)->demonstrateWith(demo);
+  (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
+  (*session)->start();
+  const std::uint32_t before = (*session)->generation();
+  config::ParamSet values = (*session)->desk().values();
+  ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());
+  const auto kept = (*session)->saveValues(values);
+  ASSERT_TRUE(kept.ok()) << kept.error().line();
+  QFile file(kept.value());
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  EXPECT_TRUE(file.readAll().contains("chatter = 0.35"));
+  (*session)->desk().set(detect::kErChatter, 0.4);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr && !(*session)->desk().pending(); }, 20000));
+  EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
+  ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
+  EXPECT_GT((*session)->generation(), before);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr; }, 20000)) << "the new cut moves";
+  const Status refused = (*session)->setup()->start(QStringLiteral("no-such-profile"));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().line().find("stopped"), std::string::npos);
+  EXPECT_TRUE((*session)->stop().ok());
+}
+
+}  // namespace
+}  // namespace stillcut::app

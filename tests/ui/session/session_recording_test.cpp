@@ -1,0 +1,181 @@
+// What a profile says of recordings, done by the session of the desktop: modes, names by job, tool and time, who was
+// there.
+#include <gtest/gtest.h>
+
+#include <QDirIterator>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/session/session.h"
+#include "core/evaluate/session_summary_builder.h"
+#include "core/session/file/session_markers.h"
+
+namespace stillcut::app {
+namespace {
+
+class RecordedByProfile : public testing::Test {
+ protected:
+  // Puts a profile of the simulated mill in force, as the Set up page does.
+  void start(const std::string& mode, const QString& asked = {}) {
+    auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
+    ASSERT_TRUE(opened.ok()) << opened.error().line();
+    session_ = std::move(opened).value();
+    session_->keepStateIn(folder_.filePath(QStringLiteral("state")));
+    session_->keepRecordingsIn(folder_.filePath(QStringLiteral("usual")));
+    session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
+    if (!asked.isEmpty()) {
+      ASSERT_TRUE(session_->recordAsAsked(asked.toStdString()).ok());
+      session_->start();
+    }
+    ui::SetupDesk& desk = *session_->setup();
+    config::ParamCatalog catalog;
+    catalog.add(desk.recordParams());
+    config::Profile profile;
+    profile.cut.machine = "Simulated mill";
+    profile.cut.tool = "T12 D12 Z4";
+    profile.cut.teeth = 4;
+    profile.cut.nominalSpeed = Rpm(8500.0);
+    profile.operatorName = "Ada";
+    profile.recording = {recordings().toStdString(), "Housing 7"};
+    profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
+    profile.link = {"simulated", {}};
+    ASSERT_TRUE(profile.params.set(catalog, "record.mode", mode, "test").ok());
+    const auto saved = desk.save(profile, QStringLiteral("mill"));
+    ASSERT_TRUE(saved.ok()) << saved.error().line();
+    const auto back = desk.load(QStringLiteral("mill"));
+    ASSERT_TRUE(back.ok()) << back.error().line();
+    EXPECT_EQ(back->recording.job, "Housing 7");
+    const Status begun = desk.start(QStringLiteral("mill"));
+    ASSERT_TRUE(begun.ok()) << begun.error().line();
+  }
+  QString recordings() const { return folder_.filePath(QStringLiteral("recordings")); }
+  bool comes(ui::RecordingNow::State state) {
+    return QTest::qWaitFor(
+        [&] {
+          (void)session_->pull();
+          return session_->setup()->recordingNow().state == state && session_->recorder().length.value > 0.3;
+        },
+        60'000);
+  }
+  // The one file there is, below job and tool.
+  std::string onlyFile() const { return onlyFileIn(recordings()); }
+  static std::string onlyFileIn(const QString& folder) {
+    QDirIterator files(folder + QStringLiteral("/Housing 7/T12 D12 Z4"), {QStringLiteral("*.h5")}, QDir::Files);
+    EXPECT_TRUE(files.hasNext());
+    const QString file = files.hasNext() ? files.next() : QString();
+    EXPECT_FALSE(files.hasNext()) << "one file";
+    return file.toStdString();
+  }
+
+  QTemporaryDir folder_;
+  std::unique_ptr<Session> session_;
+};
+
+TEST_F(RecordedByProfile, EverythingIsKeptWithWhoAndWhatFor) {
+  start("continuous");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_EQ(session_->recorder().state, ui::RecorderStatus::State::Recording);
+  EXPECT_EQ(session_->sessions()->folder(), recordings()) << "the Sessions page lists them";
+  ASSERT_TRUE(session_->stop().ok());
+  const auto summary = evaluate::summarizeRecording(onlyFile());
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  EXPECT_GT(summary->length.value, 0.2);
+  EXPECT_EQ(summary->operatorName, "Ada");
+  EXPECT_EQ(summary->job, "Housing 7");
+  EXPECT_GT(summary->started_ns, 0);
+}
+
+// --record goes before what a profile says, also when the profile is put in force from the page.
+TEST_F(RecordedByProfile, WhatWasAskedForAtTheStartHoldsForEveryProfile) {
+  const QString asked = folder_.filePath(QStringLiteral("asked"));
+  ASSERT_TRUE(QDir().mkpath(asked));
+  start("continuous", asked);
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_TRUE(session_->setup()->recordingNow().path.startsWith(asked)) << "the page says so";
+  EXPECT_EQ(session_->sessions()->folder(), asked);
+  ASSERT_TRUE(session_->stop().ok());
+  EXPECT_TRUE(evaluate::glimpseOf(onlyFileIn(asked)).ok());
+  EXPECT_FALSE(QFileInfo::exists(recordings()));
+}
+
+TEST_F(RecordedByProfile, AFileThatWasAskedForIsFollowedByTheNext) {
+  const QString asked = folder_.filePath(QStringLiteral("cut.h5"));
+  start("continuous", asked);
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  const QString next = folder_.filePath(QStringLiteral("cut-2.h5"));
+  EXPECT_EQ(session_->setup()->recordingNow().path, next);
+  ASSERT_TRUE(session_->stop().ok());
+  const auto first = evaluate::glimpseOf(asked.toStdString()), second = evaluate::glimpseOf(next.toStdString());
+  ASSERT_TRUE(first.ok() && second.ok());
+  EXPECT_NE(first->configuration, second->configuration) << "the one before is left as it was";
+  EXPECT_FALSE(QFileInfo::exists(recordings()));
+}
+
+TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWasBefore) {
+  start("around-events");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Waits));
+  EXPECT_TRUE(session_->recorder().waiting);
+  session_->send({OperatorAction::HearChatter}, session_->generation());
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  EXPECT_FALSE(session_->recorder().waiting);
+  ASSERT_TRUE(session_->stop().ok());
+  const std::string file = onlyFile();
+  const auto summary = evaluate::summarizeRecording(file);
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  ASSERT_EQ(summary->markers.size(), 1U);
+  EXPECT_EQ(summary->markers[0].label, kLabelHeard);
+  EXPECT_EQ(summary->markers[0].author, "Ada");
+  EXPECT_GT(sinceEpoch(summary->markers[0].begin).value, 0.2) << "what was before it is kept";
+}
+
+TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
+  start("features");
+  ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
+  Instant began{};
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        const Snapshot* now = session_->pull();
+        if (now == nullptr || now->verdicts[0].state != CutState::Chatter) return false;
+        if (toNs(began) == 0) began = now->time;
+        return secondsBetween(began, now->time).value > 2.5;
+      },
+      60'000));
+  ASSERT_TRUE(session_->stop().ok());
+  const auto glimpse = evaluate::glimpseOf(onlyFile());
+  ASSERT_TRUE(glimpse.ok()) << glimpse.error().line();
+  EXPECT_GT(glimpse->length.value, 2.5);
+  const auto summary = evaluate::summarizeRecording(onlyFile());
+  ASSERT_TRUE(summary.ok()) << summary.error().line();
+  EXPECT_TRUE(summary->spectrogram.empty()) << "no samples";
+  EXPECT_TRUE(summary->sensors.empty()) << "nothing can be said of them";
+  EXPECT_EQ(summary->alarms, 1U);
+  // The screen has counted every block.
+  ASSERT_NE(session_->pull(), nullptr);
+  EXPECT_NEAR(summary->chatterTime.value, session_->pull()->chatterTime.value, 0.1);
+  ui::SessionDesk& desk = *session_->sessions();
+  desk.open(QString::fromStdString(onlyFile()));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        desk.poll();
+        return desk.replay().open && desk.summaryWhole() && !desk.task().running;
+      },
+      60'000));
+  EXPECT_TRUE(desk.task().problem.isEmpty()) << desk.task().problem.toStdString();
+  desk.setPace(0.0);
+  desk.play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return desk.replay().finished; }, 60'000)) << "it comes to its end";
+}
+
+TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {
+  QFile inTheWay(recordings());
+  ASSERT_TRUE(inTheWay.open(QIODevice::WriteOnly));
+  inTheWay.close();
+  auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
+  ASSERT_TRUE(opened.ok());
+  const Status recording = (*opened)->recordInto(recordings().toStdString());
+  ASSERT_FALSE(recording.ok());
+  EXPECT_NE(recording.error().line().find("cannot be made"), std::string::npos) << recording.error().line();
+}
+
+}  // namespace
+}  // namespace stillcut::app

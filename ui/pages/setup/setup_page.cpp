@@ -1,0 +1,96 @@
+#include "ui/pages/setup/setup_page.h"
+
+#include <QHBoxLayout>
+#include <QSettings>
+#include <QStackedWidget>
+#include <algorithm>
+
+#include "ui/pages/setup/setup_parts.h"
+#include "ui/pages/setup/setup_profile.h"
+#include "ui/pages/setup/setup_recording.h"
+#include "ui/pages/setup/setup_tools.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+
+SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(desk), stack_(new QStackedWidget) {
+  auto* line = new QHBoxLayout(this);
+  if (desk == nullptr) {
+    line->addWidget(new TextLabel({type_size::kValue, false, true, true}, tr("There is nothing to set up here.")));
+    return;
+  }
+  if (const auto begun = desk->keptDraft()) {
+    draft_.open(*begun, {});
+  } else {
+    draft_.open(desk->draft(), desk->profileInForce());
+  }
+  tabs_ = {new SetupGuide(*desk, draft_), new SetupMachine(*desk, draft_),   new SetupSensors(*desk, draft_),
+           new SetupTools(*desk, draft_), new SetupRecording(*desk, draft_), new SetupProfile(*desk, draft_)};
+  const struct {
+    QString caption;
+    const char* name;
+  } names[] = {{tr("GUIDE"), "setup-guide"}, {tr("MACHINE"), "setup-machine"},     {tr("SENSORS"), "setup-sensors"},
+               {tr("TOOLS"), "setup-tools"}, {tr("RECORDING"), "setup-recording"}, {tr("PROFILE"), "setup-profile"}};
+  choices_ = new QVBoxLayout;
+  for (std::size_t k = 0; k < tabs_.size(); ++k) {
+    SetupTab* tab = tabs_[k];
+    stack_->addWidget(tab);
+    auto* button = new TouchButton(names[k].caption);
+    button->setObjectName(QLatin1String(names[k].name));
+    button->setCheckable(true);
+    button->setBaseHeight(62);
+    choices_->addWidget(button);
+    buttons_.push_back(button);
+    connect(button, &TouchButton::clicked, this, [this, k] { showTab(static_cast<int>(k)); });
+    connect(tab, &SetupTab::tabAsked, this, &SetupPage::showTab);
+    connect(tab, &SetupTab::started, this, [this] { emit pageAsked(QStringLiteral("operate")); });
+  }
+  choices_->addStretch(1);
+  line->addLayout(choices_);
+  line->addWidget(stack_, 1);
+  connect(&draft_, &SetupDraft::changed, this, [this] {
+    for (SetupTab* tab : tabs_) tab->refresh();
+    desk_->keepDraft(draft_.profile());
+    emit stateChanged();
+  });
+  showTab(0);
+}
+
+void SetupPage::showTab(int tab) {
+  stack_->setCurrentIndex(tab);
+  for (std::size_t k = 0; k < buttons_.size(); ++k) buttons_[k]->setChecked(static_cast<int>(k) == tab);
+  emit stateChanged();
+}
+
+void SetupPage::see(const Picture&) {
+  if (desk_ == nullptr || !desk_->poll()) return;
+  for (SetupTab* tab : tabs_) tab->refresh();
+}
+
+void SetupPage::display(const Picture& picture) {
+  if (desk_ == nullptr) return;
+  draft_.setUnits(picture.units);
+  tabs_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
+}
+
+void SetupPage::keep(QSettings& settings) const {
+  settings.setValue(QStringLiteral("tab"), stack_->currentIndex());
+  settings.setValue(QStringLiteral("draft"), draft_.name());
+}
+
+void SetupPage::restore(const QSettings& settings) {
+  const int tab = settings.value(QStringLiteral("tab"), 0).toInt();
+  if (tab >= 0 && tab < static_cast<int>(tabs_.size())) showTab(tab);
+  if (desk_ != nullptr && desk_->keptDraft()) draft_.setName(settings.value(QStringLiteral("draft")).toString());
+}
+
+void SetupPage::applyTheme(const Theme& theme) {
+  const int margin = theme.px(16), gap = theme.px(10);
+  layout()->setContentsMargins(margin, gap, margin, gap);
+  layout()->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
+  if (choices_ != nullptr) choices_->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
+}
+
+}  // namespace stillcut::ui

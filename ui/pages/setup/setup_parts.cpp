@@ -1,0 +1,318 @@
+#include "ui/pages/setup/setup_parts.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QTableView>
+#include <cmath>
+
+#include "ui/base/format.h"
+#include "ui/base/say.h"
+#include "ui/models/sensor_view.h"
+#include "ui/pages/setup/setup_finder.h"
+#include "ui/pages/setup/setup_sensor_trial.h"
+#include "ui/plots/level_spectrum.h"
+#include "ui/widgets/painting.h"
+#include "ui/widgets/settings_form.h"
+#include "ui/widgets/text_label.h"
+#include "ui/widgets/touch_button.h"
+
+namespace stillcut::ui {
+namespace {
+
+QString described(const std::vector<PartOption>& options, const std::string& id) {
+  for (const PartOption& option : options) {
+    if (option.id.toStdString() == id) return sayCore(option.description.toStdString());
+  }
+  return {};
+}
+
+QScrollArea* scrolled(QWidget* content) {
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(content);
+  column->addStretch(1);
+  scroll->setWidget(box);
+  return scroll;
+}
+
+QStringList clockLines(const std::vector<JoinedClock>& clocks) {
+  QStringList lines;
+  for (const JoinedClock& clock : clocks) {
+    lines << say("Joined device, %1 channels: %2 by this computer's clock, times steady within %3 µs, beside any "
+                 "constant delay of its wire")
+                 .arg(clock.channels)
+                 .arg(frequency(clock.rate, Hertz(clock.rate.value * 1e-5)), significant(1e6 * clock.residual.value));
+  }
+  return lines;
+}
+
+double typed(const QLineEdit* edit) {
+  QString text = edit->text();
+  text.replace(u',', u'.').remove(kThousandsSpace);
+  bool isNumber = false;
+  const double value = text.toDouble(&isNumber);
+  return isNumber && std::isfinite(value) && value > 0.0 ? value : 0.0;
+}
+
+}  // namespace
+
+SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
+    : SetupTab(desk, draft, parent),
+      about_(new TextLabel({type_size::kBody, false, true, true})),
+      form_(new SettingsForm),
+      name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
+      speed_(makeEdit(tr("Programmed speed in rpm"), QStringLiteral("machine-speed"))),
+      feed_(makeEdit(tr("Programmed feed"), QStringLiteral("machine-feed"))),
+      depth_(makeEdit(tr("Depth of cut"), QStringLiteral("machine-depth"))),
+      feedLabel_(new TextLabel({type_size::kBody})),
+      depthLabel_(new TextLabel({type_size::kBody})),
+      problem_(new TextLabel({type_size::kBody, false, false, true})),
+      finder_(new SetupFinder(desk, draft)),
+      allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
+                            QStringLiteral("machine-auto"))) {
+  auto* whole = new QVBoxLayout(this);
+  auto* columns = new QHBoxLayout;
+  auto* column = new QVBoxLayout;
+  auto* names = new QHBoxLayout;
+  names->addWidget(new TextLabel({type_size::kBody}, tr("Machine")));
+  names->addWidget(name_, 2);
+  names->addWidget(new TextLabel({type_size::kBody}, tr("Speed, rpm")));
+  names->addWidget(speed_, 1);
+  names->addWidget(feedLabel_);
+  names->addWidget(feed_, 1);
+  names->addWidget(depthLabel_);
+  names->addWidget(depth_, 1);
+  depth_->setPlaceholderText(tr("unknown"));
+  whole->addLayout(names);
+  problem_->setTone(Tone::Onset);
+  problem_->hide();
+  whole->addWidget(problem_);
+  whole->addLayout(columns, 1);
+  columns->addLayout(column, 55);
+  columns->addWidget(finder_, 45);
+  column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("LINK TO THE CONTROL")));
+  auto* choices = new QGridLayout;
+  constexpr int kInARow = 3;
+  for (const PartOption& option : desk.links()) {
+    TouchButton* button =
+        makeButton(option.id.toUpper(), sayCore(option.description.toStdString()), QStringLiteral("link-") + option.id);
+    button->setCheckable(true);
+    const int place = static_cast<int>(links_.size());
+    links_.push_back(button);
+    choices->addWidget(button, place / kInARow, place % kInARow);
+    connect(button, &TouchButton::clicked, this, [this, id = option.id] {
+      // A second touch takes it back: the program then only watches.
+      const bool again = draft_.profile().link.id == id.toStdString();
+      draft_.setLink(again ? QString() : id);
+      refresh();
+    });
+  }
+  choices->setColumnStretch(kInARow, 1);
+  column->addLayout(choices);
+  column->addWidget(about_);
+  column->addWidget(scrolled(form_), 1);
+  allowAuto_->setCheckable(true);
+  column->addWidget(allowAuto_, 0, Qt::AlignLeft);
+  connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setLinkSetting);
+  connect(name_, &QLineEdit::editingFinished, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.cut.machine = name_->text().toStdString(); }); });
+  connect(speed_, &QLineEdit::editingFinished, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.cut.nominalSpeed = Rpm(typed(speed_)); }); });
+  connect(feed_, &QLineEdit::editingFinished, this, [this] {
+    if (!feed_->isModified()) return;  // what is shown is rounded
+    draft_.edit([this](config::Profile& p) { p.cut.nominalFeed = feedFrom(typed(feed_), draft_.units()); });
+    feed_->setModified(false);
+  });
+  connect(depth_, &QLineEdit::editingFinished, this, &SetupMachine::takeDepth);
+  connect(allowAuto_, &TouchButton::clicked, this,
+          [this] { draft_.edit([this](config::Profile& p) { p.allowAuto = allowAuto_->isChecked(); }); });
+  refresh();
+}
+
+// An empty field: the depth is not known.
+void SetupMachine::takeDepth() {
+  if (!depth_->isModified()) return;  // what is shown is rounded
+  const UnitSystem units = draft_.units();
+  const Metres depth = lengthFrom(typed(depth_), units);
+  const bool none = depth_->text().trimmed().isEmpty();
+  const bool legal = none || (depth >= kShallowestCut && depth <= kDeepestCut);
+  problem_->setVisible(!legal);
+  problem_->setText(legal ? QString()
+                          : tr("The depth was not taken: it must be a number from %1 to %2, or nothing where it is not "
+                               "known")
+                                .arg(depthText(kShallowestCut, units), depthText(kDeepestCut, units)));
+  if (!legal) return;
+  depth_->setModified(false);
+  draft_.edit([&](config::Profile& p) { p.depth = none ? Metres() : depth; });
+}
+
+void SetupMachine::refresh() {
+  const config::Profile& profile = draft_.profile();
+  for (TouchButton* button : links_) {
+    button->setChecked(button->objectName() == QStringLiteral("link-") + QString::fromStdString(profile.link.id));
+  }
+  about_->setText(profile.link.id.empty() ? draft_.missing(SetupDraft::Part::Machine)
+                                          : described(desk_.links(), profile.link.id));
+  form_->show(desk_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
+  finder_->refresh();
+  allowAuto_->setChecked(profile.allowAuto);
+  const auto put = [](QLineEdit* edit, const QString& text) {
+    if (!edit->hasFocus()) edit->setText(text);
+  };
+  put(name_, QString::fromStdString(profile.cut.machine));
+  put(speed_, profile.cut.nominalSpeed.value > 0.0 ? number(profile.cut.nominalSpeed.value) : QString());
+  const UnitSystem units = draft_.units();
+  const QString feed = number(feedIn(profile.cut.nominalFeed, units), units == UnitSystem::Inch ? 1 : 0);
+  put(feed_, profile.cut.nominalFeed.value > 0.0 ? feed : QString());
+  feedLabel_->setText(tr("Feed, %1").arg(feedUnit(units)));
+  feed_->setAccessibleName(tr("Programmed feed in %1").arg(feedUnit(units)));
+  const QString depth = QString::number(lengthIn(profile.depth, units), 'g', 5);
+  if (!depth_->isModified()) depth_->setText(profile.depth.value > 0.0 ? depth : QString());
+  depthLabel_->setText(tr("Depth, %1").arg(lengthUnit(units)));
+  depth_->setAccessibleName(tr("Depth of cut in %1").arg(lengthUnit(units)));
+  depth_->setToolTip(tr("Deepest cut of the programme, %1 to %2; the Lobes page shows the cut at this depth")
+                         .arg(depthText(kShallowestCut, units), depthText(kDeepestCut, units)));
+}
+
+SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
+    : SetupTab(desk, draft, parent),
+      about_(new TextLabel({type_size::kBody, false, true, true})),
+      whose_(new TextLabel({type_size::kLabel, true, true})),
+      state_(new TextLabel({type_size::kBody, true, false, true})),
+      findings_(new TextLabel({type_size::kBody, false, false, true})),
+      levels_(new TextLabel({type_size::kBody, false, false, true})),
+      listen_(makeButton(tr("LISTEN"), tr("Listen to the chosen device"), QStringLiteral("device-listen"))),
+      form_(new SettingsForm),
+      channels_(draft),
+      table_(new QTableView),
+      trial_(new SetupSensorTrial(desk, draft, [this] { return table_->currentIndex().row(); })),
+      live_(new LevelSpectrum) {
+  auto* columns = new QHBoxLayout(this);
+  auto* left = new QVBoxLayout;
+  left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
+  auto* choices = new QGridLayout;
+  constexpr int kInARow = 4;
+  for (const PartOption& option : desk.sources()) {
+    TouchButton* button = makeButton(option.id.toUpper(), sayCore(option.description.toStdString()),
+                                     QStringLiteral("source-") + option.id);
+    button->setCheckable(true);
+    const int place = static_cast<int>(sources_.size());
+    sources_.push_back(button);
+    choices->addWidget(button, place / kInARow, place % kInARow);
+    connect(button, &TouchButton::clicked, this, [this, id = option.id] {
+      draft_.setSource(id);
+      refresh();
+    });
+  }
+  choices->setColumnStretch(kInARow, 1);
+  left->addLayout(choices);
+  left->addWidget(about_);
+  left->addWidget(scrolled(form_), 2);
+  left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("CHANNELS")));
+  table_->setModel(&channels_);
+  table_->setObjectName(QStringLiteral("channels"));
+  table_->setAccessibleName(tr("Channels"));
+  table_->verticalHeader()->hide();
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(ChannelModel::Quantity, QHeaderView::ResizeToContents);
+  table_->setEditTriggers(QAbstractItemView::AllEditTriggers);
+  left->addWidget(table_, 3);
+  auto* buttons = new QHBoxLayout;
+  TouchButton* add = makeButton(tr("ADD CHANNEL"), tr("Add a channel"), QStringLiteral("channel-add"));
+  TouchButton* remove = makeButton(tr("REMOVE"), tr("Remove the chosen channel"), QStringLiteral("channel-remove"));
+  buttons->addWidget(add);
+  buttons->addWidget(remove);
+  buttons->addStretch(1);
+  left->addLayout(buttons);
+  connect(add, &TouchButton::clicked, &channels_, &ChannelModel::add);
+  connect(remove, &TouchButton::clicked, this, [this] { channels_.remove(table_->currentIndex().row()); });
+  connect(form_, &SettingsForm::edited, &draft, &SetupDraft::setSourceSetting);
+  auto* right = new QVBoxLayout;
+  auto* heading = new QHBoxLayout;
+  heading->addWidget(whose_, 1);
+  heading->addWidget(listen_);
+  right->addLayout(heading);
+  for (TextLabel* label : {state_, findings_, levels_}) right->addWidget(label);
+  right->addWidget(live_, 1);
+  right->addWidget(trial_);
+  findings_->setTone(Tone::Onset);
+  listen_->setCheckable(true);
+  connect(listen_, &TouchButton::clicked, this, [this] {
+    heardFresh_ = {};
+    if (listen_->isChecked()) {
+      listened_ = draft_.profile().source;
+      desk_.listen(draft_.profile(), draft_.name());
+    } else {
+      desk_.stopListening();
+    }
+  });
+  columns->addLayout(left, 58);
+  columns->addLayout(right, 42);
+  refresh();
+}
+
+void SetupSensors::refresh() {
+  const config::Profile& profile = draft_.profile();
+  for (TouchButton* button : sources_) {
+    button->setChecked(button->objectName() == QStringLiteral("source-") + QString::fromStdString(profile.source.id));
+  }
+  listen_->setEnabled(!profile.source.id.empty());
+  const bool another = profile.source.id != listened_.id || profile.source.settings != listened_.settings;
+  if (another && desk_.heard().state != Heard::State::Off) desk_.stopListening();
+  about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
+                                            : described(desk_.sources(), profile.source.id));
+  form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
+  trial_->refresh();
+}
+
+// The chosen device while it is listened to, else what runs.
+Picture SetupSensors::shown(const Picture& picture, const Heard& heard) {
+  listen_->setChecked(heard.state == Heard::State::Opening || heard.state == Heard::State::Running);
+  if (heard.state == Heard::State::Off) {
+    whose_->setText(tr("WHAT RUNS NOW"));
+    return picture;
+  }
+  whose_->setText(tr("THE CHOSEN DEVICE"));
+  Picture device = picture;
+  device.info = heard.info;
+  device.snapshot = heard.snapshot;
+  heardFresh_.see(heard.snapshot, picture.nowMs);
+  device.stale = heardFresh_.stale();
+  return device;
+}
+
+void SetupSensors::display(const Picture& picture) {
+  const Heard heard = desk_.heard();
+  const Picture device = shown(picture, heard);
+  const SensorView view = makeSensorView(device);
+  const bool failed = !heard.problem.isEmpty();
+  live_->display(device);
+  state_->setTone(view.sick || failed ? Tone::Onset : Tone::Normal);
+  state_->setText(failed                                 ? heard.problem
+                  : heard.state == Heard::State::Opening ? tr("Opening the device")
+                                                         : view.headline);
+  findings_->setText(view.findings.join(u'\n'));
+  findings_->setVisible(!view.findings.isEmpty());
+  levels_->setText((view.channels + QStringList{view.rate} + clockLines(heard.clocks)).join(u'\n').trimmed());
+}
+
+void SetupSensors::hideEvent(QHideEvent* event) {
+  if (desk_.heard().state != Heard::State::Off) desk_.stopListening();
+  SetupTab::hideEvent(event);
+}
+
+void SetupSensors::applyTheme(const Theme& theme) {
+  SetupTab::applyTheme(theme);
+  table_->setFont(theme.font(type_size::kBody));
+  table_->horizontalHeader()->setFont(theme.font(type_size::kLabel));
+  table_->verticalHeader()->setDefaultSectionSize(touchHeight(theme, this));
+}
+
+}  // namespace stillcut::ui

@@ -1,0 +1,62 @@
+// The tabs of the Set up page that choose what a machine is made of: the link to its control, and the device with its
+// channels, live level and spectrum.
+#pragma once
+
+#include "ui/models/freshness.h"
+#include "ui/pages/setup/setup_tab.h"
+
+class QScrollArea;
+class QTableView;
+
+namespace stillcut::ui {
+
+class LevelSpectrum;
+class SettingsForm;
+class SetupFinder;
+class SetupSensorTrial;
+
+class SetupMachine : public SetupTab {
+  Q_OBJECT
+ public:
+  SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  void refresh() override;
+
+ private:
+  void takeDepth();
+
+  std::vector<TouchButton*> links_;
+  TextLabel* about_;
+  SettingsForm* form_;
+  QLineEdit *name_, *speed_, *feed_, *depth_;
+  TextLabel *feedLabel_, *depthLabel_, *problem_;
+  SetupFinder* finder_;
+  TouchButton* allowAuto_;
+};
+
+class SetupSensors : public SetupTab {
+  Q_OBJECT
+ public:
+  SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  void refresh() override;
+  void display(const Picture& picture) override;
+  void applyTheme(const Theme& theme) override;
+
+ protected:
+  void hideEvent(QHideEvent* event) override;  // nobody looks: the device is let go
+
+ private:
+  Picture shown(const Picture& picture, const Heard& heard);
+
+  std::vector<TouchButton*> sources_;
+  TextLabel *about_, *whose_, *state_, *findings_, *levels_;
+  TouchButton* listen_;
+  config::PartChoice listened_;  // what was chosen then
+  Freshness heardFresh_;
+  SettingsForm* form_;
+  ChannelModel channels_;
+  QTableView* table_;
+  SetupSensorTrial* trial_;
+  LevelSpectrum* live_;
+};
+
+}  // namespace stillcut::ui

@@ -1,0 +1,34 @@
+// The tab that holds a machine together: which methods are in charge, the trial step by step, saving, starting.
+#pragma once
+
+#include "ui/pages/setup/setup_tab.h"
+
+class QBoxLayout;
+class QListWidget;
+
+namespace stillcut::ui {
+
+class StepList;
+
+class SetupProfile : public SetupTab {
+  Q_OBJECT
+ public:
+  SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  void refresh() override;
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  void addChoices(QBoxLayout* column, const QString& title, const std::vector<PartOption>& options,
+                  std::vector<TouchButton*>& buttons, const QString& prefix, std::string config::Profile::*field);
+  void tell(const Status& status, const QString& done);
+  void showTrial();
+
+  QLineEdit* name_;
+  QListWidget* known_;
+  std::vector<TouchButton*> detectors_, strategies_;
+  StepList* trial_;
+  TextLabel *note_, *force_;
+  TouchButton *try_, *save_, *start_, *load_;
+};
+
+}  // namespace stillcut::ui

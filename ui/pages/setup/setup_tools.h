@@ -1,0 +1,48 @@
+// The tab of the shop's tools: teeth, diameter, pitch, modes, limits, notes, and where each chattered before.
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "ui/pages/setup/setup_tab.h"
+
+class QListView;
+class QPlainTextEdit;
+
+namespace stillcut::ui {
+
+class SetupTools : public SetupTab {
+  Q_OBJECT
+ public:
+  SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  void refresh() override;
+  void display(const Picture& picture) override;
+  void applyTheme(const Theme& theme) override;
+
+ private:
+  ToolEntry typed() const;
+  ToolEntry typedOver(int row) const;
+  bool edited() const;
+  void take(const ToolEntry& tool);
+  void moveTyped(int from, int by);
+  void showTool(int row);
+  void showUnits();
+  void keep(const QString& done);
+  void noteChatter();
+  // False, and it says so: the pitch does not go once around.
+  bool pitchFits();
+
+  ToolModel tools_;
+  QListView* list_;
+  QLineEdit *name_, *holder_, *teeth_, *diameter_, *pitch_, *modes_, *limit_;
+  QPlainTextEdit* notes_;
+  TextLabel* diameterLabel_ = nullptr;
+  TextLabel *chattered_, *note_;
+  TouchButton *save_, *use_, *remove_, *putBack_, *here_;
+  std::map<int, ToolEntry> typed_;     // by row: what was typed of a tool and not kept before another one was chosen
+  std::pair<int, ToolEntry> removed_;  // the last one, and its row
+  ChatterNote now_;                    // what the cut does
+  bool alarming_ = false;
+};
+
+}  // namespace stillcut::ui
