@@ -6,19 +6,19 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/message.h"
+
 namespace stillcut {
 
 struct Error {
-  std::string where;  // file and place ("cut.csv:12"), key, device
-  std::string what;   // what is wrong ("column 'Fx' holds 'nan'")
-  std::string why;    // cause or remedy; may be empty
+  Message::Argument where;  // file and place ("cut.csv:12"), key, device: as they are; or a message
+  Message what;             // what is wrong: message("column '%1' holds '%2'", ...)
+  Message why;              // cause or remedy; may be empty
 
-  // "where: what (why)", one line.
-  std::string line() const {
-    std::string s = where.empty() ? what : where + ": " + what;
-    if (!why.empty()) s += " (" + why + ")";
-    return s;
-  }
+  // "where: what (why)", one line, in English.
+  std::string line() const { return text(asMessage()); }
+  // The same as one message, for whoever passes it on or translates it.
+  Message asMessage() const;
 };
 
 template <class T>

@@ -80,7 +80,7 @@ bool LinkTrial::passed() const {
 
 TrialStep LinkTrial::connect() {
   const Status opened = link_.open();
-  if (!opened) return {kNames[0], {phraseOf(opened.error())}, false};
+  if (!opened) return {kNames[0], {opened.error().asMessage()}, false};
   return {kNames[0], {{kAnswers, {std::string(link_.describe().label)}}}, true};
 }
 

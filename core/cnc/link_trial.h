@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "core/cnc/cnc_link.h"
-#include "core/model/phrase.h"
+#include "core/base/message.h"
 
 namespace stillcut::cnc {
 
 struct TrialStep {
   std::string what;  // "Connect"
-  std::vector<Phrase> said;
+  std::vector<Message> said;
   bool good = false;
 };
 

@@ -107,11 +107,11 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
   return KnockHeard{told, energies[0].second, lead, static_cast<int>(blows.size())};
 }
 
-std::vector<Phrase> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
+std::vector<Message> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
   const ChannelInfo& told = channels[heard.told];
   const ChannelInfo& loudest = channels[heard.loudest];
-  Phrase most{heard.knocks == 1 ? kOneKnock : kKnocks, {told.axis, loudest.name, number(heard.lead)}};
-  if (heard.knocks != 1) most.values.push_back(std::to_string(heard.knocks));
+  Message most{heard.knocks == 1 ? kOneKnock : kKnocks, {told.axis, loudest.name, number(heard.lead)}};
+  if (heard.knocks != 1) most.arguments.emplace_back(std::to_string(heard.knocks));
   if (heard.loudest == heard.told) return {most, {kRight, {}}};
   return {most, {kExchanged, {told.name, loudest.name}}};
 }

@@ -12,7 +12,7 @@
 #include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/model/channel.h"
-#include "core/model/phrase.h"
+#include "core/base/message.h"
 
 namespace stillcut::daq {
 
@@ -30,7 +30,7 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
                               const std::vector<ChannelInfo>& channels, std::size_t told);
 
 // "4 knocks along x: 'x' heard most, 14.2 dB above the next; it is right".
-std::vector<Phrase> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels);
+std::vector<Message> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels);
 // The forms of its phrases; for whoever translates them.
 std::span<const char* const> knockWords();
 

@@ -78,7 +78,7 @@ Result<std::unique_ptr<DaqSource>> makeJoined(const SourceRequest& request) {
     auto device = makeSource(joining->id, one);
     if (!device) {
       const Error& e = device.error();
-      return Error{std::string(kWhere) + ", device " + std::to_string(number) + ": " + e.where, e.what, e.why};
+      return Error{message("%1, device %2: %3", kWhere, number, e.where), e.what, e.why};
     }
     parts.push_back({std::move(device).value(), Seconds(joining->delay_ms * 1e-3)});
   }

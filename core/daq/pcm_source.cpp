@@ -36,7 +36,7 @@ PcmSource::PcmSource(std::string name, PcmRequest request, std::vector<ChannelIn
 
 Result<SourceFormat> PcmSource::open() {
   auto opened = driver_->open(request_);
-  if (!opened) return Error{name_ + " " + opened.error().where, opened.error().what, opened.error().why};
+  if (!opened) return Error{message("%1 %2", name_, opened.error().where), opened.error().what, opened.error().why};
   format_ = *opened;
   streaming_ = true;
   blockFrames_ = format_.periodFrames;
@@ -74,8 +74,9 @@ bool PcmSource::reopen() noexcept {
         const auto opened = driver_->open(request_);
         streaming_ = opened && opened->channels == format_.channels && opened->sampleBytes == format_.sampleBytes;
         say(streaming_ ? std::string()
-            : opened   ? name_ + ": is not the device that it was"
-                       : Error{name_ + " " + opened.error().where, opened.error().what, opened.error().why}.line());
+            : opened
+                ? name_ + ": is not the device that it was"
+                : Error{message("%1 %2", name_, opened.error().where), opened.error().what, opened.error().why}.line());
       } catch (...) {
         streaming_ = false;
       }

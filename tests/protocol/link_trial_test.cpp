@@ -109,7 +109,7 @@ TEST(LinkTrial, EverythingThatItSaysIsListedForTranslation) {
   for (Bench* b : {&plain, &doubtful, &mute}) {
     b->run();
     for (const TrialStep& step : b->trial.steps()) {
-      for (const Phrase& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;
+      for (const Message& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;
     }
   }
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/phrase.h"
+#include "core/base/result.h"
 #include "ui/base/core_sentence.h"
 
 namespace stillcut::ui {
@@ -23,21 +23,12 @@ inline QString sayCore(const std::string& text) {
   return text.empty() ? QString() : QCoreApplication::translate("Core", text.c_str());
 }
 
-// Sentences of core with what they tell of; values that are words or sentences of core are translated too. Any thread.
-inline QString sayCore(const Phrase& phrase) {
-  Phrase told{sayCore(phrase.form).toStdString(), {}};
-  for (const std::string& value : phrase.values) told.values.push_back(coreSentence(value).toStdString());
-  return QString::fromStdString(stillcut::text(told));
-}
-
-inline QString sayCore(const std::vector<Phrase>& phrases) {
-  QStringList all;
-  for (const Phrase& phrase : phrases) all << sayCore(phrase);
-  return all.join(QStringLiteral("; "));
-}
-
+// Messages of core in the reader's language: forms are translated, and arguments that are messages; what is echoed
+// stays as it is. Any thread.
+QString sayCore(const Message& message);
+QString sayCore(const std::vector<Message>& messages, const QString& separator = QStringLiteral("; "));
 inline QString sayError(const Error& error) {
-  return sayCore(phraseOf(error));
+  return sayCore(error.asMessage());
 }
 
 }  // namespace stillcut::ui

@@ -100,13 +100,42 @@ RecordingFormat formatFrom(const std::string& json) {
   return format;
 }
 
+namespace {
+
+Json json(const Message& message);
+Json json(const Message::Argument& argument) {
+  Json messages = Json::array();
+  for (const Message& message : argument.messages) messages.push_back(json(message));
+  return {{"verbatim", argument.verbatim}, {"messages", messages}};
+}
+Json json(const Message& message) {
+  Json arguments = Json::array();
+  for (const Message::Argument& argument : message.arguments) arguments.push_back(json(argument));
+  return {{"form", message.form}, {"arguments", arguments}};
+}
+
+Message messageFrom(const Json& all);
+Message::Argument argumentFrom(const Json& all) {
+  Message::Argument argument(all["verbatim"].get<std::string>());
+  for (const Json& one : all["messages"]) argument.messages.push_back(messageFrom(one));
+  return argument;
+}
+Message messageFrom(const Json& all) {
+  Message message;
+  message.form = all["form"].get<std::string>();
+  for (const Json& one : all["arguments"]) message.arguments.push_back(argumentFrom(one));
+  return message;
+}
+
+}  // namespace
+
 std::string toJson(const Error& error) {
-  return text({{"where", error.where}, {"what", error.what}, {"why", error.why}});
+  return text(Json{{"where", json(error.where)}, {"what", json(error.what)}, {"why", json(error.why)}});
 }
 
 Error errorFrom(const std::string& json) {
   const Json all = Json::parse(json);
-  return {all["where"].get<std::string>(), all["what"].get<std::string>(), all["why"].get<std::string>()};
+  return {argumentFrom(all["where"]), messageFrom(all["what"]), messageFrom(all["why"])};
 }
 
 }  // namespace stillcut::record::apart

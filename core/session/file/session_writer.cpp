@@ -151,7 +151,7 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
                     std::rename(part.c_str(), path.c_str()) == 0;
   if (!made) {
     const std::string& reason = impl->journaled->error();
-    const std::string cause = !begun ? begun.error().what : !reason.empty() ? reason : std::strerror(errno);
+    const std::string cause = !begun ? text(begun.error().what) : !reason.empty() ? reason : std::strerror(errno);
     impl->journaled->abandon();
     impl->close();
     if (begun) impl->journaled->removeJournal();
