@@ -143,7 +143,7 @@ Status Session::switchTo(const Opening& open) {
   if (Status kept = stop(); !kept) return kept;
   auto next = open();
   if (!next)
-    return Error{next.error().where, next.error().what, next.error().why + "; the cut before has been stopped"};
+    return Error{next.error().where, next.error().what, message("%1; the cut before has been stopped", next.error().why)};
   flightLog_.reset();
   live_ = nullptr;
   rig_ = std::move((*next)->rig_);

@@ -31,7 +31,7 @@ if(STILLCUT_LLD)
   target_link_options(stillcut_options INTERFACE -fuse-ld=lld)
 endif()
 
-# One precompiled header for all targets of a kind (standard, test, gui, widgets, widgets_test), made when the first one asks for it.
+# One precompiled header for all targets of a kind (standard, cli, test, gui, widgets, widgets_test), made when the first one asks for it.
 # Targets that are compiled with other flags than their kind (kernels, core_stability) go without.
 option(STILLCUT_PRECOMPILE "Precompiled headers: off shows sources that do not include what they use" ON)
 set(stillcut_precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled)
@@ -45,6 +45,9 @@ function(stillcut_precompile target kind)
     target_link_libraries(${holder} PRIVATE stillcut_options)
     if(kind MATCHES "^widgets")
       target_link_libraries(${holder} PRIVATE Qt6::Widgets)
+    elseif(kind STREQUAL cli)
+      target_link_libraries(${holder} PRIVATE CLI11::CLI11)
+      target_compile_options(${holder} PRIVATE ${stillcut_command_options})
     elseif(kind STREQUAL gui)
       target_link_libraries(${holder} PRIVATE Qt6::Gui)
     endif()
@@ -59,6 +62,8 @@ function(stillcut_precompile target kind)
 endfunction()
 # Tests are compiled once and run once: less optimised they are ready sooner. What they test is optimised as always.
 set(stillcut_test_options -O1)
+# Commands read options and print: CLI11 is the most of what they compile, and nothing in them is hot.
+set(stillcut_command_options -O1)
 
 # stillcut_room(core_detect SOURCES a.cpp b.cpp LINKS core_model core_dsp [PRIVATE_LINKS ...])
 # A static library; LINKS are the rooms its headers may include (checked by the include-edge test as well).

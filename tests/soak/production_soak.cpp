@@ -27,7 +27,7 @@ Status runPart(milling::Scenario part, std::uint64_t seed, bool stable, Tally& t
   part.grantsAuto = true;
   auto built = buildScenarioRig(part, {.methods = {}, .params = {}, .seed = seed});
   if (!built) return built.error();
-  RunHistory history;
+  evaluate::SimulationHistory history;
   built->rig->send({OperatorAction::GrantBySimulation, Authority::Auto});
   built->rig->runToEnd([&](const StepInput& input, const StepOutput& output) {
     history.observe(input, output, built->source->plant());
@@ -35,7 +35,7 @@ Status runPart(milling::Scenario part, std::uint64_t seed, bool stable, Tally& t
   bool alarm = false;
   bool move = false;
   bool lastChatters = false;
-  for (const RunHistory::Point& point : history.points()) {
+  for (const evaluate::SimulationHistory::Point& point : history.points()) {
     alarm |= point.alarming;
     move |= point.commandMoves;
     if (point.cutting) lastChatters = point.chattering;
