@@ -43,16 +43,16 @@ std::vector<std::string> detectorsFor(const std::string& wanted, const std::stri
 
 Status checkOptions(const AnalyzeOptions& given) {
   if (given.teethGiven && (given.teeth < 1 || given.teeth > kMostTeeth)) {
-    return Error{"--teeth", std::to_string(given.teeth) + " is out of range",
-                 "allowed: 1 to " + std::to_string(kMostTeeth)};
+    return Error{"--teeth", message("%1 is out of range", std::to_string(given.teeth)),
+                 message("allowed: 1 to %1", std::to_string(kMostTeeth))};
   }
   if (given.speedGiven && !(given.speed > 0.0 && given.speed <= kHighestSpeed)) {
-    return Error{"--speed", "the speed must be above zero and at most 1e6 rpm", ""};
+    return Error{"--speed", message("the speed must be above zero and at most 1e6 rpm")};
   }
   if (Status events = checkOutPath(given.events, given.recording); !events) return events;
   if (Status series = checkOutPath(given.series, given.recording); !series) return series;
   if (!given.events.empty() && given.events == given.series) {
-    return Error{given.events, "cannot be written", "--events and --series name the same file"};
+    return Error{given.events, message("cannot be written"), message("--events and --series name the same file")};
   }
   return Done{};
 }
@@ -137,7 +137,7 @@ int analyze(const AnalyzeOptions& given) {
     if (series) series->observe({out.verdicts.data(), logs.size()});
     own.observe();
   });
-  if (const std::string fault = rig.device().fault(); !fault.empty()) return fail({"", fault, ""});
+  if (const Message fault = rig.device().fault(); !fault.empty()) return fail(Error{{}, fault});
 
   if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
   Analysis analysis{given.recording, built->format, remarks(rig.setup(), !options->log.empty(), logs), {}, {}, {}};

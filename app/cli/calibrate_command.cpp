@@ -41,7 +41,8 @@ int run(const CalibrateOptions& o) {
     return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
-  if (reading->channels.size() > 1) return fail({"--channel", "one at a time", "the calibrator is on one sensor"});
+  if (reading->channels.size() > 1)
+    return fail(Error{"--channel", message("one at a time"), message("the calibrator is on one sensor")});
   const int channel = reading->channels.empty() ? 0 : reading->channels.front();
   const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = profileOf(o, catalog);

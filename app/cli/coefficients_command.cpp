@@ -34,8 +34,8 @@ Result<std::vector<double>> feedsOf(const CoefficientsCommand& c) {
   const std::string option = perTooth ? "--feed-per-tooth" : "--feed";
   if (given.size() != c.files.size()) {
     return Error{option,
-                 "gives " + std::to_string(given.size()) + " feeds for " + std::to_string(c.files.size()) + " files",
-                 "one for each, in their order, as --feed 300,900"};
+                 message("gives %1 feeds for %2 files", std::to_string(given.size()), std::to_string(c.files.size())),
+                 message("one for each, in their order, as --feed 300,900")};
   }
   std::vector<double> feeds;
   feeds.reserve(given.size());
@@ -47,7 +47,7 @@ Result<std::vector<double>> feedsOf(const CoefficientsCommand& c) {
 Status readSigns(const std::string& text, ForceAxes& axes) {
   if (text.empty() || text == "auto") return Done{};
   if (text.size() != 3 || text.find_first_not_of("+-") != std::string::npos) {
-    return Error{"--signs", "'" + text + "' is not three signs", "as --signs=--+ or auto"};
+    return Error{"--signs", message("'%1' is not three signs", text), message("as --signs=--+ or auto")};
   }
   std::array<int, 3> signs{};
   for (std::size_t i = 0; i < 3; ++i) signs[i] = text[i] == '+' ? 1 : -1;

@@ -28,9 +28,10 @@ struct ConvertOptions {
 // A cut to simulate tells what happens over time; a case for the lobes does not.
 Result<bool> tellsProcess(const std::string& path) {
   std::ifstream in(path);
-  if (!in) return Error{path, "cannot be opened", ""};
+  if (!in) return Error{path, message("cannot be opened")};
   const nlohmann::json parsed = nlohmann::json::parse(in, nullptr, false);
-  if (parsed.is_discarded() || !parsed.is_object()) return Error{path, "is no case", "not an object in JSON"};
+  if (parsed.is_discarded() || !parsed.is_object())
+    return Error{path, message("is no case"), message("not an object in JSON")};
   return parsed.contains("process");
 }
 
@@ -61,7 +62,8 @@ Status convert(const ConvertOptions& options) {
     if (options.to) span.to = Seconds(*options.to);
     return record::convertRecording(options.in, options.out, *reading, span);
   }
-  if (suffix(options.out) != ".toml") return Error{options.out, "cannot be written", "a case becomes a .toml file"};
+  if (suffix(options.out) != ".toml")
+    return Error{options.out, message("cannot be written"), message("a case becomes a .toml file")};
   return convertCase(options.in, options.out);
 }
 

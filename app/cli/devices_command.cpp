@@ -99,17 +99,18 @@ Result<config::Profile> wanted(const DeviceOptions& o, const config::ParamCatalo
   }
   if (!o.link.empty() && o.link != profile.link.id) profile.link = {};
   if (!o.link.empty()) profile.link.id = o.link;
-  if (profile.link.id.empty()) return Error{o.profile, "'link.id' is missing", "name one with --try"};
+  if (profile.link.id.empty()) return Error{o.profile, message("'link.id' is missing"), message("name one with --try")};
   for (const std::string& pair : o.with) {
     const std::size_t equals = pair.find('=');
-    if (equals == std::string::npos || equals == 0) return Error{"--with " + pair, "is not KEY=VALUE", ""};
+    if (equals == std::string::npos || equals == 0) return Error{"--with " + pair, message("is not KEY=VALUE")};
     profile.link.settings[pair.substr(0, equals)] = pair.substr(equals + 1);
   }
   return profile;
 }
 
 int tryLink(const DeviceOptions& o) {
-  if (o.save && o.profile.empty()) return fail({"--save", "needs --profile", "that is where it is saved"});
+  if (o.save && o.profile.empty())
+    return fail(Error{"--save", message("needs --profile"), message("that is where it is saved")});
   const config::ParamCatalog catalog = pipeline::fullCatalog();
   auto profile = wanted(o, catalog);
   if (!profile) return fail(profile.error());
@@ -154,14 +155,15 @@ int run(const DeviceOptions& o) {
   if (o.find || !o.hosts.empty()) return find(o);
   for (const auto& [given, name] :
        {std::pair{o.save, "--save"}, {o.effect, "--measure-effect"}, {!o.with.empty(), "--with"}}) {
-    if (given) return fail({name, "needs --try or --profile", ""});
+    if (given) return fail(Error{name, message("needs --try or --profile")});
   }
   print("sources", daq::sourceTable());
   printFound("audio-class devices here", alsaDevices());
   printFound("data acquisition cards here (Comedi)", comediDevices());
   const int code = printIio(o.iio);
   printPorts();
-  std::printf("losses\n  %s: serial and tcp without a counter, iio without time stamps\n", daq::kUncounted);
+  std::printf("losses\n  %s: serial and tcp without a counter, iio without time stamps\n",
+              text(daq::uncounted()).c_str());
   print("links", cnc::linkTable());
   return code;
 }

@@ -8,8 +8,8 @@ namespace {
 // Which three channels; the file's own force channels where it names three.
 Result<std::array<std::size_t, 3>> pickChannels(const record::RecordingFormat& format, const std::string& path) {
   if (format.channels.size() < 3) {
-    return Error{path, "has " + std::to_string(format.channels.size()) + " channels",
-                 "forces in x, y and z are needed"};
+    return Error{path, message("has %1 channels", std::to_string(format.channels.size())),
+                 message("forces in x, y and z are needed")};
   }
   std::vector<std::size_t> forces;
   for (std::size_t i = 0; i < format.channels.size(); ++i) {
@@ -38,7 +38,7 @@ Result<ForceFile> readForces(const std::string& path, const std::vector<int>& ch
     const auto more = (*reader)->read(block);
     if (!more) return more.error();
     if (!*more) return out;
-    if (block.has(kBlockGap) && !out.force[0].empty()) return Error{path, "samples are missing in between", ""};
+    if (block.has(kBlockGap) && !out.force[0].empty()) return Error{path, message("samples are missing in between")};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t channel = (*picked)[axis];
       const double scale = format.channels[channel].info.scale;

@@ -20,11 +20,14 @@ void addHearing(CLI::App& command, HearingOptions& o, const std::string& heard) 
 Status checkHearing(const HearingOptions& o, const std::string& command, const std::string& heard,
                     const std::string& whose) {
   if (o.recording.empty() == o.profile.empty()) {
-    return Error{command, o.recording.empty() ? "nothing to listen to" : "both a recording and a profile are named",
-                 "name a RECORDING of the " + heard + ", or --profile of the machine " + whose};
+    return Error{
+        command,
+        o.recording.empty() ? message("nothing to listen to") : message("both a recording and a profile are named"),
+        message("name a RECORDING of the %1, or --profile of the machine %2", heard, whose)};
   }
-  if (o.save && o.profile.empty()) return Error{"--save", "needs --profile", "that is where it is saved"};
-  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", "must be from 2 to 60", ""};
+  if (o.save && o.profile.empty())
+    return Error{"--save", message("needs --profile"), message("that is where it is saved")};
+  if (!(o.seconds >= 2.0 && o.seconds <= 60.0)) return Error{"--seconds", message("must be from 2 to 60")};
   return Done{};
 }
 
@@ -48,7 +51,8 @@ int saveProfileOf(const HearingOptions& o, const config::Profile& profile, const
 }
 
 int failWithoutChannels(const HearingOptions& o) {
-  return fail({o.profile, "has no [[channels]] to save it in", "a simulated source has its own"});
+  return fail(
+      Error{o.profile, message("has no [[channels]] to save it in"), message("a simulated source has its own")});
 }
 
 }  // namespace stillcut::app

@@ -52,7 +52,7 @@ Result<ModelParts> readParts(const LobesCommand& c) {
 
 // "5000:25000:100"
 Result<std::vector<Rpm>> readSpeeds(const std::string& text) {
-  const Error bad{"--speeds", "'" + text + "' is no range", "FROM:TO:STEP in rev/min, as 5000:25000:100"};
+  const Error bad{"--speeds", message("'%1' is no range", text), message("FROM:TO:STEP in rev/min, as 5000:25000:100")};
   std::vector<double> parts;
   for (const std::string& part : CLI::detail::split(text, ':')) {
     double value = 0.0;
@@ -94,7 +94,7 @@ int run(const LobesCommand& c) {
   options.threads = c.threads;
   const auto sweep = sweepLobes(lobeCase->model, *speeds, options, c.file);
   if (!sweep) return fail(sweep.error());
-  for (const std::string& warning : sweep->warnings) std::fprintf(stderr, "warning: %s\n", warning.c_str());
+  for (const Message& warning : sweep->warnings) std::fprintf(stderr, "warning: %s\n", text(warning).c_str());
   if (!c.out.empty()) {
     if (const Status saved = saveLobeCsv(*sweep, c.out); !saved) return fail(saved.error());
   }

@@ -22,10 +22,10 @@ int fail(const Error& error, int code) {
 
 namespace {
 
-std::string hint(std::string_view word, const std::vector<std::string>& known) {
+Message hint(std::string_view word, const std::vector<std::string>& known) {
   const std::vector<std::string_view> words(known.begin(), known.end());
-  const std::string near = config::didYouMean(word, words);
-  return near.empty() ? "see --help" : near;
+  Message near = config::didYouMean(word, words);
+  return near.empty() ? message("see --help") : near;
 }
 
 std::vector<std::string> commandNames(const CLI::App& app) {
@@ -40,8 +40,9 @@ std::vector<std::string> commandNames(const CLI::App& app) {
 Error usageError(const CLI::App& app, const CLI::ParseError& wrong, std::string_view first) {
   const std::vector<CLI::App*> parsed = app.get_subcommands();
   if (parsed.empty()) {
-    if (first.empty() || first.starts_with("-")) return {"command line", "a command is needed", "see --help"};
-    return {"command line", "'" + std::string(first) + "' is no command", hint(first, commandNames(app))};
+    if (first.empty() || first.starts_with("-"))
+      return {message("command line"), message("a command is needed"), message("see --help")};
+    return {message("command line"), message("'%1' is no command", first), hint(first, commandNames(app))};
   }
   const CLI::App& command = *parsed.front();
   for (const std::string& word : app.remaining(true)) {
@@ -51,9 +52,9 @@ Error usageError(const CLI::App& app, const CLI::ParseError& wrong, std::string_
       for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     }
     const std::string name = word.substr(0, word.find('='));
-    return {command.get_name(), "'" + name + "' is no option", hint(name, options)};
+    return {command.get_name(), message("'%1' is no option", name), hint(name, options)};
   }
-  return {command.get_name(), wrong.what(), "see stillcut-cli " + command.get_name() + " --help"};
+  return {command.get_name(), foreign(wrong.what()), message("see stillcut-cli %1 --help", command.get_name())};
 }
 
 int run(int argc, char** argv) {
@@ -93,6 +94,6 @@ int main(int argc, char** argv) {
   try {
     return stillcut::app::run(argc, argv);
   } catch (const std::exception& e) {
-    return stillcut::app::fail({"", e.what(), ""});
+    return stillcut::app::fail({{}, stillcut::foreign(e.what())});
   }
 }

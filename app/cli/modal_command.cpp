@@ -28,7 +28,7 @@ struct ModalCommand {
 // "600:3100", either end may be left out.
 Status readBand(const std::string& text, ModalOptions& fit) {
   if (text.empty()) return Done{};
-  const Error bad{"--band", "'" + text + "' is no band", "FROM:TO in Hz, as 600:3100"};
+  const Error bad{"--band", message("'%1' is no band", text), message("FROM:TO in Hz, as 600:3100")};
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return bad;
   const auto number = [](const std::string& s, double& value) {

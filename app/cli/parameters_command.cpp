@@ -102,7 +102,8 @@ Status print(const std::string& wanted, bool markdown) {
     if (parts.empty() || parts.back() != partOf(*decl)) parts.push_back(partOf(*decl));
     if (wanted.empty() || partOf(*decl) == wanted) chosen.push_back(decl);
   }
-  if (chosen.empty()) return Error{"parameters", "'" + wanted + "' has none", config::didYouMean(wanted, parts)};
+  if (chosen.empty())
+    return Error{message("parameters"), message("'%1' has none", wanted), config::didYouMean(wanted, parts)};
   if (markdown) {
     printChapter(chosen);
   } else {

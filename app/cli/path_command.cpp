@@ -48,7 +48,8 @@ Result<Signals> readSignals(const PathCommand& command) {
     const Result<bool> more = (*reader)->read(block);
     if (!more) return more.error();
     if (!*more) return signals;
-    if (block.has(kBlockGap)) return Error{command.file, "has a gap", "a path is identified from a record without one"};
+    if (block.has(kBlockGap))
+      return Error{command.file, message("has a gap"), message("a path is identified from a record without one")};
     for (const float v : block.channel(0)) signals.output.push_back(format.channels[0].info.scale * v);
     // The path is what is taken off the disturbance.
     for (const float v : block.channel(1)) signals.reading.push_back(-format.channels[1].info.scale * v);
@@ -62,7 +63,7 @@ Status writeFit(const std::string& path, const active::PathReport& report) {
     file << report.frequency[k] << ',' << report.measured[k].real() << ',' << report.measured[k].imag() << ','
          << report.modelled[k].real() << ',' << report.modelled[k].imag() << ',' << report.coherence[k] << '\n';
   }
-  return file.good() ? Status{Done{}} : Status{Error{path, "cannot be written", ""}};
+  return file.good() ? Status{Done{}} : Status{Error{path, message("cannot be written")}};
 }
 
 void print(const active::IdentifiedPath& path, const ActivePath& promise, const PathCommand& command) {
@@ -95,13 +96,14 @@ void print(const active::IdentifiedPath& path, const ActivePath& promise, const 
 
 int run(PathCommand command) {
   if (const Status usable = checkOutPath(command.out, command.file); !usable) return fail(usable.error());
-  if (command.output == command.reading) return fail({"--reading", "is the channel that was written", "--output"});
+  if (command.output == command.reading)
+    return fail(Error{"--reading", message("is the channel that was written"), message("--output")});
   const auto signals = readSignals(command);
   if (!signals) return fail(signals.error());
   std::vector<Hertz> lines;
   for (const double line : command.quieten) {
     if (!(line > 0.0 && line < 0.5 * signals->rate.value)) {
-      return fail({"--quieten", "must lie between 0 and half the rate", ""});
+      return fail(Error{"--quieten", message("must lie between 0 and half the rate")});
     }
     lines.emplace_back(line);
   }

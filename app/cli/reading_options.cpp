@@ -16,10 +16,10 @@ constexpr auto kQuantities =
 
 Result<SensorQuantity> quantityFrom(const std::string& text) {
   if (const auto quantity = sensorQuantityFromName(text)) return *quantity;
-  const std::string near = config::didYouMean(text, kQuantities);
+  const Message near = config::didYouMean(text, kQuantities);
   std::string all;
-  for (const std::string_view q : kQuantities) all += (all.empty() ? "choices: " : ", ") + std::string(q);
-  return Error{"--quantity", "'" + text + "' is unknown", near.empty() ? all : near};
+  for (const std::string_view q : kQuantities) all += (all.empty() ? "" : ", ") + std::string(q);
+  return Error{"--quantity", message("'%1' is unknown", text), near.empty() ? message("choices: %1", all) : near};
 }
 
 }  // namespace
@@ -35,13 +35,13 @@ Result<record::ReadOptions> ReadingOptions::understand() const {
   record::ReadOptions options;
   if (rateGiven_->count() > 0) {
     if (!(rate_ > 0.0 && rate_ <= kHighestRate)) {
-      return Error{"--rate", "the rate must be above zero and at most 1e7 Hz", ""};
+      return Error{"--rate", message("the rate must be above zero and at most 1e7 Hz")};
     }
     options.rate = Hertz(rate_);
   }
   if (scaleGiven_->count() > 0) {
     if (!std::isfinite(scale_) || scale_ == 0.0) {
-      return Error{"--scale", "the scale must be a number other than zero", ""};
+      return Error{"--scale", message("the scale must be a number other than zero")};
     }
     options.scale = scale_;
   }
@@ -52,7 +52,7 @@ Result<record::ReadOptions> ReadingOptions::understand() const {
   }
   for (auto c = channels_.begin(); c != channels_.end(); ++c) {
     if (std::find(channels_.begin(), c, *c) != c) {
-      return Error{"--channel", "channel " + std::to_string(*c) + " is named twice", ""};
+      return Error{"--channel", message("channel %1 is named twice", std::to_string(*c))};
     }
   }
   options.channels = channels_;

@@ -58,9 +58,9 @@ class Console {
   // Says once that nothing is recorded any more: it has to be known while the cut can still be repeated.
   void watchRecording() {
     if (recordingTold_ || rig_.recorder() == nullptr) return;
-    const std::string stopped = rig_.recorder()->status().fault;
+    const Message stopped = rig_.recorder()->status().fault;
     recordingTold_ = !stopped.empty();
-    if (recordingTold_) fail({"", stopped, "monitoring goes on"});
+    if (recordingTold_) fail(Error{{}, stopped, message("monitoring goes on")});
   }
   bool recordingTold() const { return recordingTold_; }
 
@@ -74,12 +74,13 @@ class Console {
 
 Status checkOptions(const RunOptions& options) {
   if (!(options.seconds >= 0.0 && std::isfinite(options.seconds))) {
-    return Error{"--seconds", "must be a number from 0 up", "0: to the end"};
+    return Error{"--seconds", message("must be a number from 0 up"), message("0: to the end")};
   }
   std::error_code unknown;
   if (std::filesystem::is_directory(options.record, unknown)) return Done{};
   if (!options.record.empty() && !options.record.ends_with(".h5")) {
-    return Error{options.record, "is no name for a session", "the suffix must be .h5, or it must be a folder"};
+    return Error{options.record, message("is no name for a session"),
+                 message("the suffix must be .h5, or it must be a folder")};
   }
   return checkOutPath(options.record);
 }
@@ -125,10 +126,10 @@ int watch(Rig& rig, const RunOptions& options, bool replayed) {
     std::printf("device of %d more channels: %.3f Hz by this computer's clock, times steady within %.1f us\n",
                 clock.channels, clock.rate.value, 1e6 * clock.residual.value);
   }
-  if (const std::string& doubt = rig.deviceFormat().doubt; !doubt.empty()) std::printf("device: %s\n", doubt.c_str());
+  if (const Message& doubt = rig.deviceFormat().doubt; !doubt.empty()) std::printf("device: %s\n", text(doubt).c_str());
   if (const Status written = flights.finish(); !written) fail(written.error());
-  const std::string fault = rig.device().fault();
-  if (!fault.empty()) fail({"", fault, ""});
+  const Message fault = rig.device().fault();
+  if (!fault.empty()) fail(Error{{}, fault});
   if (!recorded && !console.recordingTold()) fail(recorded.error());
   return fault.empty() && recorded ? kExitDone : kExitDevice;
 }
@@ -139,7 +140,7 @@ Status record(Rig& rig, const config::Profile& profile, const RunOptions& option
     if (file.problem.empty()) {
       std::printf("deleted %s (%s)\n", file.file.c_str(), file.why.c_str());
     } else {
-      fail({file.file, "cannot be deleted, though it is " + file.why, file.problem});
+      fail(Error{file.file, message("cannot be deleted, though it is %1", file.why), foreign(file.problem)});
     }
   };
   if (options.record.empty()) return recordAsProfileSays(rig, profile, options.profile, told);

@@ -49,8 +49,9 @@ std::vector<std::string> detectorsFor(const std::string& wanted) {
 
 Result<ScoreRequest> understand(const ScoreOptions& given) {
   constexpr int kMostTeeth = 64;
-  if (given.teeth < 0 || given.teeth > kMostTeeth) return Error{"--teeth", "is out of range", "allowed: 1 to 64"};
-  if (given.speed < 0.0 || !std::isfinite(given.speed)) return Error{"--speed", "must be above zero", ""};
+  if (given.teeth < 0 || given.teeth > kMostTeeth)
+    return Error{"--teeth", message("is out of range"), message("allowed: 1 to 64")};
+  if (given.speed < 0.0 || !std::isfinite(given.speed)) return Error{"--speed", message("must be above zero")};
   const auto settings = given.settings.read();  // checks --set as well
   if (!settings) return settings.error();
   ScoreRequest request;
@@ -93,7 +94,8 @@ Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   std::error_code problem;
   const bool folder = std::filesystem::is_directory(given.path, problem);
   const std::vector<std::string> files = folder ? recordingsIn(given.path) : std::vector{given.path};
-  if (!folder && !std::filesystem::exists(given.path, problem)) return Error{given.path, "there is no such file", ""};
+  if (!folder && !std::filesystem::exists(given.path, problem))
+    return Error{given.path, message("there is no such file")};
   Outcome outcome;
   for (const std::string& file : files) {
     const Status scored = scoreOne(file, given.settings.settings, request, outcome);
@@ -103,7 +105,8 @@ Result<Outcome> scoreAll(const ScoreOptions& given, ScoreRequest request) {
   }
   if (outcome.now.files.empty() && !outcome.unreadable.empty()) return outcome.unreadable.front();
   if (outcome.now.files.empty()) {
-    return Error{given.path, "nothing to score", "no session with markers, no TRUTH.csv, no case beside a recording"};
+    return Error{given.path, message("nothing to score"),
+                 message("no session with markers, no TRUTH.csv, no case beside a recording")};
   }
   return outcome;
 }

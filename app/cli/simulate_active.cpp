@@ -93,7 +93,7 @@ Status keepRecord(const std::string& path, const active::PathRecorder& record, H
     for (std::size_t a = 0; a < kActiveAxes; ++a) file << ',' << record.output(a)[n] << ',' << -record.reading(a)[n];
     file << '\n';
   }
-  return file.good() ? Status{Done{}} : Status{Error{path, "cannot be written", ""}};
+  return file.good() ? Status{Done{}} : Status{Error{path, message("cannot be written")}};
 }
 
 }  // namespace
@@ -108,7 +108,8 @@ int simulateActive(const milling::Scenario& scenario, const config::ParamSet& pa
   Status written{Done{}};
   std::vector<double> scale;
   if (!out.empty()) {
-    if (!out.ends_with(".wav")) return fail(Error{out, "cannot be written", "an active cut is recorded as .wav"});
+    if (!out.ends_with(".wav"))
+      return fail(Error{out, message("cannot be written"), message("an active cut is recorded as .wav")});
     auto made = record::WavWriter::create(out, static_cast<int>(scenario.sensors.size()), scenario.rate);
     if (!made) return fail(made.error());
     wav = std::move(made).value();

@@ -67,7 +67,7 @@ class OutFile {
  private:
   Status addTruth(const milling::SimulatedCut& plant) {
     record::SessionWriter* writer = session_->writer();
-    if (writer == nullptr) return Error{session_->status().path, session_->status().fault, ""};
+    if (writer == nullptr) return Error{session_->status().path, session_->status().fault};
     const milling::ChatterOnset onset = plant.truth().onset();
     const std::pair<const char*, double> known[] = {{"onset_1pct_s", onset.at1},
                                                     {"onset_20pct_s", onset.at20},
@@ -127,7 +127,7 @@ Status check(const SimulateOptions& options, const milling::Scenario& scenario) 
     if (Status known = checkStrategy(id); !known) return known;
   }
   if (!options.out.empty() && !options.out.ends_with(".wav") && !options.out.ends_with(".h5")) {
-    return Error{options.out, "cannot be written", "the suffix must be .h5 or .wav"};
+    return Error{options.out, message("cannot be written"), message("the suffix must be .h5 or .wav")};
   }
   if (Status usable = checkOutPath(options.pathRecord, options.out); !usable) return usable;
   if (Status usable = checkOutPath(options.out); !usable) return usable;
@@ -146,7 +146,8 @@ int simulate(const SimulateOptions& options) {
     return simulateActive(*scenario, settings->params, options.seed, {options.out, options.pathRecord}, options.json);
   }
   if (!options.pathRecord.empty()) {
-    return fail({"--path-record", "needs --strategy active", "no other strategy identifies a path"});
+    return fail(
+        Error{"--path-record", message("needs --strategy active"), message("no other strategy identifies a path")});
   }
   const auto begin = std::chrono::steady_clock::now();
   ScenarioOptions run;

@@ -22,8 +22,8 @@ std::vector<Hertz> linesFrom(config::PartSettings& settings) {
     const double line = std::strtod(word.c_str(), &end);
     while (end != nullptr && *end == ' ') ++end;
     if (end == word.c_str() || *end != '\0' || !(line > 0.0) || lines.size() == kActiveLines) {
-      settings.fault("quieten_hz", "is '" + text + "'",
-                     "at most " + std::to_string(kActiveLines) + " frequencies above 0, for example 339, 1024");
+      settings.fault("quieten_hz", message("is '%1'", text),
+                     message("at most %1 frequencies above 0, for example 339, 1024", std::to_string(kActiveLines)));
       return {};
     }
     lines.emplace_back(line);
@@ -67,15 +67,16 @@ Result<ActiveParts> makeActiveParts(const config::Profile& profile) {
   holder.quieten = linesFrom(settings);
   if (Status known = settings.finish(); !known) return known.error();
   if (pcm.input[0] == pcm.input[1] || pcm.output[0] == pcm.output[1]) {
-    return Error{"active '" + profile.active.id + "'", "x and y are on the same channel",
-                 pcm.input[0] == pcm.input[1] ? "'input_x' and 'input_y'" : "'output_x' and 'output_y'"};
+    return Error{
+        "active '" + profile.active.id + "'", message("x and y are on the same channel"),
+        pcm.input[0] == pcm.input[1] ? message("'input_x' and 'input_y'") : message("'output_x' and 'output_y'")};
   }
   if (holder.stroke.value > full) {
-    return Error{"active '" + profile.active.id + "'", "'stroke_um' is more than the output can drive",
-                 "'full_stroke_um' is less"};
+    return Error{"active '" + profile.active.id + "'", message("'stroke_um' is more than the output can drive"),
+                 message("'full_stroke_um' is less")};
   }
   auto driver = makeAlsaDuplexDriver();
-  if (driver == nullptr) return Error{"active 'alsa'", "this program was built without alsa-lib", ""};
+  if (driver == nullptr) return Error{message("active 'alsa'"), message("this program was built without alsa-lib")};
   return ActiveParts{std::make_unique<active::PcmDuplex>(std::move(pcm), std::move(driver)),
                      activeOptions(holder, profile.params)};
 }

@@ -60,11 +60,11 @@ Status FlightLog::finish() {
   recorder_.finish();
   while (poll()) {
   }
-  const std::string left = problem();
-  return left.empty() ? Status(Done{}) : Status(Error{"", left, ""});
+  const Message left = problem();
+  return left.empty() ? Status(Done{}) : Status(Error{{}, left});
 }
 
-std::string FlightLog::problem() const {
+Message FlightLog::problem() const {
   const std::scoped_lock lock(problemLock_);
   return problem_;
 }
@@ -75,14 +75,14 @@ bool FlightLog::poll() {
   const Status written = write();
   if (written) waiting_ = false;
   const std::scoped_lock lock(problemLock_);
-  problem_ = written ? "" : written.error().line();
+  problem_ = written ? Message() : written.error().asMessage();
   return written.ok();
 }
 
 Status FlightLog::write() const {
   std::error_code failed;
   fs::create_directories(folder_, failed);
-  if (failed) return Error{folder_.string(), "cannot be made", failed.message()};
+  if (failed) return Error{folder_.string(), message("cannot be made"), foreign(failed.message())};
   Status written = writeFileAtomically(folder_ / fileName(recording_.cause), safety::render(recording_));
   if (written) removeOldest();
   return written;

@@ -33,7 +33,7 @@ class FlightLog {
   // When the worker has stopped: joins the thread and writes what waits. An error: something could not be written.
   Status finish();
   // Empty, or why the newest recording could not be written, until one could.
-  std::string problem() const;
+  Message problem() const;
 
   // Writes one recording, the one that failed before a new one. True: there may be more. Not while started.
   bool poll();
@@ -49,7 +49,7 @@ class FlightLog {
   safety::FlightRecording recording_;
   bool waiting_ = false;  // recording_ is not on the disk yet
   mutable std::mutex problemLock_;
-  std::string problem_;
+  Message problem_;
   rt::Wakeup wakeup_;
   std::optional<rt::RealtimeThread> thread_;  // last: joined before what it uses goes
 };

@@ -48,8 +48,8 @@ Result<Pair> earsOf(const milling::Scenario& scenario) {
       return s.quantity == SensorQuantity::Force && s.axis == kAxes[a];
     });
     if (at == scenario.sensors.end()) {
-      return Error{scenario.name, std::string("no force sensor along ") + kAxes[a],
-                   "force feedback needs one per axis"};
+      return Error{scenario.name, message("no force sensor along %1", kAxes[a]),
+                   message("force feedback needs one per axis")};
     }
     ears[a] = static_cast<double>(at - scenario.sensors.begin());
   }
@@ -123,16 +123,19 @@ struct Axis {
 
 }  // namespace
 
+// Longer than a screen: one simulated cut from set-up to its result, as the paper describes it
 Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOptions& options) {
   if (!scenario.workHolder) {
-    return Error{scenario.name, "has no active work-holder", "strategy 'active' needs a table [work_holder]"};
+    return Error{scenario.name, message("has no active work-holder"),
+                 message("strategy 'active' needs a table [work_holder]")};
   }
   const auto ears = earsOf(scenario);
   if (!ears) return ears.error();
   const Hertz rate = scenario.rate;
   const double spindle = scenario.programme.speed.value / 60.0;
   if (0.25 * rate.value / spindle >= active::kMostTaps) {
-    return Error{scenario.name, "turns too slowly for its rate", "a quarter of a turn must fit into 512 samples"};
+    return Error{scenario.name, message("turns too slowly for its rate"),
+                 message("a quarter of a turn must fit into 512 samples")};
   }
   const active::EngineOptions engine = activeOptions(*scenario.workHolder, options.params);
 

@@ -54,7 +54,8 @@ Result<daq::HeardSamples> hearRecording(const std::string& recording, const reco
 
 Status checkChannel(std::size_t channels, const std::string& where, int channel) {
   if (channel >= 0 && static_cast<std::size_t>(channel) < channels) return Done{};
-  return Error{where, "has no channel " + std::to_string(channel), "it has 0 to " + std::to_string(channels - 1)};
+  return Error{where, message("has no channel %1", std::to_string(channel)),
+               message("it has 0 to %1", std::to_string(channels - 1))};
 }
 
 }  // namespace stillcut::app

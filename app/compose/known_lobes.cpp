@@ -43,8 +43,8 @@ Result<std::optional<StableSpeeds>> stableSpeeds(const config::Profile& profile,
   const auto cut = milling::loadLobeCase(modelPath);
   if (!cut) return cut.error();
   if (profile.cut.teeth > 0 && profile.cut.teeth != cut->model.tool.teeth) {
-    return Error{modelPath, "the tool has " + std::to_string(cut->model.tool.teeth) + " teeth",
-                 "the profile's has " + std::to_string(profile.cut.teeth)};
+    return Error{modelPath, message("the tool has %1 teeth", std::to_string(cut->model.tool.teeth)),
+                 message("the profile's has %1", std::to_string(profile.cut.teeth))};
   }
   // Which speeds are stable depends on the depth, and no method here knows those of an uneven pitch.
   if (!(profile.depth.value > 0.0) || !profile.pitch.empty()) return std::optional<StableSpeeds>();

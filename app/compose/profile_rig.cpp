@@ -72,7 +72,7 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
 
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
                                       std::vector<config::AskedSetting>* asked, AnalogOutputs outputs) {
-  if (profile.source.id.empty()) return Error{path, "'source.id' is missing", "a run needs a device"};
+  if (profile.source.id.empty()) return Error{path, message("'source.id' is missing"), message("a run needs a device")};
   auto scenario = scenarioOf(profile, path);
   if (!scenario) return scenario.error();
   const milling::Scenario* simulated = *scenario ? &**scenario : nullptr;

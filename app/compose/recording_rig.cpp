@@ -7,7 +7,7 @@
 #include "core/evaluate/scenario_reader.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/open_recording.h"
-#include "core/session/replay_source.h"
+#include "core/daq/replay_source.h"
 
 namespace stillcut::app {
 namespace {
@@ -82,7 +82,8 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
   if (format.blocks > 0 && format.frames == 0) {
-    return Error{path, "holds no samples", "a history of features; detectors need the samples themselves"};
+    return Error{path, message("holds no samples"),
+                 message("a history of features; detectors need the samples themselves")};
   }
 
   daq::ReplayOptions replay;
@@ -117,7 +118,8 @@ Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& h
   auto reader = record::openRecording(path);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
-  if (!format.setup) return Error{path, "cannot be decided again", "only Stillcut sessions say how they were made"};
+  if (!format.setup)
+    return Error{path, message("cannot be decided again"), message("only Stillcut sessions say how they were made")};
   auto run = parseRunText(format.configuration, path + " (configuration)");
   if (!run) return run.error();
 

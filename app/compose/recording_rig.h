@@ -9,7 +9,7 @@
 
 #include "app/compose/rig.h"
 #include "core/formats/recording_reader.h"
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 namespace stillcut::app {
 

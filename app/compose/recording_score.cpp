@@ -71,9 +71,10 @@ Result<FileScore> scoreRecording(const std::string& path, const evaluate::Record
   };
   const double length = std::max(built->format.length().value, 1e-9);
   while (rig.advance(observe)) {
-    if (request.goOn && !request.goOn(secondsBetween(*begin, end).value / length)) return Error{path, "stopped", ""};
+    if (request.goOn && !request.goOn(secondsBetween(*begin, end).value / length))
+      return Error{path, message("stopped")};
   }
-  if (const std::string fault = rig.device().fault(); !fault.empty()) return Error{"", fault, ""};
+  if (const Message fault = rig.device().fault(); !fault.empty()) return Error{{}, fault};
   FileScore score{path, truth, begin ? secondsBetween(*begin, end) : Seconds(), {}, {}};
   for (std::size_t d = 0; d < lists.size(); ++d) {
     score.byDetector[request.detectors[d]] = evaluate::scoreAlarms(truth.spans, lists[d].alarms(), score.length);

@@ -10,7 +10,7 @@
 
 #include "app/compose/rig.h"
 #include "core/rt/realtime_thread.h"
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 namespace stillcut::app {
 
@@ -37,7 +37,7 @@ class ReplayRun {
   // To the run, at its next block: new parameters. Screen's thread. False: too many at once.
   bool send(const OperatorInput& input) { return rig_->send(input); }
   // After stop(): what made it end early; empty for a plain end.
-  std::string fault() const { return rig_->device().fault(); }
+  Message fault() const { return rig_->device().fault(); }
 
  private:
   std::unique_ptr<Rig> rig_;

@@ -92,7 +92,7 @@ Result<std::unique_ptr<Rig>> Rig::build(RigSpec spec, SetUpFault* fault) {
       return ready.error();
     }
   } catch (const std::exception& e) {
-    return Error{"set-up", e.what(), ""};
+    return Error{message("set-up"), foreign(e.what())};
   }
   return rig;
 }
@@ -110,7 +110,8 @@ Status Rig::open() {
 Status Rig::prepare(SetUpFault& fault) {
   if (spec_.link && !spec_.device->live() && !spec_.link->describe().simulated) {
     return Error{"link '" + std::string(spec_.link->describe().id) + "'",
-                 "a simulated or recorded cut may not drive a real machine", "use the link 'simulated'"};
+                 message("a simulated or recorded cut may not drive a real machine"),
+                 message("use the link 'simulated'")};
   }
   fault = SetUpFault::Hardware;
   if (Status opened = open(); !opened) return opened;

@@ -19,25 +19,25 @@ bool parseRow(const std::string& line, double& t, double& rpm) {
 
 Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path) {
   std::ifstream in(path);
-  if (!in) return Error{path, "cannot be read", ""};
+  if (!in) return Error{path, message("cannot be read")};
   std::vector<pipeline::SpeedLogFeed::Point> log;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     const std::string place = path + ":" + std::to_string(number);
     if (number == 1) {
-      if (line != "t,rpm") return Error{place, "the header is not 't,rpm'", ""};
+      if (line != "t,rpm") return Error{place, message("the header is not 't,rpm'")};
       continue;
     }
     if (line.empty()) continue;
     double t = 0.0;
     double rpm = 0.0;
-    if (!parseRow(line, t, rpm)) return Error{place, "'" + line + "' is not a time and a speed", ""};
-    if (rpm <= 0.0) return Error{place, "the speed must be above zero", ""};
-    if (!log.empty() && t <= log.back().time.value) return Error{place, "the time does not rise", ""};
+    if (!parseRow(line, t, rpm)) return Error{place, message("'%1' is not a time and a speed", line)};
+    if (rpm <= 0.0) return Error{place, message("the speed must be above zero")};
+    if (!log.empty() && t <= log.back().time.value) return Error{place, message("the time does not rise")};
     log.push_back({Seconds(t), Rpm(rpm)});
   }
-  if (log.empty()) return Error{path, "holds no speeds", ""};
+  if (log.empty()) return Error{path, message("holds no speeds")};
   return log;
 }
 

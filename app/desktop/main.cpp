@@ -67,6 +67,7 @@ QString found(const QString& path) {
   return path.isEmpty() ? path : QString::fromStdString(foundFile(path.toStdString()));
 }
 
+// Longer than a screen: one row an option, and what excludes what
 Result<Options> parse(const QStringList& arguments) {
   QCommandLineParser parser;
   parser.setApplicationDescription(QStringLiteral("Tells chatter before it marks the part, and what to do about it."));
@@ -114,18 +115,21 @@ Result<Options> parse(const QStringList& arguments) {
   options.version = parser.isSet(version);
   options.files = parser.positionalArguments();
   if (!options.report && !options.files.isEmpty()) {
-    return Error{"command line", "'" + options.files[0].toStdString() + "' is not understood", "files need --report"};
+    return Error{message("command line"), message("'%1' is not understood", options.files[0].toStdString()),
+                 message("files need --report")};
   }
   if (parser.isSet(after)) {
     bool number = false;
     options.after_s = parser.value(after).toDouble(&number);
     if (!number || !std::isfinite(options.after_s) || options.after_s < 0.0) {
-      return Error{"--after", "'" + parser.value(after).toStdString() + "' is no time", "seconds from 0 up"};
+      return Error{"--after", message("'%1' is no time", parser.value(after).toStdString()),
+                   message("seconds from 0 up")};
     }
   }
   if (parser.isSet(size)) {
     const auto wanted = sizeFrom(parser.value(size));
-    if (!wanted) return Error{"--size", "'" + parser.value(size).toStdString() + "' is no size", "as 1280x800"};
+    if (!wanted)
+      return Error{"--size", message("'%1' is no size", parser.value(size).toStdString()), message("as 1280x800")};
     options.size = *wanted;
     options.sizeGiven = true;
   }
@@ -133,21 +137,24 @@ Result<Options> parse(const QStringList& arguments) {
     const QStringList names{QStringLiteral("light"), QStringLiteral("dark"), QStringLiteral("contrast")};
     const qsizetype index = names.indexOf(parser.value(theme));
     if (index < 0)
-      return Error{"--theme", "'" + parser.value(theme).toStdString() + "' is no theme", "light, dark or contrast"};
+      return Error{"--theme", message("'%1' is no theme", parser.value(theme).toStdString()),
+                   message("light, dark or contrast")};
     options.theme = static_cast<ui::ThemeKind>(index);
   }
   options.page = parser.value(page);
   if (parser.isSet(language)) {
     options.language = ui::languageFrom(parser.value(language));
     if (!options.language) {
-      return Error{"--language", "'" + parser.value(language).toStdString() + "' is no language", "en, de or zh"};
+      return Error{"--language", message("'%1' is no language", parser.value(language).toStdString()),
+                   message("en, de or zh")};
     }
   }
   if (!options.scenario.isEmpty() && !options.profile.isEmpty()) {
-    return Error{"command line", "--scenario and --profile exclude each other", ""};
+    return Error{message("command line"), message("--scenario and --profile exclude each other")};
   }
   if (!options.screenshot.isEmpty() && !options.profile.isEmpty()) {
-    return Error{"command line", "--profile and --screenshot exclude each other", "pictures are made of scenarios"};
+    return Error{message("command line"), message("--profile and --screenshot exclude each other"),
+                 message("pictures are made of scenarios")};
   }
   options.nothingNamed = options.scenario.isEmpty() && options.profile.isEmpty();
   if (options.nothingNamed) {
@@ -177,7 +184,7 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
   window.tick(shown_ms + ui::kDisplayTickMs);
   QApplication::processEvents();
   if (window.grab().save(options.screenshot)) return 0;
-  return fail(options.screenshot.toStdString() + ": cannot be written");
+  return fail(Error{options.screenshot.toStdString(), message("cannot be written")}.line());
 }
 
 // Where recordings are kept and looked for.
@@ -194,6 +201,7 @@ bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::ranges::count(kQuiet, word) > 0; });
 }
 
+// Longer than a screen: the order in which the program comes up and goes down
 int run(int argc, char** argv) {
   if (needsNoDisplay(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
   QApplication app(argc, argv);

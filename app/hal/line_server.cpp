@@ -26,13 +26,13 @@ Status LineServer::listen(const std::string& address, int port) {
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(static_cast<std::uint16_t>(port));
-  if (::inet_pton(AF_INET, address.c_str(), &place.sin_addr) != 1) return Error{where, "is no dotted address", ""};
+  if (::inet_pton(AF_INET, address.c_str(), &place.sin_addr) != 1) return Error{where, message("is no dotted address")};
   listener_ = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   const int on = 1;
   if (listener_ >= 0) ::setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   if (listener_ < 0 || ::bind(listener_, reinterpret_cast<const sockaddr*>(&place), sizeof place) != 0 ||
       ::listen(listener_, static_cast<int>(kClients)) != 0) {
-    return Error{where, "cannot be listened on", std::strerror(errno)};
+    return Error{where, message("cannot be listened on"), foreign(std::strerror(errno))};
   }
   return Done{};
 }

@@ -81,13 +81,17 @@ std::string countsOf(snd_pcm_t* pcm, snd_pcm_hw_params_t* hw) {
 }
 
 // What the type of an opened PCM says of its samples; empty: they are the device's.
-std::string doubtOf(snd_pcm_type_t type, const std::string& device) {
+Message doubtOf(snd_pcm_type_t type, const std::string& device) {
   if (type == SND_PCM_TYPE_HW || type == SND_PCM_TYPE_NULL || type == SND_PCM_TYPE_DSNOOP) return {};
   // A plugin that reads elsewhere is PulseAudio, PipeWire, JACK; others may stand before one. What those convert, they
   // convert unseen.
-  return "'" + device +
-         (type == SND_PCM_TYPE_IOPLUG ? "' is a sound server's" : "' converts, or stands before what does") +
-         ", which may change the rate and mix channels; hw: names the device itself";
+  if (type == SND_PCM_TYPE_IOPLUG)
+    return message("'%1' is a sound server's, which may change the rate and mix channels; hw: names the device itself",
+                   device);
+  return message(
+      "'%1' converts, or stands before what does, which may change the rate and mix channels; hw: names the device "
+      "itself",
+      device);
 }
 
 // alsa-lib would print its own lines beside ours.
@@ -107,8 +111,8 @@ class AlsaDriver final : public daq::PcmDriver {
     const int opened = ::snd_pcm_open(&pcm_, request.device.c_str(), SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK);
     if (opened < 0) {
       pcm_ = nullptr;
-      return Error{"'device' = '" + request.device + "'", daq::kNotOpened,
-                   std::string(::snd_strerror(opened)) + "; stillcut-cli devices lists what there is"};
+      return Error{"'device' = '" + request.device + "'", daq::notOpened(),
+                   message("%1; stillcut-cli devices lists what there is", ::snd_strerror(opened))};
     }
     auto set = configure(request);
     if (!set) close();
@@ -147,20 +151,20 @@ class AlsaDriver final : public daq::PcmDriver {
     ::snd_pcm_hw_params_set_rate_resample(pcm_, hw, 0);
     const bool interleaved = ::snd_pcm_hw_params_set_access(pcm_, hw, SND_PCM_ACCESS_RW_INTERLEAVED) == 0;
     if (!interleaved && ::snd_pcm_hw_params_set_access(pcm_, hw, SND_PCM_ACCESS_RW_NONINTERLEAVED) < 0) {
-      return Error{where, daq::kNotRead, daq::kOnlyShared};
+      return Error{where, daq::notRead(), daq::onlyShared()};
     }
     const auto rate = static_cast<unsigned>(std::lround(request.rate.value));
     if (::snd_pcm_hw_params_set_rate(pcm_, hw, rate, 0) < 0) {
-      return Error{where, "'rate_hz' = " + std::to_string(rate) + " is not among its rates",
-                   "it has " + ratesOf(pcm_, hw)};
+      return Error{where, message("'rate_hz' = %1 is not among its rates", std::to_string(rate)),
+                   message("it has %1", ratesOf(pcm_, hw))};
     }
     daq::PcmFormat format;
     auto channels = static_cast<unsigned>(request.channels);  // at the least
     const unsigned most = channelsOf(hw).second;
     while (channels < most && ::snd_pcm_hw_params_test_channels(pcm_, hw, channels) != 0) ++channels;
     if (::snd_pcm_hw_params_set_channels(pcm_, hw, channels) < 0) {
-      return Error{where, "has no " + std::to_string(request.channels) + " channels ('inputs')",
-                   "it has " + countsOf(pcm_, hw)};
+      return Error{where, message("has no %1 channels ('inputs')", std::to_string(request.channels)),
+                   message("it has %1", countsOf(pcm_, hw))};
     }
     format.channels = static_cast<int>(channels);
     const Kind* kind = nullptr;
@@ -172,8 +176,8 @@ class AlsaDriver final : public daq::PcmDriver {
       }
     }
     if (kind == nullptr) {
-      return Error{where, "has no samples of " + std::to_string(request.bits) + " bits ('bits')",
-                   "it has " + bitsOf(pcm_, hw)};
+      return Error{where, message("has no samples of %1 bits ('bits')", std::to_string(request.bits)),
+                   message("it has %1", bitsOf(pcm_, hw))};
     }
     format.bits = kind->bits;
     format.sampleBytes = kind->bytes;
@@ -183,7 +187,7 @@ class AlsaDriver final : public daq::PcmDriver {
     snd_pcm_uframes_t buffer = std::max<snd_pcm_uframes_t>(2 * rate, 4 * period);
     ::snd_pcm_hw_params_set_buffer_size_near(pcm_, hw, &buffer);
     const int set = ::snd_pcm_hw_params(pcm_, hw);
-    if (set < 0) return Error{where, daq::kNotTogether, ::snd_strerror(set)};
+    if (set < 0) return Error{where, daq::notTogether(), foreign(::snd_strerror(set))};
     format.periodFrames = static_cast<int>(period);
     sampleBytes_ = static_cast<std::size_t>(kind->bytes);
     apart_.assign(interleaved ? 0 : channels, std::vector<char>(period * sampleBytes_));
@@ -206,7 +210,7 @@ class AlsaDriver final : public daq::PcmDriver {
     ::snd_pcm_sw_params_set_tstamp_type(pcm_, sw, SND_PCM_TSTAMP_TYPE_MONOTONIC);
     int done = ::snd_pcm_sw_params(pcm_, sw);
     if (done == 0) done = ::snd_pcm_start(pcm_);
-    if (done < 0) return Error{"", daq::kNoStart, ::snd_strerror(done)};
+    if (done < 0) return Error{{}, daq::noStart(), foreign(::snd_strerror(done))};
     return Done{};
   }
 

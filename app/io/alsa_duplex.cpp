@@ -43,7 +43,7 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     format_.together = linked_;
     if (!restart()) {
       close();
-      return Error{where(request), "does not start", ""};
+      return Error{where(request), message("does not start")};
     }
     return format_;
   }
@@ -88,9 +88,10 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     const int opened = ::snd_pcm_open(&pcm, request.device.c_str(), stream, SND_PCM_NONBLOCK);
     if (opened == 0) return Done{};
     pcm = nullptr;
-    return Error{where(request),
-                 std::string("cannot be opened for ") + (stream == SND_PCM_STREAM_CAPTURE ? "input" : "output"),
-                 ::snd_strerror(opened)};
+    return Error{
+        where(request),
+        message("cannot be opened for %1", stream == SND_PCM_STREAM_CAPTURE ? message("input") : message("output")),
+        foreign(::snd_strerror(opened))};
   }
 
   // Exactly what was asked, but for the period, which must then be the same both ways.
@@ -102,30 +103,32 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     ::snd_pcm_hw_params_set_rate_resample(pcm, hw, 0);
     ::snd_pcm_hw_params_set_access(pcm, hw, SND_PCM_ACCESS_RW_INTERLEAVED);
     if (::snd_pcm_hw_params_set_format(pcm, hw, SND_PCM_FORMAT_S32_LE) < 0) {
-      return Error{where(request), "has no samples of 32 bits (" + side + ")", "plughw: in front of it converts them"};
+      return Error{where(request), message("has no samples of 32 bits (%1)", side),
+                   message("plughw: in front of it converts them")};
     }
     const auto rate = static_cast<unsigned>(std::lround(request.rate.value));
     if (::snd_pcm_hw_params_set_rate(pcm, hw, rate, 0) < 0) {
-      return Error{where(request), "has no " + std::to_string(rate) + " Hz (" + side + ")", "'rate_hz'"};
+      return Error{where(request), message("has no %1 Hz (%2)", std::to_string(rate), side), message("'rate_hz'")};
     }
     unsigned least = 0;
     ::snd_pcm_hw_params_get_channels_min(hw, &least);
     channels = std::max(channels, static_cast<int>(least));
     if (::snd_pcm_hw_params_set_channels(pcm, hw, static_cast<unsigned>(channels)) < 0) {
-      return Error{where(request), "has no " + std::to_string(channels) + " channels (" + side + ")", ""};
+      return Error{where(request), message("has no %1 channels (%2)", std::to_string(channels), side)};
     }
     auto period = static_cast<snd_pcm_uframes_t>(format_.frames);
     ::snd_pcm_hw_params_set_period_size_near(pcm, hw, &period, nullptr);
     if (pcm == in_) format_.frames = static_cast<int>(period);
     if (static_cast<int>(period) != format_.frames) {
-      return Error{where(request), "has different periods for input and output",
-                   std::to_string(format_.frames) + " and " + std::to_string(period) + " frames"};
+      return Error{where(request), message("has different periods for input and output"),
+                   message("%1 and %2 frames", std::to_string(format_.frames), std::to_string(period))};
     }
     snd_pcm_uframes_t buffer = 2 * kQueued * period;
     ::snd_pcm_hw_params_set_buffer_size_near(pcm, hw, &buffer);
     int done = ::snd_pcm_hw_params(pcm, hw);
     if (done == 0) done = startByHand(pcm, period);
-    if (done < 0) return Error{where(request), "does not take these settings together", ::snd_strerror(done)};
+    if (done < 0)
+      return Error{where(request), message("does not take these settings together"), foreign(::snd_strerror(done))};
     return Done{};
   }
 

@@ -39,7 +39,7 @@ class ComediDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> open(const daq::PcmRequest& request) override {
     close();
     device_ = ::comedi_open(request.device.c_str());
-    if (device_ == nullptr) return Error{"'device' = '" + request.device + "'", daq::kNotOpened, fault()};
+    if (device_ == nullptr) return Error{"'device' = '" + request.device + "'", daq::notOpened(), fault()};
     auto format = configure(request);
     if (!format) close();
     return format;
@@ -86,7 +86,7 @@ class ComediDriver final : public daq::PcmDriver {
   }
 
  private:
-  static std::string fault() { return ::comedi_strerror(::comedi_errno()); }
+  static Message fault() { return foreign(::comedi_strerror(::comedi_errno())); }
   static int faultOf(int error) noexcept {
     if (error == EPIPE) return daq::kPcmOverrun;
     return error == ENODEV || error == EBADF ? daq::kPcmGone : daq::kPcmBroken;
@@ -95,17 +95,17 @@ class ComediDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> configure(const daq::PcmRequest& request) {
     const std::string where = "device '" + request.device + "'";
     const int readable = ::comedi_get_read_subdevice(device_);
-    if (readable < 0) return Error{where, daq::kNoInputs, daq::kSingleValues};
+    if (readable < 0) return Error{where, daq::noInputs(), daq::singleValues()};
     subdevice_ = static_cast<unsigned>(readable);
     const int inputs = ::comedi_get_n_channels(device_, subdevice_);
     if (inputs < request.channels) {
-      return Error{where, "has no input " + std::to_string(request.channels - 1) + " ('inputs')",
-                   "it has 0 to " + std::to_string(inputs - 1)};
+      return Error{where, message("has no input %1 ('inputs')", std::to_string(request.channels - 1)),
+                   message("it has 0 to %1", std::to_string(inputs - 1))};
     }
     const int ranges = ::comedi_get_n_ranges(device_, subdevice_, 0);
     if (range_ >= ranges) {
-      return Error{where, "has no range " + std::to_string(range_) + " ('range')",
-                   "it has 0 to " + std::to_string(ranges - 1)};
+      return Error{where, message("has no range %1 ('range')", std::to_string(range_)),
+                   message("it has 0 to %1", std::to_string(ranges - 1))};
     }
     daq::PcmFormat format;
     format.channels = request.channels;
@@ -118,7 +118,7 @@ class ComediDriver final : public daq::PcmDriver {
     most_ = ::comedi_get_maxdata(device_, subdevice_, 0);
     converters_ =
         converters(device_, subdevice_, static_cast<unsigned>(channels_), static_cast<unsigned>(range_), format.doubt);
-    if (converters_.empty()) return Error{where, "does not tell its range", fault()};
+    if (converters_.empty()) return Error{where, message("does not tell its range"), fault()};
     full_.clear();
     for (unsigned c = 0; c < channels_; ++c) {
       list_.push_back(CR_PACK(c, static_cast<unsigned>(range_), static_cast<unsigned>(reference_)));
@@ -144,7 +144,7 @@ class ComediDriver final : public daq::PcmDriver {
     const double asked = 1e9 / rate.value;  // ns
     if (::comedi_get_cmd_generic_timed(device_, subdevice_, &command_, static_cast<unsigned>(channels_),
                                        static_cast<unsigned>(std::lround(asked))) < 0) {
-      return Error{"", "cannot stream at a rate", fault()};
+      return Error{{}, message("cannot stream at a rate"), fault()};
     }
     command_.chanlist = list_.data();
     command_.chanlist_len = static_cast<unsigned>(channels_);
@@ -156,10 +156,11 @@ class ComediDriver final : public daq::PcmDriver {
                           ? command_.scan_begin_arg
                           : static_cast<double>(command_.convert_arg) * static_cast<double>(channels_);
     if (std::abs(is - asked) > kRateTolerance * asked) {
-      return Error{"", "'rate_hz' = " + std::to_string(std::lround(rate.value)) + " is not among its rates",
-                   "the nearest is " + std::to_string(is > 0.0 ? 1e9 / is : 0.0)};
+      return Error{{},
+                   message("'rate_hz' = %1 is not among its rates", std::to_string(std::lround(rate.value))),
+                   message("the nearest is %1", std::to_string(is > 0.0 ? 1e9 / is : 0.0))};
     }
-    if (::comedi_command(device_, &command_) < 0) return Error{"", daq::kNoStream, fault()};
+    if (::comedi_command(device_, &command_) < 0) return Error{{}, daq::noStream(), fault()};
     return Done{};
   }
 

@@ -22,18 +22,18 @@ struct Calibration {
 using CalibrationPtr = std::unique_ptr<comedi_calibration_t, Calibration>;
 
 // Null: the inputs need none, or there is none.
-CalibrationPtr calibrationOf(comedi_t* card, unsigned subdevice, std::string& doubt) {
+CalibrationPtr calibrationOf(comedi_t* card, unsigned subdevice, Message& doubt) {
   if ((::comedi_get_subdevice_flags(card, subdevice) & SDF_SOFT_CALIBRATED) == 0) return nullptr;
   const std::unique_ptr<char, void (*)(void*)> path(::comedi_get_default_calibration_path(card), std::free);
   CalibrationPtr calibration(path ? ::comedi_parse_calibration_file(path.get()) : nullptr);
-  if (!calibration) doubt = daq::kUncalibrated;
+  if (!calibration) doubt = daq::uncalibrated();
   return calibration;
 }
 
 }  // namespace
 
 std::vector<comedi_polynomial_t> converters(comedi_t* card, unsigned subdevice, unsigned channels, unsigned range,
-                                            std::string& doubt) {
+                                            Message& doubt) {
   const CalibrationPtr calibration = calibrationOf(card, subdevice, doubt);
   std::vector<comedi_polynomial_t> all;
   for (unsigned c = 0; c < channels; ++c) {

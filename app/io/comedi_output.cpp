@@ -21,11 +21,12 @@ class ComediOutput final : public cnc::AnalogOutput {
   Status open(const cnc::AnalogDevice& device) override {
     settings_ = device;
     device_ = ::comedi_open(device.file.c_str());
-    if (device_ == nullptr) return Error{device.file, "cannot be opened", ::comedi_strerror(::comedi_errno())};
+    if (device_ == nullptr)
+      return Error{device.file, message("cannot be opened"), foreign(::comedi_strerror(::comedi_errno()))};
     const auto subdevice = static_cast<unsigned>(device.subdevice);
     if (::comedi_get_subdevice_type(device_, subdevice) != COMEDI_SUBD_AO) {
-      return Error{device.file, "subdevice " + std::to_string(device.subdevice) + " is no analog output",
-                   "set [device] subdevice"};
+      return Error{device.file, message("subdevice %1 is no analog output", std::to_string(device.subdevice)),
+                   message("set [device] subdevice")};
     }
     return Done{};
   }

@@ -164,8 +164,9 @@ Result<std::vector<std::string>> hostsIn(const std::string& typed) {
       continue;
     }
     const auto net = subnet(word);
-    if (!net) return Error{word, "is no subnet", "as 192.168.1.0/24"};
-    if (net->bits < kSmallestNet) return Error{word, "is more than 256 addresses", "/24 or a larger number"};
+    if (!net) return Error{word, message("is no subnet"), message("as 192.168.1.0/24")};
+    if (net->bits < kSmallestNet)
+      return Error{word, message("is more than 256 addresses"), message("/24 or a larger number")};
     for (std::uint32_t i = 0; i < 1U << static_cast<unsigned>(32 - net->bits); ++i) {
       in_addr address{htonl(net->first + i)};
       std::array<char, INET_ADDRSTRLEN> text{};

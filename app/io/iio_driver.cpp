@@ -26,10 +26,10 @@ namespace {
 constexpr unsigned kPatienceMs = 500;
 constexpr double kRateTolerance = 1e-3;  // what a device may round
 
-std::string reasonOf(int error) {
+Message reasonOf(int error) {
   std::array<char, 128> text{};
   ::iio_strerror(error, text.data(), text.size());
-  return text.data();
+  return foreign(text.data());
 }
 
 // libiio writes to a socket whose peer has hung up, and that would end the program.
@@ -64,7 +64,7 @@ class IioDriver final : public daq::PcmDriver {
     const QuietPipe quiet;
     close();
     context_ = ::iio_create_context_from_uri(uri_.c_str());
-    if (context_ == nullptr) return Error{"'uri' = '" + uri_ + "'", daq::kNoAnswer, reasonOf(errno)};
+    if (context_ == nullptr) return Error{"'uri' = '" + uri_ + "'", daq::noAnswer(), reasonOf(errno)};
     static_cast<void>(::iio_context_set_timeout(context_, kPatienceMs));
     auto format = configure(request);
     if (!format) close();
@@ -118,11 +118,12 @@ class IioDriver final : public daq::PcmDriver {
   Result<daq::PcmFormat> configure(const daq::PcmRequest& request) {
     const std::string where = "device '" + request.device + "'";
     iio_device* device = ::iio_context_find_device(context_, request.device.c_str());
-    if (device == nullptr) return Error{where, "is not at " + uri_, "there are: " + namesOfAll(false)};
+    if (device == nullptr)
+      return Error{where, message("is not at %1", uri_), message("there are: %1", namesOfAll(false))};
     const std::vector<IioInput> all = inputsOf(device);
     if (static_cast<int>(all.size()) < request.channels) {
-      return Error{where, "has no input " + std::to_string(request.channels - 1) + " ('inputs')",
-                   "it has, from 0: " + namesOf(all)};
+      return Error{where, message("has no input %1 ('inputs')", std::to_string(request.channels - 1)),
+                   message("it has, from 0: %1", namesOf(all))};
     }
     if (const Status set = setRate(device, request.rate); !set) return Error{where, set.error().what, set.error().why};
     if (const Status set = setTrigger(device); !set) return Error{where, set.error().what, set.error().why};
@@ -136,16 +137,16 @@ class IioDriver final : public daq::PcmDriver {
       static_cast<void>(::iio_device_attr_write(device, "current_timestamp_clock", "monotonic"));  // the one not set
       stamps_.prepare(request.rate);
     } else {
-      format.doubt = daq::kUncounted;
+      format.doubt = daq::uncounted();
     }
     for (int c = 0; c < request.channels; ++c) {
       IioInput input = all[static_cast<std::size_t>(c)];
       const iio_data_format* data = ::iio_channel_get_data_format(input.channel);
       if (data->length > 64 || data->length % 8 != 0 || data->bits == 0 || data->bits + data->shift > data->length) {
         return Error{where,
-                     "input " + nameOf(input) + " has " + std::to_string(data->bits) + " bits in " +
-                         std::to_string(data->length),
-                     "up to 64 can be read"};
+                     message("input %1 has %2 bits in %3", nameOf(input), std::to_string(data->bits),
+                             std::to_string(data->length)),
+                     message("up to 64 can be read")};
       }
       ::iio_channel_enable(input.channel);
       format.siOfFullScale.push_back(unitOf(input.channel) * fullScaleOf(input));
@@ -155,7 +156,7 @@ class IioDriver final : public daq::PcmDriver {
     stampsHeld_.assign(static_cast<std::size_t>(request.periodFrames), 0);
     buffer_ = ::iio_device_create_buffer(device, static_cast<std::size_t>(request.periodFrames), false);
     if (buffer_ == nullptr) {
-      return Error{where, daq::kNoStream, reasonOf(errno) + "; some devices need a 'trigger'"};
+      return Error{where, daq::noStream(), message("%1; some devices need a 'trigger'", reasonOf(errno))};
     }
     return format;
   }
@@ -172,18 +173,21 @@ class IioDriver final : public daq::PcmDriver {
     const double is = std::strtod(text.c_str(), nullptr);
     if (std::abs(is - rate.value) <= kRateTolerance * rate.value) return Done{};
     const std::string available = attributeOf(device, "sampling_frequency_available");
-    return Error{"", "'rate_hz' = " + std::to_string(std::lround(rate.value)) + " is not among its rates",
-                 "it samples at " + text + (available.empty() ? "" : ", and could at " + available)};
+    return Error{
+        {},
+        message("'rate_hz' = %1 is not among its rates", std::to_string(std::lround(rate.value))),
+        message("it samples at %1%2", text, available.empty() ? Message() : message(", and could at %1", available))};
   }
 
   Status setTrigger(const iio_device* device) const {
     if (trigger_.empty()) return Done{};
     const iio_device* trigger = ::iio_context_find_device(context_, trigger_.c_str());
     if (trigger == nullptr || !::iio_device_is_trigger(trigger)) {
-      return Error{"", "there is no trigger '" + trigger_ + "' at " + uri_, "there are: " + namesOfAll(true)};
+      return Error{
+          {}, message("there is no trigger '%1' at %2", trigger_, uri_), message("there are: %1", namesOfAll(true))};
     }
     const int set = ::iio_device_set_trigger(device, trigger);
-    if (set < 0) return Error{"", "does not take the trigger '" + trigger_ + "'", reasonOf(-set)};
+    if (set < 0) return Error{{}, message("does not take the trigger '%1'", trigger_), reasonOf(-set)};
     return Done{};
   }
 
@@ -246,7 +250,7 @@ std::unique_ptr<daq::PcmDriver> makeIioDriver(const std::string& uri, const std:
 Result<std::vector<daq::PcmDevice>> iioDevices(const std::string& uri) {
   const QuietPipe quiet;
   iio_context* context = ::iio_create_context_from_uri(uri.c_str());
-  if (context == nullptr) return Error{"'uri' = '" + uri + "'", daq::kNoAnswer, reasonOf(errno)};
+  if (context == nullptr) return Error{"'uri' = '" + uri + "'", daq::noAnswer(), reasonOf(errno)};
   std::vector<daq::PcmDevice> all;
   for (unsigned i = 0; i < ::iio_context_get_devices_count(context); ++i) {
     const iio_device* device = ::iio_context_get_device(context, i);

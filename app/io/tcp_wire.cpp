@@ -23,7 +23,7 @@ Result<std::unique_ptr<cnc::ByteChannel>> TcpWire::make(const std::string& host,
   wanted.ai_socktype = SOCK_STREAM;
   addrinfo* found = nullptr;
   const int error = ::getaddrinfo(host.c_str(), std::to_string(port).c_str(), &wanted, &found);
-  if (error != 0) return Error{name, "the host cannot be found", ::gai_strerror(error)};
+  if (error != 0) return Error{name, message("the host cannot be found"), foreign(::gai_strerror(error))};
   std::vector<Place> places;
   for (const addrinfo* a = found; a != nullptr; a = a->ai_next) {
     const auto* bytes = reinterpret_cast<const unsigned char*>(a->ai_addr);

@@ -15,7 +15,8 @@ Result<std::unique_ptr<cnc::ByteChannel>> makeWire(const cnc::WireAddress& addre
 #ifdef STILLCUT_SERIAL
   return std::unique_ptr<cnc::ByteChannel>(std::make_unique<SerialWire>(address.device, address.baud));
 #else
-  return Error{address.device, "serial ports are not part of this build", "configure with STILLCUT_DESKTOP=ON"};
+  return Error{address.device, message("serial ports are not part of this build"),
+               message("configure with STILLCUT_DESKTOP=ON")};
 #endif
 }
 

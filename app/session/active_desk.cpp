@@ -16,8 +16,7 @@ ActiveDesk::ActiveDesk(std::unique_ptr<active::DuplexDevice> device, const activ
 
 Status ActiveDesk::identify() {
   if (fitting_.state().running)
-    return Error{QT_TRANSLATE_NOOP("Core", "active work-holder"),
-                 QT_TRANSLATE_NOOP("Core", "the last record is still being worked on"), ""};
+    return Error{message("active work-holder"), message("the last record is still being worked on")};
   if (!engine_.isOpen()) {
     fits_.reset();
     if (Status opened = engine_.open(); !opened) return opened;

@@ -26,9 +26,9 @@ void BackgroundTask::start(ui::TaskState::What what, const QString& file, Work w
         if (also.joinable()) also.join();
         try {
           const bool left = job->left.load(std::memory_order_relaxed);
-          job->result.emplace(left ? Result<Apply>(Error{"task", "stopped", ""}) : work(job->progress));
+          job->result.emplace(left ? Result<Apply>(Error{message("task"), message("stopped")}) : work(job->progress));
         } catch (const std::exception& e) {
-          job->result.emplace(Error{"task", e.what(), ""});
+          job->result.emplace(Error{message("task"), foreign(e.what())});
         }
         job->finished.store(true, std::memory_order_release);
       });

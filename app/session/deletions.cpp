@@ -2,7 +2,7 @@
 
 #include <QFileInfo>
 
-#include "ui/base/core_sentence.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 
@@ -33,7 +33,7 @@ ui::RecordingNow Deletions::told(const record::Recorder* recorder) const {
   now.lastDeleted = QString::fromStdString(seen_->last);
   for (const auto& [file, problem] : seen_->kept) {
     now.notDeleted << QStringLiteral("%1 (%2)").arg(QFileInfo(QString::fromStdString(file)).fileName(),
-                                                    ui::coreSentence(problem));
+                                                    ui::sayCore(problem));
   }
   return now;
 }

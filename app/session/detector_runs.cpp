@@ -95,10 +95,9 @@ Result<Scores> scoreFiles(const std::vector<std::string>& files, BackgroundTask:
     }
     done += 1.0;
   }
-  if (sums.empty() && !scores.notScored.isEmpty()) return Error{"", scores.notScored.front().toStdString(), ""};
+  if (sums.empty() && !scores.notScored.isEmpty()) return Error{{}, foreign(scores.notScored.front().toStdString())};
   if (sums.empty())
-    return Error{QT_TRANSLATE_NOOP("Core", "score"), QT_TRANSLATE_NOOP("Core", "nothing is marked here"),
-                 QT_TRANSLATE_NOOP("Core", "mark true and false alarms first")};
+    return Error{message("score"), message("nothing is marked here"), message("mark true and false alarms first")};
   for (const std::string& id : request.detectors) scores.lines.push_back(lineOf(id, sums[id]));
   return scores;
 }

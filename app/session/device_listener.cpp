@@ -5,7 +5,7 @@
 #include "app/compose/profile_rig.h"
 #include "app/session/session_view.h"
 #include "core/pipeline/catalog.h"
-#include "ui/base/core_sentence.h"
+#include "ui/base/say.h"
 
 namespace stillcut::app {
 
@@ -57,8 +57,8 @@ ui::Heard DeviceListener::heard() {
   heard.info = &info_;
   heard.snapshot = rig_->read();
   heard.clocks = joinedClocks(rig_->device());
-  heard.problem = ui::coreSentence(rig_->device().trouble());
-  if (rig_->finished()) heard.problem = ui::coreSentence(rig_->device().fault());
+  heard.problem = ui::sayCore(rig_->device().trouble());
+  if (rig_->finished()) heard.problem = ui::sayCore(rig_->device().fault());
   return heard;
 }
 

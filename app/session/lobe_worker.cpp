@@ -170,7 +170,7 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
   auto diagram = std::make_shared<ui::LobeDiagram>();
   diagram->question = question;
   for (const milling::SpeedLimits& limits : sweep->speeds) diagram->limits.push_back(limitOf(limits));
-  for (const std::string& warning : sweep->warnings) diagram->warnings << QString::fromStdString(warning);
+  for (const Message& warning : sweep->warnings) diagram->warnings << ui::sayCore(warning);
   {
     const std::scoped_lock lock(mutex_);
     diagram->number = ++answers_;

@@ -136,13 +136,11 @@ Result<config::Profile> MachineDesk::load(const QString& name) const {
 }
 
 Result<QString> MachineDesk::save(const config::Profile& profile, const QString& name) {
-  if (folder_.isEmpty())
-    return Error{QT_TRANSLATE_NOOP("Core", "profile"), QT_TRANSLATE_NOOP("Core", "there is no folder to keep it in"),
-                 ""};
+  if (folder_.isEmpty()) return Error{message("profile"), message("there is no folder to keep it in")};
   const bool sayable = !name.isEmpty() && !name.contains(u'/') && !name.startsWith(u'.');
   if (!sayable)
-    return Error{QT_TRANSLATE_NOOP("Core", "profile"), "'" + name.toStdString() + "' is no name for a file",
-                 QT_TRANSLATE_NOOP("Core", "letters and digits")};
+    return Error{message("profile"), message("'%1' is no name for a file", name.toStdString()),
+                 message("letters and digits")};
   const std::string file = profileFile(name);
   std::error_code problem;
   std::filesystem::create_directories(std::filesystem::path(file).parent_path(), problem);
@@ -272,8 +270,7 @@ void MachineDesk::tryOut(const config::Profile& profile, const QString& name) {
 
 Status MachineDesk::start(const QString& name) {
   listener_.free();
-  if (!begin)
-    return Error{QT_TRANSLATE_NOOP("Core", "profile"), QT_TRANSLATE_NOOP("Core", "cannot be put in force here"), ""};
+  if (!begin) return Error{message("profile"), message("cannot be put in force here")};
   Status begun = begin(profileFile(name));
   std::error_code gone;
   if (begun && !folder_.isEmpty()) std::filesystem::remove(draftFile(), gone);
@@ -299,8 +296,7 @@ std::optional<config::Profile> MachineDesk::keptDraft() const {
 }
 
 Status MachineDesk::startDemonstration() {
-  if (!beginDemonstration)
-    return Error{QT_TRANSLATE_NOOP("Core", "demonstration"), QT_TRANSLATE_NOOP("Core", "cannot run here"), ""};
+  if (!beginDemonstration) return Error{message("demonstration"), message("cannot run here")};
   return beginDemonstration();
 }
 
@@ -310,9 +306,7 @@ Result<std::vector<ui::ToolEntry>> MachineDesk::tools() const {
 }
 
 Status MachineDesk::saveTools(const std::vector<ui::ToolEntry>& tools) {
-  if (folder_.isEmpty())
-    return Error{QT_TRANSLATE_NOOP("Core", "tools"), QT_TRANSLATE_NOOP("Core", "there is no folder to keep them in"),
-                 ""};
+  if (folder_.isEmpty()) return Error{message("tools"), message("there is no folder to keep them in")};
   return app::saveTools(tools, QDir(folder_).filePath(QStringLiteral("tools.toml")).toStdString());
 }
 

@@ -29,9 +29,7 @@ Result<QString> listen(daq::DaqSource& device, const daq::SourceFormat& format) 
   std::vector<double> sums(format.channels.size(), 0.0);
   double frames = 0.0;
   for (int k = 0; k < kBlocks; ++k) {
-    if (!device.read(block))
-      return Error{QT_TRANSLATE_NOOP("Core", "samples"), QT_TRANSLATE_NOOP("Core", "the device has stopped"),
-                   device.fault()};
+    if (!device.read(block)) return Error{message("samples"), message("the device has stopped"), device.fault()};
     for (std::size_t c = 0; c < sums.size(); ++c) {
       for (const double x : block.channel(static_cast<int>(c))) sums[c] += x * x;
     }
@@ -42,8 +40,7 @@ Result<QString> listen(daq::DaqSource& device, const daq::SourceFormat& format) 
     const ChannelInfo& info = format.channels[c];
     const double rms = std::sqrt(sums[c] / std::max(frames, 1.0)) * std::abs(info.scale);
     if (!(rms > 0.0)) {
-      return Error{info.name, QT_TRANSLATE_NOOP("Core", "this channel never moves"),
-                   QT_TRANSLATE_NOOP("Core", "is the sensor connected?")};
+      return Error{info.name, message("this channel never moves"), message("is the sensor connected?")};
     }
     levels.push_back(QStringLiteral("%1 %2 %3")
                          .arg(text(info.name))

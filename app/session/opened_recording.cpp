@@ -39,7 +39,7 @@ Result<std::shared_ptr<OpenedRecording>> openRecording(const std::string& path, 
   if (!summary) return summary.error();
   const auto begin = beginOf(path, summary->session);
   if (!begin) return begin.error();
-  if (progress.stopped()) return Error{path, "stopped", ""};
+  if (progress.stopped()) return Error{path, message("stopped")};
   auto opened = openAgain(path, summary->session, clock);
   if (!opened) return opened.error();
   (*opened)->begin = *begin;

@@ -11,7 +11,7 @@
 #include "app/session/lobe_worker.h"
 #include "core/model/marker.h"
 #include "core/model/session_summary.h"
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 namespace stillcut::app {
 

@@ -203,7 +203,7 @@ void ReplayDesk::takeMarkers(std::vector<Marker> markers) {
 
 Status ReplayDesk::changeFile(FileChanges::Change change) {
   if (!run_ && !wish_) {
-    return Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "nothing is open"), ""};
+    return Error{message("marker"), message("nothing is open")};
   }
   changes_->add(std::move(change));
   const ui::ReplayState now = replay();
@@ -265,8 +265,7 @@ void ReplayDesk::endLoop() {
 }
 
 Status ReplayDesk::showEverywhere(bool on) {
-  if (on && !run_ && !wish_)
-    return Error{QT_TRANSLATE_NOOP("Core", "replay"), QT_TRANSLATE_NOOP("Core", "nothing is open"), ""};
+  if (on && !run_ && !wish_) return Error{message("replay"), message("nothing is open")};
   if (on && mayShow) {
     if (Status may = mayShow(); !may) return may;
   }
@@ -293,8 +292,7 @@ Status ReplayDesk::mark(Seconds from, Seconds to, const QString& label, const QS
 Status ReplayDesk::changeMark(std::uint64_t number, const QString& label, const QString& note) {
   const auto found =
       std::find_if(markers_.begin(), markers_.end(), [number](const Marker& m) { return m.number == number; });
-  if (found == markers_.end())
-    return Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "is no longer there"), ""};
+  if (found == markers_.end()) return Error{message("marker"), message("is no longer there")};
   Marker marker = *found;
   marker.label = label.toStdString();
   marker.note = note.toStdString();

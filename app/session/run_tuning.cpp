@@ -134,9 +134,8 @@ Result<QString> keepValues(const ValuesToKeep& keep, const std::string& profile,
     return QString::fromStdString(profile);
   }
   if (folder.isEmpty())
-    return Error{QT_TRANSLATE_NOOP("Core", "tune"), QT_TRANSLATE_NOOP("Core", "there is no profile to keep them in"),
-                 QT_TRANSLATE_NOOP("Core", "start with --profile")};
-  if (!QDir().mkpath(folder)) return Error{folder.toStdString(), QT_TRANSLATE_NOOP("Core", "cannot be made"), ""};
+    return Error{message("tune"), message("there is no profile to keep them in"), message("start with --profile")};
+  if (!QDir().mkpath(folder)) return Error{folder.toStdString(), message("cannot be made")};
   const std::string path = (std::filesystem::path(folder.toStdString()) / "parameters.toml").string();
   config::ParamSet params;
   if (std::filesystem::exists(path)) {

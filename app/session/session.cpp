@@ -16,7 +16,7 @@
 #include "core/pipeline/catalog.h"
 #include "core/rt/realtime_thread.h"
 #include "core/session/session_folder.h"
-#include "ui/base/core_sentence.h"
+#include "ui/base/say.h"
 #include "ui/shell/main_window.h"
 
 namespace stillcut::app {
@@ -137,13 +137,13 @@ void Session::demonstrateWith(const std::string& scenario) {
 
 Status Session::switchTo(const Opening& open) {
   if (rig_->hasLink() && !rig_->linkInfo().simulated && authority_ != Authority::Off) {
-    return Error{QT_TRANSLATE_NOOP("Core", "start"), QT_TRANSLATE_NOOP("Core", "the machine is under our authority"),
-                 QT_TRANSLATE_NOOP("Core", "set it to Off first")};
+    return Error{message("start"), message("the machine is under our authority"), message("set it to Off first")};
   }
   if (Status kept = stop(); !kept) return kept;
   auto next = open();
   if (!next)
-    return Error{next.error().where, next.error().what, message("%1; the cut before has been stopped", next.error().why)};
+    return Error{next.error().where, next.error().what,
+                 message("%1; the cut before has been stopped", next.error().why)};
   flightLog_.reset();
   live_ = nullptr;
   rig_ = std::move((*next)->rig_);
@@ -239,8 +239,7 @@ const config::ParamDecl* Session::noteTuned(const OperatorInput& input) {
 // A machine that we command may not go out of sight.
 Status Session::mayShowReplay() const {
   if (!rig_->hasLink() || rig_->linkInfo().simulated || authority_ == Authority::Off) return Done{};
-  return Error{QT_TRANSLATE_NOOP("Core", "replay"), QT_TRANSLATE_NOOP("Core", "the machine is under our authority"),
-               QT_TRANSLATE_NOOP("Core", "set it to Off first")};
+  return Error{message("replay"), message("the machine is under our authority"), message("set it to Off first")};
 }
 
 QStringList Session::tunedSettings() const {
@@ -271,23 +270,23 @@ Result<QString> Session::saveValues(const config::ParamSet& values) {
 }
 
 ui::LinkStatus Session::link() const {
-  if (!rig_->finished()) return {{}, ui::coreSentence(rig_->device().trouble())};
-  const std::string fault = rig_->device().fault();
-  return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::coreSentence(fault)};
+  if (!rig_->finished()) return {{}, ui::sayCore(rig_->device().trouble())};
+  const Message fault = rig_->device().fault();
+  return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault)};
 }
 
 ui::RecorderStatus Session::recorder() const {
   const record::Recorder* recorder = rig_->recorder();
-  const std::string flightProblem = flightLog_ ? flightLog_->problem() : "";
+  const Message flightProblem = flightLog_ ? flightLog_->problem() : Message();
   if (recorder == nullptr && flightProblem.empty()) return {};
   if (recorder == nullptr) {
-    return {ui::RecorderStatus::State::Failed, {}, ui::coreSentence(flightProblem)};
+    return {ui::RecorderStatus::State::Failed, {}, ui::sayCore(flightProblem)};
   }
   const record::RecorderStatus status = recorder->status();
   ui::RecorderStatus shown;
   shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;
   shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
-  shown.problem = ui::coreSentence(status.fault);
+  shown.problem = ui::sayCore(status.fault);
   shown.waiting = status.recording && status.written > 0 && !status.writing;
   return shown;
 }

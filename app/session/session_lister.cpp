@@ -72,7 +72,7 @@ void SessionLister::lookInside() {
               [this, next](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
                 std::vector<std::optional<record::SessionGlance>> seen;
                 for (const auto& [place, path] : next) {
-                  if (progress.stopped()) return Error{path, "stopped", ""};
+                  if (progress.stopped()) return Error{path, message("stopped")};
                   seen.push_back(record::glanceAtSession(path));
                 }
                 return BackgroundTask::Apply([this, next, seen = std::move(seen)] {

@@ -15,7 +15,7 @@ class StoppableReader final : public record::RecordingReader {
       : reader_(std::move(reader)), path_(std::move(path)), progress_(progress) {}
   const record::RecordingFormat& format() const override { return reader_->format(); }
   Result<bool> read(SampleBlock& block) override {
-    if (progress_.stopped()) return Error{path_, "stopped", ""};
+    if (progress_.stopped()) return Error{path_, message("stopped")};
     auto more = reader_->read(block);
     if (more && *more) {
       frames_ += block.frames;

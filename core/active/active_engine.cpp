@@ -19,7 +19,7 @@ constexpr auto kRenewEvery = std::chrono::milliseconds(100);
 constexpr auto kNap = std::chrono::milliseconds(1);
 constexpr std::array<const char*, kActiveAxes> kAxes{"x", "y"};
 
-Error refused(std::string what, std::string why) {
+Error refused(Message what, Message why) {
   return {"active work-holder", std::move(what), std::move(why)};
 }
 
@@ -55,7 +55,8 @@ Status ActiveEngine::open() {
   const Seconds block(format_.frames / format_.rate.value);
   if (2.0 * block.value > kLease.value) {
     device_->close();
-    return refused("blocks of " + std::to_string(format_.frames) + " frames are too long", "half a second at most");
+    return refused(message("blocks of %1 frames are too long", std::to_string(format_.frames)),
+                   message("half a second at most"));
   }
   for (safety::ActuatorLimits& limits : options_.limits) limits.lease = kLease;
   const auto values = static_cast<std::size_t>(kActiveAxes * format_.frames);
@@ -104,8 +105,8 @@ bool ActiveEngine::busy() const {
 }
 
 Status ActiveEngine::identify() {
-  if (!isOpen()) return refused("the device does not run", "open it first");
-  if (busy()) return refused("cannot identify while the table moves", "stop it first");
+  if (!isOpen()) return refused(message("the device does not run"), message("open it first"));
+  if (busy()) return refused(message("cannot identify while the table moves"), message("stop it first"));
   if (ActiveLoop* loop = loop_.load(); loop != nullptr) loop->release();  // also of a start not yet heard
   auto recorder = std::make_unique<PathRecorder>();
   if (Status ok = recorder->prepare(options_.record, options_.limits, format_.rate); !ok) return ok;
@@ -122,7 +123,7 @@ Status ActiveEngine::identify() {
 }
 
 Result<PathPairFound> ActiveEngine::fit() const {
-  if (!recorded() || recorder_ == nullptr) return refused("nothing was recorded", "identify first");
+  if (!recorded() || recorder_ == nullptr) return refused(message("nothing was recorded"), message("identify first"));
   if (Status whole = recorder_->complete(); !whole) return whole.error();
   PathPairFound found;
   PathRequest request = options_.path;
@@ -137,9 +138,10 @@ Result<PathPairFound> ActiveEngine::fit() const {
 }
 
 Status ActiveEngine::install(const PathPairFound& paths) {
-  if (!isOpen()) return refused("the device does not run", "open it first");
-  if (busy()) return refused("a path cannot be taken over while the table moves", "stop it first");
-  if (delayLost_.load()) return refused("blocks were lost since the record was made", "identify it again");
+  if (!isOpen()) return refused(message("the device does not run"), message("open it first"));
+  if (busy()) return refused(message("a path cannot be taken over while the table moves"), message("stop it first"));
+  if (delayLost_.load())
+    return refused(message("blocks were lost since the record was made"), message("identify it again"));
   auto loop = std::make_unique<ActiveLoop>();
   if (Status ok = loop->prepare(axisOptions(options_, paths), format_.rate); !ok) return ok;
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
@@ -172,22 +174,24 @@ void ActiveEngine::renew(const std::stop_token& stop) {
 }
 
 Status ActiveEngine::start() {
-  if (!isOpen()) return refused("the device does not run", "open it first");
-  if (recording_.load() != nullptr) return refused("the paths are being identified", "wait for the end");
+  if (!isOpen()) return refused(message("the device does not run"), message("open it first"));
+  if (recording_.load() != nullptr)
+    return refused(message("the paths are being identified"), message("wait for the end"));
   ActiveLoop* loop = loop_.load();
-  if (loop == nullptr) return refused("no model of the path from actuator to sensor", "identify it first");
+  if (loop == nullptr)
+    return refused(message("no model of the path from actuator to sensor"), message("identify it first"));
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
     const std::string axis = kAxes[a];
     const double age = secondsBetween(identifiedAt(a, paths_[a]), clock_.now()).value;
     if (age > options_.oldestModel.value) {
-      return refused("the model along " + axis + " is " + std::to_string(std::lround(age / 60.0)) + " minutes old",
-                     "identify it again");
+      return refused(message("the model along %1 is %2 minutes old", axis, std::to_string(std::lround(age / 60.0))),
+                     message("identify it again"));
     }
     if (Status promised = checkPromise(paths_[a], axis); !promised) return promised;
   }
   if (delayLost_.load()) {
-    return refused("blocks were lost, and input and output of this device do not start together",
-                   "the path may be later than its model says; identify it again");
+    return refused(message("blocks were lost, and input and output of this device do not start together"),
+                   message("the path may be later than its model says; identify it again"));
   }
   loop->engage();
   return Done{};
@@ -199,13 +203,13 @@ void ActiveEngine::stop() {
 }
 
 Status ActiveEngine::setStep(double step) {
-  if (!(step >= 0.0 && step <= 1.0)) return refused("the step must lie between 0 and 1", "");
+  if (!(step >= 0.0 && step <= 1.0)) return refused(message("the step must lie between 0 and 1"), {});
   step_.store(step);
   return Done{};
 }
 
 Status ActiveEngine::setLeak(double leak) {
-  if (!(leak >= 0.9 && leak <= 1.0)) return refused("the leak must lie between 0.9 and 1", "");
+  if (!(leak >= 0.9 && leak <= 1.0)) return refused(message("the leak must lie between 0.9 and 1"), {});
   leak_.store(leak);
   return Done{};
 }

@@ -10,8 +10,8 @@ Status ActiveLoop::prepare(const std::array<AxisOptions, kActiveAxes>& axes, Her
     if (Status ok = checkPath(o.path, std::string("path along ") + (a == 0 ? "x" : "y")); !ok) return ok;
     if (o.online.rms > 0.0 && leadingDelay(o.path) >= o.online.lags) {
       return Error{std::string("path along ") + (a == 0 ? "x" : "y"),
-                   "is later than on-line identification looks, " + std::to_string(o.online.lags) + " samples",
-                   "switch 'active.auxiliary' off, or take shorter blocks"};
+                   message("is later than on-line identification looks, %1 samples", std::to_string(o.online.lags)),
+                   message("switch 'active.auxiliary' off, or take shorter blocks")};
     }
     axes_[a].controller.prepare(o.controller, o.path, rate);
     if (Status ok = axes_[a].gate.prepare(o.limits, rate); !ok) return ok;

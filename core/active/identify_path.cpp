@@ -178,16 +178,17 @@ void judge(const PathModel& model, Hertz rate, PathReport& report) {
 
 Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<const double> reading, Hertz rate,
                                     const PathRequest& request, const std::string& where) {
-  if (output.size() != reading.size()) return Error{where, "output and reading differ in length", ""};
+  if (output.size() != reading.size()) return Error{where, message("output and reading differ in length")};
   if (output.size() < 4 * kSegment) {
-    return Error{where, "too short to identify a path from", "at least " + std::to_string(4 * kSegment) + " samples"};
+    return Error{where, message("too short to identify a path from"),
+                 message("at least %1 samples", std::to_string(4 * kSegment))};
   }
   const auto finite = [](std::span<const double> x) {
     return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
   };
-  if (!finite(output) || !finite(reading)) return Error{where, "holds a value that is not finite", ""};
-  if (meanSquare(output) <= 0.0) return Error{where, "nothing was written to the actuator", ""};
-  if (meanSquare(reading) <= 0.0) return Error{where, "the sensor read nothing", "is it connected?"};
+  if (!finite(output) || !finite(reading)) return Error{where, message("holds a value that is not finite")};
+  if (meanSquare(output) <= 0.0) return Error{where, message("nothing was written to the actuator")};
+  if (meanSquare(reading) <= 0.0) return Error{where, message("the sensor read nothing"), message("is it connected?")};
 
   IdentifiedPath found;
   IdentifierOptions recursive = request.filter;
@@ -216,7 +217,8 @@ Result<IdentifiedPath> identifyPath(std::span<const double> output, std::span<co
   }
   if (Status ok = checkPath(found.model, where); !ok) return ok.error();
   if (!(found.report.residual < kUseless)) {
-    return Error{where, "the reading does not follow the actuator", "noise, or a sensor that is not on the table"};
+    return Error{where, message("the reading does not follow the actuator"),
+                 message("noise, or a sensor that is not on the table")};
   }
   measure(output, reading, found.model.delay, rate, found.report);
   judge(found.model, rate, found.report);
@@ -233,7 +235,7 @@ Result<PathModel> modelOf(const std::vector<double>& impulse, const PathModel& l
   options.delay = like.delay;
   const PathModel model = learnScaled(made.output, made.reading, options, kPasses);
   if (Status ok = checkPath(model, where); !ok) return ok.error();
-  if (!(residualOf(model, made.output, made.reading) < kUseless)) return Error{where, "fits no path", ""};
+  if (!(residualOf(model, made.output, made.reading) < kUseless)) return Error{where, message("fits no path")};
   return model;
 }
 

@@ -54,20 +54,22 @@ Status checkPath(const PathModel& model, const std::string& where) {
   const auto finite = [](const std::vector<double>& c) {
     return std::all_of(c.begin(), c.end(), [](double v) { return std::isfinite(v); });
   };
-  if (model.empty()) return Error{where, "no model of the path from actuator to sensor", "identify it first"};
+  if (model.empty())
+    return Error{where, message("no model of the path from actuator to sensor"), message("identify it first")};
   if (model.forward.size() > kMostTaps || model.backward.size() > kMostTaps) {
-    return Error{where, "the path's model has more than " + std::to_string(kMostTaps) + " taps", ""};
+    return Error{where, message("the path's model has more than %1 taps", std::to_string(kMostTaps))};
   }
   if (model.delay < 0 || model.delay > kMostDelay) {
-    return Error{where, "the path's model is delayed by more than " + std::to_string(kMostDelay) + " samples", ""};
+    return Error{where, message("the path's model is delayed by more than %1 samples", std::to_string(kMostDelay))};
   }
   if (!finite(model.forward) || !finite(model.backward)) {
-    return Error{where, "the path's model holds a number that is not finite", ""};
+    return Error{where, message("the path's model holds a number that is not finite")};
   }
   if (std::all_of(model.forward.begin(), model.forward.end(), [](double v) { return v == 0.0; })) {
-    return Error{where, "the path's model says that the actuator does nothing", ""};
+    return Error{where, message("the path's model says that the actuator does nothing")};
   }
-  if (model.largestPole() >= 1.0) return Error{where, "the path's model is unstable", "identify it again"};
+  if (model.largestPole() >= 1.0)
+    return Error{where, message("the path's model is unstable"), message("identify it again")};
   return Done{};
 }
 

@@ -52,10 +52,10 @@ ActivePath promiseOf(const IdentifiedPath& path, std::span<const Hertz> lines, H
 
 Status checkPromise(const ActivePath& promise, const std::string& axis) {
   if (promise.promisesStable) return Done{};
-  return Error{"active work-holder",
-               "the model along " + axis + " promises no stability on the lines to quieten, worst at " +
-                   std::to_string(std::lround(promise.worstAt.value)) + " Hz",
-               "its phase is off by 90 degrees or more, or the sensor does not hear the actuator there"};
+  return Error{message("active work-holder"),
+               message("the model along %1 promises no stability on the lines to quieten, worst at %2 Hz", axis,
+                       std::to_string(std::lround(promise.worstAt.value))),
+               message("its phase is off by 90 degrees or more, or the sensor does not hear the actuator there")};
 }
 
 PathFit fitOf(const IdentifiedPath& path, const ActivePath& promise) {

@@ -15,10 +15,11 @@ constexpr double kSweepTop = 0.45;  // of the rate
 Status PathRecorder::prepare(const RecordRequest& request,
                              const std::array<safety::ActuatorLimits, kActiveAxes>& limits, Hertz rate) {
   if (!(request.duration.value >= 0.5 && request.duration.value <= 60.0)) {
-    return Error{"identification", "must take half a second to a minute", ""};
+    return Error{message("identification"), message("must take half a second to a minute")};
   }
   if (!(request.rms > 0.0 && request.rms <= 0.3)) {
-    return Error{"identification", "'rms' must be above 0 and at most 0.3 of the stroke", "peaks reach three times it"};
+    return Error{message("identification"), message("'rms' must be above 0 and at most 0.3 of the stroke"),
+                 message("peaks reach three times it")};
   }
   request_ = request;
   length_ = static_cast<std::size_t>(std::llround(request.duration.value * rate.value));
@@ -96,10 +97,11 @@ Status PathRecorder::complete() const {
   if (at_ >= length_) return Done{};
   for (const safety::ActuatorGate& gate : gates_) {
     if (gate.why() != ActuatorRelease::None && gate.why() != ActuatorRelease::Asked) {
-      return Error{"identification", "ended before the record was whole", std::string(actuatorReleaseText(gate.why()))};
+      return Error{message("identification"), message("ended before the record was whole"),
+                   foreign(std::string(actuatorReleaseText(gate.why())))};
     }
   }
-  return Error{"identification", "ended before the record was whole", "it was stopped"};
+  return Error{message("identification"), message("ended before the record was whole"), message("it was stopped")};
 }
 
 std::span<const double> PathRecorder::part(std::size_t axis, const std::vector<double>& of) const {

@@ -23,7 +23,7 @@ Result<DuplexFormat> PcmDuplex::open() {
   for (std::size_t a = 0; a < 2; ++a) {
     const auto scale = [](double v) { return std::isfinite(v) && v != 0.0; };
     if (!scale(settings_.sensor[a]) || !scale(settings_.stroke[a])) {
-      return Error{settings_.request.device, "what full scale means must be a number other than 0", ""};
+      return Error{settings_.request.device, message("what full scale means must be a number other than 0")};
     }
   }
   auto opened = driver_->open(settings_.request);

@@ -21,11 +21,13 @@ auto earOf(const milling::Scenario& scenario, const char* axis) {
 
 Status SimulatedDuplex::check(const milling::Scenario& scenario) {
   if (!scenario.workHolder) {
-    return Error{scenario.name, "has no active work-holder", "strategy 'active' needs a table [work_holder]"};
+    return Error{scenario.name, message("has no active work-holder"),
+                 message("strategy 'active' needs a table [work_holder]")};
   }
   for (const char* axis : kAxes) {
     if (earOf(scenario, axis) == scenario.sensors.end()) {
-      return Error{scenario.name, std::string("no accelerometer along ") + axis, "the active table needs one per axis"};
+      return Error{scenario.name, message("no accelerometer along %1", axis),
+                   message("the active table needs one per axis")};
     }
   }
   return Done{};

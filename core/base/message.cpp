@@ -5,7 +5,7 @@
 namespace stillcut {
 
 Message foreign(std::string text) {
-  return {"%1", {Message::Argument(std::move(text))}};
+  return {std::move(text), {}};
 }
 
 std::string text(const Message::Argument& argument) {

@@ -22,8 +22,6 @@ struct Message {
   std::vector<Argument> arguments;  // in the order of their places
 
   Message() = default;
-  Message(std::string english);  // an error whose room still makes its own text: to go
-  Message(const char* english) : Message(std::string(english)) {}
   Message(std::string englishForm, std::vector<Argument> values);
 
   bool empty() const { return form.empty(); }
@@ -54,11 +52,6 @@ struct Message::Argument {
   }
 };
 
-inline Message::Message(std::string english) {
-  if (english.empty()) return;
-  form = "%1";
-  arguments.emplace_back(std::move(english));
-}
 inline Message::Message(std::string englishForm, std::vector<Argument> values)
     : form(std::move(englishForm)), arguments(std::move(values)) {}
 
@@ -89,8 +82,8 @@ Message message(std::type_identity_t<MessageForm<sizeof...(Values)>> form, Value
   return {form.text, {Message::Argument(std::forward<Values>(values))...}};
 }
 
-// A text that no code of ours made (the system's word for errno, a name from a file), as a message of its own. The
-// screens translate it where translations/foreign_texts lists it.
+// A text that no code of ours made (what the system says of errno, what a library says), as a message of its own. The
+// screens translate it where translations/foreign_texts lists it, and else show it as it is.
 Message foreign(std::string text);
 
 // In English, as it is. An empty message is an empty text.

@@ -13,7 +13,7 @@ namespace stillcut {
 struct Error {
   Message::Argument where;  // file and place ("cut.csv:12"), key, device: as they are; or a message
   Message what;             // what is wrong: message("column '%1' holds '%2'", ...)
-  Message why;              // cause or remedy; may be empty
+  Message why = {};         // cause or remedy; may be empty
 
   // "where: what (why)", one line, in English.
   std::string line() const { return text(asMessage()); }

@@ -21,12 +21,12 @@ namespace {
 Result<std::unique_ptr<CncLink>> makeSimulated(const LinkRequest& r) {
   const config::PartSettings settings(r.settings, "link 'simulated'", r.asked);
   if (Status known = settings.finish(); !known) return known.error();
-  if (r.scenario == nullptr) return Error{"link 'simulated'", "a scenario is needed", ""};
+  if (r.scenario == nullptr) return Error{message("link 'simulated'"), message("a scenario is needed")};
   return std::unique_ptr<CncLink>(std::make_unique<SimulatedMachine>(*r.scenario, r.port));
 }
 
 Status realMachine(const LinkRequest& r, const std::string& where) {
-  if (!r.wires || r.clock == nullptr) return Error{where, "there is no wire to a real machine here", ""};
+  if (!r.wires || r.clock == nullptr) return Error{where, message("there is no wire to a real machine here")};
   return Done{};
 }
 
@@ -51,7 +51,7 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   if (Status known = settings.finish(); !known) return known.error();
   if (Status real = realMachine(r, where); !real) return real.error();
   if (s.adaptiveFeed && s.component.port == 0) {
-    return Error{where, "'adaptive_feed' needs 'hal_component_port'", "it goes through stillcut-hal"};
+    return Error{where, message("'adaptive_feed' needs 'hal_component_port'"), message("it goes through stillcut-hal")};
   }
   LinuxCncLink::Wires wires;
   const WireAddress& control = s.component.port > 0 ? s.component : s.rsh;
@@ -87,11 +87,13 @@ Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
   config::PartSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
-  if (file.empty()) return Error{where, "'map' is missing", "it names the file with the machine's registers"};
+  if (file.empty())
+    return Error{where, message("'map' is missing"), message("it names the file with the machine's registers")};
   auto map = loadRegisterMap((std::filesystem::path(r.folder) / file).string());
   if (!map) return map.error();
   if (Status real = realMachine(r, where); !real) return real.error();
-  if (!r.buses) return Error{where, "Modbus is not part of this build", "configure with STILLCUT_DESKTOP=ON"};
+  if (!r.buses)
+    return Error{where, message("Modbus is not part of this build"), message("configure with STILLCUT_DESKTOP=ON")};
   auto bus = r.buses(map->bus);
   if (!bus) return bus.error();
   return std::unique_ptr<CncLink>(
@@ -103,15 +105,18 @@ Result<std::unique_ptr<CncLink>> makeAnalog(const LinkRequest& r) {
   config::PartSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
-  if (file.empty()) return Error{where, "'map' is missing", "it names the file with outputs and calibration tables"};
+  if (file.empty())
+    return Error{where, message("'map' is missing"), message("it names the file with outputs and calibration tables")};
   if (r.programmedSpeed.value <= 0.0 || r.programmedFeed.value <= 0.0) {
-    return Error{where, "[cut] speed_rpm or feed_mm_min is missing", "such a machine tells nothing of its program"};
+    return Error{where, message("[cut] speed_rpm or feed_mm_min is missing"),
+                 message("such a machine tells nothing of its program")};
   }
   auto map = loadAnalogMap((std::filesystem::path(r.folder) / file).string());
   if (!map) return map.error();
   std::unique_ptr<AnalogOutput> output = r.analog ? r.analog() : nullptr;
   if (!output)
-    return Error{where, "analog outputs are not part of this build", "install libcomedi-dev and build again"};
+    return Error{where, message("analog outputs are not part of this build"),
+                 message("install libcomedi-dev and build again")};
   return std::unique_ptr<CncLink>(
       std::make_unique<AnalogLink>(std::move(map).value(), std::move(output), r.programmedSpeed, r.programmedFeed));
 }
@@ -154,13 +159,13 @@ Result<std::unique_ptr<CncLink>> makeLink(std::string_view id, const LinkRequest
       for (const std::string_view which : {kSavedDelay, kSavedEffect}) {
         const auto delay = its.settings.extract(std::string(which));
         if (delay.empty() || isDelay(delay.mapped())) continue;
-        return Error{"link '" + std::string(id) + "'", "'" + std::string(which) + "' is no delay", delay.mapped()};
+        return Error{"link '" + std::string(id) + "'", message("'%1' is no delay", which), foreign(delay.mapped())};
       }
       return e.make(its);
     }
     known += (known.empty() ? "" : ", ") + std::string(e.id);
   }
-  return Error{"link", "'" + std::string(id) + "' is not known", "known: " + known};
+  return Error{message("link"), message("'%1' is not known", id), message("known: %1", known)};
 }
 
 }  // namespace stillcut::cnc

@@ -22,7 +22,7 @@ LinkInfo SimulatedMachine::describe() const {
 }
 
 Status SimulatedMachine::open() {
-  if (!port_) return Error{"simulated machine", "there is no plant to drive", ""};
+  if (!port_) return Error{message("simulated machine"), message("there is no plant to drive")};
   return Done{};
 }
 

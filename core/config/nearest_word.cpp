@@ -37,9 +37,9 @@ std::string_view nearestWord(std::string_view word, std::span<const std::string_
   return best;
 }
 
-std::string didYouMean(std::string_view word, std::span<const std::string_view> words) {
+Message didYouMean(std::string_view word, std::span<const std::string_view> words) {
   const std::string_view near = nearestWord(word, words);
-  return near.empty() ? std::string() : "did you mean '" + std::string(near) + "'?";
+  return near.empty() ? Message() : message("did you mean '%1'?", near);
 }
 
 }  // namespace stillcut::config

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
+
+#include "core/base/message.h"
 
 namespace stillcut::config {
 
@@ -12,6 +13,6 @@ namespace stillcut::config {
 std::string_view nearestWord(std::string_view word, std::span<const std::string_view> words);
 
 // "did you mean 'x'?" or empty.
-std::string didYouMean(std::string_view word, std::span<const std::string_view> words);
+Message didYouMean(std::string_view word, std::span<const std::string_view> words);
 
 }  // namespace stillcut::config

@@ -6,7 +6,7 @@
 namespace stillcut::config {
 namespace {
 
-Error refuse(std::string_view where, const ParamDecl& key, const std::string& what, const std::string& why) {
+Error refuse(std::string_view where, const ParamDecl& key, const Message& what, const Message& why) {
   return Error{std::string(where) + ": " + std::string(key.key), what, why};
 }
 
@@ -33,12 +33,12 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
   limits.feedPerTooth = share(kHighestFeedPerTooth).value;
   limits.lowestFeedPerTooth = share(kLowestFeedPerTooth).value;
   if (isEmpty(limits.lowestSpeed.value, limits.highestSpeed.value, 1.0)) {
-    return refuse(where, kLowestSpeedOverride, "the range of the speed override is empty",
-                  "it must be below " + std::string(kHighestSpeedOverride.key));
+    return refuse(where, kLowestSpeedOverride, message("the range of the speed override is empty"),
+                  message("it must be below %1", kHighestSpeedOverride.key));
   }
   if (isEmpty(limits.lowestFeed.value, limits.highestFeed.value, 1.0)) {
-    return refuse(where, kLowestFeedOverride, "the range of the feed override is empty",
-                  "it must be below " + std::string(kHighestFeedOverride.key));
+    return refuse(where, kLowestFeedOverride, message("the range of the feed override is empty"),
+                  message("it must be below %1", kHighestFeedOverride.key));
   }
   if (!params.isAutomatic(kLowestSpeed)) limits.slowest = Rpm(params.real(kLowestSpeed));
   for (const ParamDecl* decl : {&kHighestSpeed, &kToolSpeed, &kHolderSpeed}) {
@@ -47,20 +47,22 @@ Result<OverrideLimits> checkOverrideLimits(const ParamSet& params, const CutSetu
   if (!params.isAutomatic(kLowestFeed)) limits.slowestFeed = fromMmPerMin(params.real(kLowestFeed));
   if (!params.isAutomatic(kHighestFeed)) limits.fastestFeed = fromMmPerMin(params.real(kHighestFeed));
   if (limits.slowestFeed >= limits.fastestFeed) {
-    return refuse(where, kLowestFeed, "the lowest feed is not below the highest", "see gate.highest-feed");
+    return refuse(where, kLowestFeed, message("the lowest feed is not below the highest"),
+                  message("see gate.highest-feed"));
   }
   if (!params.isAutomatic(kHighestCuttingSpeed)) {
     if (!(setup.toolDiameter.value > 0.0)) {
-      return refuse(where, kHighestCuttingSpeed, "a cutting speed cannot be limited without the tool's diameter",
-                    "give the diameter or set it to auto");
+      return refuse(where, kHighestCuttingSpeed,
+                    message("a cutting speed cannot be limited without the tool's diameter"),
+                    message("give the diameter or set it to auto"));
     }
     const double metresPerRev = std::numbers::pi * setup.toolDiameter.value;
     limits.fastest = std::min(limits.fastest, Rpm(params.real(kHighestCuttingSpeed) / metresPerRev));
   }
   if (limits.slowest >= limits.fastest) {
-    return refuse(where, kLowestSpeed, "the lowest speed is not below the highest",
-                  "see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and "
-                  "gate.highest-cutting-speed");
+    return refuse(where, kLowestSpeed, message("the lowest speed is not below the highest"),
+                  message("see gate.highest-speed, gate.tool-highest-speed, gate.holder-highest-speed and "
+                          "gate.highest-cutting-speed"));
   }
   return limits;
 }
@@ -70,7 +72,8 @@ Status narrowToMachine(ParamSet& params, const MachineOverrides& machine, std::s
     const double newLow = std::max(params.real(low), 100.0 * from.value);
     const double newHigh = std::min(params.real(high), 100.0 * to.value);
     if (isEmpty(newLow, newHigh, 100.0)) {
-      return refuse(where, low, "the machine's override cannot reach the allowed range", "check the machine's profile");
+      return refuse(where, low, message("the machine's override cannot reach the allowed range"),
+                    message("check the machine's profile"));
     }
     Status status = params.set(low, newLow, where);
     return status ? params.set(high, newHigh, where) : status;

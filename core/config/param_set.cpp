@@ -12,11 +12,11 @@
 namespace stillcut::config {
 namespace {
 
-std::string range(const ParamDecl& decl) {
-  std::string s = "allowed: " + numberText(decl.lowest) + " to " + numberText(decl.highest);
-  if (!decl.unit.empty()) s += " " + std::string(decl.unit);
-  if (decl.mayBeAutomatic) s += ", or auto";
-  return s;
+Message range(const ParamDecl& decl) {
+  const std::string unit = decl.unit.empty() ? std::string() : " " + std::string(decl.unit);
+  const std::string highest = numberText(decl.highest) + unit;
+  return decl.mayBeAutomatic ? message("allowed: %1 to %2, or auto", numberText(decl.lowest), highest)
+                             : message("allowed: %1 to %2", numberText(decl.lowest), highest);
 }
 
 std::optional<double> parseNumber(std::string_view text) {
@@ -35,17 +35,17 @@ Result<double> parse(const ParamDecl& decl, std::string_view text, std::string_v
   if (decl.kind == ParamKind::Boolean) {
     if (text == "true") return 1.0;
     if (text == "false") return 0.0;
-    return Error{place(where, decl), "'" + std::string(text) + "' is neither true nor false", ""};
+    return Error{place(where, decl), message("'%1' is neither true nor false", text)};
   }
   if (decl.kind == ParamKind::Choice) {
     const auto it = std::find(decl.choices.begin(), decl.choices.end(), text);
     if (it != decl.choices.end()) return static_cast<double>(it - decl.choices.begin());
     std::string all;
     for (std::string_view c : decl.choices) all += (all.empty() ? "" : ", ") + std::string(c);
-    return Error{place(where, decl), "'" + std::string(text) + "' is not a choice", "choices: " + all};
+    return Error{place(where, decl), message("'%1' is not a choice", text), message("choices: %1", all)};
   }
   const auto number = parseNumber(text);
-  if (!number) return Error{place(where, decl), "'" + std::string(text) + "' is not a number", range(decl)};
+  if (!number) return Error{place(where, decl), message("'%1' is not a number", text), range(decl)};
   return *number;
 }
 
@@ -92,8 +92,8 @@ Status ParamSet::set(const ParamCatalog& catalog, std::string_view key, std::str
   const ParamDecl* decl = catalog.find(key);
   if (decl == nullptr) {
     const std::string_view near = catalog.nearest(key);
-    return Error{std::string(where), "unknown key '" + std::string(key) + "'",
-                 near.empty() ? "" : "did you mean '" + std::string(near) + "'?"};
+    return Error{std::string(where), message("unknown key '%1'", key),
+                 near.empty() ? Message() : message("did you mean '%1'?", near)};
   }
   const Result<double> value = parse(*decl, text, where);
   if (!value) return value.error();
@@ -103,12 +103,13 @@ Status ParamSet::set(const ParamCatalog& catalog, std::string_view key, std::str
 Status ParamSet::set(const ParamDecl& decl, double value, std::string_view where) {
   const bool automatic = decl.mayBeAutomatic && std::isnan(value);
   if (!automatic) {
-    if (!std::isfinite(value)) return Error{place(where, decl), "the value is not a finite number", range(decl)};
+    if (!std::isfinite(value))
+      return Error{place(where, decl), message("the value is not a finite number"), range(decl)};
     if (decl.kind == ParamKind::Integer && value != std::round(value)) {
-      return Error{place(where, decl), numberText(value) + " is not a whole number", range(decl)};
+      return Error{place(where, decl), message("%1 is not a whole number", numberText(value)), range(decl)};
     }
     if (value < decl.lowest || value > decl.highest) {
-      return Error{place(where, decl), numberText(value) + " is out of range", range(decl)};
+      return Error{place(where, decl), message("%1 is out of range", numberText(value)), range(decl)};
     }
   }
   values_.insert_or_assign(std::string(decl.key), value);

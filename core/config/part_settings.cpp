@@ -61,14 +61,14 @@ void PartSettings::tell(AskedSetting setting) const {
   }
 }
 
-void PartSettings::fault(std::string_view key, const std::string& what, const std::string& why) {
-  if (!first_) first_ = Error{where_, "'" + std::string(key) + "' " + what, why};
+void PartSettings::fault(std::string_view key, const Message& what, const Message& why) {
+  if (!first_) first_ = Error{where_, message("'%1' %2", key, what), why};
 }
 
 std::string PartSettings::text(std::string_view key, const std::string& fallback) {
   tell({std::string(key), AskedSetting::Kind::Text, fallback, 0.0, 0.0, {}});
   const std::string* given = find(key);
-  if (given != nullptr && given->empty()) fault(key, "is empty", "leave it out for the usual value");
+  if (given != nullptr && given->empty()) fault(key, message("is empty"), message("leave it out for the usual value"));
   return given == nullptr ? fallback : *given;
 }
 
@@ -78,7 +78,7 @@ double PartSettings::number(std::string_view key, double fallback, double lowest
   if (given == nullptr) return fallback;
   const auto value = config::number(*given);
   if (value && *value >= lowest && *value <= highest) return *value;
-  fault(key, "is '" + *given + "'", "must be a number from " + shortly(lowest) + " to " + shortly(highest));
+  fault(key, message("is '%1'", *given), message("must be a number from %1 to %2", shortly(lowest), shortly(highest)));
   return fallback;
 }
 
@@ -91,7 +91,7 @@ int PartSettings::whole(std::string_view key, int fallback, int lowest, int high
         static_cast<double>(highest),
         {}});
   if (value == std::floor(value)) return static_cast<int>(value);
-  fault(key, "is '" + shortly(value) + "'", "must be a whole number");
+  fault(key, message("is '%1'", shortly(value)), message("must be a whole number"));
   return fallback;
 }
 
@@ -100,7 +100,7 @@ bool PartSettings::flag(std::string_view key, bool fallback) {
   const std::string* given = find(key);
   if (given == nullptr) return fallback;
   if (*given == "true" || *given == "false") return *given == "true";
-  fault(key, "is '" + *given + "'", "must be true or false");
+  fault(key, message("is '%1'", *given), message("must be true or false"));
   return fallback;
 }
 
@@ -118,7 +118,7 @@ std::size_t PartSettings::choice(std::string_view key, std::size_t fallback,
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
   std::string known;
   for (const std::string_view word : words) known += (known.empty() ? "" : ", ") + std::string(word);
-  fault(key, "is '" + *given + "'", "one of " + known);
+  fault(key, message("is '%1'", *given), message("one of %1", known));
   return fallback;
 }
 
@@ -126,12 +126,13 @@ Status PartSettings::finish() const {
   if (first_) return *first_;
   for (const auto& [key, value] : settings_) {
     if (std::find(read_.begin(), read_.end(), key) != read_.end()) continue;
-    std::string why = didYouMean(key, read_);
+    Message why = didYouMean(key, read_);
     if (why.empty()) {
-      why = "known:";
-      for (const std::string_view k : read_) why += " " + std::string(k);
+      std::string known;
+      for (const std::string_view k : read_) known += (known.empty() ? "" : " ") + std::string(k);
+      why = message("known: %1", known);
     }
-    return Error{where_, "'" + key + "' is not known", why};
+    return Error{where_, message("'%1' is not known", key), why};
   }
   return Done{};
 }

@@ -50,7 +50,7 @@ class PartSettings {
     return settings_.contains(std::string(key));
   }
   // A fault the part itself has found.
-  void fault(std::string_view key, const std::string& what, const std::string& why);
+  void fault(std::string_view key, const Message& what, const Message& why);
 
   Status finish() const;
 

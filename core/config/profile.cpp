@@ -27,11 +27,13 @@ std::string idFrom(const TomlTable& table, std::string_view key, std::string_vie
   for (std::string_view k : known) {
     if (k == id) return id;
   }
-  std::string why = didYouMean(id, known);
+  Message why = didYouMean(id, known);
   if (why.empty()) {
-    for (std::string_view k : known) why += (why.empty() ? "choices: " : ", ") + std::string(k);
+    std::string choices;
+    for (std::string_view k : known) choices += (choices.empty() ? "" : ", ") + std::string(k);
+    why = message("choices: %1", choices);
   }
-  table.refuse(key, "is unknown: '" + id + "'", why);
+  table.refuse(key, message("is unknown: '%1'", id), why);
   return id;
 }
 
@@ -47,14 +49,17 @@ PartChoice partFrom(const TomlTable& table, const std::vector<std::string_view>&
 void readScale(const TomlTable& table, ChannelInfo& channel) {
   if (!table.has("sensitivity_mv")) {
     channel.scale = table.numberOr("scale", 1.0);
-    if (channel.scale == 0.0) table.refuse("scale", "is zero", "SI units per device unit");
+    if (channel.scale == 0.0) table.refuse("scale", message("is zero"), message("SI units per device unit"));
     return;
   }
   channel.sensitivity = table.numberOr("sensitivity_mv", 1.0);
   channel.volts = table.numberOr("volts", 1.0);
-  if (table.has("scale")) table.refuse("scale", "is given beside sensitivity_mv", "one of them says it all");
-  if (channel.sensitivity == 0.0) table.refuse("sensitivity_mv", "is zero", "mV per g, Pa, N ... of the data sheet");
-  if (channel.volts == 0.0) table.refuse("volts", "is zero", "volts of one device unit, for example of full scale");
+  if (table.has("scale"))
+    table.refuse("scale", message("is given beside sensitivity_mv"), message("one of them says it all"));
+  if (channel.sensitivity == 0.0)
+    table.refuse("sensitivity_mv", message("is zero"), message("mV per g, Pa, N ... of the data sheet"));
+  if (channel.volts == 0.0)
+    table.refuse("volts", message("is zero"), message("volts of one device unit, for example of full scale"));
   if (channel.sensitivity != 0.0) channel.scale = scaleOf(channel.quantity, channel.sensitivity, channel.volts);
 }
 
@@ -67,7 +72,7 @@ ChannelInfo channelFrom(const TomlTable& table) {
   channel.coupling = table.textOr("coupling", "");
   const std::string& coupling = channel.coupling;
   if (!coupling.empty() && coupling != "iepe" && coupling != "ac" && coupling != "dc") {
-    table.refuse("coupling", "is unknown: '" + coupling + "'", "choices: iepe, ac, dc");
+    table.refuse("coupling", message("is unknown: '%1'", coupling), message("choices: iepe, ac, dc"));
   }
   channel.place = table.textOr("place", "");
   return channel;
@@ -99,9 +104,9 @@ void readPitch(const TomlTable& tool, Profile& profile) {
   const auto [least, most] = std::minmax_element(profile.pitch.begin(), profile.pitch.end());
   const double sum = std::accumulate(profile.pitch.begin(), profile.pitch.end(), 0.0);
   if (static_cast<int>(profile.pitch.size()) != profile.cut.teeth) {
-    tool.refuse("pitch_deg", "needs one angle per tooth");
+    tool.refuse("pitch_deg", message("needs one angle per tooth"));
   } else if (!(*least > 0.0) || !(std::abs(sum - 360.0) < kClosed)) {
-    tool.refuse("pitch_deg", "does not go once around", "angles above zero, 360 degrees together");
+    tool.refuse("pitch_deg", message("does not go once around"), message("angles above zero, 360 degrees together"));
   } else if (*most - *least < kClosed) {
     profile.pitch.clear();
   }
@@ -138,8 +143,9 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   const TomlTable root = in.root();
   const int version = root.integer("version", 1);
   if (version > kProfileVersion) {
-    return Error{root.place("version"), "profile version " + std::to_string(version) + " is newer than this program",
-                 "it reads up to version " + std::to_string(kProfileVersion)};
+    return Error{root.place("version"),
+                 message("profile version %1 is newer than this program", std::to_string(version)),
+                 message("it reads up to version %1", std::to_string(kProfileVersion))};
   }
   Profile profile;
   profile.cut = cutFrom(root);
@@ -275,8 +281,8 @@ Status saveProfile(const Profile& profile, const ParamCatalog& catalog, const st
 Status applySetting(ParamSet& params, const ParamCatalog& catalog, std::string_view setting, std::string_view where) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string_view::npos || equals == 0) {
-    return Error{std::string(where), "'" + std::string(setting) + "' is not KEY=VALUE",
-                 "for example energy-ratio.chatter=0.2"};
+    return Error{std::string(where), message("'%1' is not KEY=VALUE", setting),
+                 message("for example energy-ratio.chatter=0.2")};
   }
   return params.set(catalog, setting.substr(0, equals), setting.substr(equals + 1), where);
 }

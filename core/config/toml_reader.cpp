@@ -25,7 +25,7 @@ struct TomlDocument {
   std::optional<Error> error;
   std::map<const toml::table*, std::set<std::string, std::less<>>> asked;
 
-  void refuse(std::string where, std::string what, std::string why = {}) {
+  void refuse(Message::Argument where, Message what, Message why = {}) {
     if (!error) error = Error{std::move(where), std::move(what), std::move(why)};
   }
   std::string place(const toml::node* node) const {
@@ -44,11 +44,11 @@ const toml::table& tableOf(const void* node) {
   return *static_cast<const toml::table*>(node);
 }
 
-std::string allowed(double lowest, double highest) {
-  if (lowest == -kAnyNumber && highest == kAnyNumber) return "";
-  if (highest == kAnyNumber) return "allowed: " + numberText(lowest) + " and above";
-  if (lowest == -kAnyNumber) return "allowed: up to " + numberText(highest);
-  return "allowed: " + numberText(lowest) + " to " + numberText(highest);
+Message allowed(double lowest, double highest) {
+  if (lowest == -kAnyNumber && highest == kAnyNumber) return {};
+  if (highest == kAnyNumber) return message("allowed: %1 and above", numberText(lowest));
+  if (lowest == -kAnyNumber) return message("allowed: up to %1", numberText(highest));
+  return message("allowed: %1 to %2", numberText(lowest), numberText(highest));
 }
 
 // Everything in `table` that nobody asked for, depth first.
@@ -57,7 +57,7 @@ void refuseUnasked(TomlDocument& document, const toml::table& table, const std::
   const std::vector<std::string_view> known(asked.begin(), asked.end());
   for (const auto& [key, node] : table) {
     if (!asked.contains(key.str())) {
-      document.refuse(document.place(&node), "unknown key '" + path + std::string(key.str()) + "'",
+      document.refuse(document.place(&node), message("unknown key '%1%2'", path, key.str()),
                       didYouMean(key.str(), known));
       continue;
     }
@@ -86,7 +86,7 @@ const void* TomlTable::find(std::string_view key, bool required) const {
     document_->asked[&tableOf(node_)].emplace(key);
     if (const toml::node* node = tableOf(node_).get(key)) return node;
   }
-  if (required) document_->refuse(place(), "'" + path_ + std::string(key) + "' is missing");
+  if (required) document_->refuse(place(), message("'%1%2' is missing", path_, key));
   return nullptr;
 }
 
@@ -106,8 +106,8 @@ std::string TomlTable::place(std::string_view key) const {
   return document_->place(node);
 }
 
-void TomlTable::refuse(std::string_view key, const std::string& what, const std::string& why) const {
-  document_->refuse(place(key), "'" + path_ + std::string(key) + "' " + what, why);
+void TomlTable::refuse(std::string_view key, const Message& what, const Message& why) const {
+  document_->refuse(place(key), message("'%1%2' %3", path_, key, what), why);
 }
 
 double TomlTable::number(std::string_view key, double lowest, double highest) const {
@@ -115,11 +115,11 @@ double TomlTable::number(std::string_view key, double lowest, double highest) co
   if (node == nullptr) return lowest == -kAnyNumber ? 0.0 : lowest;
   const auto value = node->value<double>();
   if (!node->is_number() || !value) {
-    refuse(key, "is not a number");
+    refuse(key, message("is not a number"));
   } else if (!std::isfinite(*value)) {
-    refuse(key, "is not a finite number");
+    refuse(key, message("is not a finite number"));
   } else if (*value < lowest || *value > highest) {
-    refuse(key, "is out of range: " + numberText(*value), allowed(lowest, highest));
+    refuse(key, message("is out of range: %1", numberText(*value)), allowed(lowest, highest));
   } else {
     return *value;
   }
@@ -129,7 +129,7 @@ double TomlTable::number(std::string_view key, double lowest, double highest) co
 int TomlTable::integer(std::string_view key, int lowest, int highest) const {
   const double v = number(key, lowest, highest);
   if (v != std::round(v)) {
-    refuse(key, "is not a whole number");
+    refuse(key, message("is not a whole number"));
     return lowest;
   }
   return static_cast<int>(v);
@@ -139,7 +139,7 @@ bool TomlTable::boolean(std::string_view key) const {
   const auto* node = static_cast<const toml::node*>(find(key, true));
   if (node == nullptr) return false;
   const auto value = node->value_exact<bool>();
-  if (!value) refuse(key, "is neither true nor false");
+  if (!value) refuse(key, message("is neither true nor false"));
   return value.value_or(false);
 }
 
@@ -147,7 +147,7 @@ std::string TomlTable::text(std::string_view key) const {
   const auto* node = static_cast<const toml::node*>(find(key, true));
   if (node == nullptr) return {};
   const auto value = node->value_exact<std::string>();
-  if (!value) refuse(key, "is not a text");
+  if (!value) refuse(key, message("is not a text"));
   return value.value_or("");
 }
 
@@ -158,7 +158,7 @@ int TomlTable::choice(std::string_view key, const std::vector<std::string_view>&
   }
   std::string all;
   for (std::string_view w : words) all += (all.empty() ? "" : ", ") + std::string(w);
-  refuse(key, "is not a choice: '" + word + "'", "choices: " + all);
+  refuse(key, message("is not a choice: '%1'", word), message("choices: %1", all));
   return 0;
 }
 
@@ -168,13 +168,13 @@ std::vector<double> TomlTable::numbers(std::string_view key) const {
   if (node == nullptr) return values;
   const toml::array* array = node->as_array();
   if (array == nullptr) {
-    refuse(key, "is not an array of numbers");
+    refuse(key, message("is not an array of numbers"));
     return values;
   }
   for (const toml::node& element : *array) {
     const auto value = element.value<double>();
     if (!element.is_number() || !value || !std::isfinite(*value)) {
-      refuse(key, "holds something that is not a finite number");
+      refuse(key, message("holds something that is not a finite number"));
       return {};
     }
     values.push_back(*value);
@@ -188,13 +188,13 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
   if (node == nullptr) return values;
   const toml::array* array = node->as_array();
   if (array == nullptr) {
-    refuse(key, "is not an array of texts");
+    refuse(key, message("is not an array of texts"));
     return values;
   }
   for (const toml::node& element : *array) {
     const auto value = element.value_exact<std::string>();
     if (!value) {
-      refuse(key, "holds something that is not a text");
+      refuse(key, message("holds something that is not a text"));
       return {};
     }
     values.push_back(*value);
@@ -208,7 +208,7 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key) const {
   if (node == nullptr) return all;
   const toml::array* outer = node->as_array();
   if (outer == nullptr) {
-    refuse(key, "is not an array of rows");
+    refuse(key, message("is not an array of rows"));
     return all;
   }
   for (const toml::node& row : *outer) {
@@ -219,7 +219,7 @@ std::vector<std::vector<double>> TomlTable::rows(std::string_view key) const {
       if ((*inner)[i].is_number() && value && std::isfinite(*value)) values.push_back(*value);
     }
     if (inner == nullptr || values.size() != inner->size()) {
-      refuse(key, "holds a row that is not all finite numbers");
+      refuse(key, message("holds a row that is not all finite numbers"));
       return {};
     }
     all.push_back(std::move(values));
@@ -231,7 +231,7 @@ TomlTable TomlTable::table(std::string_view key) const {
   const auto* node = static_cast<const toml::node*>(find(key, true));
   const std::string inner = path_ + std::string(key) + ".";
   if (node == nullptr) return {document_, nullptr, inner};
-  if (!node->is_table()) refuse(key, "is not a table");
+  if (!node->is_table()) refuse(key, message("is not a table"));
   return {document_, node->as_table(), inner};
 }
 
@@ -241,12 +241,12 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
   if (node == nullptr) return all;
   const toml::array* array = node->as_array();
   if (array == nullptr) {
-    refuse(key, "is not an array of tables");
+    refuse(key, message("is not an array of tables"));
     return all;
   }
   for (const toml::node& element : *array) {
     if (!element.is_table()) {
-      refuse(key, "is not an array of tables");
+      refuse(key, message("is not an array of tables"));
       return {};
     }
     all.push_back({document_, element.as_table(), path_ + std::string(key) + "."});
@@ -296,7 +296,7 @@ std::string TomlTable::scalarText(std::string_view key) const {
   if (const auto flag = node->value_exact<bool>()) return *flag ? "true" : "false";
   if (const auto whole = node->value_exact<std::int64_t>()) return std::to_string(*whole);
   if (node->is_number()) return numberText(node->value<double>().value_or(0.0));
-  refuse(key, "is not a single value");
+  refuse(key, message("is not a single value"));
   return {};
 }
 
@@ -311,15 +311,15 @@ TomlReader TomlReader::file(const std::string& path) {
   if (!in || std::filesystem::is_directory(path, code)) {
     auto document = std::make_unique<detail::TomlDocument>();
     document->name = path;
-    document->refuse(path, "cannot be read",
-                     std::filesystem::exists(path, code) ? "not a readable file" : "no such file");
+    document->refuse(path, message("cannot be read"),
+                     std::filesystem::exists(path, code) ? message("not a readable file") : message("no such file"));
     return TomlReader(std::move(document));
   }
   constexpr std::uintmax_t kLargest = std::uintmax_t{16} << 20U;
   if (std::filesystem::file_size(path, code) > kLargest && !code) {
     auto document = std::make_unique<detail::TomlDocument>();
     document->name = path;
-    document->refuse(path, "is larger than 16 MB: no file of settings");
+    document->refuse(path, message("is larger than 16 MB: no file of settings"));
     return TomlReader(std::move(document));
   }
   std::stringstream content;
@@ -332,10 +332,10 @@ TomlReader TomlReader::text(std::string_view content, const std::string& name) {
   document->name = name;
   try {
     document->root = toml::parse(content);
-    if (document->root.empty()) document->refuse(name, "is empty");
+    if (document->root.empty()) document->refuse(name, message("is empty"));
   } catch (const toml::parse_error& wrong) {
-    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), "cannot be read as TOML",
-                     "toml++: " + oneLine(wrong.description()));
+    document->refuse(name + ":" + std::to_string(wrong.source().begin.line), message("cannot be read as TOML"),
+                     message("toml++: %1", oneLine(wrong.description())));
   }
   return TomlReader(std::move(document));
 }

@@ -70,7 +70,7 @@ class TomlTable {
   // "file:line" of a key (or of the table), for errors about meaning found later.
   std::string place(std::string_view key = {}) const;
   // Reports an error about `key`; the first of all counts.
-  void refuse(std::string_view key, const std::string& what, const std::string& why = {}) const;
+  void refuse(std::string_view key, const Message& what, const Message& why = {}) const;
 
  private:
   friend class TomlReader;

@@ -154,7 +154,7 @@ bool usableTogether(const FuzzyOptions& options) noexcept {
 
 Status checkFuzzyOptions(const FuzzyOptions& options) {
   if (!(options.energyUp > options.energyRef)) {
-    return Error{"fuzzy.energy-limit", "must be above fuzzy.energy-reference", ""};
+    return Error{message("fuzzy.energy-limit"), message("must be above fuzzy.energy-reference")};
   }
   for (const auto& [table, keys] : {std::pair(&options.speedRules, &kSpeedKeys), {&options.feedRules, &kFeedKeys}}) {
     const auto rising = risingRule(*table);
@@ -166,9 +166,9 @@ Status checkFuzzyOptions(const FuzzyOptions& options) {
       return config::numberText((*table)[row][column]);
     };
     return Error{key(rising->row, rising->column),
-                 rule(rising->row, rising->column) + " is above " + rule(rising->overRow, rising->overColumn) + " of " +
-                     key(rising->overRow, rising->overColumn),
-                 "rules must fall as coherence rises"};
+                 message("%1 is above %2 of %3", rule(rising->row, rising->column),
+                         rule(rising->overRow, rising->overColumn), key(rising->overRow, rising->overColumn)),
+                 message("rules must fall as coherence rises")};
   }
   return Done{};
 }

@@ -48,8 +48,9 @@ Result<std::unique_ptr<Strategy>> makeStrategy(std::string_view id) {
   }
   std::vector<std::string_view> ids;
   for (const StrategyEntry& entry : strategyTable()) ids.push_back(entry.id);
-  const std::string hint = config::didYouMean(id, ids);
-  return Error{"strategy", "unknown id '" + std::string(id) + "'", hint.empty() ? "known: " + allIds() : hint};
+  const Message hint = config::didYouMean(id, ids);
+  return Error{message("strategy"), message("unknown id '%1'", id),
+               hint.empty() ? message("known: %1", allIds()) : hint};
 }
 
 }  // namespace stillcut::control

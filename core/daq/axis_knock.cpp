@@ -65,7 +65,7 @@ std::vector<std::size_t> blowsIn(const std::vector<std::vector<double>>& powers,
 Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
                               const std::vector<ChannelInfo>& channels, std::size_t told) {
   if (told >= channels.size() || channels[told].axis.empty()) {
-    return Error{kWhere, "the chosen channel has no axis", "say which one it should lie along"};
+    return Error{kWhere, message("the chosen channel has no axis"), message("say which one it should lie along")};
   }
   const ChannelInfo& chosen = channels[told];
   std::vector<std::size_t> compared;
@@ -74,17 +74,19 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
     if (other.quantity == chosen.quantity && other.place == chosen.place && !other.axis.empty()) compared.push_back(c);
   }
   if (compared.size() < 2) {
-    return Error{kWhere, "'" + chosen.name + "' has no other axis beside it", "there is nothing to exchange it with"};
+    return Error{kWhere, message("'%1' has no other axis beside it", chosen.name),
+                 message("there is nothing to exchange it with")};
   }
   if (static_cast<double>(samples[told].size()) < kShortest * rate.value) {
-    return Error{kWhere, "too short", "two seconds are needed"};
+    return Error{kWhere, message("too short"), message("two seconds are needed")};
   }
   std::vector<std::vector<double>> powers;
   powers.reserve(compared.size());
   for (const std::size_t c : compared) powers.push_back(powerOf(samples[c], channels[c].scale));
   const std::vector<std::size_t> blows = blowsIn(powers, rate.value);
   if (blows.empty()) {
-    return Error{kWhere, "none was heard", "knock along " + chosen.axis + ", hard, with the machine quiet"};
+    return Error{kWhere, message("none was heard"),
+                 message("knock along %1, hard, with the machine quiet", chosen.axis)};
   }
   const auto first = static_cast<std::size_t>(std::max(1.0, kFirst * rate.value));
   std::vector<std::pair<double, std::size_t>> energies;
@@ -100,9 +102,9 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
   const double lead = energies[1].first > 0.0 ? 10.0 * std::log10(energies[0].first / energies[1].first) : 99.0;
   if (lead < kClear) {
     return Error{kWhere,
-                 "'" + channels[energies[0].second].name + "' and '" + channels[energies[1].second].name +
-                     "' heard it within " + number(lead) + " dB of each other",
-                 "knock straight along " + chosen.axis + ", close to the sensor"};
+                 message("'%1' and '%2' heard it within %3 dB of each other", channels[energies[0].second].name,
+                         channels[energies[1].second].name, number(lead)),
+                 message("knock straight along %1, close to the sensor", chosen.axis)};
   }
   return KnockHeard{told, energies[0].second, lead, static_cast<int>(blows.size())};
 }

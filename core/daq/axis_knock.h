@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/base/units.h"
 #include "core/model/channel.h"
-#include "core/base/message.h"
 
 namespace stillcut::daq {
 

@@ -107,28 +107,28 @@ Result<double> levelFrom(const std::string& text, SensorQuantity quantity) {
     if (unit == "g" && acceleration) return value * kGravity;
     if (unit.empty() || unit == siUnit(quantity) || (acceleration && unit == "m/s2")) return value;
   }
-  return Error{"the calibrator's level", "'" + text + "' is none",
-               std::string("rms in ") + std::string(siUnit(quantity)) +
-                   (sound          ? ", or as \"94 dB\""
-                    : acceleration ? ", or as \"1 g\""
-                                   : "")};
+  return Error{message("the calibrator's level"), message("'%1' is none", text),
+               message("rms in %1%2", siUnit(quantity),
+                       sound          ? message(", or as \"94 dB\"")
+                       : acceleration ? message(", or as \"1 g\"")
+                                      : Message())};
 }
 
 Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const CalibratorTone& tone) {
   const std::string where = "calibrator";
   const double f = tone.frequency.value;
   if (!(f > 0.0) || !((1.0 + kReach) * f < 0.5 * rate.value)) {
-    return Error{where, number(f) + " Hz cannot be heard at " + number(rate.value) + " samples a second", ""};
+    return Error{where, message("%1 Hz cannot be heard at %2 samples a second", number(f), number(rate.value))};
   }
-  if (!(tone.level > 0.0)) return Error{where, "its level must be above zero", ""};
+  if (!(tone.level > 0.0)) return Error{where, message("its level must be above zero")};
   if (static_cast<double>(samples.size()) < kShortest * rate.value) {
-    return Error{where, "too short", "two seconds of the tone are needed"};
+    return Error{where, message("too short"), message("two seconds of the tone are needed")};
   }
   const double mean = meanOf(samples);
   double power = 0.0;
   for (const float v : samples) power += (static_cast<double>(v) - mean) * (static_cast<double>(v) - mean);
   power /= static_cast<double>(samples.size());
-  if (!(power > 0.0)) return Error{where, "nothing is heard", "is the sensor connected?"};
+  if (!(power > 0.0)) return Error{where, message("nothing is heard"), message("is the sensor connected?")};
 
   Calibration found;
   const auto second = static_cast<std::size_t>(rate.value);
@@ -145,18 +145,18 @@ Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const 
   found.pure = tonePower / count / power;
   if (found.pure < kPure) {
     return Error{where,
-                 "only " + number(100.0 * found.pure) + " % of what is heard is a tone near " + number(f) + " Hz",
-                 "does the calibrator run, on this channel, and is the machine quiet?"};
+                 message("only %1 % of what is heard is a tone near %2 Hz", number(100.0 * found.pure), number(f)),
+                 message("does the calibrator run, on this channel, and is the machine quiet?")};
   }
   for (const double level : levels) found.rms += level / count;
   if (cutOff(samples, mean, found.rms, turn))
-    return Error{where, "the tone is cut off at the input's limit", "set its gain lower"};
+    return Error{where, message("the tone is cut off at the input's limit"), message("set its gain lower")};
   double squares = 0.0;
   for (const double level : levels) squares += (level - found.rms) * (level - found.rms);
   const double sd = std::sqrt(squares / (count - 1.0));
   if (sd > kSteady * found.rms) {
-    return Error{where, "the level moves by " + number(100.0 * sd / found.rms) + " %",
-                 "hold sensor and calibrator still"};
+    return Error{where, message("the level moves by %1 %", number(100.0 * sd / found.rms)),
+                 message("hold sensor and calibrator still")};
   }
   found.scale = tone.level / found.rms;
   found.scaleSd = found.scale * sd / found.rms / std::sqrt(count);

@@ -15,7 +15,7 @@ struct SourceFormat {
   Hertz rate{};
   int blockFrames = 0;  // frames in a full block
   std::vector<ChannelInfo> channels;
-  std::string doubt{};  // what may be wrong with the samples and cannot be seen in them; one line, or empty
+  Message doubt{};  // what may be wrong with the samples and cannot be seen in them; one line, or empty
 };
 
 // How a device that was joined to another runs against this computer's clock.
@@ -39,9 +39,9 @@ class DaqSource {
   // Any thread: makes a blocked read() return false soon.
   virtual void stop() noexcept = 0;
   // After read() returned false: empty for a plain end, else one line.
-  virtual std::string fault() const = 0;
+  virtual Message fault() const = 0;
   // Any thread, while it is read: one line that says why nothing comes, for as long as nothing does; else empty.
-  virtual std::string trouble() const { return {}; }
+  virtual Message trouble() const { return {}; }
   // True: a device measuring the machine as it is now. A source that does not say so drives simulated machines only.
   virtual bool live() const { return false; }
   // Any thread, while it is read: the devices beside the first, where several are joined.

@@ -84,12 +84,12 @@ Result<HeardSamples> hear(DaqSource& device, const SourceFormat& format, const H
     }
   }
   device.stop();
-  if (!device.fault().empty()) return Error{"", device.fault(), ""};
+  if (!device.fault().empty()) return Error{{}, device.fault()};
   if (stretch.length() < wanted) {
     const std::string longest = seconds(static_cast<double>(stretch.longest()) / rate);
-    return Error{kTheDevice, kNotInOnePiece,
-                 "the longest was " + longest + " of " + seconds(request.length.value) +
-                     (stretch.broken() ? ": samples are lost again and again" : "")};
+    return Error{theDevice(), notInOnePiece(),
+                 message("the longest was %1 of %2%3", longest, seconds(request.length.value),
+                         stretch.broken() ? message(": samples are lost again and again") : Message())};
   }
   HeardSamples heard{std::move(stretch).samples(), format.rate, format.channels};
   if (request.told.size() != format.channels.size()) return heard;

@@ -12,7 +12,9 @@ namespace {
 
 constexpr const char* kWhere = "source 'joined'";
 constexpr int kMostDevices = 8;
-constexpr const char* kTwo = "two devices or more are joined: 1_id, 2_id ...";
+Message two() {
+  return message("two devices or more are joined: 1_id, 2_id ...");
+}
 
 using Settings = std::map<std::string, std::string>;
 
@@ -43,9 +45,10 @@ Result<Joining> takeJoining(Settings& part, const std::string& prefix) {
   }
   config::PartSettings settings(ours, kWhere);
   Joining joining;
-  if (!settings.has(id)) settings.fault(id, "is missing", kTwo);
+  if (!settings.has(id)) settings.fault(id, message("is missing"), two());
   joining.id = settings.text(id, "");
-  if (joining.id == "joined" || joining.id == "simulated") settings.fault(id, "is '" + joining.id + "'", "a device");
+  if (joining.id == "joined" || joining.id == "simulated")
+    settings.fault(id, message("is '%1'", joining.id), message("a device"));
   joining.channels = settings.whole(channels, 1, 1, kMaxChannels);
   joining.delay_ms = settings.number(delay, 0.0, -1000.0, 1000.0);
   if (Status known = settings.finish(); !known) return known.error();
@@ -68,9 +71,9 @@ Result<std::unique_ptr<DaqSource>> makeJoined(const SourceRequest& request) {
     if (!joining) return joining.error();
     const auto channels = static_cast<std::size_t>(joining->channels);
     if (channels > request.channels.size() - taken) {
-      return Error{kWhere, "'" + prefix + "channels' is " + std::to_string(channels),
-                   "the [[channels]] are " + std::to_string(request.channels.size()) + " in all, and " +
-                       std::to_string(taken) + " of them are taken"};
+      return Error{kWhere, message("'%1channels' is %2", prefix, std::to_string(channels)),
+                   message("the [[channels]] are %1 in all, and %2 of them are taken",
+                           std::to_string(request.channels.size()), std::to_string(taken))};
     }
     const auto from = request.channels.begin() + static_cast<std::ptrdiff_t>(taken);
     one.channels.assign(from, from + joining->channels);
@@ -83,14 +86,14 @@ Result<std::unique_ptr<DaqSource>> makeJoined(const SourceRequest& request) {
     parts.push_back({std::move(device).value(), Seconds(joining->delay_ms * 1e-3)});
   }
   if (!left.empty()) {
-    return Error{kWhere, "'" + left.begin()->first + "' is not known",
-                 "1_id, 1_channels, 1_delay_ms and 1_ with the device's own settings, then 2_"};
+    return Error{kWhere, message("'%1' is not known", left.begin()->first),
+                 message("1_id, 1_channels, 1_delay_ms and 1_ with the device's own settings, then 2_")};
   }
   if (taken != request.channels.size()) {
-    return Error{kWhere, std::to_string(request.channels.size()) + " [[channels]] in the profile",
-                 "the devices have " + std::to_string(taken) + ": N_channels says how many are theirs"};
+    return Error{kWhere, message("%1 [[channels]] in the profile", std::to_string(request.channels.size())),
+                 message("the devices have %1: N_channels says how many are theirs", std::to_string(taken))};
   }
-  if (request.clock == nullptr) return Error{kWhere, "there is no clock here", ""};
+  if (request.clock == nullptr) return Error{kWhere, message("there is no clock here")};
   return std::unique_ptr<DaqSource>(std::make_unique<JoinedSource>(std::move(parts), *request.clock));
 }
 

@@ -204,16 +204,16 @@ void JoinedSource::stop() noexcept {
   for (JoinedPart& part : parts_) part.device->stop();
 }
 
-std::string JoinedSource::fault() const {
+Message JoinedSource::fault() const {
   for (const JoinedPart& part : parts_) {
-    if (std::string fault = part.device->fault(); !fault.empty()) return fault;
+    if (Message fault = part.device->fault(); !fault.empty()) return fault;
   }
   return {};
 }
 
-std::string JoinedSource::trouble() const {
+Message JoinedSource::trouble() const {
   for (const JoinedPart& part : parts_) {
-    if (std::string trouble = part.device->trouble(); !trouble.empty()) return trouble;
+    if (Message trouble = part.device->trouble(); !trouble.empty()) return trouble;
   }
   return {};
 }

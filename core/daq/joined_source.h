@@ -33,8 +33,8 @@ class JoinedSource final : public DaqSource {
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override;
-  std::string fault() const override;
-  std::string trouble() const override;
+  Message fault() const override;
+  Message trouble() const override;
   bool live() const override;
   std::vector<AlignedClock> clocks() const override;
 

@@ -27,7 +27,7 @@ struct PcmFormat {
   int bits = 32;        // of them in use, the upper ones, but for 24 in 4: the lower three bytes
   int periodFrames = 256;
   std::vector<double> siOfFullScale;  // by channel, where the device knows; empty: 1, the profile's scale says all
-  std::string doubt{};  // what may be wrong with its samples and cannot be seen in them; one line, or empty
+  Message doubt{};  // what may be wrong with its samples and cannot be seen in them; one line, or empty
 };
 
 // What read() and recover() say below 0.

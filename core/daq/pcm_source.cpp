@@ -53,12 +53,12 @@ Result<SourceFormat> PcmSource::open() {
   return format;
 }
 
-std::string PcmSource::trouble() const {
+Message PcmSource::trouble() const {
   const std::lock_guard lock(saying_);
   return trouble_;
 }
 
-void PcmSource::say(const std::string& trouble) {
+void PcmSource::say(const Message& trouble) {
   const std::lock_guard lock(saying_);
   trouble_ = trouble;
 }
@@ -73,10 +73,10 @@ bool PcmSource::reopen() noexcept {
       try {
         const auto opened = driver_->open(request_);
         streaming_ = opened && opened->channels == format_.channels && opened->sampleBytes == format_.sampleBytes;
-        say(streaming_ ? std::string()
-            : opened
-                ? name_ + ": is not the device that it was"
-                : Error{message("%1 %2", name_, opened.error().where), opened.error().what, opened.error().why}.line());
+        say(streaming_ ? Message()
+            : opened   ? message("%1: is not the device that it was", name_)
+                       : Error{message("%1 %2", name_, opened.error().where), opened.error().what, opened.error().why}
+                           .asMessage());
       } catch (...) {
         streaming_ = false;
       }

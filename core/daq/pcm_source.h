@@ -26,13 +26,13 @@ class PcmSource final : public DaqSource {
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
-  std::string fault() const override { return fault_; }
-  std::string trouble() const override;
+  Message fault() const override { return fault_; }
+  Message trouble() const override;
   bool live() const override { return true; }
 
  private:
   bool reopen() noexcept;
-  void say(const std::string& trouble);
+  void say(const Message& trouble);
   void unpack(SampleBlock& block, int frames) const noexcept;
 
   std::string name_;
@@ -47,9 +47,9 @@ class PcmSource final : public DaqSource {
   std::vector<unsigned char> raw_;
   bool streaming_ = false;
   Instant nextOpen_{};  // not before: a device that opens and delivers nothing is not asked in a tight loop
-  std::string fault_;
+  Message fault_;
   mutable std::mutex saying_;  // while the device is away
-  std::string trouble_;
+  Message trouble_;
   std::atomic<bool> stopped_{false};
 };
 

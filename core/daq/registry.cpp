@@ -14,14 +14,14 @@
 #include "core/daq/stream_source.h"
 #include "core/model/sensor_status.h"
 #include "core/session/open_recording.h"
-#include "core/session/replay_source.h"
+#include "core/daq/replay_source.h"
 
 namespace stillcut::daq {
 
 namespace {
 
 Result<std::unique_ptr<DaqSource>> makeSimulated(const SourceRequest& r) {
-  if (r.scenario == nullptr) return Error{"source 'simulated'", "a scenario is needed", ""};
+  if (r.scenario == nullptr) return Error{message("source 'simulated'"), message("a scenario is needed")};
   return std::unique_ptr<DaqSource>(std::make_unique<SimulatedSource>(*r.scenario, r.seed, r.port, r.pace));
 }
 
@@ -30,7 +30,8 @@ Result<std::unique_ptr<DaqSource>> makeReplay(const SourceRequest& r) {
   const std::string where = "source 'replay'";
   config::PartSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("file", "");
-  if (file.empty()) settings.fault("file", "is missing", "a session, or a recording of any kind that is imported");
+  if (file.empty())
+    settings.fault("file", message("is missing"), message("a session, or a recording of any kind that is imported"));
   ReplayOptions options;
   options.pace = settings.number("pace", 1.0, 0.1, 1000.0);  // times real time
   options.clock = r.clock;
@@ -44,8 +45,8 @@ Result<std::unique_ptr<DaqSource>> makeReplay(const SourceRequest& r) {
 
 Status realChannels(const SourceRequest& r, const std::string& where) {
   if (!r.channels.empty() && r.channels.size() <= kMaxChannels) return Done{};
-  return Error{where, std::to_string(r.channels.size()) + " [[channels]] in the profile",
-               "as many as the device sends, 1 to " + std::to_string(kMaxChannels)};
+  return Error{where, message("%1 [[channels]] in the profile", std::to_string(r.channels.size())),
+               message("as many as the device sends, 1 to %1", std::to_string(kMaxChannels))};
 }
 
 // Bytes over a wire: what frames are in them, and what cannot be seen in them, the rate and the channels.
@@ -55,14 +56,15 @@ Result<std::unique_ptr<DaqSource>> makeStream(const SourceRequest& r, const std:
   const WireAddress address = addressOf(settings);
   SourceFormat format;
   format.channels = r.channels;
-  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, from 100 to 1000000");
+  if (!settings.has("rate_hz"))
+    settings.fault("rate_hz", message("is missing"), message("samples a second, from 100 to 1000000"));
   format.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
   const double block = settings.number("block_ms", 10.0, 1.0, 200.0) * 1e-3;
   format.blockFrames = std::max(1, static_cast<int>(block * format.rate.value));
   auto decoder = makeDecoder(settings, static_cast<int>(r.channels.size()));
   if (Status known = settings.finish(); !known) return known.error();
   if (Status some = realChannels(r, where); !some) return some.error();
-  if (!r.wires || r.clock == nullptr) return Error{where, "there is no wire to a real device here", ""};
+  if (!r.wires || r.clock == nullptr) return Error{where, message("there is no wire to a real device here")};
   auto wire = r.wires(address);
   if (!wire) return wire.error();
   return std::unique_ptr<DaqSource>(
@@ -105,8 +107,9 @@ std::vector<int> inputsFrom(config::PartSettings& settings, std::size_t channels
     if (at == next && at != end) break;
   }
   if (at != end || inputs.size() != channels) {
-    settings.fault("inputs", "is '" + text + "'",
-                   "one input from 0 for each of the " + std::to_string(channels) + " [[channels]], for example 0,1");
+    settings.fault(
+        "inputs", message("is '%1'", text),
+        message("one input from 0 for each of the %1 [[channels]], for example 0,1", std::to_string(channels)));
   }
   return inputs;
 }
@@ -121,8 +124,9 @@ Result<std::unique_ptr<DaqSource>> makePcm(const SourceRequest& r, const std::st
   std::vector<int> inputs = inputsFrom(settings, r.channels.size());
   if (Status known = settings.finish(); !known) return known.error();
   if (!driver)
-    return Error{where, "such devices are not part of this build", "install " + package + " and build again"};
-  if (r.clock == nullptr) return Error{where, "there is no clock here", ""};
+    return Error{where, message("such devices are not part of this build"),
+                 message("install %1 and build again", package)};
+  if (r.clock == nullptr) return Error{where, message("there is no clock here")};
   return std::unique_ptr<DaqSource>(std::make_unique<PcmSource>(where, std::move(request), r.channels,
                                                                 std::move(inputs), std::move(driver), *r.clock));
 }
@@ -143,8 +147,10 @@ Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
   config::PartSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "");
-  if (request.device.empty()) settings.fault("device", "is missing", "its name, as stillcut-cli devices lists it");
-  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, one of the device's");
+  if (request.device.empty())
+    settings.fault("device", message("is missing"), message("its name, as stillcut-cli devices lists it"));
+  if (!settings.has("rate_hz"))
+    settings.fault("rate_hz", message("is missing"), message("samples a second, one of the device's"));
   request.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
   const std::string uri = settings.text("uri", "local:");
   const std::string trigger = settings.has("trigger") ? settings.text("trigger", "") : std::string();
@@ -156,7 +162,8 @@ Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
   config::PartSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "/dev/comedi0");
-  if (!settings.has("rate_hz")) settings.fault("rate_hz", "is missing", "samples a second, from 100 to 1000000");
+  if (!settings.has("rate_hz"))
+    settings.fault("rate_hz", message("is missing"), message("samples a second, from 100 to 1000000"));
   request.rate = Hertz(settings.number("rate_hz", 1000.0, 100.0, 1e6));
   const int range = settings.whole("range", 0, 0, 31);
   const auto reference = static_cast<int>(settings.choice("reference", 2, {"ground", "common", "differential"}));
@@ -193,7 +200,7 @@ Result<std::unique_ptr<DaqSource>> makeSource(std::string_view id, const SourceR
     if (e.id == id) return e.make(request);
     known += (known.empty() ? "" : ", ") + std::string(e.id);
   }
-  return Error{"source", "'" + std::string(id) + "' is not known", "known: " + known};
+  return Error{message("source"), message("'%1' is not known", id), message("known: %1", known)};
 }
 
 }  // namespace stillcut::daq

@@ -12,7 +12,7 @@ SimulatedSource::SimulatedSource(const milling::Scenario& scenario, std::uint64_
 
 Result<SourceFormat> SimulatedSource::open() {
   if (pace_.realTime && !(pace_.multiplier > 0.0)) {
-    return Error{"simulated source", "the pace must be above zero", ""};
+    return Error{message("simulated source"), message("the pace must be above zero")};
   }
   if (port_ && !pace_.realTime) port_->publish(plant_);
   const CutSetup setup = plant_.scenario().cutSetup();

@@ -29,7 +29,7 @@ class SimulatedSource final : public DaqSource {
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
-  std::string fault() const override { return {}; }
+  Message fault() const override { return {}; }
 
   // The plant and its truth: driver thread, or any thread once reading has ended.
   const milling::SimulatedCut& plant() const { return plant_; }

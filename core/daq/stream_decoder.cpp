@@ -35,8 +35,8 @@ std::unique_ptr<StreamDecoder> binary(config::PartSettings& settings, int channe
   const std::string sync = settings.text("sync", "");
   f.sync = bytesOfHex(sync);
   if (f.sync.empty()) {
-    settings.fault("sync", sync.empty() ? "is missing" : "is '" + sync + "'",
-                   "binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55");
+    settings.fault("sync", sync.empty() ? message("is missing") : message("is '%1'", sync),
+                   message("binary frames begin with 1 to 8 bytes in hexadecimal, for example AA55"));
   }
   constexpr int kCounters[] = {0, 1, 2, 4};
   f.counterBytes = kCounters[settings.choice("counter", 0, {"none", "u8", "u16", "u32"})];

@@ -24,7 +24,7 @@ StreamSource::StreamSource(std::string name, SourceFormat format, std::unique_pt
       decoder_(std::move(decoder)),
       clock_(clock),
       values_(format_.channels.size()) {
-  if (!decoder_->countsLosses() && decoder_->lossUnit() == 1) format_.doubt = kUncounted;
+  if (!decoder_->countsLosses() && decoder_->lossUnit() == 1) format_.doubt = uncounted();
   stamper_.prepare(format_.rate, format_.blockFrames, decoder_->countsLosses(), decoder_->lossUnit());
 }
 
@@ -43,9 +43,9 @@ Result<SourceFormat> StreamSource::open() {
     if (stopped_.load(std::memory_order_relaxed) || clock_.now() - since > (linked && !spoken ? kBoot : kOpenTime)) {
       const std::string wire = name_ + " at " + std::string(wire_->address());
       wire_->close();
-      if (!linked) return Error{wire, kNotOpened, kIsItFree};
-      if (bytes_ == 0) return Error{wire, kNothingSent, kDoesItStream};
-      return Error{wire, kNoSampleInIt, kSameFrames};
+      if (!linked) return Error{wire, notOpened(), isItFree()};
+      if (bytes_ == 0) return Error{wire, nothingSent(), doesItStream()};
+      return Error{wire, noSampleInIt(), sameFrames()};
     }
   }
   wire_->handOver();
@@ -104,9 +104,9 @@ void StreamSource::mind() noexcept {
   }
 }
 
-std::string StreamSource::trouble() const {
+Message StreamSource::trouble() const {
   if (!away_.load(std::memory_order_relaxed)) return {};
-  return name_ + " at " + std::string(wire_->address()) + ": nothing comes any more, the wire is taken up again";
+  return message("%1 at %2: nothing comes any more, the wire is taken up again", name_, wire_->address());
 }
 
 // True: the block is complete, or has to end because samples are missing after it.

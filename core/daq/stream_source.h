@@ -28,8 +28,8 @@ class StreamSource final : public DaqSource {
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override { stopped_.store(true, std::memory_order_relaxed); }
-  std::string fault() const override { return {}; }
-  std::string trouble() const override;
+  Message fault() const override { return {}; }
+  Message trouble() const override;
   bool live() const override { return true; }
 
  private:

@@ -37,7 +37,7 @@ Result<std::unique_ptr<Detector>> makeDetector(std::string_view id) {
   }
   std::array<std::string_view, kTable.size()> ids;
   std::transform(kTable.begin(), kTable.end(), ids.begin(), [](const DetectorRow& row) { return row.id; });
-  return Error{"detector", "unknown id '" + std::string(id) + "'", config::didYouMean(id, ids)};
+  return Error{message("detector"), message("unknown id '%1'", id), config::didYouMean(id, ids)};
 }
 
 }  // namespace stillcut::detect

@@ -52,13 +52,13 @@ using Take = std::function<Status(const Row&, const std::string& where)>;
 
 Status readTable(const std::string& path, const std::string& needed, const Take& take) {
   std::ifstream in(path);
-  if (!in) return Error{path, "cannot be opened", ""};
+  if (!in) return Error{path, message("cannot be opened")};
   std::string line;
   std::getline(in, line);
   if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   const std::vector<std::string> header = cellsOf(line);
   if (std::find(header.begin(), header.end(), needed) == header.end()) {
-    return Error{path + ":1", "has no column '" + needed + "'", "names parted by commas were expected"};
+    return Error{path + ":1", message("has no column '%1'", needed), message("names parted by commas were expected")};
   }
   for (int number = 2; std::getline(in, line); ++number) {
     if (line.empty() || line == "\r") continue;
@@ -90,7 +90,8 @@ Result<std::optional<RecordedTruth>> fromTable(const fs::path& recording, const 
     if (cell("file") != recording.filename().string()) return Done{};
     const auto begin = numberFrom(cell("t0_s"));
     const auto end = numberFrom(cell("t1_s"));
-    if (!begin || !end || !(*begin < *end)) return Error{where, "t0_s and t1_s must be times, one after the other", ""};
+    if (!begin || !end || !(*begin < *end))
+      return Error{where, message("t0_s and t1_s must be times, one after the other")};
     truth.spans.push_back({Seconds(*begin), Seconds(*end), kindOf(cell("label")), cell("label")});
     if (const auto teeth = numberFrom(cell("teeth")); teeth && truth.teeth == 0) truth.teeth = static_cast<int>(*teeth);
     if (!cell("programmed_rpm").empty()) programmed.insert(cell("programmed_rpm"));
@@ -121,7 +122,7 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
     const auto time = row.find("t_s");
     const auto ratio = row.find("ratio_chatter_to_forced");
     if (time == row.end() || ratio == row.end() || !numberFrom(time->second) || !numberFrom(ratio->second)) {
-      return Error{where, "needs the numbers t_s and ratio_chatter_to_forced", ""};
+      return Error{where, message("needs the numbers t_s and ratio_chatter_to_forced")};
     }
     times.emplace_back(*numberFrom(time->second));
     ratios.push_back(*numberFrom(ratio->second));
@@ -130,7 +131,8 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
   if (!read) return read.error();
   std::ifstream in(name + ".json");
   const nlohmann::json about = nlohmann::json::parse(in, nullptr, false);
-  if (!about.is_object()) return Error{name + ".json", "is missing or no object in JSON", "it says teeth and speed"};
+  if (!about.is_object())
+    return Error{name + ".json", message("is missing or no object in JSON"), message("it says teeth and speed")};
   const auto number = [&about](const char* key) {
     const auto found = about.find(key);
     return found != about.end() && found->is_number() ? found->get<double>() : kNever;

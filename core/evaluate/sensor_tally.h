@@ -1,4 +1,4 @@
-// What can be said of the sensors from what they delivered.
+// What can be said of the sensors from what they delivered. Thread: one; not real-time.
 #pragma once
 
 #include <vector>

@@ -321,9 +321,9 @@ Result<SessionSummary> summarizeRecording(const std::string& path, const record:
     if (!*more) break;
     builder.add(block, (*reader)->recordedStep());
     framesRead += block.frames;
-    if (goOn && !goOn(framesRead / allFrames)) return Error{path, "stopped", ""};
+    if (goOn && !goOn(framesRead / allFrames)) return Error{path, message("stopped")};
   }
-  if (blocks == 0) return Error{path, "holds no samples", ""};
+  if (blocks == 0) return Error{path, message("holds no samples")};
   SessionSummary summary = builder.finish();
   if (summary.session) {
     auto markers = record::readMarkers(path);

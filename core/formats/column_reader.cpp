@@ -53,7 +53,7 @@ class ColumnReader final : public RecordingReader {
 
  private:
   Result<bool> ended() const {
-    if (!any_) return Error{path_, "none of its samples is a number", ""};
+    if (!any_) return Error{path_, message("none of its samples is a number")};
     return false;
   }
   Status fetch(std::int64_t frames) {
@@ -79,8 +79,8 @@ class ColumnReader final : public RecordingReader {
       if (!(std::abs(value) <= kLargest)) {
         const std::string what = "sample " + std::to_string(framesRead_ + static_cast<std::int64_t>(f)) + " of '" +
                                  format_.channels[static_cast<std::size_t>(channel)].info.name + "'";
-        if (std::isfinite(value)) return Error{path_, what + " is too large for a sample", ""};
-        return Error{path_, what + " is not a finite number", ""};
+        if (std::isfinite(value)) return Error{path_, message("%1 is too large for a sample", what)};
+        return Error{path_, message("%1 is not a finite number", what)};
       }
       to[f] = static_cast<float>(value);
     }
@@ -122,16 +122,17 @@ void leaveSpeedOut(std::vector<ColumnChannel>& all, RecordingFormat& format, con
 Result<std::unique_ptr<RecordingReader>> openColumns(const std::string& path, RecordingFormat format,
                                                      std::vector<ColumnChannel> all, const ReadOptions& options) {
   leaveSpeedOut(all, format, options);
-  if (all.empty() || format.frames <= 0) return Error{path, "holds no samples", ""};
+  if (all.empty() || format.frames <= 0) return Error{path, message("holds no samples")};
   if (!(format.rate.value > 0.0) || !std::isfinite(format.rate.value)) {
-    return Error{path, "the sampling rate is senseless", "give it with --rate HZ"};
+    return Error{path, message("the sampling rate is senseless"), message("give it with --rate HZ")};
   }
   std::vector<RecordedChannel> channels;
   channels.reserve(all.size());
   for (const ColumnChannel& c : all) channels.push_back(c.channel);
   Result<std::vector<RecordedChannel>> kept = keepChannels(channels, options.channels, path);
   if (!kept) return kept.error();
-  if (kept->size() > kMostChannels) return Error{path, "has more than 64 channels", "choose some with --channel N[,N]"};
+  if (kept->size() > kMostChannels)
+    return Error{path, message("has more than 64 channels"), message("choose some with --channel N[,N]")};
   format.channels = std::move(*kept);
   if (const Status s = applyOptions(format.channels, options); !s) return s.error();
   std::vector<std::unique_ptr<Column>> columns;

@@ -94,8 +94,8 @@ Result<std::vector<FilledGap>> readGapList(const std::string& path, std::int64_t
     FilledGap gap;
     if (std::sscanf(line.c_str(), "%" SCNd64 ",%" SCNd64, &gap.first, &gap.frames) != 2 || gap.first < end ||
         gap.frames < 0 || gap.frames > frames - gap.first) {
-      return Error{path + ":" + std::to_string(number), "is no gap of the recording beside it",
-                   "remove the list where it belongs to another file"};
+      return Error{path + ":" + std::to_string(number), message("is no gap of the recording beside it"),
+                   message("remove the list where it belongs to another file")};
     }
     end = gap.first + gap.frames;
     gaps.push_back(gap);

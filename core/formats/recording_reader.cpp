@@ -12,8 +12,8 @@ Result<std::vector<RecordedChannel>> keepChannels(const std::vector<RecordedChan
   std::vector<RecordedChannel> kept;
   for (const int index : wanted) {
     if (index < 0 || index >= static_cast<int>(all.size())) {
-      return Error{where, "there is no channel " + std::to_string(index),
-                   "it has " + std::to_string(all.size()) + ", counted from 0"};
+      return Error{where, message("there is no channel %1", std::to_string(index)),
+                   message("it has %1, counted from 0", std::to_string(all.size()))};
     }
     kept.push_back(all[static_cast<std::size_t>(index)]);
   }
@@ -22,7 +22,7 @@ Result<std::vector<RecordedChannel>> keepChannels(const std::vector<RecordedChan
 
 Status applyOptions(std::vector<RecordedChannel>& channels, const ReadOptions& options) {
   if (options.scale && (!std::isfinite(*options.scale) || *options.scale == 0.0)) {
-    return Error{"--scale", "must be a number other than zero", ""};
+    return Error{"--scale", message("must be a number other than zero")};
   }
   for (RecordedChannel& channel : channels) {
     if (options.quantity) {

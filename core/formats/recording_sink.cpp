@@ -40,11 +40,12 @@ Result<std::unique_ptr<RecordingSink>> createSink(const std::string& path, const
   if (kind != nullptr) return kind->create(path, plan);
   const std::string suffix = std::filesystem::path(path).extension().string();
   if (suffix == ".pdf" || suffix == ".png" || suffix == ".svg") {
-    return Error{path, "cannot be written here", "stillcut --report IN OUT makes reports and pictures"};
+    return Error{path, message("cannot be written here"),
+                 message("stillcut --report IN OUT makes reports and pictures")};
   }
   std::string all;
   for (const SinkKind& known : kSinks) all += (all.empty() ? "" : " ") + std::string(known.suffix);
-  return Error{path, "cannot be written", "the suffix must be one of " + all};
+  return Error{path, message("cannot be written"), message("the suffix must be one of %1", all)};
 }
 
 bool sinkNeedsLook(const std::string& path) {

@@ -66,7 +66,7 @@ Result<std::unique_ptr<RecordingReader>> openSpan(std::unique_ptr<RecordingReade
   const double from = span.from.value_or(Seconds(0.0)).value;
   const double to = span.to.value_or(Seconds(std::numeric_limits<double>::infinity())).value;
   const std::string text = std::to_string(from) + " s to " + (span.to ? std::to_string(to) + " s" : "the end");
-  if (!(from >= 0.0) || !(to > from)) return Error{where, "the span from " + text + " is empty", ""};
+  if (!(from >= 0.0) || !(to > from)) return Error{where, message("the span from %1 is empty", text)};
   const double rate = whole->format().rate.value;
   const auto frame = [rate](double seconds) {
     return static_cast<std::int64_t>(std::llround(std::min(seconds * rate, kFarthest)));

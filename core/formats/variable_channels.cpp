@@ -14,7 +14,9 @@
 namespace stillcut::record {
 namespace {
 
-constexpr const char* kGiveRate = "give it with --rate HZ";
+Message giveRate() {
+  return message("give it with --rate HZ");
+}
 
 // "Sample_Rate" and "sampleRate" are "samplerate".
 std::string plainWord(std::string_view name) {
@@ -83,7 +85,7 @@ Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
         shortest = std::min(shortest, values[i] - before);
         longest = std::max(longest, values[i] - before);
       }
-      if (!std::isfinite(values[i])) return Error{where, "holds times that are not finite", kGiveRate};
+      if (!std::isfinite(values[i])) return Error{where, message("holds times that are not finite"), giveRate()};
       before = values[i];
     }
   }
@@ -92,7 +94,8 @@ Result<double> rateFromTimes(const FileArray& times, const std::string& path) {
   const double seconds = (before - first) * toSeconds;
   const double step = (before - first) / static_cast<double>(times.frames - 1);
   if (!(step > 0.0) || shortest < 0.5 * step || longest > 1.5 * step) {
-    return Error{where, "the time steps are uneven", "give --rate HZ to read the samples as evenly spaced"};
+    return Error{where, message("the time steps are uneven"),
+                 message("give --rate HZ to read the samples as evenly spaced")};
   }
   constexpr double kFrames = 0.05;  // what a clock could tell
   const double rate = static_cast<double>(times.frames - 1) / seconds;
@@ -122,7 +125,7 @@ bool isNoSignal(const FileArray& array) {
 
 Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const ReadOptions& options) {
   if (options.rate && !(options.rate->value > 0.0 && std::isfinite(options.rate->value))) {
-    return Error{"--rate", "must be above zero", ""};
+    return Error{"--rate", message("must be above zero")};
   }
   RecordingFormat format;
   format.kind = contents.kind;
@@ -147,9 +150,10 @@ Result<std::unique_ptr<RecordingReader>> openArrays(FileContents contents, const
       all.push_back({channelOf(array, c), [open = array.open, c] { return open(c); }});
     }
   }
-  if (all.empty()) return Error{contents.path, "holds no array of samples", ""};
+  if (all.empty()) return Error{contents.path, message("holds no array of samples")};
   if (!rate) {
-    return Error{contents.path, "the sampling rate is not known: it holds neither a rate nor times", kGiveRate};
+    return Error{contents.path, message("the sampling rate is not known: it holds neither a rate nor times"),
+                 giveRate()};
   }
   format.rate = Hertz(*rate);
   return openColumns(contents.path, std::move(format), std::move(all), options);

@@ -18,54 +18,56 @@ double Engagement::exitAngle() const {
 namespace {
 
 Status checkMode(const Mode& m, const std::string& place) {
-  const auto bad = [&](const char* what) { return Status(Error{place, what, ""}); };
-  if (!(m.frequency.value > 0.0) || !isFinite(m.frequency)) return bad("frequency must be above zero");
-  if (!(m.damping > 0.0) || !(m.damping < 1.0)) return bad("damping ratio must lie between 0 and 1");
-  if (!(m.stiffness > 0.0) || !std::isfinite(m.stiffness)) return bad("stiffness must be above zero");
+  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  if (!(m.frequency.value > 0.0) || !isFinite(m.frequency)) return bad(message("frequency must be above zero"));
+  if (!(m.damping > 0.0) || !(m.damping < 1.0)) return bad(message("damping ratio must lie between 0 and 1"));
+  if (!(m.stiffness > 0.0) || !std::isfinite(m.stiffness)) return bad(message("stiffness must be above zero"));
   const double size = std::hypot(m.direction[0], m.direction[1]);
-  if (!(size > 0.0) || !std::isfinite(size)) return bad("direction must not be zero");
+  if (!(size > 0.0) || !std::isfinite(size)) return bad(message("direction must not be zero"));
   return Done{};
 }
 
 Status checkTool(const Tool& t, const std::string& place) {
-  const auto bad = [&](const std::string& what) { return Status(Error{place, what, ""}); };
+  const auto bad = [&](Message what) { return Status(Error{place, what}); };
   const auto teeth = static_cast<std::size_t>(t.teeth);
-  if (t.teeth < 1 || t.teeth > 12) return bad("teeth must be 1 to 12, not " + std::to_string(t.teeth));
-  if (!(t.diameter.value > 0.0) || !isFinite(t.diameter)) return bad("diameter must be above zero");
+  if (t.teeth < 1 || t.teeth > 12) return bad(message("teeth must be 1 to 12, not %1", std::to_string(t.teeth)));
+  if (!(t.diameter.value > 0.0) || !isFinite(t.diameter)) return bad(message("diameter must be above zero"));
   if (!t.pitch.empty()) {
-    if (t.pitch.size() != teeth) return bad("pitch needs one angle per tooth");
+    if (t.pitch.size() != teeth) return bad(message("pitch needs one angle per tooth"));
     for (double p : t.pitch) {
-      if (!(p > 0.0)) return bad("pitch angles must be above zero");
+      if (!(p > 0.0)) return bad(message("pitch angles must be above zero"));
     }
     if (std::abs(std::accumulate(t.pitch.begin(), t.pitch.end(), 0.0) - kTwoPi) > 1e-6) {
-      return bad("pitch angles must sum to 360 degrees");
+      return bad(message("pitch angles must sum to 360 degrees"));
     }
   }
-  if (!t.runout.empty() && t.runout.size() != teeth) return bad("runout needs one value per tooth");
+  if (!t.runout.empty() && t.runout.size() != teeth) return bad(message("runout needs one value per tooth"));
   for (Metres r : t.runout) {
-    if (!isFinite(r)) return bad("runout must be finite");
+    if (!isFinite(r)) return bad(message("runout must be finite"));
   }
-  if (!std::isfinite(t.helix) || std::abs(t.helix) > 1.4) return bad("helix must lie within 80 degrees");
+  if (!std::isfinite(t.helix) || std::abs(t.helix) > 1.4) return bad(message("helix must lie within 80 degrees"));
   return Done{};
 }
 
 }  // namespace
 
 Status check(const CutModel& model, const std::string& where) {
-  if (model.modes.empty()) return Error{where, "at least one mode is needed", ""};
+  if (model.modes.empty()) return Error{where, message("at least one mode is needed")};
   for (std::size_t i = 0; i < model.modes.size(); ++i) {
     if (Status s = checkMode(model.modes[i], where + ": mode " + std::to_string(i + 1)); !s) return s;
   }
   if (Status s = checkTool(model.tool, where + ": tool"); !s) return s;
   const Material& m = model.material;
   for (double k : {m.tangential, m.radial, m.tangentialEdge, m.radialEdge, m.processDamping}) {
-    if (!std::isfinite(k)) return Error{where + ": material", "cutting coefficients must be finite", ""};
+    if (!std::isfinite(k)) return Error{where + ": material", message("cutting coefficients must be finite")};
   }
-  if (!(m.tangential > 0.0)) return Error{where + ": material", "the tangential coefficient must be above zero", ""};
-  if (!(m.exponent > 0.0) || m.exponent > 1.0) return Error{where + ": material", "exponent must lie in (0, 1]", ""};
+  if (!(m.tangential > 0.0))
+    return Error{where + ": material", message("the tangential coefficient must be above zero")};
+  if (!(m.exponent > 0.0) || m.exponent > 1.0)
+    return Error{where + ": material", message("exponent must lie in (0, 1]")};
   const double immersion = model.engagement.radialImmersion;
   if (!(immersion > 0.0) || immersion > 1.0) {
-    return Error{where + ": engagement", "radial immersion must lie in (0, 1]", ""};
+    return Error{where + ": engagement", message("radial immersion must lie in (0, 1]")};
   }
   return Done{};
 }

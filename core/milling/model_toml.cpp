@@ -46,7 +46,7 @@ std::vector<Mode> readModes(const config::TomlTable& root) {
     if (d.size() == 2) {
       m.direction = {d[0], d[1]};
     } else {
-      t.refuse("direction", "a direction is two numbers, along x and y");
+      t.refuse("direction", message("a direction is two numbers, along x and y"));
     }
     modes.push_back(m);
   }

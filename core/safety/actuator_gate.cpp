@@ -7,15 +7,15 @@ namespace stillcut::safety {
 
 Status ActuatorGate::prepare(const ActuatorLimits& limits, Hertz rate) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
-  if (!positive(limits.amplitude)) return Error{"actuator", "the amplitude limit must be above zero", ""};
-  if (!positive(limits.slew)) return Error{"actuator", "the slew limit must be above zero", ""};
-  if (!positive(rate.value)) return Error{"actuator", "the sample rate must be above zero", ""};
+  if (!positive(limits.amplitude)) return Error{message("actuator"), message("the amplitude limit must be above zero")};
+  if (!positive(limits.slew)) return Error{message("actuator"), message("the slew limit must be above zero")};
+  if (!positive(rate.value)) return Error{message("actuator"), message("the sample rate must be above zero")};
   if (!positive(limits.lease.value) || limits.lease.value > 1.0) {
-    return Error{"actuator", "the lease must be above zero and at most one second", ""};
+    return Error{message("actuator"), message("the lease must be above zero and at most one second")};
   }
   for (const Seconds ramp : {limits.rampIn, limits.rampOut}) {
     if (!positive(ramp.value) || ramp.value > 10.0) {
-      return Error{"actuator", "ramps must be above zero and at most ten seconds", ""};
+      return Error{message("actuator"), message("ramps must be above zero and at most ten seconds")};
     }
   }
   limits_ = limits;

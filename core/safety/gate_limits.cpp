@@ -87,7 +87,7 @@ constexpr Seconds kYoungestStale{0.1};
 // Shorter than this, and a state would be stale although the link does all that it can.
 constexpr double kFewestPeriods = 2.0;
 
-Error refuse(std::string_view where, const ParamDecl& key, const std::string& what, const std::string& why) {
+Error refuse(std::string_view where, const ParamDecl& key, const Message& what, const Message& why) {
   return Error{std::string(where) + ": " + std::string(key.key), what, why};
 }
 
@@ -96,13 +96,13 @@ Status fitToLink(GateLimits& limits, const config::ParamSet& params, Seconds lin
   const bool automatic = params.isAutomatic(kMachineAge);
   limits.machineAge = automatic ? staleAfter(linkPeriod, block) : Seconds(params.real(kMachineAge) / 1000.0);
   const Seconds fewest = linkPeriod * kFewestPeriods;
-  const std::string why = "the link reads the machine every " + std::to_string(std::lround(1e3 * linkPeriod.value)) +
-                          " ms: at least two of its periods";
+  const Message why = message("the link reads the machine every %1 ms: at least two of its periods",
+                              std::lround(1e3 * linkPeriod.value));
   if (limits.machineAge < fewest) {
-    return refuse(where, kMachineAge, "every machine state would be stale", why);
+    return refuse(where, kMachineAge, message("every machine state would be stale"), why);
   }
   if (limits.takeTime < fewest) {
-    return refuse(where, kTakeTime, "no override could be seen in force in time", why);
+    return refuse(where, kTakeTime, message("no override could be seen in force in time"), why);
   }
   return Done{};
 }
@@ -143,7 +143,8 @@ Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& se
   limits.followTime = Seconds(params.real(kFollowTime));
   limits.lease = milli(kLease);
   if (setup.rate.value > 0.0 && limits.lease.value < 2.0 * setup.blockFrames / setup.rate.value) {
-    return refuse(where, kLease, "the lease is shorter than two blocks", "it would run out between two commands");
+    return refuse(where, kLease, message("the lease is shorter than two blocks"),
+                  message("it would run out between two commands"));
   }
   const Seconds block(setup.rate.value > 0.0 ? setup.blockFrames / setup.rate.value : 0.0);
   if (const Status fits = fitToLink(limits, params, linkPeriod, block, where); !fits) return fits.error();

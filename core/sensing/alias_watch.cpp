@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/detect/liao/spectral.h"
+#include "core/dsp/line_outside.h"
 #include "core/dsp/fft.h"
 #include "core/dsp/kernels/choose.h"
 

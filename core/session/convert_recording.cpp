@@ -40,7 +40,8 @@ Status checkGap(const SampleBlock& after, const std::string& to) {
   constexpr double kLongestGap = 60.0;
   const double seconds = static_cast<double>(after.lostFrames) / after.rate.value;
   if (seconds <= kLongestGap) return Done{};
-  return Error{to, "a gap of " + std::to_string(seconds) + " s", "convert to CSV instead, or a span without it"};
+  return Error{to, message("a gap of %1 s", std::to_string(seconds)),
+               message("convert to CSV instead, or a span without it")};
 }
 
 Status look(RecordingReader& reader, const std::string& to, ExportPlan& plan) {
@@ -94,7 +95,7 @@ Status convertRecording(const std::string& from, const std::string& to, const Re
   }
   if (sinkNeedsLook(to)) {
     if (const Status s = look(**reader, to, plan); !s) return s.error();
-    if (plan.frames == 0) return Error{from, "the span holds no samples", ""};
+    if (plan.frames == 0) return Error{from, message("the span holds no samples")};
     reader = openPart(from, options, span, open);
     if (!reader) return reader.error();
   }
@@ -114,7 +115,7 @@ Status convertRecording(const std::string& from, const std::string& to, const Re
     return (*sink)->write(block);
   });
   if (!copied) return copied.error();
-  if (frames == 0) return Error{from, "the span holds no samples", ""};
+  if (frames == 0) return Error{from, message("the span holds no samples")};
   if (const Status s = (*sink)->finish(); !s) return s.error();
   return style == GapStyle::Listed ? writeGapList(to, gaps, plan.rate) : Done{};
 }

@@ -14,20 +14,20 @@ Result<Instant> firstSample(const std::string& session) {
   if (!reader) return reader.error();
   SampleBlock block;
   const RecordingFormat& format = (*reader)->format();
-  if (!format.setup) return Error{session, "is no session", "only sessions have markers"};
+  if (!format.setup) return Error{session, message("is no session"), message("only sessions have markers")};
   block.allocate(static_cast<int>(format.channels.size()), std::max(1, format.blockFrames));
   const Result<bool> more = (*reader)->read(block);
   if (!more) return more.error();
-  if (!*more) return Error{session, "holds no samples", ""};
+  if (!*more) return Error{session, message("holds no samples")};
   return block.firstSample;
 }
 
-std::string known(const std::vector<Marker>& markers) {
+Message known(const std::vector<Marker>& markers) {
   std::set<std::string> labels;
   for (const Marker& m : markers) labels.insert(m.label);
   std::string all;
-  for (const std::string& label : labels) all += (all.empty() ? "there are: " : ", ") + label;
-  return all.empty() ? "it has no markers" : all;
+  for (const std::string& label : labels) all += (all.empty() ? "" : ", ") + label;
+  return all.empty() ? message("it has no markers") : message("there are: %1", all);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ Result<TimeSpan> markerSpan(const std::string& session, const std::string& name)
   const auto found = std::find_if(markers->begin(), markers->end(), [&name](const Marker& m) {
     return m.label == name || m.note == name || "#" + std::to_string(m.number) == name;
   });
-  if (found == markers->end()) return Error{session, "has no marker '" + name + "'", known(*markers)};
+  if (found == markers->end()) return Error{session, message("has no marker '%1'", name), known(*markers)};
   double from = secondsBetween(*first, found->begin).value;
   double to = secondsBetween(*first, found->end).value;
   if (found->end <= found->begin) {

@@ -49,9 +49,9 @@ Place splitPlace(const std::string& path) {
 Status checkFile(const std::string& path) {
   std::error_code problem;
   const std::filesystem::file_status status = std::filesystem::status(path, problem);
-  if (!std::filesystem::exists(status)) return Error{path, "there is no such file", ""};
-  if (std::filesystem::is_directory(status)) return Error{path, "is a folder, not a recording", ""};
-  if (!std::filesystem::is_regular_file(status)) return Error{path, "is not a regular file", ""};
+  if (!std::filesystem::exists(status)) return Error{path, message("there is no such file")};
+  if (std::filesystem::is_directory(status)) return Error{path, message("is a folder, not a recording")};
+  if (!std::filesystem::is_regular_file(status)) return Error{path, message("is not a regular file")};
   return Done{};
 }
 
@@ -67,19 +67,20 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   const auto [name, inner] = splitPlace(path);
   if (const Status s = checkFile(name); !s) return s.error();
   std::ifstream file(name, std::ios::binary);
-  if (!file) return Error{name, "cannot be opened", std::strerror(errno)};
+  if (!file) return Error{name, message("cannot be opened"), foreign(std::strerror(errno))};
   std::array<char, 128> bytes{};
   file.read(bytes.data(), bytes.size());
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
-  if (head.empty()) return Error{name, "the file is empty", ""};
+  if (head.empty()) return Error{name, message("the file is empty")};
   if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
     auto foreign = openApart(name, inner, options);
     if (!foreign || *foreign) return foreign;
     return openSession(name, options);
   }
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
-  if (!inner.empty()) return Error{path, "only HDF5 and MATLAB files have places inside", ""};
-  if (hasSuffix(name, ".mat")) return Error{name, "is no MATLAB file of version 5 to 7.3", "its header is missing"};
+  if (!inner.empty()) return Error{path, message("only HDF5 and MATLAB files have places inside")};
+  if (hasSuffix(name, ".mat"))
+    return Error{name, message("is no MATLAB file of version 5 to 7.3"), message("its header is missing")};
   if (isSound(head) || hasSuffix(name, ".wav") || hasSuffix(name, ".WAV")) {
     return withGaps(openWav(name, options), name);
   }

@@ -83,10 +83,10 @@ bool Recorder::drain() {
   constexpr std::uint64_t kSpaceEvery = 256;
   while (StepRecord* slot = ring_.front()) {
     if (sink_ && written_.load() % kSpaceEvery == 0) {
-      if (const Status s = checkSpace(); !s) stopWith(s.error().line());
+      if (const Status s = checkSpace(); !s) stopWith(s.error().asMessage());
     }
     if (sink_) {
-      if (const Status s = sink_->add(slot->input, slot->output); !s) stopWith(s.error().line());
+      if (const Status s = sink_->add(slot->input, slot->output); !s) stopWith(s.error().asMessage());
     }
     (sink_ ? written_ : dropped_).fetch_add(1);
     ring_.pop();
@@ -105,7 +105,7 @@ void Recorder::run(const std::stop_token& stop) {
     onDisk = now;
     Status s = checkSpace();
     if (s) s = sink_->flush();
-    if (!s) stopWith(s.error().line());
+    if (!s) stopWith(s.error().asMessage());
   }
 }
 
@@ -116,17 +116,17 @@ Status Recorder::checkSpace() {
     path_ = path;
   }
   if (const SessionWriter* writer = sink_->writer(); writer != nullptr && !writer->inPlace()) {
-    return Error{path, "recording stopped: the file was deleted or moved away", ""};
+    return Error{path, message("recording stopped: the file was deleted or moved away")};
   }
   std::error_code problem;
   const std::filesystem::space_info space = std::filesystem::space(path, problem);
   if (problem || space.available >= options_.reserveBytes) return Done{};
-  return Error{path, "recording stopped: the disk is nearly full",
-               std::to_string(space.available >> 20U) + " MB are left"};
+  return Error{path, message("recording stopped: the disk is nearly full"),
+               message("%1 MB are left", std::to_string(space.available >> 20U))};
 }
 
 // What was recorded is closed and stays; from here on steps are counted as dropped.
-void Recorder::stopWith(const std::string& fault) {
+void Recorder::stopWith(const Message& fault) {
   recording_.store(false);
   {
     const std::scoped_lock lock(faultLock_);
@@ -146,10 +146,10 @@ Status Recorder::finish() {
   if (sink_) {
     const Status closed = sink_->close();
     sink_.reset();
-    if (!closed) stopWith(closed.error().line());
+    if (!closed) stopWith(closed.error().asMessage());
   }
   const std::scoped_lock lock(faultLock_);
-  if (!fault_.empty()) return Error{"", fault_, ""};
+  if (!fault_.empty()) return Error{{}, fault_};
   return Done{};
 }
 

@@ -28,7 +28,7 @@ struct RecorderOptions {
 
 struct RecorderStatus {
   bool recording = false;
-  std::string fault;          // one line: why it stopped by itself; empty otherwise
+  Message fault;              // one line: why it stopped by itself; empty otherwise
   std::uint64_t written = 0;  // steps handed to the file
   std::uint64_t dropped = 0;  // steps that found no free slot, or came after the stop
   std::string path;           // of the file, or of the last one
@@ -66,7 +66,7 @@ class Recorder {
   Recorder(std::unique_ptr<StepSink> sink, const CutSetup& setup, const RecorderOptions& options);
   void run(const std::stop_token& stop);
   Status checkSpace();
-  void stopWith(const std::string& fault);
+  void stopWith(const Message& fault);
 
   RecorderOptions options_;
   std::unique_ptr<StepSink> sink_;
@@ -78,7 +78,7 @@ class Recorder {
   std::atomic<std::uint64_t> dropped_{0};
   std::atomic<bool> writing_{false};
   mutable std::mutex faultLock_;  // of the two below
-  std::string fault_;
+  Message fault_;
   std::string path_;
   rt::Wakeup wakeup_;
   std::optional<rt::RealtimeThread> thread_;  // last: joined before what it uses goes

@@ -99,8 +99,8 @@ Result<std::string> newSessionPath(const std::string& folder, const std::string&
   const fs::path place = fs::path(folder) / fileName(job, "job") / fileName(tool, "tool");
   std::error_code problem;
   fs::create_directories(place, problem);
-  if (problem) return Error{place.string(), "the folder cannot be made", problem.message()};
-  if (access(place.c_str(), W_OK) != 0) return Error{place.string(), "the folder cannot be written to", ""};
+  if (problem) return Error{place.string(), message("the folder cannot be made"), foreign(problem.message())};
+  if (access(place.c_str(), W_OK) != 0) return Error{place.string(), message("the folder cannot be written to")};
   const std::time_t seconds = utc_ns / 1'000'000'000;
   std::tm parts{};
   char text[40] = "";
@@ -113,21 +113,22 @@ std::string freeSessionPath(const std::string& wanted) {
 }
 
 Status checkReplaceable(const std::string& path, MayReplace may) {
-  constexpr const char* kRefused = "is not replaced";
+  const Message refused = message("is not replaced");
   std::error_code unknown;
   if (fs::exists(journalPath(path), unknown)) {
-    return Error{path, kRefused, "a recording of this name is still being written, or was cut off; take another name"};
+    return Error{path, refused,
+                 message("a recording of this name is still being written, or was cut off; take another name")};
   }
   if (!isHdf5File(path)) return Done{};
   const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-  if (!opened) return Error{path, kRefused, "it may be a recording that is damaged; take another name"};
+  if (!opened) return Error{path, refused, message("it may be a recording that is damaged; take another name")};
   const hid_t file = opened->file.get();
   if (readText(file, "format") != kSessionFormat) return Done{};
   if (may == MayReplace::SimulatedSession && readInteger(file, "simulated").value_or(0) != 0) {
     const auto markers = readMarkerRows(file, path);
     if (markers && markers->empty()) return Done{};
   }
-  return Error{path, kRefused, "it is a recorded session; take another name"};
+  return Error{path, refused, message("it is a recorded session; take another name")};
 }
 
 std::vector<Deleted> applyRetention(const std::string& folder, const RecordPlan& plan, std::int64_t now_utc_ns) {

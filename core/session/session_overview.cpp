@@ -74,7 +74,7 @@ Status SessionOverview::Impl::use(OpenedSession opened) {
   file_ = std::move(opened.file);
   for (int c = 0; c < static_cast<int>(format_.channels.size()); ++c) {
     Channel channel;
-    if (!channel.samples.open(file_.get(), c)) return Error{path_, "the samples cannot be read", hdf5Cause()};
+    if (!channel.samples.open(file_.get(), c)) return Error{path_, message("the samples cannot be read"), hdf5Cause()};
     for (int level = 0; level < kPyramidLevels; ++level) {
       // A level that is missing has no rows.
       (void)channel.levels[static_cast<std::size_t>(level)].open(file_.get(), pyramidPath(c, level), 2);
@@ -82,7 +82,7 @@ Status SessionOverview::Impl::use(OpenedSession opened) {
     frames_ = c == 0 ? channel.samples.frames() : std::min(frames_, channel.samples.frames());
     channels_.push_back(std::move(channel));
   }
-  if (!readSegments(file_.get(), segments_)) return Error{path_, "its times cannot be read", hdf5Cause()};
+  if (!readSegments(file_.get(), segments_)) return Error{path_, message("its times cannot be read"), hdf5Cause()};
   format_.frames = static_cast<std::int64_t>(frames_);
   return Done{};
 }
@@ -131,10 +131,10 @@ bool SessionOverview::Impl::buckets(Channel& channel, int level, std::uint64_t f
 
 Result<std::vector<MinMax>> SessionOverview::Impl::overview(int channel, Instant from, Instant to, int columns) {
   if (channel < 0 || channel >= static_cast<int>(channels_.size())) {
-    return Error{path_, "there is no channel " + std::to_string(channel), ""};
+    return Error{path_, message("there is no channel %1", std::to_string(channel))};
   }
   if (columns < 1 || columns > kMostColumns || to <= from) {
-    return Error{path_, "cannot be drawn so", "from must lie before to, with 1 to 65536 columns"};
+    return Error{path_, message("cannot be drawn so"), message("from must lie before to, with 1 to 65536 columns")};
   }
   quietHdf5();
   const double length_ns = static_cast<double>((to - from).count());
@@ -155,7 +155,7 @@ Result<std::vector<MinMax>> SessionOverview::Impl::overview(int channel, Instant
   std::vector<MinMax> values;
   if (endBucket > firstBucket &&
       !buckets(channels_[static_cast<std::size_t>(channel)], level, firstBucket, endBucket - firstBucket, values)) {
-    return Error{path_, "the samples cannot be read", hdf5Cause()};
+    return Error{path_, message("the samples cannot be read"), hdf5Cause()};
   }
   const double scale = format_.channels[static_cast<std::size_t>(channel)].info.scale;
   std::vector<MinMax> picture;

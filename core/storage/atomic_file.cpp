@@ -25,7 +25,9 @@ bool writeAll(int fd, std::string_view content) {
 }  // namespace
 
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
-  const auto fail = [&](int code) { return Error{path.string(), "cannot be written", std::strerror(code)}; };
+  const auto fail = [&](int code) {
+    return Error{path.string(), message("cannot be written"), foreign(std::strerror(code))};
+  };
   std::string temporary = path.string() + ".XXXXXX";
   const int fd = ::mkstemp(temporary.data());
   if (fd < 0) return fail(errno);

@@ -65,11 +65,11 @@ void quietHdf5() {
   quiet = true;
 }
 
-std::string hdf5Cause() {
+Message hdf5Cause() {
   std::string cause;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keepDescription, &cause);
   std::replace(cause.begin(), cause.end(), '\n', ' ');
-  return cause.empty() ? cause : "HDF5: " + cause;
+  return cause.empty() ? Message() : message("HDF5: %1", cause);
 }
 
 bool writeText(hid_t object, const char* name, const std::string& text) {

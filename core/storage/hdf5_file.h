@@ -42,7 +42,7 @@ class Hdf5Id {
 // Keeps the library from printing on this thread; errors are returned instead. Cheap when called again.
 void quietHdf5();
 // What the library says was the innermost cause of the last failure on this thread.
-std::string hdf5Cause();
+Message hdf5Cause();
 
 // Scalar attributes on a file, group or dataset.
 bool writeText(hid_t object, const char* name, const std::string& text);

@@ -116,7 +116,7 @@ Result<std::unique_ptr<JournaledFile>> JournaledFile::open(const std::string& pa
   constexpr mode_t kMode = 0666;
   const int flags = access == Access::Create ? O_RDWR | O_CREAT | O_TRUNC : access == Access::Write ? O_RDWR : O_RDONLY;
   file->file_ = ::open(path.c_str(), flags | O_CLOEXEC, kMode);
-  if (file->file_ < 0) return Error{path, "cannot be opened", std::strerror(errno)};
+  if (file->file_ < 0) return Error{path, message("cannot be opened"), foreign(std::strerror(errno))};
   file->size_ = file->committed_ = sizeOf(file->file_);
   if (access == Access::Write) {
     if (const Status s = file->beginJournal(path); !s) return s.error();
@@ -141,18 +141,20 @@ Status JournaledFile::beginJournal(const std::string& session) {
   constexpr mode_t kMode = 0666;
   journal_ = journalPath(session);
   journalFile_ = ::open(journal_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
-  if (journalFile_ < 0) return Error{journal_, "cannot be written", std::strerror(errno)};
-  if (flock(journalFile_, LOCK_EX | LOCK_NB) != 0) return Error{session, "is being written already", ""};
-  if (ftruncate(journalFile_, 0) != 0) return Error{journal_, "cannot be written", std::strerror(errno)};
+  if (journalFile_ < 0) return Error{journal_, message("cannot be written"), foreign(std::strerror(errno))};
+  if (flock(journalFile_, LOCK_EX | LOCK_NB) != 0) return Error{session, message("is being written already")};
+  if (ftruncate(journalFile_, 0) != 0)
+    return Error{journal_, message("cannot be written"), foreign(std::strerror(errno))};
   (void)posix_fallocate(journalFile_, 0, kJournalReserve);
-  if (!disk_.sync(file_) || fsync(journalFile_) != 0) return Error{session, "cannot be written", std::strerror(errno)};
+  if (!disk_.sync(file_) || fsync(journalFile_) != 0)
+    return Error{session, message("cannot be written"), foreign(std::strerror(errno))};
   syncFolder(session);
   committed_ = size_;
   return Done{};
 }
 
 bool JournaledFile::failed(const char* doing) {
-  error_ = path_ + ": " + doing + " failed (" + std::strerror(errno) + ")";
+  error_ = message("%1: %2 failed (%3)", path_, doing, foreign(std::strerror(errno)));
   return false;
 }
 
@@ -186,14 +188,14 @@ Status JournaledFile::commit(bool toDisk) {
   if (abandoned_) return Done{};
   ++pending_.commit;
   pending_.fileSize = sizeOf(file_);
-  if (toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{"", error_, ""};
+  if (toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{{}, error_};
   if (!pending_.overwrites.empty() && journalFile_ >= 0) {
     pending_.sizeAfter = size_;
     pending_.overwrites = merged(pending_.overwrites, file_);
-    if (pending_.overwrites.empty()) return failed("reading"), Error{"", error_, ""};
+    if (pending_.overwrites.empty()) return failed("reading"), Error{{}, error_};
     const std::vector<std::byte> journal = encodeJournal(pending_);
     if (!disk_.write(journalFile_, 0, journal) || (toDisk && !disk_.sync(journalFile_))) {
-      return failed("writing the journal"), Error{"", error_, ""};
+      return failed("writing the journal"), Error{{}, error_};
     }
   }
   return apply(toDisk);
@@ -202,15 +204,15 @@ Status JournaledFile::commit(bool toDisk) {
 // From here on a reader of the journal would do the same.
 Status JournaledFile::apply(bool toDisk) {
   for (const Overwrite& o : pending_.overwrites) {
-    if (!disk_.write(file_, o.offset, o.bytes)) return failed("writing"), Error{"", error_, ""};
+    if (!disk_.write(file_, o.offset, o.bytes)) return failed("writing"), Error{{}, error_};
   }
   const bool changed = !pending_.overwrites.empty();
   pending_.overwrites.clear();
   if (sizeOf(file_) != size_ && ftruncate(file_, static_cast<off_t>(size_)) != 0) {
-    return failed("setting the length"), Error{"", error_, ""};
+    return failed("setting the length"), Error{{}, error_};
   }
   committed_ = size_;
-  if (changed && toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{"", error_, ""};
+  if (changed && toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{{}, error_};
   return Done{};
 }
 
@@ -251,10 +253,10 @@ Result<Recovery> recoverFromJournal(const std::string& path, const std::function
     if (const Status usable = whole(); !usable) return left(usable.error());
     for (const Overwrite& o : content->overwrites) {
       if (!systemDisk().write(file, o.offset, o.bytes)) {
-        return left(Error{path, "could not be repaired", std::strerror(errno)});
+        return left(Error{path, message("could not be repaired"), foreign(std::strerror(errno))});
       }
     }
-    if (fdatasync(file) != 0) return left(Error{path, "could not be repaired", std::strerror(errno)});
+    if (fdatasync(file) != 0) return left(Error{path, message("could not be repaired"), foreign(std::strerror(errno))});
   }
   return left(Recovery::Recovered);
 }

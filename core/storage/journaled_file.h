@@ -46,7 +46,7 @@ class JournaledFile {
   // False: `path` is not this file any more; it was deleted, moved away or replaced.
   bool isAt(const std::string& path) const;
   // One line about the last failure.
-  const std::string& error() const { return error_; }
+  const Message& error() const { return error_; }
 
  private:
   JournaledFile(std::string path, Disk& disk) : path_(std::move(path)), disk_(disk) {}
@@ -62,7 +62,7 @@ class JournaledFile {
   std::uint64_t committed_ = 0;  // size at the last commit
   JournalContent pending_;
   bool abandoned_ = false;
-  std::string error_;
+  Message error_;
 };
 
 enum class Recovery {

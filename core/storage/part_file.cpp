@@ -26,7 +26,7 @@ void PartFile::writeAt(std::uint64_t position, std::string_view bytes) {
 }
 
 Error PartFile::failure() const {
-  return Error{path_, "cannot be written", problem_ != 0 ? std::strerror(problem_) : ""};
+  return Error{path_, message("cannot be written"), problem_ != 0 ? foreign(std::strerror(problem_)) : Message()};
 }
 
 Status PartFile::finish() {

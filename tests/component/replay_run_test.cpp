@@ -37,7 +37,7 @@ std::string recorded(const record::TempFolder& folder) {
       return true;
     }
     void stop() noexcept override { source_->stop(); }
-    std::string fault() const override { return {}; }
+    Message fault() const override { return {}; }
 
    private:
     std::unique_ptr<daq::DaqSource> source_;
@@ -107,7 +107,7 @@ class Led {
   void awaitEnd() {
     while (!run->finished()) std::this_thread::yield();
     run->stop();
-    EXPECT_EQ(run->fault(), "");
+    EXPECT_TRUE(run->fault().empty());
   }
 
   std::shared_ptr<daq::ReplayControl> control;
@@ -267,7 +267,7 @@ TEST(ReplayRun, GoesToAnyPlaceAlsoBackAlsoInAnImport) {
     EXPECT_NEAR(run.control().position().value, place + 0.005, 1e-6);
   }
   run.stop();
-  EXPECT_EQ(run.fault(), "");
+  EXPECT_TRUE(run.fault().empty());
 }
 
 TEST(ReplayControl, KeepsThePaceInsideItsRange) {

@@ -42,7 +42,7 @@ class LosingSource final : public daq::DaqSource {
     return true;
   }
   void stop() noexcept override { source_->stop(); }
-  std::string fault() const override { return source_->fault(); }
+  Message fault() const override { return source_->fault(); }
 
  private:
   std::unique_ptr<daq::DaqSource> source_;
@@ -72,7 +72,7 @@ class LedSource final : public daq::DaqSource {
     source_->stop();
     lead_->blocks.release();
   }
-  std::string fault() const override { return source_->fault(); }
+  Message fault() const override { return source_->fault(); }
 
  private:
   std::unique_ptr<daq::DaqSource> source_;
@@ -158,7 +158,7 @@ void expectReplayTheSame(const std::string& path, const std::string& second) {
   EXPECT_FALSE(replay->rig->hasLink());
   ASSERT_TRUE(replay->rig->recordTo(second, "").ok());
   replay->rig->runToEnd({});
-  EXPECT_EQ(replay->rig->device().fault(), "");
+  EXPECT_TRUE(replay->rig->device().fault().empty());
   ASSERT_TRUE(replay->rig->recorder()->finish().ok());
   expectSame(readBack(path).outputs, readBack(second).outputs);
 }

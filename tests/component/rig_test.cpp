@@ -20,7 +20,7 @@ class SilentDevice final : public daq::DaqSource {
   }
   bool read(SampleBlock& /*block*/) noexcept override { return false; }
   void stop() noexcept override {}
-  std::string fault() const override { return {}; }
+  Message fault() const override { return {}; }
   bool live() const override { return live_; }
 
  private:

@@ -55,7 +55,7 @@ class Follows final : public daq::DaqSource {
     return true;
   }
   void stop() noexcept override { device_->stop(); }
-  std::string fault() const override { return device_->fault(); }
+  Message fault() const override { return device_->fault(); }
   bool live() const override { return true; }
 
   // Read once the run is over.

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "ui/base/core_sentence.h"
 
 namespace stillcut::ui {
 
@@ -18,7 +17,7 @@ inline QString say(const char* text) {
 }
 
 // Words that core declares once for files, command line and screens: labels, units and meanings of parameters, names of
-// detectors, strategies, links and devices. translations/core_texts.h lists them.
+// detectors, strategies, links and devices. The program core_texts (tests/ui) lists them for lupdate.
 inline QString sayCore(const std::string& text) {
   return text.empty() ? QString() : QCoreApplication::translate("Core", text.c_str());
 }

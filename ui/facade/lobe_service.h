@@ -42,7 +42,7 @@ struct LobeDiagram {
   std::uint32_t number = 0;  // counts answers
   LobeQuestion question;
   std::vector<LobeLimit> limits;  // by speed
-  QStringList warnings;           // what the method or the linear cut leaves out, in English
+  QStringList warnings;           // what the method or the linear cut leaves out
 };
 
 // The cut the diagram is of.

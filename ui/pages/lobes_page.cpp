@@ -54,6 +54,7 @@ LobesPage::LobesPage(FindService find, QWidget* parent)
   chooseMethod(method_);
 }
 
+// Longer than a screen: what stands where on the page, from top to bottom
 void LobesPage::layOut() {
   auto* around = new Panel;
   auto* chartLayout = new QVBoxLayout(around);
@@ -272,7 +273,7 @@ void LobesPage::showProgress() {
         text += tr(", depth of cut up to %1").arg(depthText(service_->frame().depth, units_));
       }
       if (diagram_ && !diagram_->warnings.isEmpty()) {
-        QString warning = coreSentence(diagram_->warnings.front().toStdString());
+        QString warning = diagram_->warnings.front();
         warning[0] = warning[0].toUpper();
         text += QStringLiteral(". ") + warning;
       }

@@ -91,9 +91,7 @@ void MarkSheet::markSpan() {
   if (!label.isEmpty()) {
     mark(label);
   } else {
-    emit told(Error{QT_TRANSLATE_NOOP("Core", "marker"), QT_TRANSLATE_NOOP("Core", "needs a label"),
-                    QT_TRANSLATE_NOOP("Core", "type one beside SPAN")},
-              {});
+    emit told(Error{message("marker"), message("needs a label"), message("type one beside SPAN")}, {});
   }
 }
 

@@ -245,10 +245,7 @@ void SessionsPage::writeDrawn(const QString& suffix) {
   const auto summary = desk_->summary();
   if (!summary || !report_) return;
   if (!desk_->summaryWhole())
-    return tell(
-        Error{QT_TRANSLATE_NOOP("Core", "export"), QT_TRANSLATE_NOOP("Core", "the recording is still being read"),
-              QT_TRANSLATE_NOOP("Core", "a moment later")},
-        {});
+    return tell(Error{message("export"), message("the recording is still being read"), message("a moment later")}, {});
   const QString file = exportName(suffix);
   tell(report_(*summary, file, units_), tr("Written: %1").arg(file));
 }
@@ -281,12 +278,12 @@ void SessionsPage::refresh() {
   const bool whole = summary != nullptr && desk_->summaryWhole();
   if (whole) {
     facts_->setText(tr("%1 · %2 · alarms: %3 · in chatter %4")
-                        .arg(coreSentence(summary->kind), timeText(summary->length))
+                        .arg(sayCore(summary->kind), timeText(summary->length))
                         .arg(summary->alarms)
                         .arg(duration(summary->chatterTime)));
   } else {
     facts_->setText(summary != nullptr
-                        ? QStringLiteral("%1 · %2").arg(coreSentence(summary->kind), timeText(summary->length))
+                        ? QStringLiteral("%1 · %2").arg(sayCore(summary->kind), timeText(summary->length))
                         : QString());
   }
   const bool open = summary != nullptr;

@@ -67,6 +67,7 @@ void LobeMarks::advice(const QPointF& at, double target, Rpm speed) const {
 }
 
 // Every sign with its word, in one row above the plot.
+// Longer than a screen: one row a sign, each drawn as it stands in the plot
 bool LobeMarks::legend() const {
   const ThemeColors& c = theme_.colors;
   struct Entry {

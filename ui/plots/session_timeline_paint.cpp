@@ -122,6 +122,7 @@ void SessionTimeline::paintAxis(QPainter& p, const QRectF& box) const {
   }
 }
 
+// Longer than a screen: one layer after the other, in the order in which they cover each other
 void SessionTimeline::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);

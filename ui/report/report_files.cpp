@@ -17,7 +17,7 @@ constexpr double kUnitsPerInch = 96.0;
 constexpr double kPictureMargin = 18;
 
 Error cannotWrite(const QString& path, const QString& why) {
-  return Error{path.toStdString(), QT_TRANSLATE_NOOP("Core", "cannot be written"), why.toStdString()};
+  return Error{path.toStdString(), message("cannot be written"), foreign(why.toStdString())};
 }
 
 int drawPages(QPdfWriter& pdf, const SessionSummary& summary, UnitSystem units, int pageCount) {

@@ -37,7 +37,7 @@ bool fit(QTextDocument& sheet, QPdfWriter& pdf) {
 
 Status writeSheet(const QString& chapter, Language language, const QString& path) {
   const auto refuse = [&](const QString& why) {
-    return Error{path.toStdString(), "cannot be written", why.toStdString()};
+    return Error{path.toStdString(), message("cannot be written"), foreign(why.toStdString())};
   };
   const QUrl url = chapterUrl(chapter, language);
   QFile text(u':' + url.path());

@@ -45,13 +45,14 @@ Status AnalogLink::open() {
     const CalibrationTable& table = map_.speed->table;
     const bool inside = programmedSpeed_.value >= table.lowest() && programmedSpeed_.value <= table.highest();
     if (!inside) {
-      return Error{where, "the programmed speed is outside the speed table",
-                   "the gear's table must hold [cut] speed_rpm, or there is nothing to go back to"};
+      return Error{where, message("the programmed speed is outside the speed table"),
+                   message("the gear's table must hold [cut] speed_rpm, or there is nothing to go back to")};
     }
   }
   if (Status ready = output_->open(map_.device); !ready) return ready.error();
   opened_ = working_ = true;
-  if (!writeBoth(1.0, 1.0)) return Error{where, "the output does not take the programmed values", map_.device.file};
+  if (!writeBoth(1.0, 1.0))
+    return Error{where, message("the output does not take the programmed values"), foreign(map_.device.file)};
   return Done{};
 }
 

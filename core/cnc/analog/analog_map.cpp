@@ -20,7 +20,7 @@ std::optional<AnalogChannel> readChannel(const TomlTable& root, const char* name
   std::vector<CalibrationTable::Point> points;
   for (const std::vector<double>& row : table.rows("table")) {
     if (row.size() != 2) {
-      table.refuse("table", "has a row of " + std::to_string(row.size()) + " numbers", "[volts, value]");
+      table.refuse("table", message("has a row of %1 numbers", std::to_string(row.size())), message("[volts, value]"));
       return std::nullopt;
     }
     points.push_back({row[0], row[1]});
@@ -32,10 +32,11 @@ std::optional<AnalogChannel> readChannel(const TomlTable& root, const char* name
   }
   const double most = absolute ? kFastestSpindle : kMostPercent;
   if (calibration->lowest() < 0.0 || calibration->highest() > most) {
-    table.refuse("table", "leaves what a machine can do", absolute ? "0 to 1000000 rev/min" : "0 to 400 %");
+    table.refuse("table", message("leaves what a machine can do"),
+                 absolute ? message("0 to 1000000 rev/min") : message("0 to 400 %"));
   }
   if (!absolute && (calibration->lowest() > 100.0 || calibration->highest() < 100.0)) {
-    table.refuse("table", "does not hold 100 %", "the programmed value must be reachable");
+    table.refuse("table", message("does not hold 100 %"), message("the programmed value must be reachable"));
   }
   return AnalogChannel{channel, absolute, std::move(calibration).value()};
 }
@@ -52,9 +53,10 @@ Result<AnalogMap> read(TomlReader in) {
   map.device.range = device.integerOr("range", map.device.range, 0, 63);
   map.speed = readChannel(root, "speed", true, wrong);
   map.feed = readChannel(root, "feed", false, wrong);
-  if (!map.speed && !map.feed && !wrong) root.refuse("speed", "is missing, and so is 'feed'", "one of them is needed");
+  if (!map.speed && !map.feed && !wrong)
+    root.refuse("speed", message("is missing, and so is 'feed'"), message("one of them is needed"));
   if (map.speed && map.feed && map.speed->channel == map.feed->channel) {
-    root.refuse("feed", "has the channel of 'speed'", "each override has an output of its own");
+    root.refuse("feed", message("has the channel of 'speed'"), message("each override has an output of its own"));
   }
   if (Status done = in.finish(); !done) return done.error();
   if (wrong) return *wrong;

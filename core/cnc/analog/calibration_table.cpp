@@ -6,19 +6,20 @@
 namespace stillcut::cnc {
 
 Result<CalibrationTable> CalibrationTable::make(std::vector<Point> points, const std::string& where) {
-  if (points.size() < 2) return Error{where, "has fewer than two points", "[[volts, value], [volts, value], ...]"};
+  if (points.size() < 2)
+    return Error{where, message("has fewer than two points"), message("[[volts, value], [volts, value], ...]")};
   const bool rises = points[1].value > points[0].value;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!std::isfinite(points[i].volts) || !std::isfinite(points[i].value)) {
-      return Error{where, "point " + std::to_string(i + 1) + " is not finite", ""};
+      return Error{where, message("point %1 is not finite", std::to_string(i + 1))};
     }
     if (i == 0) continue;
     const std::string place = "point " + std::to_string(i + 1);
     if (!(points[i].volts > points[i - 1].volts))
-      return Error{where, place + " has no higher voltage", "they must rise"};
+      return Error{where, message("%1 has no higher voltage", place), message("they must rise")};
     const double step = points[i].value - points[i - 1].value;
     if (!(rises ? step > 0.0 : step < 0.0)) {
-      return Error{where, place + " turns the table round", "a value must belong to one voltage"};
+      return Error{where, message("%1 turns the table round", place), message("a value must belong to one voltage")};
     }
   }
   return CalibrationTable(std::move(points));

@@ -53,8 +53,9 @@ Status GrblLink::open() {
     wire_->wait(kWait);
     if (clock_.now() - began <= kOpenTime) continue;
     const bool opened = wire_->state() == WireState::Open;
-    return Error{std::string(wire_->address()), opened ? "no GRBL status report" : "cannot be opened",
-                 opened ? "is this the controller's port, and the baud rate right?" : "is it there, and free?"};
+    return Error{std::string(wire_->address()), opened ? message("no GRBL status report") : message("cannot be opened"),
+                 opened ? message("is this the controller's port, and the baud rate right?")
+                        : message("is it there, and free?")};
   }
   drop(began);  // the wire is taken up again by the thread that reads from now on
   return Done{};

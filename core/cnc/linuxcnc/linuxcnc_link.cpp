@@ -83,18 +83,20 @@ LinkInfo LinuxCncLink::describe() const {
 
 Status LinuxCncLink::open() {
   const Instant began = clock_.now();
-  const auto deaf = [&](const EmcSession& session, std::string why) {
-    return Error{std::string(session.address()), "no answer", std::move(why)};
+  const auto deaf = [&](const EmcSession& session, Message why) {
+    return Error{std::string(session.address()), message("no answer"), std::move(why)};
   };
   while (true) {
     const Instant now = clock_.now();
     const MachineState seen = read(now);
     if (seen.valid && (settings_.component.port == 0 || hand_->up())) break;
     if (now - began > kOpenTime) {
-      if (watch_.standing() != EmcSession::Standing::Ready) return deaf(watch_, "is linuxcncrsh running there?");
-      if (hal_.standing() != EmcSession::Standing::Ready) return deaf(hal_, "is halrmt running there?");
+      if (watch_.standing() != EmcSession::Standing::Ready)
+        return deaf(watch_, message("is linuxcncrsh running there?"));
+      if (hal_.standing() != EmcSession::Standing::Ready) return deaf(hal_, message("is halrmt running there?"));
       if (seen.valid) return handFault();
-      return Error{std::string(watch_.address()), "the machine's state is incomplete", "is spindle 0 configured?"};
+      return Error{std::string(watch_.address()), message("the machine's state is incomplete"),
+                   message("is spindle 0 configured?")};
     }
     hal_.wait(kWait);
   }
@@ -104,8 +106,9 @@ Status LinuxCncLink::open() {
 
 Error LinuxCncLink::handFault() const {
   const std::string where(hand_->address());
-  if (!hand_->heard()) return {where, "no answer", "is stillcut-hal loaded by the machine's HAL file?"};
-  return {where, "the machine's watchdog was not seen to act", "is stillcut.hal wired as it came?"};
+  if (!hand_->heard())
+    return {where, message("no answer"), message("is stillcut-hal loaded by the machine's HAL file?")};
+  return {where, message("the machine's watchdog was not seen to act"), message("is stillcut.hal wired as it came?")};
 }
 
 void LinuxCncLink::watchMachine(Instant now) noexcept {

@@ -62,8 +62,10 @@ Status ModbusLink::open() {
     bus_->wait(kWait);
     if (clock_.now() - began <= kOpenTime) continue;
     const bool connected = bus_->state() == WireState::Open;
-    return Error{std::string(bus_->address()), connected ? "the registers do not answer" : "no connection",
-                 connected ? "are the unit and the register map right?" : "is the machine on, and the address right?"};
+    return Error{std::string(bus_->address()),
+                 connected ? message("the registers do not answer") : message("no connection"),
+                 connected ? message("are the unit and the register map right?")
+                           : message("is the machine on, and the address right?")};
   }
   close();  // taken up again by the thread that reads from now on
   return Done{};

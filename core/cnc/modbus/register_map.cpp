@@ -30,18 +30,19 @@ Register readRegister(const TomlTable& table, std::string_view periodKey, double
   r.scale = table.numberOr("scale", 1.0, -1e9, 1e9);
   r.offset = table.numberOr("offset", 0.0, -1e9, 1e9);
   if (!periodKey.empty()) r.period = Seconds(table.numberOr(periodKey, period, 5.0, 10000.0) * 1e-3);
-  if (r.scale == 0.0) table.refuse("scale", "is 0", "every value would be the offset");
+  if (r.scale == 0.0) table.refuse("scale", message("is 0"), message("every value would be the offset"));
   const bool bits = r.table == RegisterTable::Coil || r.table == RegisterTable::Discrete;
-  if (bits && r.words != 1) table.refuse("words", "is 2", "a coil or discrete input is one bit");
-  if (r.address + r.words > 65536) table.refuse("address", "leaves no room for two words", "");
+  if (bits && r.words != 1) table.refuse("words", message("is 2"), message("a coil or discrete input is one bit"));
+  if (r.address + r.words > 65536) table.refuse("address", message("leaves no room for two words"));
   return r;
 }
 
 void readBus(const TomlTable& table, BusAddress& bus) {
   const bool serial = table.has("device");
   if (serial == table.has("host")) {
-    table.refuse(serial ? "host" : "", serial ? "is given beside 'device'" : "neither 'host' nor 'device' is given",
-                 "one of them says where the machine is");
+    table.refuse(serial ? "host" : "",
+                 serial ? message("is given beside 'device'") : message("neither 'host' nor 'device' is given"),
+                 message("one of them says where the machine is"));
   }
   if (serial) {
     constexpr std::string_view kParities = "NEO";
@@ -69,7 +70,8 @@ void readGroup(const TomlTable& group, const std::array<std::string_view, N>& na
 template <std::size_t N>
 void require(const TomlTable& group, const std::array<std::string_view, N>& names, std::size_t which,
              const std::array<std::optional<Register>, N>& registers) {
-  if (!registers[which]) group.refuse(names[which], "is missing", "without it nothing can be told or done");
+  if (!registers[which])
+    group.refuse(names[which], message("is missing"), message("without it nothing can be told or done"));
 }
 
 Result<RegisterMap> read(TomlReader in) {
@@ -94,11 +96,11 @@ Result<RegisterMap> read(TomlReader in) {
   for (std::size_t i = 0; i < kMachineOrders; ++i) {
     const auto& r = map.write[i];
     if (r && (r->table == RegisterTable::Discrete || r->table == RegisterTable::Input)) {
-      writes.table(kOrders[i]).refuse("table", "cannot be written", "coil or holding");
+      writes.table(kOrders[i]).refuse("table", message("cannot be written"), message("coil or holding"));
     }
   }
   if (map.watchdog && !map.at(MachineOrder::Heartbeat)) {
-    root.refuse("watchdog", "is true without [write.heartbeat]", "what would the machine watch?");
+    root.refuse("watchdog", message("is true without [write.heartbeat]"), message("what would the machine watch?"));
   }
   if (Status done = in.finish(); !done) return done.error();
   return map;

@@ -23,6 +23,7 @@
 #include "core/detect/detector.h"
 #include "core/detect/growth/onset_test.h"
 #include "core/dsp/frame_ring.h"
+#include "core/dsp/line_outside.h"
 #include "core/dsp/spectral_frames.h"
 #include "core/dsp/spectrum.h"
 
@@ -48,20 +49,6 @@ inline constexpr config::ParamDecl kSpeChatter = config::realParam(
     "spectral.chatter", "Chatter ratio", "", 0.2, 0.01, 1.0, "Energy ratio from which a cut is in full chatter");
 
 config::ParamTable spectralParams();
-
-// What one spectrum says.
-struct LineOutside {
-  std::size_t bin = 0;
-  Hertz frequency{};
-  double amplitude = 0.0;  // of the line
-  double part = 0.0;       // its power over that of the whole signal
-  double purity = 0.0;     // its power over that of all free bins
-  double severity = 0.0;  // energy ratio of the line to line and harmonics, by (2 pi f)^(2 eta) as Caliskan 2018 eq. 28
-};
-
-// power: |X|^2 of every bin; amplitude: of a line per root of its |X|^2.
-LineOutside strongestOutside(std::span<const double> power, const HarmonicMask& mask, double binWidth, double amplitude,
-                             int eta, const dsp::kernels::Kernels& kernels) noexcept;
 
 class SpectralDetector final : public Detector {
  public:

@@ -54,15 +54,16 @@ class Apart {
   Status start(const std::string& path, const std::string& inner, const ReadOptions& options) {
     const std::string program = readerProgram();
     if (program.empty())
-      return Error{path, "cannot be tried", "the program stillcut-reader is missing beside this one"};
+      return Error{path, message("cannot be tried"), message("the program stillcut-reader is missing beside this one")};
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-      return Error{path, "cannot be tried", std::strerror(errno)};
+      return Error{path, message("cannot be tried"), foreign(std::strerror(errno))};
     }
     peer_ = ends[0];
     const int started = spawn(program, path, inner, apart::toJson(options), ends[1]);
     ::close(ends[1]);
-    if (started != 0) return Error{path, "cannot be tried: " + program + " does not start", std::strerror(started)};
+    if (started != 0)
+      return Error{path, message("cannot be tried: %1 does not start", program), foreign(std::strerror(started))};
     return Done{};
   }
   int peer() const { return peer_; }
@@ -104,7 +105,7 @@ class Apart {
 };
 
 Error died(const std::string& path) {
-  return Error{path, "the HDF5 library cannot read it", "a damaged file"};
+  return Error{path, message("the HDF5 library cannot read it"), message("a damaged file")};
 }
 
 Result<std::pair<Word, std::string>> hear(int peer, const std::string& path) {

@@ -42,7 +42,7 @@ class Hdf5Column final : public Column {
     const Hdf5Id memory(H5Screate_simple(1, &length, nullptr));
     if (H5Sselect_hyperslab(fileSpace.get(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr) < 0 ||
         H5Dread(dataset_.get(), H5T_NATIVE_DOUBLE, memory.get(), fileSpace.get(), H5P_DEFAULT, out.data()) < 0) {
-      return Error{where_, "'" + cleanName(array_.path) + "' cannot be read", hdf5Cause()};
+      return Error{where_, message("'%1' cannot be read", cleanName(array_.path)), hdf5Cause()};
     }
     next_ += out.size();
     return Done{};
@@ -69,25 +69,27 @@ bool shapeOf(hid_t dataset, Shape& shape) {
 Status checkStorage(hid_t dataset, const Shape& shape, std::size_t typeSize, std::uint64_t fileBytes,
                     const std::string& where) {
   const Hdf5Id plan(H5Dget_create_plist(dataset));
-  if (H5Pget_external_count(plan.get()) > 0) return Error{where, "its samples lie in another file", ""};
+  if (H5Pget_external_count(plan.get()) > 0) return Error{where, message("its samples lie in another file")};
   const H5D_layout_t layout = H5Pget_layout(plan.get());
   if (layout == H5D_VIRTUAL)
-    return Error{where, "its samples lie in other data sets", "virtual data sets are not read"};
+    return Error{where, message("its samples lie in other data sets"), message("virtual data sets are not read")};
   const long double bytes = static_cast<long double>(shape.size[0]) * shape.size[1] * typeSize;
   const std::uint64_t stored = H5Dget_storage_size(dataset);
   std::uint64_t chunk = 0;
   long double most = static_cast<long double>(stored);
   if (layout == H5D_CHUNKED) {
     std::array<hsize_t, 2> size{1, 1};
-    if (H5Pget_chunk(plan.get(), 2, size.data()) < 0) return Error{where, "its layout is damaged", hdf5Cause()};
+    if (H5Pget_chunk(plan.get(), 2, size.data()) < 0)
+      return Error{where, message("its layout is damaged"), hdf5Cause()};
     const long double chunkBytes = static_cast<long double>(size[0]) * size[1] * typeSize;
-    if (chunkBytes > kLargestChunk) return Error{where, "is stored in pieces of more than 64 MB", ""};
+    if (chunkBytes > kLargestChunk) return Error{where, message("is stored in pieces of more than 64 MB")};
     chunk = static_cast<std::uint64_t>(chunkBytes);
     constexpr long double kMostDeflated = 1100.0L;
     most = (H5Pget_nfilters(plan.get()) > 0 ? kMostDeflated : 1.0L) * stored + chunk * 2.0L;
   }
   if (stored == 0 || stored > fileBytes || bytes > most) {
-    return Error{where, "promises more samples than the file holds", "a truncated file, or its header is wrong"};
+    return Error{where, message("promises more samples than the file holds"),
+                 message("a truncated file, or its header is wrong")};
   }
   return Done{};
 }
@@ -146,7 +148,8 @@ void takeDataset(Walk& walk, const std::string& path) {
 herr_t visit(hid_t, const char* name, const H5O_info_t* info, void* context) {
   Walk& walk = *static_cast<Walk*>(context);
   if (++walk.seen > kMostObjects) {
-    walk.problem = Error{walk.path, "holds more than 4096 objects", "name the one to read: FILE:/path"};
+    walk.problem =
+        Error{walk.path, message("holds more than 4096 objects"), message("name the one to read: FILE:/path")};
     return 1;
   }
   if (info->type != H5O_TYPE_DATASET) return 0;
@@ -163,9 +166,9 @@ Result<Hdf5Listing> listHdf5Arrays(hid_t file, const std::string& from, std::uin
   Walk walk{file, from, fileBytes, path, {}, std::nullopt, 0};
   const std::string place = path + ":" + cleanName(from);
   const Hdf5Id object(H5Oopen(file, from.c_str(), H5P_DEFAULT));
-  if (!object) return Error{place, "there is no such data set or folder in the file", ""};
+  if (!object) return Error{place, message("there is no such data set or folder in the file")};
   if (H5Ovisit2(object.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit, &walk, H5O_INFO_BASIC) < 0) {
-    return Error{place, "the file is damaged", hdf5Cause()};
+    return Error{place, message("the file is damaged"), hdf5Cause()};
   }
   if (walk.problem) return *walk.problem;
   std::sort(walk.listing.arrays.begin(), walk.listing.arrays.end(),
@@ -198,7 +201,7 @@ Hdf5Id roomForAChunk(hid_t file, const std::string& path) {
 Result<std::unique_ptr<Column>> openHdf5Column(const std::shared_ptr<Hdf5Id>& file, const Hdf5Array& array, int column,
                                                const std::string& where) {
   Hdf5Id dataset(H5Dopen2(file->get(), array.path.c_str(), roomForAChunk(file->get(), array.path).get()));
-  if (!dataset) return Error{where, "'" + cleanName(array.path) + "' cannot be opened", hdf5Cause()};
+  if (!dataset) return Error{where, message("'%1' cannot be opened", cleanName(array.path)), hdf5Cause()};
   return std::unique_ptr<Column>(new Hdf5Column(file, std::move(dataset), array, column, where));
 }
 

@@ -68,12 +68,13 @@ Error several(const std::string& path, const std::vector<Hdf5Array>& arrays) {
   for (std::size_t i = 0; i < std::min<std::size_t>(arrays.size(), 3); ++i) {
     names += (i > 0 ? ", " : "") + cleanName(path + ":" + arrays[i].path);
   }
-  return Error{path, "holds " + std::to_string(arrays.size()) + " data sets in several places",
-               "name one of them or their folder: " + names};
+  return Error{path, message("holds %1 data sets in several places", std::to_string(arrays.size())),
+               message("name one of them or their folder: %1", names)};
 }
 
 Result<std::string> placeOf(const std::string& path, const std::vector<Hdf5Array>& arrays) {
-  if (arrays.empty()) return Error{path, "holds no data set of numbers", "not a Stillcut session either"};
+  if (arrays.empty())
+    return Error{path, message("holds no data set of numbers"), message("not a Stillcut session either")};
   const std::string folder = folderOf(arrays.front().path);
   const bool together =
       std::all_of(arrays.begin(), arrays.end(), [&folder](const Hdf5Array& a) { return folderOf(a.path) == folder; });
@@ -87,7 +88,7 @@ Result<std::unique_ptr<RecordingReader>> openHdf5(const std::string& path, const
                                                   const ReadOptions& options) {
   quietHdf5();
   auto file = std::make_shared<Hdf5Id>(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
-  if (!*file) return Error{path, "the HDF5 file cannot be opened", hdf5Cause()};
+  if (!*file) return Error{path, message("the HDF5 file cannot be opened"), hdf5Cause()};
   std::error_code problem;
   const std::uint64_t fileBytes = std::filesystem::file_size(path, problem);
   Result<Hdf5Listing> listing = listHdf5Arrays(file->get(), inner.empty() ? "/" : inner, fileBytes, path);

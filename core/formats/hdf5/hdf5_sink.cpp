@@ -55,7 +55,7 @@ class Hdf5Sink final : public RecordingSink {
     for (Hdf5Id& set : sets_) closed = set.reset() && closed;
     closed = file_.reset() && closed;
     if (!closed) return failure();
-    if (std::rename(part_.c_str(), path_.c_str()) != 0) return Error{path_, "cannot be written", ""};
+    if (std::rename(part_.c_str(), path_.c_str()) != 0) return Error{path_, message("cannot be written")};
     return Done{};
   }
 
@@ -95,7 +95,7 @@ class Hdf5Sink final : public RecordingSink {
     return Done{};
   }
 
-  Error failure() const { return Error{path_, "cannot be written", hdf5Cause()}; }
+  Error failure() const { return Error{path_, message("cannot be written"), hdf5Cause()}; }
 
   std::string path_;
   std::string part_;

@@ -181,23 +181,24 @@ Status checkMatElements(const std::string& path) {
   const std::uint64_t size = std::filesystem::file_size(path, problem);
   const bool little = head[126] == 'I' && head[127] == 'M';
   if (!file || problem || (!little && !(head[126] == 'M' && head[127] == 'I'))) {
-    return Error{path, "is no MATLAB file of version 5 or 7", "its header is damaged"};
+    return Error{path, message("is no MATLAB file of version 5 or 7"), message("its header is damaged")};
   }
   FileRow row(file, size - head.size());
   Walk walk(little);
   for (std::size_t variable = 0; row.left() > 0; ++variable) {
-    if (variable == kMostVariables) return Error{path, "holds more than 4096 variables", ""};
+    if (variable == kMostVariables) return Error{path, message("holds more than 4096 variables")};
     const std::string where = "variable " + std::to_string(variable);
     Tag tag;
     if (!walk.readTag(row, tag) || tag.bytes > row.left()) {
-      return Error{path, where + " is longer than the file", "a truncated or damaged file"};
+      return Error{path, message("%1 is longer than the file", where), message("a truncated or damaged file")};
     }
     const std::uint64_t left = row.left() - tag.bytes;
     bool sound = true;
     if (tag.type == kCompressed) sound = compressed(walk, row, tag.bytes);
     if (tag.type == kMatrix) sound = walk.array(row, tag.bytes, 0);
-    if (!sound) return Error{path, where + ": a length inside it is wrong", "a truncated or damaged file"};
-    if (!row.skip(row.left() - left)) return Error{path, where + " cannot be read", ""};
+    if (!sound)
+      return Error{path, message("%1: a length inside it is wrong", where), message("a truncated or damaged file")};
+    if (!row.skip(row.left() - left)) return Error{path, message("%1 cannot be read", where)};
   }
   return Done{};
 }

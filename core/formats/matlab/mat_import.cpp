@@ -103,7 +103,7 @@ class MatColumn final : public Column {
       if (at_ == slab_.size()) {
         const std::size_t count = std::min(atOnce_, frames_ - next_);
         if (count == 0 || !readSlab(mat_.get(), variable_.get(), framesAreRows_, column_, next_, count, slab_)) {
-          return Error{where_, "'" + cleanName(variable_->name) + "' cannot be read", "a damaged file"};
+          return Error{where_, message("'%1' cannot be read", cleanName(variable_->name)), message("a damaged file")};
         }
         next_ += count;
         at_ = 0;
@@ -157,11 +157,12 @@ class MatListing {
     std::size_t count = 0;
     while (matvar_t* next = Mat_VarReadNextInfo(mat_.get())) {
       const Variable variable(next, FreeVariable{});
-      if (++count > kMostVariables) return Error{contents_.path, "holds more than 4096 variables", ""};
+      if (++count > kMostVariables) return Error{contents_.path, message("holds more than 4096 variables")};
       if (variable->name == nullptr) continue;
       if (const Status s = take(variable); !s) return s.error();
     }
-    if (count == 0) return Error{contents_.path, "holds no variable that can be read", "a damaged file"};
+    if (count == 0)
+      return Error{contents_.path, message("holds no variable that can be read"), message("a damaged file")};
     for (FileArray& array : contents_.arrays) {
       for (const auto& [name, text] : texts_) {
         if (name == array.name + "_unit") array.unit = text;
@@ -173,7 +174,7 @@ class MatListing {
       if (full != texts_.end() && !full->second.empty()) array.name = full->second;
     }
     if (contents_.arrays.empty() && !inner_.empty()) {
-      return Error{contents_.path + ":" + inner_, "there is no such array in the file", ""};
+      return Error{contents_.path + ":" + inner_, message("there is no such array in the file")};
     }
     return std::move(contents_);
   }
@@ -186,7 +187,8 @@ class MatListing {
     const std::uint64_t most = fileBytes_ * (v->compression == MAT_COMPRESSION_ZLIB ? kMostDeflated : 1);
     const auto count = static_cast<long double>(v->dims[0]) * static_cast<long double>(v->dims[1]);
     if (count > static_cast<long double>(most)) {
-      return Error{contents_.path, "'" + name + "' promises more numbers than the file holds", "its header is wrong"};
+      return Error{contents_.path, message("'%1' promises more numbers than the file holds", name),
+                   message("its header is wrong")};
     }
     const std::size_t longer = std::max(v->dims[0], v->dims[1]);
     const std::size_t shorter = std::min(v->dims[0], v->dims[1]);
@@ -235,7 +237,7 @@ Result<std::unique_ptr<RecordingReader>> openMat5(const std::string& path, const
   if (const Status s = checkMatElements(path); !s) return s.error();
   const MatFile mat(Mat_Open(path.c_str(), MAT_ACC_RDONLY), CloseMat{});
   if (!mat || Mat_GetVersion(mat.get()) != MAT_FT_MAT5) {
-    return Error{path, "is no MATLAB file of version 5 or 7", "its header is damaged"};
+    return Error{path, message("is no MATLAB file of version 5 or 7"), message("its header is damaged")};
   }
   std::error_code problem;
   Result<FileContents> contents = MatListing(mat, path, inner, std::filesystem::file_size(path, problem)).list();

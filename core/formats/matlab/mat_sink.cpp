@@ -154,7 +154,8 @@ class MatSink final : public RecordingSink {
 
 Result<std::unique_ptr<RecordingSink>> createMatSink(const std::string& path, const ExportPlan& plan) {
   if (static_cast<std::uint64_t>(plan.frames) > kLargest / 8) {
-    return Error{path, "cannot be written: more than 268 million samples a channel", "export a span, or to .h5"};
+    return Error{path, message("cannot be written: more than 268 million samples a channel"),
+                 message("export a span, or to .h5")};
   }
   auto sink = std::make_unique<MatSink>(path, plan);
   if (!sink->opened()) return sink->failure();

@@ -56,15 +56,15 @@ Status checkRiffSizes(const std::string& path) {
       if (size == kUnknown) size = dataSize;
       if (size != kUnknown && size > fileSize - std::min(at, fileSize)) {
         return Error{path,
-                     "the header promises " + std::to_string(size) + " bytes of samples, the file holds " +
-                         std::to_string(fileSize - at),
-                     "a truncated file"};
+                     message("the header promises %1 bytes of samples, the file holds %2", std::to_string(size),
+                             std::to_string(fileSize - at)),
+                     message("a truncated file")};
       }
       return Done{};
     }
     at += size + (size & 1U);
   }
-  return Error{path, "holds no samples", "the data chunk is missing: a truncated file"};
+  return Error{path, message("holds no samples"), message("the data chunk is missing: a truncated file")};
 }
 
 class WavReader final : public RecordingReader {
@@ -89,9 +89,9 @@ class WavReader final : public RecordingReader {
       const auto got = static_cast<int>(sf_readf_float(file_.get(), interleaved_.data(), ask));
       if (got <= 0) {
         return Error{path_,
-                     "ends after " + std::to_string(framesRead_ + block.frames) + " of " +
-                         std::to_string(format_.frames) + " frames",
-                     "a truncated or damaged file"};
+                     message("ends after %1 of %2 frames", std::to_string(framesRead_ + block.frames),
+                             std::to_string(format_.frames)),
+                     message("a truncated or damaged file")};
       }
       for (int f = 0; f < got; ++f) {
         if (const Status s = takeFrame(block, f); !s) return s.error();
@@ -112,10 +112,8 @@ class WavReader final : public RecordingReader {
     for (std::size_t c = 0; c < picked_.size(); ++c) {
       const float value = from[picked_[c]];
       if (!std::isfinite(value)) {
-        return Error{path_,
-                     "frame " + std::to_string(framesRead_ + block.frames) + " of channel " +
-                         std::to_string(picked_[c]) + " is not a finite number",
-                     ""};
+        return Error{path_, message("frame %1 of channel %2 is not a finite number",
+                                    std::to_string(framesRead_ + block.frames), std::to_string(picked_[c]))};
       }
       block.samples[c * static_cast<std::size_t>(block.capacityFrames) + static_cast<std::size_t>(block.frames)] =
           value;
@@ -140,12 +138,12 @@ Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const 
   if (const Status s = checkRiffSizes(path); !s) return s.error();
   SF_INFO info{};
   SoundFile file(sf_open(path.c_str(), SFM_READ, &info));
-  if (!file) return Error{path, "is no sound file that can be read", sf_strerror(nullptr)};
-  if (info.frames <= 0) return Error{path, "holds no samples", ""};
+  if (!file) return Error{path, message("is no sound file that can be read"), foreign(sf_strerror(nullptr))};
+  if (info.frames <= 0) return Error{path, message("holds no samples")};
   if (info.channels < 1 || info.channels > kMostChannels || info.samplerate <= 0) {
     return Error{path,
-                 "has " + std::to_string(info.channels) + " channels at " + std::to_string(info.samplerate) + " Hz",
-                 "1 to 64 channels and a rate above zero were expected"};
+                 message("has %1 channels at %2 Hz", std::to_string(info.channels), std::to_string(info.samplerate)),
+                 message("1 to 64 channels and a rate above zero were expected")};
   }
   RecordingFormat format;
   format.kind = "sound file";

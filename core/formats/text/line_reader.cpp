@@ -10,7 +10,7 @@ LineReader::LineReader(std::string path) : path_(std::move(path)), buffer_(4 * k
 
 Status LineReader::open() {
   file_.open(path_, std::ios::binary);
-  if (!file_) return Error{path_, "cannot be opened", std::strerror(errno)};
+  if (!file_) return Error{path_, message("cannot be opened"), foreign(std::strerror(errno))};
   return Done{};
 }
 
@@ -19,7 +19,7 @@ Status LineReader::refill() {
   end_ -= begin_;
   begin_ = 0;
   file_.read(buffer_.data() + end_, static_cast<std::streamsize>(buffer_.size() - end_));
-  if (file_.bad()) return Error{path_, "cannot be read", "input/output error"};
+  if (file_.bad()) return Error{path_, message("cannot be read"), message("input/output error")};
   end_ += static_cast<std::size_t>(file_.gcount());
   atEnd_ = file_.eof();
   return Done{};
@@ -39,12 +39,13 @@ Result<bool> LineReader::next(std::string_view& line) {
   const char* stop = newline != nullptr ? newline : buffer_.data() + end_;
   ++number_;
   const auto length = static_cast<std::size_t>(stop - start);
-  if (length > kLongestLine) return Error{where(), "the line is too long", "this is no text recording"};
+  if (length > kLongestLine)
+    return Error{where(), message("the line is too long"), message("this is no text recording")};
   const std::string_view raw(start, length);
   if (number_ == 1 && (raw.starts_with("\xFF\xFE") || raw.starts_with("\xFE\xFF"))) {
-    return Error{path_, "is text in UTF-16", "save it as UTF-8"};
+    return Error{path_, message("is text in UTF-16"), message("save it as UTF-8")};
   }
-  if (std::memchr(start, '\0', length) != nullptr) return Error{where(), "holds bytes that are no text", ""};
+  if (std::memchr(start, '\0', length) != nullptr) return Error{where(), message("holds bytes that are no text")};
   line = raw;
   if (number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
   if (line.ends_with('\r')) line.remove_suffix(1);

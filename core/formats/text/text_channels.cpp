@@ -60,7 +60,8 @@ Result<TextChannels> chooseTextChannels(const TextLayout& layout, const ReadOpti
     TextChannels speeds = choose(layout, true);
     if (!speeds.channels.empty()) chosen = std::move(speeds);
   }
-  if (chosen.channels.empty()) return Error{where, "no column is a channel", "all are time, indicators or empty"};
+  if (chosen.channels.empty())
+    return Error{where, message("no column is a channel"), message("all are time, indicators or empty")};
   Result<std::vector<RecordedChannel>> kept = keepChannels(chosen.channels, options.channels, where);
   if (!kept) return kept.error();
   if (!options.channels.empty()) {

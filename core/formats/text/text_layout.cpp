@@ -124,10 +124,10 @@ Status readHeader(std::span<const std::string> lines, std::size_t firstData, Tex
   const auto named = static_cast<std::size_t>(
       std::count_if(header.begin(), header.end(), [](std::string_view c) { return !c.empty() && c != "Comment"; }));
   if (named > layout.columns.size()) {
-    return Error{
-        where + ":" + std::to_string(firstData),
-        "names " + std::to_string(named) + " columns where the rows have " + std::to_string(layout.columns.size()),
-        "put names that hold the delimiter in quotes"};
+    return Error{where + ":" + std::to_string(firstData),
+                 message("names %1 columns where the rows have %2", std::to_string(named),
+                         std::to_string(layout.columns.size())),
+                 message("put names that hold the delimiter in quotes")};
   }
   for (std::size_t i = 0; i < layout.columns.size(); ++i) {
     const NameAndUnit both = splitNameAndUnit(header[i]);
@@ -154,7 +154,8 @@ Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstDa
     if (cells.size() < 2) continue;
     const std::string lineWhere = where + ":" + std::to_string(i + 1);
     if (cells[0] == "X_Columns" && cells[1] == "Multi") {
-      return Error{lineWhere, "every channel has a time column of its own", "export with one X column"};
+      return Error{lineWhere, message("every channel has a time column of its own"),
+                   message("export with one X column")};
     }
     if (cells[0] == "Y_Unit_Label") {
       for (std::size_t k = 1; k < cells.size() && k - 1 + shift < layout.columns.size(); ++k) {
@@ -164,7 +165,8 @@ Status readLabViewHeader(std::span<const std::string> lines, std::size_t firstDa
     if (cells[0] == "Delta_X") {
       const std::optional<double> step = parseNumber(cells[1], layout.cells.decimalComma);
       if (!step || !(*step > 0.0) || !std::isfinite(*step)) {
-        return Error{lineWhere, "Delta_X holds '" + std::string(cells[1]) + "'", "a time step above zero was expected"};
+        return Error{lineWhere, message("Delta_X holds '%1'", cells[1]),
+                     message("a time step above zero was expected")};
       }
       layout.rateFromHeader = Hertz(1.0 / *step);
     }
@@ -229,11 +231,11 @@ void findEmptyColumns(std::span<const std::string> lines, const Candidate& data,
 }  // namespace
 
 Result<TextLayout> detectTextLayout(std::span<const std::string> lines, bool complete, const std::string& where) {
-  if (lines.empty()) return Error{where, "the file is empty", ""};
+  if (lines.empty()) return Error{where, message("the file is empty")};
   const Candidate data = findBestData(lines, complete);
   if (!data.found) {
-    return Error{where, "no rows of numbers found in its first " + std::to_string(lines.size()) + " lines",
-                 "is this a recording?"};
+    return Error{where, message("no rows of numbers found in its first %1 lines", std::to_string(lines.size())),
+                 message("is this a recording?")};
   }
   TextLayout layout;
   layout.cells = data.format;

@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t kSniffLines = 400;
 constexpr std::size_t kStepSample = 1000;  // rows from which the typical time step is taken
 constexpr int kMostColumns = 256;
-constexpr const char* kEvenly = "give --rate HZ to read the rows as evenly spaced";
+Message evenly() {
+  return message("give --rate HZ to read the rows as evenly spaced");
+}
 
 Result<std::vector<std::string>> firstLines(const std::string& path, bool& complete) {
   LineReader reader(path);
@@ -62,7 +64,7 @@ Result<std::unique_ptr<RecordingReader>> TextReader::open(const std::string& pat
   if (!lines) return lines.error();
   Result<TextLayout> layout = detectTextLayout(lines.value(), complete, path);
   if (!layout) return layout.error();
-  if (layout->columns.size() > kMostColumns) return Error{path, "has more than 256 columns", ""};
+  if (layout->columns.size() > kMostColumns) return Error{path, message("has more than 256 columns")};
   Result<TextChannels> channels = chooseTextChannels(*layout, options, path);
   if (!channels) return channels.error();
   std::unique_ptr<TextReader> reader(new TextReader(path, std::move(*layout), std::move(*channels)));
@@ -91,8 +93,8 @@ Result<bool> TextReader::nextRow() {
     if (!*more) return false;
   } while (isSkippedLine(line));
   if (line.starts_with("***End_of_Header***") || line.starts_with("Channels\t")) {
-    return Error{lines_->where(), "a second segment of the measurement begins",
-                 "save each segment as a file of its own"};
+    return Error{lines_->where(), message("a second segment of the measurement begins"),
+                 message("save each segment as a file of its own")};
   }
   splitCells(line, layout_.cells.delimiter, cells_);
   const double before = row_.time;
@@ -111,11 +113,11 @@ Result<double> TextReader::numberIn(int column) const {
   const std::string_view cell = cells_[static_cast<std::size_t>(column)];
   const std::optional<double> value = parseNumber(cell, layout_.cells.decimalComma);
   const std::string& name = layout_.columns[static_cast<std::size_t>(column)].name;
-  const std::string what =
-      "column " + (name.empty() ? std::to_string(column) : "'" + name + "'") + " holds " + quoted(cell);
-  if (!value || !std::isfinite(*value)) return Error{lines_->where(), what, "a finite number was expected"};
+  const Message what =
+      message("column %1 holds %2", name.empty() ? std::to_string(column) : "'" + name + "'", quoted(cell));
+  if (!value || !std::isfinite(*value)) return Error{lines_->where(), what, message("a finite number was expected")};
   constexpr double kLargest = std::numeric_limits<float>::max();
-  if (std::abs(*value) > kLargest) return Error{lines_->where(), what, "too large for a sample"};
+  if (std::abs(*value) > kLargest) return Error{lines_->where(), what, message("too large for a sample")};
   return *value;
 }
 
@@ -124,8 +126,8 @@ Status TextReader::parseRow() {
   if (count < layout_.minCells || count > layout_.maxCells) {
     return Error{
         lines_->where(),
-        "has " + std::to_string(count) + " columns where " + std::to_string(layout_.minCells) + " were expected",
-        "a damaged or truncated file"};
+        message("has %1 columns where %2 were expected", std::to_string(count), std::to_string(layout_.minCells)),
+        message("a damaged or truncated file")};
   }
   for (std::size_t i = 0; i < channels_.columns.size(); ++i) {
     const Result<double> value = numberIn(channels_.columns[i]);
@@ -142,13 +144,15 @@ Status TextReader::parseRow() {
 
 Result<std::int64_t> TextReader::missingBetween(double before, double after) const {
   if (!(after > before)) {
-    return Error{lines_->where(), after < before ? "the time runs backwards" : "the time repeats", kEvenly};
+    return Error{lines_->where(), after < before ? message("the time runs backwards") : message("the time repeats"),
+                 evenly()};
   }
   constexpr double kEarliest = 0.5;
   constexpr double kGapFrom = 1.5;
   constexpr double kLongest = 1e12;
   const double steps = (after - before) / step_;
-  if (steps < kEarliest || steps > kLongest) return Error{lines_->where(), "the time steps are uneven", kEvenly};
+  if (steps < kEarliest || steps > kLongest)
+    return Error{lines_->where(), message("the time steps are uneven"), evenly()};
   return steps < kGapFrom ? 0 : std::llround(steps) - 1;
 }
 
@@ -163,20 +167,21 @@ Result<double> TextReader::typicalStep() {
     if (n > 0) steps.push_back(row_.time - before);
     before = row_.time;
   }
-  if (steps.empty()) return Error{path_, "one row of numbers is no recording", ""};
+  if (steps.empty()) return Error{path_, message("one row of numbers is no recording")};
   const double step = median(std::move(steps));
-  if (!(step > 0.0)) return Error{path_, "the time column does not grow", kEvenly};
+  if (!(step > 0.0)) return Error{path_, message("the time column does not grow"), evenly()};
   return step;
 }
 
 // First pass: every cell is checked, rows are counted, the rate is found.
 Status TextReader::scan(const ReadOptions& options) {
   if (options.rate && !(options.rate->value > 0.0 && std::isfinite(options.rate->value))) {
-    return Error{"--rate", "must be above zero", ""};
+    return Error{"--rate", message("must be above zero")};
   }
   timed_ = layout_.timeColumn >= 0 && !options.rate;
   if (!timed_ && !options.rate && !layout_.rateFromHeader) {
-    return Error{path_, "the sampling rate is not known: there is no time column", "give it with --rate HZ"};
+    return Error{path_, message("the sampling rate is not known: there is no time column"),
+                 message("give it with --rate HZ")};
   }
   if (timed_) {
     const Result<double> step = typicalStep();
@@ -212,7 +217,7 @@ Status TextReader::settleRate(const ReadOptions& options, double evenTime, std::
   } else if (evenSteps > 0) {
     format_.rate = Hertz(snapped(static_cast<double>(evenSteps) / evenTime, evenTime));
   } else {
-    return Error{path_, "the time steps are uneven", kEvenly};
+    return Error{path_, message("the time steps are uneven"), evenly()};
   }
   return Done{};
 }

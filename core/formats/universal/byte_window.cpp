@@ -13,9 +13,9 @@ Result<ByteWindow> ByteWindow::open(const std::string& path) {
   ByteWindow window;
   std::error_code problem;
   window.size_ = std::filesystem::file_size(path, problem);
-  if (problem) return Error{path, "cannot be read", problem.message()};
+  if (problem) return Error{path, message("cannot be read"), foreign(problem.message())};
   window.file_.open(path, std::ios::binary);
-  if (!window.file_) return Error{path, "cannot be opened", std::strerror(errno)};
+  if (!window.file_) return Error{path, message("cannot be opened"), foreign(std::strerror(errno))};
   window.buffer_.resize(kCapacity);
   return window;
 }

@@ -30,7 +30,8 @@ Result<std::vector<Uff58Dataset>> parseUff58(std::string_view bytes, const std::
     if (const Status ended = cursor.finish(); !ended) return ended.error();
     found.push_back(std::move(set));
   }
-  if (found.empty()) return Error{where, "holds no dataset 58", "not a universal file of measured functions"};
+  if (found.empty())
+    return Error{where, message("holds no dataset 58"), message("not a universal file of measured functions")};
   return found;
 }
 

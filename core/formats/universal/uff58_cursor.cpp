@@ -77,7 +77,7 @@ bool isImplausible(double v) {
 
 Uff58Cursor::Uff58Cursor(ByteWindow window, std::string where) : window_(std::move(window)), where_(std::move(where)) {}
 
-Error Uff58Cursor::fail(std::string what, std::string why) const {
+Error Uff58Cursor::fail(Message what, Message why) const {
   return Error{where_ + ": dataset " + std::to_string(place_.dataset), std::move(what), std::move(why)};
 }
 
@@ -122,16 +122,17 @@ Status Uff58Cursor::skipToEnd() {
   while (!window_.atEnd()) {
     if (isDelimiter(window_.line())) return Done{};
   }
-  return fail("has no end", "the file is cut off");
+  return fail(message("has no end"), message("the file is cut off"));
 }
 
 Status Uff58Cursor::parseBinaryHeader(std::string_view fields) {
   std::vector<double> n;
-  if (!takeNumbers(fields, 4, n)) return fail("its 58b line is incomplete", "byte order, format, lines, bytes");
-  if (n[0] != 1.0 && n[0] != 2.0) return fail("its byte order is neither 1 (little) nor 2 (big endian)");
-  if (n[1] != 2.0) return fail("its numbers are not IEEE 754", "DEC and IBM formats are not read");
-  if (n[2] != 11.0) return fail("its header is not 11 lines long");
-  if (!(n[3] >= 0.0 && n[3] < 1e15)) return fail("its byte count is not a size");
+  if (!takeNumbers(fields, 4, n))
+    return fail(message("its 58b line is incomplete"), message("byte order, format, lines, bytes"));
+  if (n[0] != 1.0 && n[0] != 2.0) return fail(message("its byte order is neither 1 (little) nor 2 (big endian)"));
+  if (n[1] != 2.0) return fail(message("its numbers are not IEEE 754"), message("DEC and IBM formats are not read"));
+  if (n[2] != 11.0) return fail(message("its header is not 11 lines long"));
+  if (!(n[3] >= 0.0 && n[3] < 1e15)) return fail(message("its byte count is not a size"));
   place_.bigEndian = n[0] == 2.0;
   place_.bytes = static_cast<std::uint64_t>(n[3]);
   return Done{};
@@ -140,7 +141,7 @@ Status Uff58Cursor::parseBinaryHeader(std::string_view fields) {
 Status Uff58Cursor::parseHeader() {
   std::array<std::string, 11> lines;
   for (std::string& line : lines) {
-    if (window_.atEnd()) return fail("its header ends early", "the file is cut off");
+    if (window_.atEnd()) return fail(message("its header ends early"), message("the file is cut off"));
     line = window_.line();
   }
   Uff58Header set;
@@ -159,24 +160,26 @@ Status Uff58Cursor::parseHeader() {
 Status Uff58Cursor::parseSizes(std::string_view line) {
   Uff58Header& set = place_.header;
   std::vector<double> n;
-  if (!takeNumbers(line, 3, n)) return fail("its size line (record 7) is unreadable", printable(line));
+  if (!takeNumbers(line, 3, n))
+    return fail(message("its size line (record 7) is unreadable"), foreign(printable(line)));
   if (n[0] != 2.0 && n[0] != 4.0 && n[0] != 5.0 && n[0] != 6.0) {
-    return fail("its ordinate type is none of 2, 4, 5, 6", printable(line));
+    return fail(message("its ordinate type is none of 2, 4, 5, 6"), foreign(printable(line)));
   }
   set.complex = n[0] >= 5.0;
   set.doublePrecision = n[0] == 4.0 || n[0] == 6.0;
   if (!(n[1] >= 1.0 && n[1] < 1e12) || n[1] != std::floor(n[1])) {
-    return fail("its number of points is not a size", printable(line));
+    return fail(message("its number of points is not a size"), foreign(printable(line)));
   }
   set.points = static_cast<std::uint64_t>(n[1]);
   set.even = n[2] != 0.0;
   if (takeNumbers(line, 6, n)) set.zValue = n[5];
   if (!set.even) return Done{};
-  if (!takeNumbers(line, 5, n)) return fail("its abscissa start and step are missing", printable(line));
+  if (!takeNumbers(line, 5, n))
+    return fail(message("its abscissa start and step are missing"), foreign(printable(line)));
   set.start = n[3];
   set.increment = n[4];
   if (!std::isfinite(set.start) || !std::isfinite(set.increment) || set.increment <= 0.0) {
-    return fail("its abscissa step is not positive", printable(line));
+    return fail(message("its abscissa step is not positive"), foreign(printable(line)));
   }
   return Done{};
 }
@@ -201,23 +204,25 @@ Status Uff58Cursor::checkSize() const {
   const std::uint64_t binaryBytes = abscissaBytes() + (set.complex ? 2 : 1) * wide;
   const std::uint64_t leastBytes = place_.binary ? binaryBytes : 2 * numbersPerPoint();
   if (set.points > window_.left() / leastBytes + 1) {
-    return fail("announces " + std::to_string(set.points) + " points, more than the file holds",
-                "the file is cut off or its header is wrong");
+    return fail(message("announces %1 points, more than the file holds", std::to_string(set.points)),
+                message("the file is cut off or its header is wrong"));
   }
   if (!place_.binary) return Done{};
   const std::uint64_t total = set.points * binaryBytes;
   if (place_.bytes != total) {
-    return fail("announces " + std::to_string(place_.bytes) + " bytes, but its points take " + std::to_string(total),
-                "header inconsistent");
+    return fail(
+        message("announces %1 bytes, but its points take %2", std::to_string(place_.bytes), std::to_string(total)),
+        message("header inconsistent"));
   }
-  if (total > window_.left()) return fail("holds fewer bytes than it announces", "the file is cut off");
+  if (total > window_.left())
+    return fail(message("holds fewer bytes than it announces"), message("the file is cut off"));
   return Done{};
 }
 
 Result<Uff58Point> Uff58Cursor::point(const std::array<double, 3>& numbers) const {
   const Uff58Header& set = place_.header;
   for (std::size_t k = 0; k < numbersPerPoint(); ++k) {
-    if (!std::isfinite(numbers[k])) return fail("point " + std::to_string(read_ + 1) + " is not a finite number");
+    if (!std::isfinite(numbers[k])) return fail(message("point %1 is not a finite number", std::to_string(read_ + 1)));
   }
   const std::size_t first = set.even ? 0 : 1;
   Uff58Point p;
@@ -249,7 +254,8 @@ Status Uff58Cursor::readAscii(Uff58Point& out) {
       continue;
     }
     const auto number = takeNumber(rest);
-    if (!number) return fail("'" + printable(rest) + "' is not a number", "at point " + std::to_string(read_ + 1));
+    if (!number)
+      return fail(message("'%1' is not a number", printable(rest)), message("at point %1", std::to_string(read_ + 1)));
     lineAt_ = static_cast<std::size_t>(rest.data() - line_.data());
     numbers[have++] = *number;
   }
@@ -276,7 +282,8 @@ Status Uff58Cursor::readBinary(Uff58Point& out) {
     if (isImplausible(numbers[k++])) ++implausible_;
   }
   if (implausible_ * 20 > set.points * values) {
-    return fail("its numbers make no sense in the byte order its header gives", "little and big endian mixed up");
+    return fail(message("its numbers make no sense in the byte order its header gives"),
+                message("little and big endian mixed up"));
   }
   const Result<Uff58Point> p = point(numbers);
   if (!p) return p.error();
@@ -286,21 +293,21 @@ Status Uff58Cursor::readBinary(Uff58Point& out) {
 
 Status Uff58Cursor::finish() {
   if (!trimmed(std::string_view(line_).substr(lineAt_)).empty()) {
-    return fail("has more numbers than its " + std::to_string(place_.header.points) + " points");
+    return fail(message("has more numbers than its %1 points", std::to_string(place_.header.points)));
   }
   // Binary data need not end with a line end.
   std::string tail;
   while (tail.empty() && !window_.atEnd()) tail = trimmed(window_.line());
   if (tail != "-1") {
-    return fail("does not end after its " + std::to_string(place_.header.points) + " points",
-                "the size in its header is wrong, or the file is cut off");
+    return fail(message("does not end after its %1 points", std::to_string(place_.header.points)),
+                message("the size in its header is wrong, or the file is cut off"));
   }
   return Done{};
 }
 
 Error Uff58Cursor::endedEarly() const {
-  return fail("ends after " + std::to_string(read_) + " of " + std::to_string(place_.header.points) + " points",
-              "the file is cut off or its header is wrong");
+  return fail(message("ends after %1 of %2 points", std::to_string(read_), std::to_string(place_.header.points)),
+              message("the file is cut off or its header is wrong"));
 }
 
 }  // namespace stillcut::uff

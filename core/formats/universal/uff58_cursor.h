@@ -44,7 +44,7 @@ class Uff58Cursor {
   Status finish();
 
  private:
-  Error fail(std::string what, std::string why = "") const;
+  Error fail(Message what, Message why = {}) const;
   void begin();
   Status skipToEnd();
   Status parseBinaryHeader(std::string_view fields);

@@ -28,7 +28,7 @@ class UffColumn final : public Column {
       const std::size_t ask = std::min(points.size(), out.size() - done);
       const Result<std::size_t> got = cursor_.read(std::span(points).first(ask));
       if (!got) return got.error();
-      if (*got == 0) return Error{where_, "ends early", "it has changed since it was opened"};
+      if (*got == 0) return Error{where_, message("ends early"), message("it has changed since it was opened")};
       for (std::size_t i = 0; i < *got; ++i) out[done++] = points[i].y.real();
     }
     return Done{};
@@ -101,15 +101,15 @@ Status checkPoints(Uff58Cursor& cursor) {
 Status checkChannel(const Uff58Cursor::Place& place, const RecordingFormat& format, const std::string& path) {
   const Uff58Header& header = place.header;
   const std::string where = path + ": dataset " + std::to_string(place.dataset);
-  if (!header.even) return Error{where, "its samples are not evenly spaced in time", ""};
+  if (!header.even) return Error{where, message("its samples are not evenly spaced in time")};
   if (format.frames == 0) return Done{};
   if (static_cast<std::int64_t>(header.points) != format.frames) {
-    return Error{where,
-                 "has " + std::to_string(header.points) + " samples, those before " + std::to_string(format.frames),
-                 "channels of one recording are of one length"};
+    return Error{
+        where, message("has %1 samples, those before %2", std::to_string(header.points), std::to_string(format.frames)),
+        message("channels of one recording are of one length")};
   }
   if (rateOf(header.increment) != format.rate.value)
-    return Error{where, "has another sampling rate than those before", ""};
+    return Error{where, message("has another sampling rate than those before")};
   return Done{};
 }
 
@@ -142,11 +142,12 @@ Result<std::unique_ptr<RecordingReader>> openUff(const std::string& path, const 
                      return std::unique_ptr<Column>(new UffColumn(std::move(*own), path, place));
                    }});
     constexpr std::size_t kMostDatasets = 4096;
-    if (all.size() > kMostDatasets) return Error{path, "holds more than 4096 channels", ""};
+    if (all.size() > kMostDatasets) return Error{path, message("holds more than 4096 channels")};
   }
   if (all.empty()) {
-    const std::string others = std::to_string(format.skipped.size()) + " datasets 58 hold other functions";
-    return Error{path, "holds no time recording", format.skipped.empty() ? "no dataset 58 in it" : others};
+    const Message others = message("%1 datasets 58 hold other functions", format.skipped.size());
+    return Error{path, message("holds no time recording"),
+                 format.skipped.empty() ? message("no dataset 58 in it") : others};
   }
   return openColumns(path, std::move(format), std::move(all), options);
 }

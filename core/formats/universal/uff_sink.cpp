@@ -105,7 +105,8 @@ class UffSink final : public RecordingSink {
 Result<std::unique_ptr<RecordingSink>> createUffSink(const std::string& path, const ExportPlan& plan) {
   const bool text = std::filesystem::path(path).extension() == ".unv";
   constexpr std::int64_t kMostPoints = 9'999'999'999;  // ten columns
-  if (plan.frames > kMostPoints) return Error{path, "cannot be written: too many samples for this format", "use .h5"};
+  if (plan.frames > kMostPoints)
+    return Error{path, message("cannot be written: too many samples for this format"), message("use .h5")};
   auto sink = std::make_unique<UffSink>(path, plan, text);
   if (!sink->opened()) return sink->failure();
   sink->header();

@@ -106,30 +106,30 @@ CuttingCoefficients solve(const Lines& l, const ForceTest& test) {
 }
 
 Status check(const ForceTest& test) {
-  const auto bad = [&](std::string what, std::string why = "") {
-    return Error{test.source, std::move(what), std::move(why)};
-  };
-  if (test.teeth < 1 || test.teeth > 12) return bad("the number of teeth must be 1 to 12");
-  if (!(test.depth > 0.0 && test.depth < 1.0)) return bad("the axial depth must lie between 0 and 1 m");
+  const auto bad = [&](Message what, Message why = {}) { return Error{test.source, std::move(what), std::move(why)}; };
+  if (test.teeth < 1 || test.teeth > 12) return bad(message("the number of teeth must be 1 to 12"));
+  if (!(test.depth > 0.0 && test.depth < 1.0)) return bad(message("the axial depth must lie between 0 and 1 m"));
   const double immersion = test.engagement.radialImmersion;
-  if (!(immersion > 0.0 && immersion <= 1.0)) return bad("the radial immersion must lie above 0 and up to 1");
+  if (!(immersion > 0.0 && immersion <= 1.0)) return bad(message("the radial immersion must lie above 0 and up to 1"));
   double low = HUGE_VAL;
   double high = 0.0;
   for (const MeanForce& m : test.means) {
-    if (!(m.feedPerTooth > 0.0 && m.feedPerTooth < 0.1)) return bad("a feed per tooth is not between 0 and 100 mm");
+    if (!(m.feedPerTooth > 0.0 && m.feedPerTooth < 0.1))
+      return bad(message("a feed per tooth is not between 0 and 100 mm"));
     low = std::min(low, m.feedPerTooth);
     high = std::max(high, m.feedPerTooth);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const bool finite = std::isfinite(m.mean[axis]) && std::isfinite(m.standardError[axis]);
-      if (!finite || m.standardError[axis] < 0.0) return bad("a mean force is not finite");
+      if (!finite || m.standardError[axis] < 0.0) return bad(message("a mean force is not finite"));
     }
   }
   if (test.means.size() < 2 || high < 1.02 * low) {
-    return bad("needs mean forces at two different feeds or more", "edge and chip forces cannot be told apart else");
+    return bad(message("needs mean forces at two different feeds or more"),
+               message("edge and chip forces cannot be told apart else"));
   }
   if (test.axes.signs) {
     for (const int sign : *test.axes.signs) {
-      if (sign != 1 && sign != -1) return bad("a sign of a force axis is neither 1 nor -1");
+      if (sign != 1 && sign != -1) return bad(message("a sign of a force axis is neither 1 nor -1"));
     }
   }
   return Done{};
@@ -189,12 +189,12 @@ Result<CuttingCoefficients> identifyCoefficients(const ForceTest& test) {
   const Lines lines{fitLine(test.means, feedX ? 0 : 1), fitLine(test.means, feedX ? 1 : 0), fitLine(test.means, 2)};
   const auto signs = test.axes.signs ? test.axes.signs : findSigns(lines, test);
   if (!signs) {
-    return Error{test.source, "no orientation of the force axes gives positive cutting coefficients",
-                 "check the engagement and which axis lies along the feed"};
+    return Error{test.source, message("no orientation of the force axes gives positive cutting coefficients"),
+                 message("check the engagement and which axis lies along the feed")};
   }
   CuttingCoefficients k = solve(signedLines(lines, *signs), test);
   if (k.tangential.value <= 0.0) {
-    return Error{test.source, "K_t comes out negative", "the signs of the force axes are wrong"};
+    return Error{test.source, message("K_t comes out negative"), message("the signs of the force axes are wrong")};
   }
   k.signs = *signs;
   std::vector<double> feeds;

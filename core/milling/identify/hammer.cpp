@@ -18,20 +18,20 @@ constexpr double kUsableShare = 0.0056;
 
 Status checkRecord(const HammerRecord& record, const HammerOptions& options) {
   if (!(record.rate > 0.0) || !std::isfinite(record.rate)) {
-    return Error{record.source, "has no sampling rate", ""};
+    return Error{record.source, message("has no sampling rate")};
   }
   if (record.force.size() < 16 || record.force.size() != record.response.size()) {
-    return Error{record.source, "needs at least 16 samples of force and as many of response", ""};
+    return Error{record.source, message("needs at least 16 samples of force and as many of response")};
   }
   const auto finite = [](double v) { return std::isfinite(v); };
   if (!std::all_of(record.force.begin(), record.force.end(), finite) ||
       !std::all_of(record.response.begin(), record.response.end(), finite)) {
-    return Error{record.source, "holds a value that is not finite", ""};
+    return Error{record.source, message("holds a value that is not finite")};
   }
   const bool sane = options.trigger > 0.0 && options.trigger < 1.0 && options.doubleHit > 0.0 &&
                     options.exponentialEnd > 0.0 && options.exponentialEnd <= 1.0 && options.forceWindow >= 0.0 &&
                     options.duration >= 0.0 && options.separation > 0.0;
-  if (!sane) return Error{record.source, "an option of the hammer analysis is out of range", ""};
+  if (!sane) return Error{record.source, message("an option of the hammer analysis is out of range")};
   return Done{};
 }
 
@@ -142,11 +142,13 @@ Result<HammerResult> analyseHammer(const HammerRecord& given, const HammerOption
     for (double& v : record.response) v = -v;
   }
   std::vector<FoundHit> hits = findHits(record, options);
-  if (hits.empty()) return Error{record.source, "holds no hit", "force never positive; a flipped channel?"};
+  if (hits.empty())
+    return Error{record.source, message("holds no hit"), message("force never positive; a flipped channel?")};
   HammerResult result;
   judge(hits, options, result);
   if (result.averages == 0) {
-    return Error{record.source, "holds no usable hit", result.remarks.empty() ? "" : result.remarks.front()};
+    return Error{record.source, message("holds no usable hit"),
+                 result.remarks.empty() ? Message() : foreign(result.remarks.front())};
   }
   // All hits are analysed over the same span, the shortest one's, so that their lines coincide.
   std::size_t span = record.force.size();

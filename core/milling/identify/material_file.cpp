@@ -33,11 +33,11 @@ void readFit(const TomlTable& t, MaterialFile& file) {
   k.axialEdge.deviation = t.numberOr("axial_edge_sd_n_per_m", 0.0, 0.0);
   const std::vector<double> signs = t.numbersOr("signs", {1.0, 1.0, 1.0});
   if (signs.size() != 3) {
-    t.refuse("signs", "signs are three numbers, along the feed, across and up");
+    t.refuse("signs", message("signs are three numbers, along the feed, across and up"));
     return;
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (std::abs(signs[i]) != 1.0) t.refuse("signs", "a sign is 1 or -1");
+    if (std::abs(signs[i]) != 1.0) t.refuse("signs", message("a sign is 1 or -1"));
     k.signs[i] = signs[i] < 0.0 ? -1 : 1;
   }
 }

@@ -35,16 +35,17 @@ Mean meanOf(const std::vector<double>& turns) {
 Result<MeanForce> meanOverRevolutions(const std::array<std::span<const double>, 3>& force, double rate, Rpm speed,
                                       double feedPerTooth, const std::string& where) {
   if (!(rate > 0.0 && std::isfinite(rate)) || !(speed.value > 0.0 && std::isfinite(speed.value))) {
-    return Error{where, "sampling rate and spindle speed must be positive", ""};
+    return Error{where, message("sampling rate and spindle speed must be positive")};
   }
   const std::size_t count = force[0].size();
   if (force[1].size() != count || force[2].size() != count) {
-    return Error{where, "the three forces differ in length", ""};
+    return Error{where, message("the three forces differ in length")};
   }
   const double perTurn = rate / toHertz(speed).value;
-  if (perTurn < 4.0) return Error{where, "has fewer than 4 samples per revolution", "speed or rate is wrong"};
+  if (perTurn < 4.0)
+    return Error{where, message("has fewer than 4 samples per revolution"), message("speed or rate is wrong")};
   const auto turns = static_cast<std::size_t>(std::floor(static_cast<double>(count) / perTurn + 1e-9));
-  if (turns < 2) return Error{where, "is shorter than 2 revolutions", ""};
+  if (turns < 2) return Error{where, message("is shorter than 2 revolutions")};
   MeanForce out;
   out.feedPerTooth = feedPerTooth;
   std::vector<double> means(turns);
@@ -54,7 +55,7 @@ Result<MeanForce> meanOverRevolutions(const std::array<std::span<const double>, 
       const auto end = std::min(count, static_cast<std::size_t>(std::llround(static_cast<double>(k + 1) * perTurn)));
       double sum = 0.0;
       for (std::size_t i = begin; i < end; ++i) sum += force[axis][i];
-      if (!std::isfinite(sum)) return Error{where, "holds a force that is not finite", ""};
+      if (!std::isfinite(sum)) return Error{where, message("holds a force that is not finite")};
       means[k] = sum / static_cast<double>(end - begin);
     }
     const Mean mean = meanOf(means);

@@ -31,7 +31,7 @@ bool headerHas(const NumberTable& table, std::initializer_list<std::string_view>
 
 Status checkRising(const std::vector<double>& x, const std::string& where, const std::string& what) {
   for (std::size_t i = 1; i < x.size(); ++i) {
-    if (!(x[i] > x[i - 1])) return Error{where, what + " does not rise at row " + std::to_string(i + 1), ""};
+    if (!(x[i] > x[i - 1])) return Error{where, message("%1 does not rise at row %2", what, std::to_string(i + 1))};
   }
   return Done{};
 }
@@ -60,11 +60,11 @@ std::vector<std::string> bracketed(std::string_view line) {
 Result<Measurement> frfFromTable(NumberTable table, const std::string& where, const ImportOptions& options) {
   Measurement measured;
   if (headerHas(table, {"phase", "magnitude"})) {
-    return Error{where, "holds magnitude and phase", "export real and imaginary parts"};
+    return Error{where, message("holds magnitude and phase"), message("export real and imaginary parts")};
   }
   Status rising = checkRising(table.columns[0], where, "the frequency");
   if (!rising) return rising.error();
-  if (table.columns[0].front() < 0.0) return Error{where, "holds negative frequencies", ""};
+  if (table.columns[0].front() < 0.0) return Error{where, message("holds negative frequencies")};
   Frf frf;
   double factor = 1.0;
   bool known = false;
@@ -96,7 +96,8 @@ Result<double> rateOf(const std::vector<double>& time, const std::string& where)
   const double step = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   for (std::size_t i = 1; i < time.size(); ++i) {
     if (std::abs(time[i] - time[i - 1] - step) > 0.5 * step) {
-      return Error{where, "the time steps are uneven at row " + std::to_string(i + 1), "samples are missing"};
+      return Error{where, message("the time steps are uneven at row %1", std::to_string(i + 1)),
+                   message("samples are missing")};
     }
   }
   return 1.0 / step;
@@ -157,7 +158,8 @@ Result<ResponseUnit> unitOf(const uff::Uff58Dataset& set, const std::string& whe
   if (const auto response = responseUnit(set.ordinate.unit)) {
     unit = *response;
   } else if (!isUnset(set.ordinate.unit)) {
-    return Error{where, "unit '" + uff::printable(set.ordinate.unit) + "' is not known", "give quantity and scale"};
+    return Error{where, message("unit '%1' is not known", uff::printable(set.ordinate.unit)),
+                 message("give quantity and scale")};
   } else if (byType) {
     unit.quantity = *byType;
     measured.remarks.emplace_back("no unit in the file: taken as SI");
@@ -166,17 +168,17 @@ Result<ResponseUnit> unitOf(const uff::Uff58Dataset& set, const std::string& whe
   }
   if (isUnset(set.denominator.unit)) return unit;
   const auto force = forceUnit(set.denominator.unit);
-  if (!force) return Error{where, "force unit '" + uff::printable(set.denominator.unit) + "' is not known", ""};
+  if (!force) return Error{where, message("force unit '%1' is not known", uff::printable(set.denominator.unit))};
   unit.factor /= *force;
   return unit;
 }
 
 Result<Measurement> frfFromUff(const uff::Uff58Dataset& set, const std::string& where, const ImportOptions& options) {
   Measurement measured;
-  if (!set.complex) return Error{where, "its frequency response is real", "a complex one is needed"};
+  if (!set.complex) return Error{where, message("its frequency response is real"), message("a complex one is needed")};
   Status rising = checkRising(set.x, where, "the frequency");
   if (!rising) return rising.error();
-  if (set.x.front() < 0.0) return Error{where, "holds negative frequencies", ""};
+  if (set.x.front() < 0.0) return Error{where, message("holds negative frequencies")};
   ResponseUnit unit{options.quantity.value_or(FrfQuantity::Compliance), options.scale.value_or(1.0)};
   if (!options.quantity || !options.scale) {
     auto found = unitOf(set, where, measured);
@@ -210,10 +212,10 @@ Result<Measurement> hammerFromUff(const std::vector<uff::Uff58Dataset>& sets, co
     if (!response && set.ordinate.quantity == uff::Uff58Quantity::Acceleration) response = &set;
   }
   if (!force || !response) {
-    return Error{where, "holds neither a frequency response nor force and acceleration", ""};
+    return Error{where, message("holds neither a frequency response nor force and acceleration")};
   }
   if (force->x.size() != response->x.size() || force->x.size() < 2) {
-    return Error{where, "force and acceleration differ in length", ""};
+    return Error{where, message("force and acceleration differ in length")};
   }
   auto rate = rateOf(force->x, where);
   if (!rate) return rate.error();
@@ -243,8 +245,8 @@ Result<Measurement> fromUff(std::string_view bytes, const std::string& where, co
     return hammerFromUff(*sets, where, options);
   }
   if (options.dataset >= responses.size()) {
-    return Error{where, "holds " + std::to_string(responses.size()) + " frequency responses",
-                 "number " + std::to_string(options.dataset) + " (from 0) was asked for"};
+    return Error{where, message("holds %1 frequency responses", std::to_string(responses.size())),
+                 message("number %1 (from 0) was asked for", std::to_string(options.dataset))};
   }
   auto measured = frfFromUff(*responses[options.dataset], where, options);
   if (measured && responses.size() > 1) {
@@ -258,7 +260,7 @@ Result<Measurement> fromUff(std::string_view bytes, const std::string& where, co
 
 Result<Measurement> parseMeasurement(std::string_view bytes, const std::string& where, const ImportOptions& options) {
   if (options.scale && !(std::isfinite(*options.scale) && *options.scale != 0.0)) {
-    return Error{where, "the scale is not a number other than 0", ""};
+    return Error{where, message("the scale is not a number other than 0")};
   }
   if (uff::looksLikeUff(bytes)) return fromUff(bytes, where, options);
   auto table = parseNumberTable(bytes, where, 3);

@@ -76,7 +76,8 @@ Result<Band> resonantBand(const Frf& compliance) {
   }
   std::erase_if(peaks, [&](const Peak& p) { return p.mobility < kLeastHeight * highest; });
   if (peaks.empty()) {
-    return Error{compliance.source, "no resonance stands out of the noise", "give the frequency band to fit"};
+    return Error{compliance.source, message("no resonance stands out of the noise"),
+                 message("give the frequency band to fit")};
   }
   Band band{0.55 * peaks.front().frequency, 1.2 * peaks.back().frequency};
   band.from = std::max(band.from, compliance.frequency.front());

@@ -21,12 +21,13 @@ constexpr double kDoubtfulPhase = 0.52;    // 30 degrees
 constexpr double kLargestDamping = 0.3;
 
 Status checkOptions(const Frf& frf, const ModalOptions& o) {
-  const auto bad = [&](const char* what) { return Error{frf.source, what, ""}; };
-  if (!std::isfinite(o.from) || !std::isfinite(o.to) || o.from < 0.0 || o.to < 0.0) return bad("the band is no band");
-  if (o.from > 0.0 && o.to > 0.0 && o.to <= o.from) return bad("the band ends before it begins");
-  if (o.modes < 0 || o.modes > 16) return bad("the number of modes must be 1 to 16, or 0 for automatic");
-  if (o.highestOrder < 4 || o.highestOrder > 60) return bad("the highest model order must be 4 to 60");
-  if (frf.frequency.size() != frf.value.size()) return bad("frequencies and values differ in number");
+  const auto bad = [&](Message what) { return Error{frf.source, what}; };
+  if (!std::isfinite(o.from) || !std::isfinite(o.to) || o.from < 0.0 || o.to < 0.0)
+    return bad(message("the band is no band"));
+  if (o.from > 0.0 && o.to > 0.0 && o.to <= o.from) return bad(message("the band ends before it begins"));
+  if (o.modes < 0 || o.modes > 16) return bad(message("the number of modes must be 1 to 16, or 0 for automatic"));
+  if (o.highestOrder < 4 || o.highestOrder > 60) return bad(message("the highest model order must be 4 to 60"));
+  if (frf.frequency.size() != frf.value.size()) return bad(message("frequencies and values differ in number"));
   return Done{};
 }
 
@@ -37,7 +38,7 @@ Result<Band> chooseBand(const Frf& compliance, const ModalOptions& options) {
   if (!found) return found;
   if (band.from <= 0.0) band.from = found->from;
   if (band.to <= 0.0) band.to = found->to;
-  if (band.to <= band.from) return Error{compliance.source, "no resonance lies in the band given", ""};
+  if (band.to <= band.from) return Error{compliance.source, message("no resonance lies in the band given")};
   return band;
 }
 
@@ -47,7 +48,8 @@ Result<ModalLines> linesIn(const Frf& compliance, const Band& band) {
   const auto end = static_cast<std::size_t>(std::upper_bound(f.begin(), f.end(), band.to) - f.begin());
   const std::size_t count = end > first ? end - first : 0;
   if (count < 16) {
-    return Error{compliance.source, "has only " + std::to_string(count) + " lines in the band", "16 are needed"};
+    return Error{compliance.source, message("has only %1 lines in the band", std::to_string(count)),
+                 message("16 are needed")};
   }
   const std::size_t stride = (count + kMostLines - 1) / kMostLines;
   ModalLines lines;
@@ -62,14 +64,15 @@ Result<ModalLines> linesIn(const Frf& compliance, const Band& band) {
   lines.from = lines.frequency[0];
   lines.to = lines.frequency[kept - 1];
   if (!lines.value.allFinite() || !lines.frequency.allFinite()) {
-    return Error{compliance.source, "holds a value that is not finite", ""};
+    return Error{compliance.source, message("holds a value that is not finite")};
   }
   // A driving point takes power in: the imaginary part of its compliance is negative.
   const double imaginary = lines.value.imag().sum();
   if (imaginary > 0.25 * lines.value.imag().cwiseAbs().sum()) {
-    return Error{compliance.source, "force and response point against each other", "flip one of them"};
+    return Error{compliance.source, message("force and response point against each other"),
+                 message("flip one of them")};
   }
-  if (lines.value.cwiseAbs().maxCoeff() <= 0.0) return Error{compliance.source, "is zero in the band", ""};
+  if (lines.value.cwiseAbs().maxCoeff() <= 0.0) return Error{compliance.source, message("is zero in the band")};
   return lines;
 }
 
@@ -260,7 +263,8 @@ Result<ModalFit> fitModes(const Frf& frf, const ModalOptions& options) {
   Selection selection(*lines, candidates(stablePoles(fit.diagram), *lines, options.modes), options.modes);
   selection.run();
   if (!selection.poles().empty()) describeModes(fit, *lines, selection, frf.addedDecay);
-  if (fit.modes.empty()) return Error{frf.source, "no physical mode was found in the band", "try another band"};
+  if (fit.modes.empty())
+    return Error{frf.source, message("no physical mode was found in the band"), message("try another band")};
   if (static_cast<int>(fit.modes.size()) < options.modes) {
     fit.remarks.push_back("only " + std::to_string(fit.modes.size()) + " of the " + std::to_string(options.modes) +
                           " modes asked for were found");

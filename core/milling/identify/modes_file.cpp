@@ -63,7 +63,7 @@ void readFit(const TomlTable& t, ModesFile& file) {
     if (!t.has(column.key)) continue;
     const std::vector<double> values = t.numbers(column.key);
     if (values.size() != file.modes.size()) {
-      t.refuse(column.key, "needs one number per mode, " + std::to_string(file.modes.size()));
+      t.refuse(column.key, message("needs one number per mode, %1", std::to_string(file.modes.size())));
       continue;
     }
     for (std::size_t i = 0; i < values.size(); ++i) column.member(file.modes[i]) = values[i];
@@ -71,7 +71,7 @@ void readFit(const TomlTable& t, ModesFile& file) {
   if (!t.has("doubt")) return;
   const std::vector<std::string> doubts = t.texts("doubt");
   if (doubts.size() != file.modes.size()) {
-    t.refuse("doubt", "needs one text per mode, " + std::to_string(file.modes.size()));
+    t.refuse("doubt", message("needs one text per mode, %1", std::to_string(file.modes.size())));
     return;
   }
   for (std::size_t i = 0; i < doubts.size(); ++i) file.modes[i].doubt = doubts[i];
@@ -87,7 +87,7 @@ Result<ModesFile> read(const TomlReader& in) {
   if (fit.present()) readFit(fit, file);
   Status done = in.finish();
   if (!done) return done.error();
-  if (file.modes.empty()) return Error{in.root().place(), "holds no [[mode]]", ""};
+  if (file.modes.empty()) return Error{in.root().place(), message("holds no [[mode]]")};
   return file;
 }
 

@@ -42,17 +42,17 @@ std::optional<std::size_t> numbersOf(const std::vector<std::string_view>& fields
   return std::nullopt;
 }
 
-Error badRow(const std::string& where, std::size_t line, std::string what, std::string why = "") {
+Error badRow(const std::string& where, std::size_t line, Message what, Message why = {}) {
   return Error{where + ":" + std::to_string(line), std::move(what), std::move(why)};
 }
 
 Status addRow(NumberTable& table, const std::vector<double>& row, const std::string& where, std::size_t line) {
   if (row.size() != table.columns.size()) {
-    return badRow(where, line, "has " + std::to_string(row.size()) + " columns",
-                  "the rows before have " + std::to_string(table.columns.size()));
+    return badRow(where, line, message("has %1 columns", std::to_string(row.size())),
+                  message("the rows before have %1", std::to_string(table.columns.size())));
   }
   for (std::size_t c = 0; c < row.size(); ++c) {
-    if (!std::isfinite(row[c])) return badRow(where, line, "column " + std::to_string(c + 1) + " is not finite");
+    if (!std::isfinite(row[c])) return badRow(where, line, message("column %1 is not finite", std::to_string(c + 1)));
     table.columns[c].push_back(row[c]);
   }
   return Done{};
@@ -78,8 +78,8 @@ Result<NumberTable> parseNumberTable(std::string_view text, const std::string& w
         table.columns.resize(row.size());
       } else {
         if (table.header.size() == kMaxHeaderLines) {
-          return Error{where, "holds no rows of " + std::to_string(leastColumns) + " numbers",
-                       "none in its first " + std::to_string(kMaxHeaderLines) + " lines"};
+          return Error{where, message("holds no rows of %1 numbers", std::to_string(leastColumns)),
+                       message("none in its first %1 lines", std::to_string(kMaxHeaderLines))};
         }
         table.header.emplace_back(uff::trimmed(line).substr(0, 256));
         continue;
@@ -87,14 +87,15 @@ Result<NumberTable> parseNumberTable(std::string_view text, const std::string& w
     }
     if (bad) {
       const bool comma = fields[*bad].find(',') != std::string_view::npos;
-      return badRow(where, number, "'" + uff::printable(fields[*bad]) + "' is not a number",
-                    comma ? "a decimal comma is not read" : "");
+      return badRow(where, number, message("'%1' is not a number", uff::printable(fields[*bad])),
+                    comma ? message("a decimal comma is not read") : Message());
     }
     Status added = addRow(table, row, where, number);
     if (!added) return added.error();
   }
   if (table.rows() < 2) {
-    return Error{where, "holds no rows of " + std::to_string(leastColumns) + " numbers", "not a table of numbers"};
+    return Error{where, message("holds no rows of %1 numbers", std::to_string(leastColumns)),
+                 message("not a table of numbers")};
   }
   return table;
 }

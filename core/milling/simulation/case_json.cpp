@@ -29,13 +29,13 @@ Mode modeFrom(const Json& j, const std::string& where) {
   m.stiffness = j.contains("k") ? caseNumber(j, "k", where) : caseNumber(j, "m", where) * w * w;
   const Json d = j.value("d", Json());
   if (!d.is_array() || d.size() != 2 || !d[0].is_number() || !d[1].is_number())
-    throw Error{where + ".d", "two numbers are needed", ""};
+    throw Error{where + ".d", message("two numbers are needed")};
   m.direction = {d[0].get<double>(), d[1].get<double>()};
   return m;
 }
 
 void readModel(const Json& j, const std::string& where, CutModel& model) {
-  if (!j.contains("modes") || !j.at("modes").is_array()) throw Error{where + "modes", "a list is needed", ""};
+  if (!j.contains("modes") || !j.at("modes").is_array()) throw Error{where + "modes", message("a list is needed")};
   for (const Json& m : j.at("modes")) {
     model.modes.push_back(modeFrom(m, where + "modes[" + std::to_string(model.modes.size()) + "]"));
   }
@@ -49,7 +49,7 @@ void readModel(const Json& j, const std::string& where, CutModel& model) {
   model.material.tangential = caseNumber(j, "Kt", where);
   model.material.radial = caseNumber(j, "Kn", where);
   model.engagement.radialImmersion = caseNumber(j, "aD", where);
-  if (!j.contains("up") || !j.at("up").is_boolean()) throw Error{where + "up", "true or false is needed", ""};
+  if (!j.contains("up") || !j.at("up").is_boolean()) throw Error{where + "up", message("true or false is needed")};
   model.engagement.side = j.at("up").get<bool>() ? Side::Up : Side::Down;
 }
 
@@ -121,7 +121,7 @@ Scenario scenarioFrom(const Json& j, const std::string& path) {
 
 Result<Scenario> loadCaseJson(const std::string& path) {
   std::ifstream in(path);
-  if (!in) return Error{path, "cannot be opened", ""};
+  if (!in) return Error{path, message("cannot be opened")};
   try {
     const Scenario s = scenarioFrom(Json::parse(in), path);
     if (Status ok = check(s, path); !ok) return ok.error();
@@ -129,7 +129,7 @@ Result<Scenario> loadCaseJson(const std::string& path) {
   } catch (const Error& e) {
     return e;
   } catch (const Json::exception& e) {
-    return Error{path, e.what(), "not a case in JSON"};
+    return Error{path, foreign(e.what()), message("not a case in JSON")};
   }
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-[[noreturn]] void fail(const std::string& place, const std::string& what) {
-  throw Error{place, what, ""};
+[[noreturn]] void fail(const std::string& place, Message what) {
+  throw Error{place, what};
 }
 
 enum class Quantity { Depth, Immersion, Speed, Feed };
@@ -62,7 +62,7 @@ double inProfileUnit(Quantity q, double value, const std::string& unit, const Sc
       if (unit == "m_per_s") return value / (s.model.tool.teeth * s.programme.speed.value / 60.0);
       break;
   }
-  fail(place, "the unit '" + unit + "' is not understood");
+  fail(place, message("the unit '%1' is not understood", unit));
 }
 
 // The unit of "from_mm" is "mm"; times are counted in s and set apart.
@@ -71,18 +71,18 @@ std::string unitOf(const Json& segment, const std::string& place) {
     const std::string& key = item.key();
     if (key.starts_with("from_") && key != "from_s") return key.substr(5);
   }
-  fail(place, "a value from_UNIT is needed");
+  fail(place, message("a value from_UNIT is needed"));
 }
 
 RampShape shapeOf(const Json& segment, const std::string& place) {
   const std::string shape = segment.value("shape", "linear");
   if (shape == "smoothstep") return RampShape::Smoothstep;
-  if (shape != "linear" && shape != "constant") fail(place, "the shape '" + shape + "' is not understood");
+  if (shape != "linear" && shape != "constant") fail(place, message("the shape '%1' is not understood", shape));
   return RampShape::Linear;
 }
 
 Profile readSegments(Quantity q, const Json& list, const std::string& where, const Scenario& s) {
-  if (!list.is_array()) fail(where, "a list is needed");
+  if (!list.is_array()) fail(where, message("a list is needed"));
   Profile p;
   for (const Json& g : list) {
     const std::string place = where + "[" + std::to_string(p.segments.size()) + "]";
@@ -105,7 +105,7 @@ void readAngles(const Json& process, const std::string& where, Engagement& e) {
   } else if (std::abs(exit - std::numbers::pi) < kClose) {
     e = {0.5 * (1.0 + std::cos(start)), Side::Down};
   } else {
-    fail(where + ".phi_st_in_cut", "the cut must begin at 0 or end at pi");
+    fail(where + ".phi_st_in_cut", message("the cut must begin at 0 or end at pi"));
   }
 }
 
@@ -116,13 +116,14 @@ bool changesTheCut(const Json& value) {
 }  // namespace
 
 double caseNumber(const Json& object, const std::string& key, const std::string& where) {
-  if (!object.contains(key) || !object.at(key).is_number()) fail(where + "." + key, "a number is needed");
+  if (!object.contains(key) || !object.at(key).is_number()) fail(where + "." + key, message("a number is needed"));
   return object.at(key).get<double>();
 }
 
 void readCaseProcess(const Json& process, const std::string& where, Scenario& s) {
   Programme& p = s.programme;
-  if (!process.is_object() || !process.contains("depth_segments")) fail(where + ".depth_segments", "it is missing");
+  if (!process.is_object() || !process.contains("depth_segments"))
+    fail(where + ".depth_segments", message("it is missing"));
   if (process.contains("tool_diameter_m")) {
     s.model.tool.diameter = Metres(caseNumber(process, "tool_diameter_m", where));
   }
@@ -141,7 +142,7 @@ void readCaseProcess(const Json& process, const std::string& where, Scenario& s)
                               ? quantityOf(item.key().substr(0, item.key().size() - kSegments.size()))
                               : std::nullopt;
     if (!quantity) {
-      if (changesTheCut(item.value())) fail(place, "this kind of list is not understood");
+      if (changesTheCut(item.value())) fail(place, message("this kind of list is not understood"));
       continue;
     }
     const Profile profile = readSegments(*quantity, item.value(), place, s);

@@ -48,11 +48,11 @@ Status check(const Profile& profile, double lowest, double highest, const std::s
   for (std::size_t i = 0; i < profile.segments.size(); ++i) {
     const ProfileSegment& g = profile.segments[i];
     const std::string place = where + ": segment " + std::to_string(i + 1);
-    if (!std::isfinite(g.from) || !std::isfinite(g.to)) return Error{place, "its ends must be finite", ""};
-    if (g.to < g.from) return Error{place, "it ends before it begins", ""};
-    if (g.from < end) return Error{place, "it begins before the previous one ends", ""};
+    if (!std::isfinite(g.from) || !std::isfinite(g.to)) return Error{place, message("its ends must be finite")};
+    if (g.to < g.from) return Error{place, message("it ends before it begins")};
+    if (g.from < end) return Error{place, message("it begins before the previous one ends")};
     for (double v : {g.fromValue, g.toValue}) {
-      if (!(v >= lowest) || !(v <= highest)) return Error{place, "a value is out of range", ""};
+      if (!(v >= lowest) || !(v <= highest)) return Error{place, message("a value is out of range")};
     }
     end = g.to;
   }

@@ -16,31 +16,37 @@ double highestMode(const CutModel& m) {
 }
 
 Status checkSensor(const Scenario& s, const SensorSettings& c, const std::string& place) {
-  const auto bad = [&](const char* what) { return Status(Error{place, what, ""}); };
-  if (c.name.empty()) return bad("a sensor needs a name");
-  if (!c.axis.empty() && c.axis != "x" && c.axis != "y") return bad("axis must be x or y");
-  if (!c.place.empty() && c.place.size() != s.model.modes.size()) return bad("place needs one weight per mode");
-  if (!(c.gain != 0.0) || !std::isfinite(c.gain)) return bad("gain must not be zero");
+  const auto bad = [&](Message what) { return Status(Error{place, what}); };
+  if (c.name.empty()) return bad(message("a sensor needs a name"));
+  if (!c.axis.empty() && c.axis != "x" && c.axis != "y") return bad(message("axis must be x or y"));
+  if (!c.place.empty() && c.place.size() != s.model.modes.size())
+    return bad(message("place needs one weight per mode"));
+  if (!(c.gain != 0.0) || !std::isfinite(c.gain)) return bad(message("gain must not be zero"));
   for (double v : {c.noise, c.fullScale, c.step, c.counts, c.bandwidth.value}) {
     if (!(v >= 0.0) || !std::isfinite(v))
-      return bad("noise, full scale, step, counts and bandwidth must not be negative");
+      return bad(message("noise, full scale, step, counts and bandwidth must not be negative"));
   }
   for (const Echo& e : c.echoes) {
-    if (!(e.delay.value >= 0.0) || e.delay.value > 1.0) return bad("an echo's delay must lie between 0 and 1 s");
+    if (!(e.delay.value >= 0.0) || e.delay.value > 1.0)
+      return bad(message("an echo's delay must lie between 0 and 1 s"));
   }
   return Done{};
 }
 
 Status checkProgramme(const Scenario& s, const std::string& where) {
   const Programme& p = s.programme;
-  const auto bad = [&](const char* what) { return Status(Error{where, what, ""}); };
-  if (!(p.speed.value >= 1.0) || p.speed.value > 200000.0) return bad("speed must lie between 1 and 200000 rev/min");
+  const auto bad = [&](Message what) { return Status(Error{where, what}); };
+  if (!(p.speed.value >= 1.0) || p.speed.value > 200000.0)
+    return bad(message("speed must lie between 1 and 200000 rev/min"));
   if (!(p.feedPerTooth.value >= 0.0) || p.feedPerTooth.value > 0.01)
-    return bad("feed per tooth must lie between 0 and 10 mm");
-  if (!(p.duration.value > 0.0) || p.duration.value > 3600.0) return bad("duration must lie between 0 and 3600 s");
-  if (!(p.feedLag.value >= 0.0) || p.feedLag.value > 10.0) return bad("feed lag must lie between 0 and 10 s");
-  if (!(p.randomForce >= 0.0) || p.randomForce > 1e3) return bad("random force must lie between 0 and 1000 N/sqrt(Hz)");
-  if (!(p.unevenness >= 0.0) || p.unevenness > 0.01) return bad("unevenness must lie between 0 and 0.01 / sqrt(Hz)");
+    return bad(message("feed per tooth must lie between 0 and 10 mm"));
+  if (!(p.duration.value > 0.0) || p.duration.value > 3600.0)
+    return bad(message("duration must lie between 0 and 3600 s"));
+  if (!(p.feedLag.value >= 0.0) || p.feedLag.value > 10.0) return bad(message("feed lag must lie between 0 and 10 s"));
+  if (!(p.randomForce >= 0.0) || p.randomForce > 1e3)
+    return bad(message("random force must lie between 0 and 1000 N/sqrt(Hz)"));
+  if (!(p.unevenness >= 0.0) || p.unevenness > 0.01)
+    return bad(message("unevenness must lie between 0 and 0.01 / sqrt(Hz)"));
   if (Status r = check(p.depth, 0.0, 1.0, where + ": depth"); !r) return r;
   if (Status r = check(p.immersion, 0.0, 1.0, where + ": immersion"); !r) return r;
   if (Status r = check(p.feedPerToothOverTime, 0.0, 0.01, where + ": feed per tooth"); !r) return r;
@@ -51,19 +57,19 @@ Status checkDrives(const Scenario& s, const std::string& where) {
   const DriveSettings& d = s.drive;
   const OverrideSettings& o = s.overrides;
   for (double v : {d.inertia, d.torqueLimit, d.bandwidth.value, d.acceleration, d.torquePerAmpere}) {
-    if (!(v > 0.0) || !std::isfinite(v)) return Error{where + ": drive", "every value must be above zero", ""};
+    if (!(v > 0.0) || !std::isfinite(v)) return Error{where + ": drive", message("every value must be above zero")};
   }
   if (!(d.torqueLoop.value >= 0.0) || !std::isfinite(d.torqueLoop.value)) {
-    return Error{where + ": drive", "the torque loop's bandwidth must not be negative", ""};
+    return Error{where + ": drive", message("the torque loop's bandwidth must not be negative")};
   }
   if (!(o.lowestSpeed.value > 0.0) || o.lowestSpeed > o.highestSpeed || o.highestSpeed.value > 3.0) {
-    return Error{where + ": overrides", "the speed range must rise from above 0 to at most 300 %", ""};
+    return Error{where + ": overrides", message("the speed range must rise from above 0 to at most 300 %")};
   }
   if (!(o.lowestFeed.value >= 0.0) || o.lowestFeed > o.highestFeed || o.highestFeed.value > 3.0) {
-    return Error{where + ": overrides", "the feed range must rise from 0 or more to at most 300 %", ""};
+    return Error{where + ": overrides", message("the feed range must rise from 0 or more to at most 300 %")};
   }
   if (!(o.shortestDelay.value >= 0.0) || o.longestDelay < o.shortestDelay || o.longestDelay.value > 10.0) {
-    return Error{where + ": overrides", "the delays must rise from 0 or more to at most 10 s", ""};
+    return Error{where + ": overrides", message("the delays must rise from 0 or more to at most 10 s")};
   }
   return Done{};
 }
@@ -108,20 +114,22 @@ Status check(const Scenario& s, const std::string& where) {
     if (Status r = check(*s.workHolder, where); !r) return r;
   }
   if (s.model.modes.size() + (s.workHolder ? 2 : 0) > kMaxModes) {
-    return Error{where, "at most " + std::to_string(kMaxModes) + " modes can be simulated", ""};
+    return Error{where, message("at most %1 modes can be simulated", std::to_string(kMaxModes))};
   }
   if (Status r = checkProgramme(s, where + ": programme"); !r) return r;
   if (Status r = checkDrives(s, where); !r) return r;
-  if (!(s.rate.value >= 10.0) || s.rate.value > 1e6) return Error{where, "rate must lie between 10 Hz and 1 MHz", ""};
-  if (s.blockFrames < 1 || s.blockFrames > 65536) return Error{where, "block frames must lie between 1 and 65536", ""};
-  if (s.sensors.empty() || s.sensors.size() > 32) return Error{where, "1 to 32 sensors are needed", ""};
+  if (!(s.rate.value >= 10.0) || s.rate.value > 1e6)
+    return Error{where, message("rate must lie between 10 Hz and 1 MHz")};
+  if (s.blockFrames < 1 || s.blockFrames > 65536)
+    return Error{where, message("block frames must lie between 1 and 65536")};
+  if (s.sensors.empty() || s.sensors.size() > 32) return Error{where, message("1 to 32 sensors are needed")};
   for (std::size_t i = 0; i < s.sensors.size(); ++i) {
     if (Status r = checkSensor(s, s.sensors[i], where + ": sensor " + std::to_string(i + 1)); !r) return r;
   }
   if (s.stepsPerRevolution < 0 || s.stepsPerRevolution > 1000000) {
-    return Error{where, "steps per revolution must lie between 0 (automatic) and 1000000", ""};
+    return Error{where, message("steps per revolution must lie between 0 (automatic) and 1000000")};
   }
-  if (s.helixSlices < 1 || s.helixSlices > 200) return Error{where, "helix slices must lie between 1 and 200", ""};
+  if (s.helixSlices < 1 || s.helixSlices > 200) return Error{where, message("helix slices must lie between 1 and 200")};
   return Done{};
 }
 

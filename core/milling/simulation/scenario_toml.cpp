@@ -95,7 +95,7 @@ void readRange(const TomlTable& t, const char* key, double perUnit, double& low,
   if (!t.has(key)) return;
   const std::vector<double> v = t.numbers(key);
   if (v.size() != 2) {
-    t.refuse(key, "a range is two numbers, lowest and highest");
+    t.refuse(key, message("a range is two numbers, lowest and highest"));
     return;
   }
   low = inSi(v[0], perUnit);
@@ -128,7 +128,7 @@ SensorSettings readSensor(const TomlTable& t) {
     if (e.size() == 2) {
       s.echoes.push_back({Seconds(inSi(e[0], kMs)), e[1]});
     } else {
-      t.refuse("echoes", "an echo is two numbers, delay in ms and gain");
+      t.refuse("echoes", message("an echo is two numbers, delay in ms and gain"));
     }
   }
   s.fault = static_cast<SensorFault>(t.choiceOr("fault", 0, {"none", "loose", "dead"}));

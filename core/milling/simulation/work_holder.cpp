@@ -8,16 +8,17 @@ namespace stillcut::milling {
 Status check(const WorkHolderSettings& s, const std::string& where) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0.0; };
   if (!positive(s.flexure.value) || !positive(s.stiffness) || !(s.damping > 0.0 && s.damping < 1.0)) {
-    return Error{where, "the work-holder needs a flexure with frequency, damping and stiffness", ""};
+    return Error{where, message("the work-holder needs a flexure with frequency, damping and stiffness")};
   }
   if (!positive(s.stroke.value) || s.stroke.value > 1e-3) {
-    return Error{where, "the work-holder's stroke must be above zero and at most 1 mm", ""};
+    return Error{where, message("the work-holder's stroke must be above zero and at most 1 mm")};
   }
   if (!positive(s.reconstruction.value) || !positive(s.amplifier.value) || !positive(s.slew)) {
-    return Error{where, "the work-holder's filter and amplifier need a bandwidth and a slew limit", ""};
+    return Error{where, message("the work-holder's filter and amplifier need a bandwidth and a slew limit")};
   }
   if (s.quieten.size() > 8 || !std::ranges::all_of(s.quieten, [&](Hertz f) { return positive(f.value); })) {
-    return Error{where, "the work-holder's lines to quieten must be positive frequencies", "at most 8"};
+    return Error{where, message("the work-holder's lines to quieten must be positive frequencies"),
+                 message("at most 8")};
   }
   return Done{};
 }

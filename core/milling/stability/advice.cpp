@@ -119,23 +119,23 @@ Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& req
   const Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();
   if (Status ok = ExactLobes::checkDepth(kDepthSearched * request.depth); !ok) return ok.error();
-  if (request.steps < 8 || request.steps > 5000) return Error{where, "steps must be 8 to 5000", ""};
+  if (request.steps < 8 || request.steps > 5000) return Error{where, message("steps must be 8 to 5000")};
   if (!isFinite(request.feedPerTooth) || request.feedPerTooth.value < 0.0) {
-    return Error{where, "feed per tooth must not be negative", ""};
+    return Error{where, message("feed per tooth must not be negative")};
   }
   Rpm highest = request.highest;
   bool capped = false;
   if (request.cuttingSpeed) {
     if (!std::isfinite(*request.cuttingSpeed) || !(*request.cuttingSpeed > 0.0)) {
-      return Error{where, "the tool's cutting speed must be above zero", ""};
+      return Error{where, message("the tool's cutting speed must be above zero")};
     }
     const Rpm tool = speedLimitOfTool(model.tool, *request.cuttingSpeed);
     capped = tool < highest;
     if (capped) highest = tool;
   }
   if (!(request.lowest < highest)) {
-    return Error{where, capped ? "the tool's cutting speed lies below the speed range" : "the speed range is empty",
-                 ""};
+    return Error{where, capped ? message("the tool's cutting speed lies below the speed range")
+                               : message("the speed range is empty")};
   }
   const Result<std::vector<Rpm>> speeds =
       speedSteps(request.lowest, highest, (highest - request.lowest) / static_cast<double>(request.steps), where);

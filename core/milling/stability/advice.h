@@ -47,8 +47,8 @@ struct SpeedAdvice {
   std::optional<DeepestCut> deepest;  // where there is no pocket
   Rpm highest{};                      // of the range after the tool's cutting speed
   bool cappedByTool = false;
-  std::vector<std::string> warnings;  // what the linear cut leaves out
-  bool finished = false;              // false: stopped
+  std::vector<Message> warnings;  // what the linear cut leaves out
+  bool finished = false;          // false: stopped
 };
 
 Result<SpeedAdvice> adviseSpeeds(const CutModel& model, const AdviceRequest& request, const std::string& where,

@@ -42,19 +42,21 @@ Result<ExactLobes> ExactLobes::make(const CutModel& model, const std::string& wh
 
 Status ExactLobes::checkSpeed(Rpm speed) const {
   if (!isFinite(speed) || !(speed.value > 0.0) || speed.value > kHighestSpeed) {
-    return Error{"spindle speed", number(speed.value) + " rpm is no speed", "above 0 and up to 1e6 rpm"};
+    return Error{message("spindle speed"), message("%1 rpm is no speed", number(speed.value)),
+                 message("above 0 and up to 1e6 rpm")};
   }
   const double waves = system_.highestOmega() / kTwoPi * system_.toothPeriod(speed);
   if (waves > kMostWaves) {
-    return Error{"spindle speed", number(speed.value) + " rpm is too low for these modes",
-                 "the fastest mode swings " + number(std::round(waves)) + " times between two teeth"};
+    return Error{message("spindle speed"), message("%1 rpm is too low for these modes", number(speed.value)),
+                 message("the fastest mode swings %1 times between two teeth", number(std::round(waves)))};
   }
   return Done{};
 }
 
 Status ExactLobes::checkDepth(Metres largest) {
   if (isFinite(largest) && largest.value > 0.0 && largest.value <= 1.0) return Done{};
-  return Error{"largest depth", number(1e3 * largest.value) + " mm is no depth", "above 0 and up to 1000 mm"};
+  return Error{message("largest depth"), message("%1 mm is no depth", number(1e3 * largest.value)),
+               message("above 0 and up to 1000 mm")};
 }
 
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, const std::stop_token& stop) const {

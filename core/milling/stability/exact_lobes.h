@@ -68,14 +68,14 @@ class ExactLobes {
 
   const RegenerativeSystem& system() const { return system_; }
   // Effects of the model that the linear cut leaves out, for the reader of the result.
-  const std::vector<std::string>& neglected() const { return neglected_; }
+  const std::vector<Message>& neglected() const { return neglected_; }
 
  private:
-  ExactLobes(RegenerativeSystem system, std::vector<std::string> neglected)
+  ExactLobes(RegenerativeSystem system, std::vector<Message> neglected)
       : system_(std::move(system)), neglected_(std::move(neglected)) {}
 
   RegenerativeSystem system_;
-  std::vector<std::string> neglected_;
+  std::vector<Message> neglected_;
 };
 
 }  // namespace stillcut::milling

@@ -55,12 +55,12 @@ LobeCase caseFrom(const nlohmann::json& j) {
 
 Result<LobeCase> importLobeJson(const std::string& path, const ModelParts& parts) {
   std::ifstream file(path);
-  if (!file) return Error{path, "cannot be opened", ""};
+  if (!file) return Error{path, message("cannot be opened")};
   LobeCase c;
   try {
     c = caseFrom(nlohmann::json::parse(file));
   } catch (const nlohmann::json::exception& e) {
-    return Error{path, "is no lobe case", e.what()};
+    return Error{path, message("is no lobe case"), foreign(e.what())};
   }
   if (!parts.modes.empty()) c.model.modes = parts.modes;
   if (parts.material) c.model.material = *parts.material;

@@ -43,9 +43,11 @@ std::string lobeJson(const LobeSweep& sweep, const std::string& name) {
                       {"verified", limits.verified},
                       {"crossings", std::move(crossings)}});
   }
+  json warnings = json::array();
+  for (const Message& warning : sweep.warnings) warnings.push_back(text(warning));
   const json all{{"case", name},
                  {"max_depth_mm", 1e3 * sweep.maxDepth.value},
-                 {"warnings", sweep.warnings},
+                 {"warnings", warnings},
                  {"speeds", std::move(speeds)}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
 }

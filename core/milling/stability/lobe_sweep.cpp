@@ -85,26 +85,25 @@ class Sweeper {
 };
 
 Result<LobeSweep> sweepWith(const SolveOne& solve, std::span<const Rpm> speeds, const SweepOptions& options,
-                            const std::stop_token& stop, std::vector<std::string> warnings) {
+                            const std::stop_token& stop, std::vector<Message> warnings) {
   Result<LobeSweep> sweep = Sweeper(speeds, options, solve, stop).run();
   if (sweep) sweep.value().warnings = std::move(warnings);
   return sweep;
 }
 
-std::string neglectedWarning(const CutModel& model) {
-  std::string text;
-  for (const std::string& effect : neglectedEffects(model)) text += (text.empty() ? "" : ", ") + effect;
-  return text.empty() ? text : "left out: " + text;
+Message neglectedWarning(const CutModel& model) {
+  const std::vector<Message> effects = neglectedEffects(model);
+  return effects.empty() ? Message() : message("left out: %1", effects);
 }
 
 }  // namespace
 
 Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
                              const std::string& where, const std::stop_token& stop) {
-  if (speeds.empty()) return Error{where, "no spindle speed is given", ""};
+  if (speeds.empty()) return Error{where, message("no spindle speed is given")};
   if (Status ok = ExactLobes::checkDepth(options.limits.maxDepth); !ok) return ok.error();
-  std::vector<std::string> warnings;
-  if (std::string text = neglectedWarning(model); !text.empty()) warnings.push_back(std::move(text));
+  std::vector<Message> warnings;
+  if (Message left = neglectedWarning(model); !left.empty()) warnings.push_back(std::move(left));
   switch (options.method) {
     case LobeMethod::Exact: {
       const Result<ExactLobes> lobes = ExactLobes::make(model, where);
@@ -134,11 +133,11 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
 
 Result<std::vector<Rpm>> speedSteps(Rpm from, Rpm to, Rpm step, const std::string& where) {
   const bool sensible = isFinite(from) && isFinite(to) && isFinite(step) && from.value > 0.0 && to >= from;
-  if (!sensible) return Error{where, "speeds must be FROM:TO:STEP with 0 < FROM <= TO", ""};
-  if (!(step.value > 0.0)) return Error{where, "the step between speeds must be above zero", ""};
+  if (!sensible) return Error{where, message("speeds must be FROM:TO:STEP with 0 < FROM <= TO")};
+  if (!(step.value > 0.0)) return Error{where, message("the step between speeds must be above zero")};
   const double steps = std::floor((to - from) / step + 1e-6);
   if (steps >= static_cast<double>(kMostSpeeds))
-    return Error{where, "more than a million speeds", "take a larger step"};
+    return Error{where, message("more than a million speeds"), message("take a larger step")};
   std::vector<Rpm> speeds;
   for (std::size_t i = 0; i <= static_cast<std::size_t>(steps); ++i) {
     speeds.push_back(from + static_cast<double>(i) * step);

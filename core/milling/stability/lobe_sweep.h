@@ -26,10 +26,10 @@ struct SweepOptions {
 };
 
 struct LobeSweep {
-  std::vector<SpeedLimits> speeds;    // in the order asked for; entries not reached have searchedTo 0
-  Metres maxDepth{};                  // asked for; an entry with less in searchedTo says nothing about what lies deeper
-  std::vector<std::string> warnings;  // of the method and of what the model leaves out
-  bool finished = false;              // false: stopped
+  std::vector<SpeedLimits> speeds;  // in the order asked for; entries not reached have searchedTo 0
+  Metres maxDepth{};                // asked for; an entry with less in searchedTo says nothing about what lies deeper
+  std::vector<Message> warnings;    // of the method and of what the model leaves out
+  bool finished = false;            // false: stopped
 
   // Searched down to maxDepth.
   bool complete(const SpeedLimits& limits) const { return limits.searchedTo >= (1.0 - 1e-9) * maxDepth; }

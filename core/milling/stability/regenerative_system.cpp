@@ -121,12 +121,13 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
   const double toothAngle = kTwoPi / model.tool.teeth;
   for (double p : model.tool.pitch) {
     if (std::abs(p - toothAngle) > 1e-9) {
-      return Error{where + ": tool", "stability lobes need a regular pitch", "simulate a variable pitch instead"};
+      return Error{where + ": tool", message("stability lobes need a regular pitch"),
+                   message("simulate a variable pitch instead")};
     }
   }
   if (model.material.exponent != 1.0) {
-    return Error{where + ": material", "stability lobes need a force exponent of 1",
-                 "linearise the force at the mean chip thickness first"};
+    return Error{where + ": material", message("stability lobes need a force exponent of 1"),
+                 message("linearise the force at the mean chip thickness first")};
   }
   RegenerativeSystem system;
   system.teeth = model.tool.teeth;
@@ -147,10 +148,11 @@ double cuttingShare(const RegenerativeSystem& system) {
   return cutting / system.toothAngle;
 }
 
-std::vector<std::string> neglectedEffects(const CutModel& model) {
-  std::vector<std::string> list;
-  if (model.tool.helix != 0.0) list.emplace_back("helix angle (straight teeth assumed)");
-  if (model.material.processDamping != 0.0) list.emplace_back("process damping (limits at low speed are too low)");
+std::vector<Message> neglectedEffects(const CutModel& model) {
+  std::vector<Message> list;
+  if (model.tool.helix != 0.0) list.push_back(message("helix angle (straight teeth assumed)"));
+  if (model.material.processDamping != 0.0)
+    list.push_back(message("process damping (limits at low speed are too low)"));
   return list;
 }
 

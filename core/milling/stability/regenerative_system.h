@@ -64,6 +64,6 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
 double cuttingShare(const RegenerativeSystem& system);
 
 // What of the model the linear cut leaves out, in words; empty when nothing.
-std::vector<std::string> neglectedEffects(const CutModel& model);
+std::vector<Message> neglectedEffects(const CutModel& model);
 
 }  // namespace stillcut::milling

@@ -118,10 +118,10 @@ class SdmRoot {
 Result<SemiDiscretization> SemiDiscretization::make(const CutModel& model, const SdmOptions& options,
                                                     const std::string& where) {
   if (options.order != 0 && options.order != 1) {
-    return Error{where, "the order of semi-discretization must be 0 or 1", ""};
+    return Error{where, message("the order of semi-discretization must be 0 or 1")};
   }
   if (options.cells < 1 || options.cells > 2000) {
-    return Error{where, "semi-discretization needs 1 to 2000 cells a tooth period", ""};
+    return Error{where, message("semi-discretization needs 1 to 2000 cells a tooth period")};
   }
   Result<ExactLobes> lobes = ExactLobes::make(model, where);
   if (!lobes) return lobes.error();

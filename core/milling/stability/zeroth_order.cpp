@@ -58,13 +58,15 @@ Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& 
 ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
   const double share = cuttingShare(lobes_.system());
-  const std::string percent = std::to_string(std::lround(100.0 * share));
-  warning_ = share < 0.75 ? "zeroth order averages the force although a tooth cuts only " + percent +
-                                " % of the time: limits can be far too high, flip lobes and islands are missing; use "
-                                "the exact method"
-                          : "zeroth order averages the force (a tooth cuts " + percent +
-                                " % of the time): expect errors of tens of percent between the lobes; the exact method "
-                                "has none";
+  const long percent = std::lround(100.0 * share);
+  warning_ = share < 0.75 ? message(
+                                "zeroth order averages the force although a tooth cuts only %1 % of the time: limits "
+                                "can be far too high, flip lobes and islands are missing; use the exact method",
+                                percent)
+                          : message(
+                                "zeroth order averages the force (a tooth cuts %1 % of the time): expect errors of "
+                                "tens of percent between the lobes; the exact method has none",
+                                percent);
 }
 
 ZerothOrder::BorderPoint ZerothOrder::at(double omega, double period, int branch) const {

@@ -23,7 +23,7 @@ class ZerothOrder {
   Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, const std::stop_token& stop = {}) const;
   Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, WorkMeter& meter) const;
   // One sentence that belongs beside every result; stronger where teeth cut only part of the time.
-  const std::string& warning() const { return warning_; }
+  const Message& warning() const { return warning_; }
 
  private:
   struct BorderPoint;
@@ -33,7 +33,7 @@ class ZerothOrder {
 
   ExactLobes lobes_;
   Planar mean_{};
-  std::string warning_;
+  Message warning_;
 };
 
 }  // namespace stillcut::milling

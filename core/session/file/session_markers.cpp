@@ -37,8 +37,8 @@ Status appendRow(const std::string& path, Make make) {
   }
   std::error_code unknown;
   if (std::filesystem::exists(journalPath(path), unknown)) {
-    return Error{path, "cannot be marked: the journal beside it belongs to another recording, or is in use",
-                 "move " + journalPath(path) + " away"};
+    return Error{path, message("cannot be marked: the journal beside it belongs to another recording, or is in use"),
+                 message("move %1 away", journalPath(path))};
   }
   Result<std::unique_ptr<JournaledFile>> journaled = JournaledFile::open(path, JournaledFile::Access::Write);
   if (!journaled) return journaled.error();
@@ -46,18 +46,19 @@ Status appendRow(const std::string& path, Make make) {
   Status outcome = Done{};
   {
     Result<std::map<std::uint64_t, MarkerRow>> rows =
-        file ? readMarkerRows(file.get(), path) : Error{path, "the session file cannot be opened", hdf5Cause()};
+        file ? readMarkerRows(file.get(), path)
+             : Error{path, message("the session file cannot be opened"), hdf5Cause()};
     Result<MarkerRow> row = rows ? make(*rows) : Result<MarkerRow>(rows.error());
     SessionTable table;
     if (!row) {
       outcome = row.error();
     } else if (!table.open(file.get(), kMarkersPath, columnsOf<MarkerRow>(), sizeof(MarkerRow)) ||
                !table.append(&*row, 1)) {
-      outcome = Error{path, "the marker cannot be written", hdf5Cause()};
+      outcome = Error{path, message("the marker cannot be written"), hdf5Cause()};
     }
   }
   if (!outcome) (*journaled)->abandon();
-  if (!file.reset() && outcome) outcome = Error{path, "the marker cannot be written", hdf5Cause()};
+  if (!file.reset() && outcome) outcome = Error{path, message("the marker cannot be written"), hdf5Cause()};
   if (outcome) outcome = (*journaled)->commit(true);
   if (outcome) (*journaled)->removeJournal();
   return outcome;
@@ -69,10 +70,10 @@ Result<std::map<std::uint64_t, MarkerRow>> readMarkerRows(hid_t file, const std:
   std::map<std::uint64_t, MarkerRow> rows;
   if (H5Lexists(file, kMarkersPath, H5P_DEFAULT) <= 0) return rows;
   TableReader<MarkerRow> table;
-  if (!table.open(file, kMarkersPath)) return Error{path, "the markers cannot be read", hdf5Cause()};
+  if (!table.open(file, kMarkersPath)) return Error{path, message("the markers cannot be read"), hdf5Cause()};
   bool damaged = false;
   for (std::uint64_t i = 0; const MarkerRow* row = table.at(i, damaged); ++i) rows[row->number] = *row;
-  if (damaged) return Error{path, "the markers cannot be read", hdf5Cause()};
+  if (damaged) return Error{path, message("the markers cannot be read"), hdf5Cause()};
   return rows;
 }
 
@@ -82,11 +83,11 @@ Result<MarkerRow> toRow(const Marker& marker) {
   row.begin = toNs(marker.begin);
   row.end = toNs(marker.end);
   row.made = marker.made_ns;
-  if (marker.label.empty()) return Error{"marker", "needs a label", ""};
-  if (marker.end < marker.begin) return Error{"marker '" + marker.label + "'", "ends before it begins", ""};
+  if (marker.label.empty()) return Error{message("marker"), message("needs a label")};
+  if (marker.end < marker.begin) return Error{"marker '" + marker.label + "'", message("ends before it begins")};
   if (!store(marker.label, row.label) || !store(marker.author, row.author) || !store(marker.note, row.note)) {
-    return Error{"marker '" + marker.label.substr(0, kMarkerLabelSize) + "'", "label, author or note is too long",
-                 "at most 31, 63 and 511 bytes"};
+    return Error{"marker '" + marker.label.substr(0, kMarkerLabelSize) + "'",
+                 message("label, author or note is too long"), message("at most 31, 63 and 511 bytes")};
   }
   return row;
 }
@@ -129,7 +130,7 @@ Status changeMarker(const std::string& session, const Marker& marker) {
   return appendRow(session, [&](const auto& rows) -> Result<MarkerRow> {
     const auto found = rows.find(marker.number);
     if (found == rows.end() || found->second.removed != 0) {
-      return Error{session, "has no marker " + std::to_string(marker.number), ""};
+      return Error{session, message("has no marker %1", std::to_string(marker.number))};
     }
     return toRow(marker);
   });
@@ -139,7 +140,7 @@ Status removeMarker(const std::string& session, std::uint64_t number) {
   return appendRow(session, [&](const auto& rows) -> Result<MarkerRow> {
     const auto found = rows.find(number);
     if (found == rows.end() || found->second.removed != 0) {
-      return Error{session, "has no marker " + std::to_string(number), ""};
+      return Error{session, message("has no marker %1", std::to_string(number))};
     }
     MarkerRow row = found->second;
     row.removed = 1;

@@ -16,16 +16,18 @@
 namespace stillcut::record {
 namespace {
 
-constexpr const char* kNoSession = "is an HDF5 file, but not a Stillcut session";
+Message noSession() {
+  return message("is an HDF5 file, but not a Stillcut session");
+}
 
 Result<RecordedChannel> readChannel(hid_t file, int index, const std::string& path) {
   const std::string where = path + ":" + samplesPath(index);
   const Hdf5Id dataset(H5Dopen2(file, samplesPath(index).c_str(), H5P_DEFAULT));
-  if (!dataset) return Error{where, "the samples are missing", ""};
+  if (!dataset) return Error{where, message("the samples are missing")};
   const std::optional<std::string> quantity = readText(dataset.get(), "quantity");
   const std::optional<double> scale = readNumber(dataset.get(), "scale");
   if (!quantity || !sensorQuantityFromName(*quantity) || !scale || !std::isfinite(*scale)) {
-    return Error{where, "quantity or scale is missing or senseless", ""};
+    return Error{where, message("quantity or scale is missing or senseless")};
   }
   RecordedChannel channel;
   channel.info.name = readText(dataset.get(), "name").value_or("");
@@ -39,7 +41,7 @@ Result<RecordedChannel> readChannel(hid_t file, int index, const std::string& pa
 
 Result<CutSetup> readSetup(hid_t file, const std::string& path) {
   const Hdf5Id group(H5Gopen2(file, "setup", H5P_DEFAULT));
-  if (!group) return Error{path, "the setup is missing", ""};
+  if (!group) return Error{path, message("the setup is missing")};
   const auto number = [&group](const char* name) { return readNumber(group.get(), name).value_or(0.0); };
   const std::int64_t channels = readInteger(group.get(), "channels").value_or(0);
   const std::int64_t blockFrames = readInteger(group.get(), "block_frames").value_or(0);
@@ -54,7 +56,7 @@ Result<CutSetup> readSetup(hid_t file, const std::string& path) {
   setup.blockFrames = static_cast<int>(blockFrames);
   if (channels < 1 || channels > kMostChannels || blockFrames < 1 || blockFrames > kMostBlockFrames ||
       !(setup.rate.value > 0.0) || !std::isfinite(setup.rate.value)) {
-    return Error{path, "the setup is senseless", "channels, block length or rate"};
+    return Error{path, message("the setup is senseless"), message("channels, block length or rate")};
   }
   setup.channels.resize(static_cast<std::size_t>(channels));
   return setup;
@@ -126,10 +128,10 @@ Status checkWhole(const JournaledFile& bytes, hid_t file, const std::string& pat
       H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_NATIVE, visit, nullptr, H5O_INFO_BASIC) >= 0) {
     return Done{};
   }
-  return Error{path, "is cut short: its end is missing",
-               noted > bytes.size()
-                   ? std::to_string(bytes.size()) + " of " + std::to_string(noted) + " bytes are there; copy it again"
-                   : "what is there is left as it is"};
+  return Error{path, message("is cut short: its end is missing"),
+               noted > bytes.size() ? message("%1 of %2 bytes are there; copy it again", std::to_string(bytes.size()),
+                                              std::to_string(noted))
+                                    : message("what is there is left as it is")};
 }
 
 }  // namespace
@@ -142,8 +144,8 @@ Status checkUnclosed(const std::string& path, bool journal) {
   const Result<std::unique_ptr<JournaledFile>> bytes = JournaledFile::open(path, JournaledFile::Access::Read);
   if (!bytes) return bytes.error();
   const Hdf5Id file = openAsItIs(path, bytes.value().get());
-  if (!file) return Error{path, "the session file cannot be repaired", hdf5Cause()};
-  if (readText(file.get(), "format") != kSessionFormat) return Error{path, kNoSession, ""};
+  if (!file) return Error{path, message("the session file cannot be repaired"), hdf5Cause()};
+  if (readText(file.get(), "format") != kSessionFormat) return Error{path, noSession()};
   return checkWhole(*bytes.value(), file.get(), path, journal);
 }
 
@@ -161,7 +163,7 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
     opened.file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
     if (opened.file) return opened;
   }
-  const std::string cause = hdf5Cause();
+  const Message cause = hdf5Cause();
   opened.closedCleanly = false;
   if (recovery.value() != Recovery::WriterAlive) {
     Result<std::unique_ptr<JournaledFile>> bytes = JournaledFile::open(path, JournaledFile::Access::Read);
@@ -169,7 +171,7 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
     opened.journaled = std::move(*bytes);
   }
   opened.file = openAsItIs(path, opened.journaled.get());
-  if (!opened.file) return Error{path, "the session file cannot be opened", cause};
+  if (!opened.file) return Error{path, message("the session file cannot be opened"), cause};
   if (opened.journaled) {
     const bool journal = recovery.value() != Recovery::NothingToDo && recovery.value() != Recovery::AnothersJournal;
     if (Status whole = checkWhole(*opened.journaled, opened.file.get(), path, journal); !whole) return whole.error();
@@ -180,13 +182,13 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
 Result<RecordingFormat> readSessionFormat(const OpenedSession& opened, const std::string& path) {
   const hid_t file = opened.file.get();
   if (readText(file, "format") != kSessionFormat) {
-    return Error{path, kNoSession, ""};
+    return Error{path, noSession()};
   }
   const std::int64_t version = readInteger(file, "format_version").value_or(0);
   if (version < kOldestSessionVersion || version > kSessionVersion) {
-    return Error{path, "is a session of version " + std::to_string(version),
-                 "this program reads versions " + std::to_string(kOldestSessionVersion) + " to " +
-                     std::to_string(kSessionVersion)};
+    return Error{path, message("is a session of version %1", std::to_string(version)),
+                 message("this program reads versions %1 to %2", std::to_string(kOldestSessionVersion),
+                         std::to_string(kSessionVersion))};
   }
   Result<CutSetup> setup = readSetup(file, path);
   if (!setup) return setup.error();

@@ -64,7 +64,7 @@ class SessionReader final : public RecordingReader {
     haveStep_ = false;
     quietHdf5();
     if (segments_.empty() && !readSegments(file_.get(), segments_)) {
-      return Error{path_, "its times cannot be read", hdf5Cause()};
+      return Error{path_, message("its times cannot be read"), hdf5Cause()};
     }
     const std::uint64_t frame = frameAt(segments_, static_cast<std::uint64_t>(format_.frames), time);
     bool damaged = false;
@@ -77,7 +77,7 @@ class SessionReader final : public RecordingReader {
     }
     step_ = low;
     if (damaged || !inputs_.seek(step_) || !verdicts_.seek(step_) || !commands_.seek(step_) || !events_.seek(step_)) {
-      return Error{path_, "the session file is damaged", hdf5Cause()};
+      return Error{path_, message("the session file is damaged"), hdf5Cause()};
     }
     return true;
   }
@@ -87,11 +87,11 @@ class SessionReader final : public RecordingReader {
     if (step_ >= steps_) return false;
     quietHdf5();
     if (!readStep()) {
-      return Error{path_ + ": step " + std::to_string(step_), "the session file is damaged", hdf5Cause()};
+      return Error{path_ + ": step " + std::to_string(step_), message("the session file is damaged"), hdf5Cause()};
     }
     const SampleBlock& recorded = current_.input.block;
     if (recorded.frames > block.capacityFrames || recorded.channels != block.channels) {
-      return Error{path_ + ": step " + std::to_string(step_), "the block does not fit where it is read to", ""};
+      return Error{path_ + ": step " + std::to_string(step_), message("the block does not fit where it is read to")};
     }
     copyBlock(recorded, block);
     ++step_;
@@ -120,7 +120,7 @@ class SessionReader final : public RecordingReader {
     if (const Status s = applyOptions(format_.channels, options); !s) return s.error();
     for (const int c : picked_) {
       SampleReader samples;
-      if (!samples.open(file_.get(), c)) return Error{path_, "the samples cannot be read", hdf5Cause()};
+      if (!samples.open(file_.get(), c)) return Error{path_, message("the samples cannot be read"), hdf5Cause()};
       frames = samples_.empty() ? samples.frames() : std::min(frames, samples.frames());
       samples_.push_back(std::move(samples));
     }
@@ -128,7 +128,7 @@ class SessionReader final : public RecordingReader {
         !decisions_.open(file_.get(), kDecisionsPath) || !inputs_.open(file_.get(), kInputsPath) ||
         !verdicts_.open(file_.get(), kVerdictsPath) || !commands_.open(file_.get(), kCommandsPath) ||
         !events_.open(file_.get(), kEventsPath)) {
-      return Error{path_, "a table is missing or has another layout", hdf5Cause()};
+      return Error{path_, message("a table is missing or has another layout"), hdf5Cause()};
     }
     return findLastStep(frames);
   }
@@ -142,7 +142,7 @@ class SessionReader final : public RecordingReader {
              static_cast<std::uint64_t>(row->frames) <= frames - row->offset;
     };
     while (steps_ > 0 && !damaged && !complete(blocks_.at(steps_ - 1, damaged))) --steps_;
-    if (damaged) return Error{path_, "the table of blocks cannot be read", hdf5Cause()};
+    if (damaged) return Error{path_, message("the table of blocks cannot be read"), hdf5Cause()};
     format_.blocks = static_cast<std::int64_t>(steps_);
     if (steps_ > 0) {
       const BlockRow* last = blocks_.at(steps_ - 1, damaged);

@@ -23,16 +23,18 @@ Status clearMarks(const std::string& path, JournaledFile& journaled) {
   const Hdf5Id access = journaledAccess(journaled);
   const hbool_t yes = 1;
   if (H5Pset(access.get(), "clear_status_flags", &yes) < 0 || H5Pset(access.get(), "skip_eof_check", &yes) < 0) {
-    return Error{path, "this HDF5 library cannot repair files", hdf5Cause()};
+    return Error{path, message("this HDF5 library cannot repair files"), hdf5Cause()};
   }
   Hdf5Id file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access.get()));
   const bool opened = static_cast<bool>(file);
   if (!opened || !file.reset()) {
-    const std::string cause = hdf5Cause();
+    const Message cause = hdf5Cause();
     journaled.abandon();
     journaled.removeJournal();
-    return Error{path, opened ? "the repaired file could not be written" : "the session file cannot be repaired",
-                 cause};
+    return Error{
+        path,
+        opened ? message("the repaired file could not be written") : message("the session file cannot be repaired"),
+        cause};
   }
   return journaled.commit(true);
 }
@@ -41,15 +43,15 @@ Status clearMarks(const std::string& path, JournaledFile& journaled) {
 
 Result<bool> repairSession(const std::string& path) {
   quietHdf5();
-  if (!isHdf5File(path)) return Error{path, "is no session file", ""};
+  if (!isHdf5File(path)) return Error{path, message("is no session file")};
   const Result<Recovery> recovery = recoverSession(path);
   if (!recovery) return recovery.error();
-  if (recovery.value() == Recovery::WriterAlive) return Error{path, "is still being recorded", ""};
+  if (recovery.value() == Recovery::WriterAlive) return Error{path, message("is still being recorded")};
   const bool marked = !Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
   if (recovery.value() == Recovery::AnothersJournal) {
     if (!marked && checkUnclosed(path, false)) return false;
-    return Error{path, "is not repaired: the journal beside it does not fit it",
-                 "move " + journalPath(path) + " away to clear the mark of the dead writer alone"};
+    return Error{path, message("is not repaired: the journal beside it does not fit it"),
+                 message("move %1 away to clear the mark of the dead writer alone", journalPath(path))};
   }
   const bool journal = recovery.value() != Recovery::NothingToDo;
   if (!marked && !journal) return false;
@@ -79,7 +81,7 @@ Result<SessionCounts> countSession(const std::string& path) {
   TableReader<TruthRow> truth;
   if (!blocks.open(file, kBlocksPath) || !inputs.open(file, kInputsPath) || !verdicts.open(file, kVerdictsPath) ||
       !commands.open(file, kCommandsPath) || !events.open(file, kEventsPath) || !truth.open(file, kTruthPath)) {
-    return Error{path, "a table is missing or has another layout", hdf5Cause()};
+    return Error{path, message("a table is missing or has another layout"), hdf5Cause()};
   }
   const ReasonCodes reasons(readText(file, "reason_codes").value_or(""));
   constexpr std::uint64_t kMostShown = 100;
@@ -109,7 +111,7 @@ Result<SessionCounts> countSession(const std::string& path) {
     if (row == nullptr) break;
     counts.truthValues.emplace_back(textOf(row->name), row->value);
   }
-  if (damaged) return Error{path, "the session file is damaged", hdf5Cause()};
+  if (damaged) return Error{path, message("the session file is damaged"), hdf5Cause()};
   return counts;
 }
 
@@ -117,13 +119,14 @@ Result<std::vector<TruthSample>> readTruthSeries(const std::string& path) {
   const Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
   TableReader<TruthSampleRow> series;
-  if (!series.open(opened.value().file.get(), kTruthSeriesPath)) return Error{path, "holds no truth", hdf5Cause()};
+  if (!series.open(opened.value().file.get(), kTruthSeriesPath))
+    return Error{path, message("holds no truth"), hdf5Cause()};
   std::vector<TruthSample> samples;
   bool damaged = false;
   for (std::uint64_t i = 0; const TruthSampleRow* row = series.at(i, damaged); ++i) {
     samples.push_back({textOf(row->name), instantFromNs(row->time), row->value});
   }
-  if (damaged) return Error{path, "the session file is damaged", hdf5Cause()};
+  if (damaged) return Error{path, message("the session file is damaged"), hdf5Cause()};
   return samples;
 }
 

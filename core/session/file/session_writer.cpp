@@ -135,12 +135,12 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
   quietHdf5();
   const auto channels = static_cast<int>(header.setup.channels.size());
   if (channels < 1 || channels > kMostChannels || !(header.setup.rate.value > 0.0) || header.setup.blockFrames < 1) {
-    return Error{path, "cannot be recorded", "channels, rate and block length must be known before"};
+    return Error{path, message("cannot be recorded"), message("channels, rate and block length must be known before")};
   }
   const std::string part = path + ".part";
   Disk& disk = options.disk != nullptr ? *options.disk : systemDisk();
   Result<std::unique_ptr<JournaledFile>> file = JournaledFile::open(part, JournaledFile::Access::Create, disk);
-  if (!file) return Error{path, "the session file cannot be created", file.error().why};
+  if (!file) return Error{path, message("the session file cannot be created"), file.error().why};
   auto impl = std::make_unique<Impl>();
   impl->journaled = std::move(*file);
   impl->author = cutUtf8(header.operatorName.substr(0, header.operatorName.find('\0')), kMarkerAuthorSize - 1);
@@ -150,20 +150,20 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
   const bool made = impl->create(part, header) && (begun = impl->journaled->beginJournal(path)).ok() &&
                     std::rename(part.c_str(), path.c_str()) == 0;
   if (!made) {
-    const std::string& reason = impl->journaled->error();
-    const std::string cause = !begun ? text(begun.error().what) : !reason.empty() ? reason : std::strerror(errno);
+    const Message& reason = impl->journaled->error();
+    const Message cause = !begun ? begun.error().what : !reason.empty() ? reason : foreign(std::strerror(errno));
     impl->journaled->abandon();
     impl->close();
     if (begun) impl->journaled->removeJournal();
     std::remove(part.c_str());
-    return Error{path, "the session file cannot be created", cause};
+    return Error{path, message("the session file cannot be created"), cause};
   }
   return std::unique_ptr<SessionWriter>(new SessionWriter(path, std::move(impl)));
 }
 
 Status SessionWriter::failed(const char* doing) {
-  const std::string& disk = impl_->journaled->error();
-  return failed(Error{path_, std::string("recording failed while ") + doing, disk.empty() ? hdf5Cause() : disk});
+  const Message& disk = impl_->journaled->error();
+  return failed(Error{path_, message("recording failed while %1", doing), disk.empty() ? hdf5Cause() : disk});
 }
 
 // What the last flush has brought is closed; what came after it is gone.
@@ -176,10 +176,11 @@ Status SessionWriter::failed(const Error& error) {
 }
 
 Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
-  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  if (impl_->closed) return Error{path_, message("the session is closed")};
   const SampleBlock& block = input.block;
   if (block.channels != static_cast<int>(impl_->samples.size())) {
-    return Error{path_, "a block has " + std::to_string(block.channels) + " channels", "the session has others"};
+    return Error{path_, message("a block has %1 channels", std::to_string(block.channels)),
+                 message("the session has others")};
   }
   Impl& w = *impl_;
   const std::uint64_t step = w.steps++;
@@ -214,19 +215,19 @@ Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
 }
 
 Status SessionWriter::addTruth(std::string_view name, double value) {
-  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  if (impl_->closed) return Error{path_, message("the session is closed")};
   impl_->truth.add({truthName(name), value});
   return Done{};
 }
 
 Status SessionWriter::addTruth(std::string_view name, Instant time, double value) {
-  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  if (impl_->closed) return Error{path_, message("the session is closed")};
   impl_->truthSeries.add({truthName(name), toNs(time), value});
   return Done{};
 }
 
 Status SessionWriter::addMarker(Marker marker) {
-  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  if (impl_->closed) return Error{path_, message("the session is closed")};
   marker.number = impl_->markerCount++;
   if (marker.made_ns == 0) marker.made_ns = nowUtc();
   Result<MarkerRow> row = toRow(marker);
@@ -248,7 +249,7 @@ void SessionWriter::commitLater(bool later) {
 }
 
 Status SessionWriter::flush() {
-  if (impl_->closed) return Error{path_, "the session is closed", ""};
+  if (impl_->closed) return Error{path_, message("the session is closed")};
   quietHdf5();
   if (!impl_->write()) return failed("writing");
   if (impl_->commitLater) return Done{};
@@ -259,9 +260,9 @@ Status SessionWriter::flush() {
 Status SessionWriter::close() {
   if (impl_->closed) return Done{};
   if (const Status s = flush(); !s) return s.error();
-  if (!impl_->close()) return Error{path_, "the session file was not closed cleanly", hdf5Cause()};
+  if (!impl_->close()) return Error{path_, message("the session file was not closed cleanly"), hdf5Cause()};
   if (const Status s = impl_->journaled->commit(true); !s) {
-    return Error{path_, "the session file was not closed cleanly", impl_->journaled->error()};
+    return Error{path_, message("the session file was not closed cleanly"), impl_->journaled->error()};
   }
   impl_->journaled->removeJournal();
   return Done{};

@@ -1,10 +1,8 @@
-// Writes translations/core_texts.h: the words core declares once and the screens translate, where lupdate finds them.
-//   core_texts FILE           writes it
-//   core_texts --check FILE   says whether it is what would be written
+// Writes the words that core declares once and the screens translate into a file where lupdate finds them:
+//   core_texts FILE
 #include <cstdio>
 #include <fstream>
 #include <functional>
-#include <iostream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -16,7 +14,6 @@
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
 #include "core/daq/axis_knock.h"
-#include "core/daq/device_words.h"
 #include "core/daq/registry.h"
 #include "core/detect/registry.h"
 #include "core/pipeline/catalog.h"
@@ -103,7 +100,6 @@ std::string fileText() {
   for (const char* const step : cnc::LinkTrial::kNames) lines.add("Core", step);
   for (const char* const word : cnc::LinkTrial::words()) lines.add("Core", word);
   for (const char* const word : daq::knockWords()) lines.add("Core", word);
-  for (const char* const word : daq::kDeviceWords) lines.add("Core", word);
   for (const std::string_view what : app::foundSentences()) lines.add("Core", what);
   for (const auto& entry : cnc::linkTable()) addPart(lines, std::string(entry.id), {});
   for (const auto& entry : daq::sourceTable()) addPart(lines, {}, std::string(entry.id));
@@ -121,13 +117,6 @@ std::string fileText() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool check = argc == 3 && std::string(argv[1]) == "--check";
-  if (argc != 2 && !check) return 2;
-  const std::string path = argv[argc - 1], wanted = fileText();
-  if (!check) return (std::ofstream(path) << wanted).good() ? 0 : 2;
-  std::stringstream found;
-  found << std::ifstream(path).rdbuf();
-  if (found.str() == wanted) return 0;
-  std::cerr << path << ": is not what the tables of core say; run core_texts and translations/update\n";
-  return 1;
+  if (argc != 2) return 2;
+  return (std::ofstream(argv[1]) << fileText()).good() ? 0 : 2;
 }

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/model/device_doubt.h"
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 namespace stillcut::daq {
 namespace {

@@ -39,7 +39,7 @@ class Counting final : public DaqSource {
     stopped_ = true;
     wake_.notify_all();
   }
-  std::string fault() const override { return {}; }
+  Message fault() const override { return {}; }
   std::uint64_t blocks() const { return blocks_; }
 
   SourceFormat format{Hertz(kRate), kFrames, {ChannelInfo{}}};

@@ -53,7 +53,7 @@ class Device final : public DaqSource {
     return true;
   }
   void stop() noexcept override { stopped_ = true; }
-  std::string fault() const override { return {}; }
+  Message fault() const override { return {}; }
   bool live() const override { return true; }
   double actual() const { return actual_; }
   static Instant toInstant(double t) { return instantFromNs(1'000'000'000) + toDuration(Seconds(t)); }

@@ -240,10 +240,10 @@ TEST_F(PcmSourceTest, WhileItIsAwayOneLineSaysSo) {
   device.script = {100, kPcmGone};
   device.absent = 2;
   ASSERT_TRUE(source.read(block_));
-  EXPECT_EQ(source.trouble(), "");
+  EXPECT_TRUE(source.trouble().empty());
   ASSERT_TRUE(source.read(block_));
   EXPECT_EQ(clock.said, "source 'alsa' 'device' = 'hw:9': cannot be opened (No such device)");
-  EXPECT_EQ(source.trouble(), "") << "it is back";
+  EXPECT_TRUE(source.trouble().empty()) << "it is back";
 }
 
 TEST_F(PcmSourceTest, WhatIsWrongIsOneLine) {

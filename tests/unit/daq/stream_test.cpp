@@ -216,7 +216,7 @@ TEST_F(StreamSourceTest, DeliversEverySampleOnceWithTimesOfTheClock) {
   }
   source->stop();
   EXPECT_FALSE(source->read(block_));
-  EXPECT_EQ(source->fault(), "");
+  EXPECT_TRUE(source->fault().empty());
 }
 
 // Many boards start anew when their port is opened, and say nothing until they have: the wire is opened once.

@@ -14,7 +14,7 @@
 #include "core/session/convert_recording.h"
 #include "core/storage/hdf5_file.h"
 #include "tests/support/temp_folder.h"
-#include "tests/unit/session/read_all.h"
+#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

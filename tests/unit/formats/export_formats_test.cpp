@@ -17,7 +17,7 @@
 #include "core/session/marker_span.h"
 #include "tests/support/step_samples.h"
 #include "tests/support/temp_folder.h"
-#include "tests/unit/session/read_all.h"
+#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/formats/utf_text.h"
 #include "core/session/convert_recording.h"
 #include "tests/support/temp_folder.h"
-#include "tests/unit/session/read_all.h"
+#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "tests/support/temp_folder.h"
-#include "tests/unit/session/read_all.h"
+#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

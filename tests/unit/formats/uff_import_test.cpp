@@ -7,7 +7,7 @@
 #include "core/formats/universal/uff58.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/uff_dataset.h"
-#include "tests/unit/session/read_all.h"
+#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

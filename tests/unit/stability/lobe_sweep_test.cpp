@@ -109,7 +109,7 @@ TEST(LobeSweep, HelixIsNamedAsLeftOut) {
   const std::vector<Rpm> speeds{Rpm(6000)};
   const auto sweep = sweepLobes(model, speeds, sweepTo(1e-3, 1), "helix");
   ASSERT_EQ(sweep->warnings.size(), 1u);
-  EXPECT_NE(sweep->warnings[0].find("helix"), std::string::npos);
+  EXPECT_NE(text(sweep->warnings[0]).find("helix"), std::string::npos);
 }
 
 }  // namespace

@@ -66,10 +66,10 @@ TEST(ZerothOrder, ReproducesTheSharedColumn) {
 
 TEST(ZerothOrder, SaysWhereItCannotBeTrusted) {
   CutModel model = textbookSlot();
-  const std::string mild = ZerothOrder::make(model, "slot")->warning();
+  const std::string mild = text(ZerothOrder::make(model, "slot")->warning());
   model.engagement = {0.05, Side::Down};
   const auto low = ZerothOrder::make(model, "low");
-  EXPECT_NE(low->warning().find("far too high"), std::string::npos);
+  EXPECT_NE(text(low->warning()).find("far too high"), std::string::npos);
   EXPECT_EQ(mild.find("far too high"), std::string::npos);
   EXPECT_FALSE(mild.empty());
   // And the warning is deserved: somewhere it allows over half as much again.

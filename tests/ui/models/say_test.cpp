@@ -1,10 +1,10 @@
-// What core refuses and why, on a German and a Chinese screen: every sentence it can put together is found again and
-// said in the reader's language, with its values; and real refusals of real files leave no English behind.
-#include "ui/base/core_sentence.h"
+// What core refuses and why, on a German and a Chinese screen: forms in the reader's language, what is echoed as it is;
+// and real refusals of real files leave no English behind.
+#include "ui/base/say.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <fstream>
@@ -13,36 +13,25 @@
 #include "core/milling/simulation/scenario.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/open_recording.h"
-#include "translations/core_sentences.h"
-#include "ui/base/say.h"
 #include "ui/shell/language.h"
 
 namespace stillcut::ui {
 namespace {
-
-QString inLanguage(const char* english) {
-  return QCoreApplication::translate("Core", english);
-}
-
-QString filled(QString form) {
-  for (int place = 1; place < 10; ++place) form.replace(u'%' + QString::number(place), QString::number(7000 + place));
-  return form;
-}
 
 class CoreSentences : public testing::TestWithParam<Language> {
  protected:
   Speaker speaker_{GetParam()};
 };
 
-// Continuations stand after something else; a sentence and one of more places that it fits too may share their words.
-TEST_P(CoreSentences, AreFoundAgainTranslatedAndFilled) {
-  for (const char* const english : kCoreSentences) {
-    const QString form = QString::fromUtf8(english);
-    const bool continues = QStringLiteral(",;:/ ").contains(form.front());
-    const QString head = continues ? QStringLiteral("7000") : QString();
-    const QString said = coreSentence((head + filled(form)).toStdString());
-    EXPECT_EQ(said, head + filled(inLanguage(english))) << english;
-  }
+// Forms are translated, and so are arguments that are messages; what is echoed stays as it is.
+TEST_P(CoreSentences, TranslateFormsAndNeverWhatIsEchoed) {
+  const Message nested = message("did you mean '%1'?", "source");
+  const QString said = sayCore(nested);
+  EXPECT_TRUE(said.contains(QStringLiteral("source"))) << said.toStdString();
+  EXPECT_NE(said, QString::fromStdString(text(nested)));
+  EXPECT_EQ(sayError({"stop.toml:3", nested, nested}), QStringLiteral("stop.toml:3: %1 (%1)").arg(said));
+  EXPECT_EQ(sayCore(message("%1 (%2)", "source", foreign("source"))),
+            QStringLiteral("source (%1)").arg(sayCore(std::string("source"))));
 }
 
 // A word of English that is no name, key or value.
@@ -121,12 +110,22 @@ INSTANTIATE_TEST_SUITE_P(Languages, CoreSentences, testing::Values(Language::Ger
 
 TEST(CoreSentence, KeepsTheNamesOfFilesAndThePlacesInThem) {
   const Speaker speaker(Language::German);
-  const Error error{"/data/cut.csv:12", "column 'Fx' holds 'nan'", "a finite number was expected"};
+  const Error error{"/data/cut.csv:12", message("column %1 holds %2", "'Fx'", "'nan'"),
+                    message("a finite number was expected")};
   EXPECT_EQ(sayError(error).toStdString(),
             "/data/cut.csv:12: Spalte 'Fx' enthält 'nan' (eine endliche Zahl wurde erwartet)");
-  EXPECT_EQ(coreSentence(error.line()), sayError(error)) << "also when it was put together before";
-  EXPECT_EQ(coreSentence("x.toml: 'hold-tine' is not known (did you mean 'hold-time'?)").toStdString(),
-            "x.toml: „hold-tine“ ist unbekannt (war „hold-time“ gemeint?)");
+}
+
+// A key that the format knows by its English name alone is not asked for in German.
+TEST(CoreSentence, AsksForAKeyAsTheFormatSpellsIt) {
+  const Speaker speaker(Language::German);
+  const auto profile =
+      config::parseProfile("version = 1\n[sourse]\nid = \"simulated\"", "profile.toml", pipeline::fullCatalog());
+  ASSERT_FALSE(profile.ok());
+  const std::string said = sayError(profile.error()).toStdString();
+  EXPECT_THAT(said, testing::HasSubstr("sourse"));
+  EXPECT_THAT(said, testing::HasSubstr("source"));
+  EXPECT_THAT(said, testing::Not(testing::HasSubstr("Quelle")));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 #include "core/daq/daq_source.h"
 #include "core/formats/recording_reader.h"
 #include "core/model/step_record.h"
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 namespace stillcut::daq {
 
@@ -34,7 +34,7 @@ class ReplaySource final : public DaqSource {
   Result<SourceFormat> open() override;
   bool read(SampleBlock& block) noexcept override;
   void stop() noexcept override;
-  std::string fault() const override { return fault_; }
+  Message fault() const override { return fault_; }
 
   const record::RecordingFormat& recording() const { return reader_->format(); }
   // Driver thread: the machine's state and the operator's inputs that were recorded with the block last read, for the
@@ -54,7 +54,7 @@ class ReplaySource final : public DaqSource {
   std::unique_ptr<record::RecordingReader> reader_;
   ReplayOptions options_;
   std::shared_ptr<ReplayControl> control_;
-  std::string fault_;
+  Message fault_;
   std::atomic<bool> stopped_{false};
   bool started_ = false;
   Instant recordedBegin_{};          // of the first sample of the recording

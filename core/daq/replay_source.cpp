@@ -1,4 +1,4 @@
-#include "core/session/replay_source.h"
+#include "core/daq/replay_source.h"
 
 #include <cmath>
 #include <exception>
@@ -23,12 +23,12 @@ Result<SourceFormat> ReplaySource::open() {
   const record::RecordingFormat& recorded = reader_->format();
   const bool timed = options_.pace > 0.0 || options_.control;
   if (!std::isfinite(options_.pace) || options_.pace < 0.0 || (timed && options_.clock == nullptr)) {
-    return Error{"replay", "the pace must be zero (as fast as possible) or above, with a clock", ""};
+    return Error{message("replay"), message("the pace must be zero (as fast as possible) or above, with a clock")};
   }
   SourceFormat format;
   format.rate = recorded.rate;
   format.blockFrames = recorded.blockFrames > 0 ? recorded.blockFrames : options_.blockFrames;
-  if (format.blockFrames < 1) return Error{"replay", "a block needs at least one frame", ""};
+  if (format.blockFrames < 1) return Error{message("replay"), message("a block needs at least one frame")};
   for (const record::RecordedChannel& channel : recorded.channels) format.channels.push_back(channel.info);
   return format;
 }
@@ -38,7 +38,7 @@ bool ReplaySource::read(SampleBlock& block) noexcept {
   try {
     return waitForTurn() && next(block) && waitFor(block);
   } catch (const std::exception& problem) {  // memory, from the libraries below
-    fault_ = problem.what();
+    fault_ = foreign(problem.what());
     return false;
   }
 }
@@ -67,7 +67,7 @@ bool ReplaySource::next(SampleBlock& block) {
   while (true) {
     const Result<bool> more = reader_->read(block);
     if (!more) {
-      fault_ = more.error().line();
+      fault_ = more.error().asMessage();
       return false;
     }
     if (!*more && loop.on && recorded_ && *recorded_ > loop.from) {  // its end lies behind the recording's
@@ -92,7 +92,7 @@ bool ReplaySource::jump(Seconds to) {
   Result<bool> found = started_ ? reader_->seek(place) : Result<bool>(false);
   if (found && !*found) {  // from the beginning, unless it lies ahead
     const bool ahead = recorded_ && *recorded_ <= to;
-    if (!ahead && !options_.reopen) found = Error{"replay", "this recording cannot be gone back in", ""};
+    if (!ahead && !options_.reopen) found = Error{message("replay"), message("this recording cannot be gone back in")};
     if (!ahead && options_.reopen) {
       auto again = options_.reopen();
       if (again) {
@@ -104,7 +104,7 @@ bool ReplaySource::jump(Seconds to) {
     skipping_ = true;
     wanted_ = to;
   }
-  if (!found) fault_ = found.error().line();
+  if (!found) fault_ = found.error().asMessage();
   jumped_ = recorded_.has_value();
   return found.ok();
 }

@@ -1,4 +1,4 @@
-#include "core/session/replay_control.h"
+#include "core/daq/replay_control.h"
 
 #include <algorithm>
 

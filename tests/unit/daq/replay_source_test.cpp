@@ -1,5 +1,5 @@
 // Replay: what a recording holds comes out of a source as it went in, at the pace asked for.
-#include "core/session/replay_source.h"
+#include "core/daq/replay_source.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,7 +60,7 @@ TEST(ReplaySource, ASessionComesBackInItsOwnBlocksWithItsMachineAndOperator) {
   SampleBlock block;
   block.allocate(2, format.value().blockFrames);
   for (int i = 0; i < kSteps; ++i) {
-    ASSERT_TRUE(source.read(block)) << source.fault();
+    ASSERT_TRUE(source.read(block)) << text(source.fault());
     const StepRecord expected = exampleStep(i);
     ASSERT_NE(source.recordedStep(), nullptr);
     EXPECT_EQ(bitsOf(*source.recordedStep()), bitsOf(expected.input));
@@ -162,7 +162,7 @@ TEST(ReplaySource, BadOptionsAndBadFilesAreNamed) {
   ReplaySource source(opened(folder / "nan.wav"), {});
   ASSERT_TRUE(source.open().ok());
   EXPECT_FALSE(source.read(block));
-  EXPECT_THAT(source.fault(), testing::HasSubstr("frame 5"));
+  EXPECT_THAT(text(source.fault()), testing::HasSubstr("frame 5"));
   EXPECT_FALSE(source.read(block));
 }
 
