@@ -1708,16 +1708,8 @@
         <translation>das Gerät</translation>
     </message>
     <message>
-        <source>%1 (configuration)</source>
-        <translation>%1 (Konfiguration)</translation>
-    </message>
-    <message>
         <source>%1 Hz cannot be heard at %2 samples a second</source>
         <translation>%1 Hz sind bei %2 Werten je Sekunde nicht zu hören</translation>
-    </message>
-    <message>
-        <source>%1 Hz, channels: %2</source>
-        <translation>%1 Hz, Kanäle: %2</translation>
     </message>
     <message>
         <source>%1 MB are left</source>
@@ -1740,24 +1732,12 @@
         <translation>%1 lässt sich nicht lesen</translation>
     </message>
     <message>
-        <source>%1 channels, %2 Hz, %3 bits</source>
-        <translation>%1 Kanäle, %2 Hz, %3 Bit</translation>
-    </message>
-    <message>
         <source>%1 datasets 58 hold other functions</source>
         <translation>%1 Datensätze 58 enthalten andere Funktionen</translation>
     </message>
     <message>
-        <source>%1 days</source>
-        <translation>%1 Tage</translation>
-    </message>
-    <message>
         <source>%1 has no higher voltage</source>
         <translation>%1 hat keine höhere Spannung</translation>
-    </message>
-    <message>
-        <source>%1 hours</source>
-        <translation>%1 Stunden</translation>
     </message>
     <message>
         <source>%1 is longer than the file</source>
@@ -1796,20 +1776,8 @@
         <translation>%1 rpm ist zu langsam für diese Moden</translation>
     </message>
     <message>
-        <source>%1 times</source>
-        <translation>%1 mal</translation>
-    </message>
-    <message>
         <source>%1 turns the table round</source>
         <translation>%1 kehrt die Tabelle um</translation>
-    </message>
-    <message>
-        <source>%1 unit %2</source>
-        <translation>%1 Einheit %2</translation>
-    </message>
-    <message>
-        <source>%1 would have alarmed %2; before %3</source>
-        <translation>%1 hätte %2 gemeldet; vorher %3</translation>
     </message>
     <message>
         <source>%1, device %2: %3</source>
@@ -1824,24 +1792,8 @@
         <translation>%1: eine Länge darin ist falsch</translation>
     </message>
     <message>
-        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
-        <translation>%1: ein Ton von %2 Hz, %3 % des Gehörten; Faktor %4 ± %5 %6</translation>
-    </message>
-    <message>
-        <source>%1: feed per tooth</source>
-        <translation>%1: Zahnvorschub</translation>
-    </message>
-    <message>
         <source>%1: is not the device that it was</source>
         <translation>%1: ist nicht mehr dasselbe Gerät</translation>
-    </message>
-    <message>
-        <source>%1: path along %2</source>
-        <translation>%1: Pfad entlang %2</translation>
-    </message>
-    <message>
-        <source>%1: path to the accelerometer along %2</source>
-        <translation>%1: Pfad zum Beschleunigungssensor entlang %2</translation>
     </message>
     <message>
         <source>%1; some devices need a &apos;trigger&apos;</source>
@@ -1854,14 +1806,6 @@
     <message>
         <source>%1; the cut before has been stopped</source>
         <translation>%1; der Schnitt davor wurde beendet</translation>
-    </message>
-    <message>
-        <source>&apos; converts, or stands before what does</source>
-        <translation>&apos; wandelt um oder steht vor etwas, das es tut</translation>
-    </message>
-    <message>
-        <source>&apos; is a sound server&apos;s</source>
-        <translation>&apos; gehört zu einem Tonserver</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
@@ -1924,20 +1868,12 @@
         <translation>„%1“ verspricht mehr Zahlen, als die Datei enthält</translation>
     </message>
     <message>
-        <source>&apos;%1, which may change the rate and mix channels; hw: names the device itself</source>
-        <translation>&apos;%1, was Rate und Kanäle ändern kann; hw: nennt das Gerät selbst</translation>
-    </message>
-    <message>
         <source>&apos;%1channels&apos; is %2</source>
         <translation>„%1channels“ ist %2</translation>
     </message>
     <message>
         <source>&apos;adaptive_feed&apos; needs &apos;hal_component_port&apos;</source>
         <translation>„adaptive_feed“ braucht „hal_component_port“</translation>
-    </message>
-    <message>
-        <source>&apos;device&apos; = &apos;%1&apos;</source>
-        <translation>„device“ = „%1“</translation>
     </message>
     <message>
         <source>&apos;full_stroke_um&apos; is less</source>
@@ -1972,40 +1908,8 @@
         <translation>„stroke_um“ ist mehr, als der Ausgang schafft</translation>
     </message>
     <message>
-        <source>, %1 bits; &apos;range&apos;</source>
-        <translation>, %1 Bit; „range“</translation>
-    </message>
-    <message>
-        <source>, %1 of them marked false</source>
-        <translation>, davon %1 als falsch markiert</translation>
-    </message>
-    <message>
-        <source>, and could at %1</source>
-        <translation>, und könnte es mit %1</translation>
-    </message>
-    <message>
-        <source>, or as &quot;1 g&quot;</source>
-        <translation>, oder als „1 g“</translation>
-    </message>
-    <message>
-        <source>, or as &quot;94 dB&quot;</source>
-        <translation>, oder als „94 dB“</translation>
-    </message>
-    <message>
-        <source>, or auto</source>
-        <translation>, oder auto</translation>
-    </message>
-    <message>
-        <source>, up to %1 Hz for one</source>
-        <translation>, bis %1 Hz für einen</translation>
-    </message>
-    <message>
         <source>/24 or a larger number</source>
         <translation>/24 oder eine größere Zahl</translation>
-    </message>
-    <message>
-        <source>0 to %1 (&apos;inputs&apos;)</source>
-        <translation>0 bis %1 („inputs“)</translation>
     </message>
     <message>
         <source>0 to 1000000 rev/min</source>
@@ -2022,14 +1926,6 @@
     <message>
         <source>1_id, 1_channels, 1_delay_ms and 1_ with the device&apos;s own settings, then 2_</source>
         <translation>1_id, 1_channels, 1_delay_ms und 1_ mit den Einstellungen des Geräts, dann 2_</translation>
-    </message>
-    <message>
-        <source>: samples are lost again and again</source>
-        <translation>: immer wieder gehen Werte verloren</translation>
-    </message>
-    <message>
-        <source>Analog override</source>
-        <translation>Analoger Override</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -2056,10 +1952,6 @@
         <translation>Belegt: ein anderes Programm hat es offen</translation>
     </message>
     <message>
-        <source>DynoWare text</source>
-        <translation>DynoWare-Text</translation>
-    </message>
-    <message>
         <source>FLAC holds at most 8 channels</source>
         <translation>FLAC fasst höchstens 8 Kanäle</translation>
     </message>
@@ -2076,24 +1968,8 @@
         <translation>Ist ein Ordner</translation>
     </message>
     <message>
-        <source>Kept by the Tune page; stillcut-cli reads it with --config.</source>
-        <translation>Von der Seite Abstimmen gespeichert; stillcut-cli liest es mit --config.</translation>
-    </message>
-    <message>
-        <source>LabVIEW Measurement</source>
-        <translation>LabVIEW-Messung</translation>
-    </message>
-    <message>
-        <source>LabVIEW measurement text</source>
-        <translation>LabVIEW-Messtext</translation>
-    </message>
-    <message>
         <source>Modbus is not part of this build</source>
         <translation>Modbus gehört nicht zu diesem Programmbau</translation>
-    </message>
-    <message>
-        <source>Modbus machine</source>
-        <translation>Modbus-Maschine</translation>
     </message>
     <message>
         <source>No route to host</source>
@@ -2102,10 +1978,6 @@
     <message>
         <source>No space left on device</source>
         <translation>Kein Platz mehr auf dem Datenträger; Platz schaffen</translation>
-    </message>
-    <message>
-        <source>No such</source>
-        <translation>Kein solches</translation>
     </message>
     <message>
         <source>No such device</source>
@@ -2132,16 +2004,8 @@
         <translation>Datenträger ist schreibgeschützt</translation>
     </message>
     <message>
-        <source>Replay: %1</source>
-        <translation>Wiedergabe: %1</translation>
-    </message>
-    <message>
         <source>SI units per device unit</source>
         <translation>SI-Einheiten je Geräteeinheit</translation>
-    </message>
-    <message>
-        <source>Simulated mill</source>
-        <translation>Simulierte Fräsmaschine</translation>
     </message>
     <message>
         <source>Stillcut session</source>
@@ -2160,14 +2024,6 @@
         <translation>Systemfehler.</translation>
     </message>
     <message>
-        <source>The device is gone; identify again when it is back</source>
-        <translation>Das Gerät ist weg; neu identifizieren, wenn es wieder da ist</translation>
-    </message>
-    <message>
-        <source>The tools of this shop; the Set up page writes this file.</source>
-        <translation>Die Werkzeuge dieser Werkstatt; die Seite Einrichten schreibt diese Datei.</translation>
-    </message>
-    <message>
         <source>Too many open files</source>
         <translation>Zu viele offene Dateien</translation>
     </message>
@@ -2182,14 +2038,6 @@
     <message>
         <source>a block needs at least one frame</source>
         <translation>ein Block braucht mindestens einen Wert</translation>
-    </message>
-    <message>
-        <source>a chain needs 1 to 6 detectors</source>
-        <translation>eine Kette braucht 1 bis 6 Detektoren</translation>
-    </message>
-    <message>
-        <source>a chain needs a strategy</source>
-        <translation>eine Kette braucht eine Strategie</translation>
     </message>
     <message>
         <source>a coil or discrete input is one bit</source>
@@ -2222,10 +2070,6 @@
     <message>
         <source>a history of features; detectors need the samples themselves</source>
         <translation>ein Verlauf von Merkmalen; Detektoren brauchen die Messwerte selbst</translation>
-    </message>
-    <message>
-        <source>a line longer than any of this format</source>
-        <translation>eine Zeile, länger als jede dieses Formats</translation>
     </message>
     <message>
         <source>a path cannot be taken over while the table moves</source>
@@ -2296,20 +2140,12 @@
         <translation>ein Wert muss zu einer Spannung gehören</translation>
     </message>
     <message>
-        <source>a value was not finite</source>
-        <translation>ein Wert war nicht endlich</translation>
-    </message>
-    <message>
         <source>above 0 and up to 1000 mm</source>
         <translation>über 0 und bis 1000 mm</translation>
     </message>
     <message>
         <source>above 0 and up to 1e6 rpm</source>
         <translation>über 0 und bis 1e6 rpm</translation>
-    </message>
-    <message>
-        <source>active &apos;%1&apos;</source>
-        <translation>aktiv „%1“</translation>
     </message>
     <message>
         <source>active &apos;alsa&apos;</source>
@@ -2444,10 +2280,6 @@
         <translation>lässt sich nicht für %1 öffnen</translation>
     </message>
     <message>
-        <source>cannot be opened: %1</source>
-        <translation>lässt sich nicht öffnen: %1</translation>
-    </message>
-    <message>
         <source>cannot be recorded</source>
         <translation>lässt sich nicht aufzeichnen</translation>
     </message>
@@ -2458,10 +2290,6 @@
     <message>
         <source>cannot stream at a rate</source>
         <translation>kann nicht mit fester Rate liefern</translation>
-    </message>
-    <message>
-        <source>channel %1</source>
-        <translation>Kanal %1</translation>
     </message>
     <message>
         <source>channels of one recording are of one length</source>
@@ -2496,40 +2324,16 @@
         <translation>mit --channel N[,N] einige auswählen</translation>
     </message>
     <message>
-        <source>ci value</source>
-        <translation>CI-Wert</translation>
-    </message>
-    <message>
         <source>coil or holding</source>
         <translation>coil oder holding</translation>
-    </message>
-    <message>
-        <source>column %1</source>
-        <translation>Spalte %1</translation>
     </message>
     <message>
         <source>column %1 holds %2</source>
         <translation>Spalte %1 enthält %2</translation>
     </message>
     <message>
-        <source>conditioner: %1 channels (allowed: 1 to %2)</source>
-        <translation>Aufbereitung: %1 Kanäle (erlaubt: 1 bis %2)</translation>
-    </message>
-    <message>
-        <source>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</source>
-        <translation>Aufbereitung: Abtastrate %1 Hz (erlaubt: 100 bis 1000000)</translation>
-    </message>
-    <message>
-        <source>conditioner: the longest block has no frames</source>
-        <translation>Aufbereitung: der längste Block ist leer</translation>
-    </message>
-    <message>
         <source>configure with STILLCUT_DESKTOP=ON</source>
         <translation>mit STILLCUT_DESKTOP=ON bauen</translation>
-    </message>
-    <message>
-        <source>control made the vibration worse</source>
-        <translation>die Regelung hat die Schwingung verstärkt</translation>
     </message>
     <message>
         <source>convert to CSV instead, or a span without it</source>
@@ -2548,20 +2352,8 @@
         <translation>der Dämpfungsgrad muss zwischen 0 und 1 liegen</translation>
     </message>
     <message>
-        <source>dataset %1</source>
-        <translation>Datensatz %1</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>Schnitttiefe</translation>
-    </message>
-    <message>
         <source>detector</source>
         <translation>Detektor</translation>
-    </message>
-    <message>
-        <source>device &apos;%1&apos;</source>
-        <translation>Gerät „%1“</translation>
     </message>
     <message>
         <source>diameter must be above zero</source>
@@ -2682,10 +2474,6 @@
     <message>
         <source>from must lie before to, with 1 to 65536 columns</source>
         <translation>from muss vor to liegen, mit 1 bis 65536 Spalten</translation>
-    </message>
-    <message>
-        <source>full scale</source>
-        <translation>Vollausschlag</translation>
     </message>
     <message>
         <source>gain must not be zero</source>
@@ -3332,10 +3120,6 @@
         <translation>seine Zeiten lassen sich nicht lesen</translation>
     </message>
     <message>
-        <source>journals are written as memory has them</source>
-        <translation>Journale werden geschrieben, wie der Speicher sie hält</translation>
-    </message>
-    <message>
         <source>knock along %1, hard, with the machine quiet</source>
         <translation>kräftig entlang %1 klopfen, bei stiller Maschine</translation>
     </message>
@@ -3380,26 +3164,6 @@
         <translation>Verbindung</translation>
     </message>
     <message>
-        <source>link &apos;%1&apos;</source>
-        <translation>Verbindung „%1“</translation>
-    </message>
-    <message>
-        <source>link &apos;analog&apos;</source>
-        <translation>Verbindung „analog“</translation>
-    </message>
-    <message>
-        <source>link &apos;grbl&apos;</source>
-        <translation>Verbindung „grbl“</translation>
-    </message>
-    <message>
-        <source>link &apos;linuxcnc&apos;</source>
-        <translation>Verbindung „linuxcnc“</translation>
-    </message>
-    <message>
-        <source>link &apos;modbus&apos;</source>
-        <translation>Verbindung „modbus“</translation>
-    </message>
-    <message>
         <source>link &apos;simulated&apos;</source>
         <translation>Verbindung „simulated“</translation>
     </message>
@@ -3410,14 +3174,6 @@
     <message>
         <source>mV per g, Pa, N ... of the data sheet</source>
         <translation>mV je g, Pa, N ... aus dem Datenblatt</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos;</source>
-        <translation>Marke „%1“</translation>
-    </message>
-    <message>
-        <source>more than %1 MB</source>
-        <translation>mehr als %1 MB</translation>
     </message>
     <message>
         <source>more than a million speeds</source>
@@ -3528,10 +3284,6 @@
         <translation>keine solche Datei</translation>
     </message>
     <message>
-        <source>nobody renewed the lease</source>
-        <translation>niemand hat die Befugnis erneuert</translation>
-    </message>
-    <message>
         <source>noise, or a sensor that is not on the table</source>
         <translation>Rauschen, oder ein Sensor, der nicht auf dem Tisch sitzt</translation>
     </message>
@@ -3556,10 +3308,6 @@
         <translation>keine Universaldatei mit Messfunktionen</translation>
     </message>
     <message>
-        <source>not at all</source>
-        <translation>gar nicht</translation>
-    </message>
-    <message>
         <source>nothing is heard</source>
         <translation>nichts ist zu hören</translation>
     </message>
@@ -3570,14 +3318,6 @@
     <message>
         <source>nothing was written to the actuator</source>
         <translation>nichts ging an den Aktor</translation>
-    </message>
-    <message>
-        <source>older than %1</source>
-        <translation>älter als %1</translation>
-    </message>
-    <message>
-        <source>on-line model</source>
-        <translation>laufendes Modell</translation>
     </message>
     <message>
         <source>one input from 0 for each of the %1 [[channels]], for example 0,1</source>
@@ -3628,14 +3368,6 @@
         <translation>Ausgabe und Messung sind verschieden lang</translation>
     </message>
     <message>
-        <source>path along %1</source>
-        <translation>Pfad entlang %1</translation>
-    </message>
-    <message>
-        <source>path to the force along %1</source>
-        <translation>Pfad zur Kraft entlang %1</translation>
-    </message>
-    <message>
         <source>peaks reach three times it</source>
         <translation>Spitzen erreichen das Dreifache</translation>
     </message>
@@ -3658,10 +3390,6 @@
     <message>
         <source>plughw: in front of it converts them</source>
         <translation>plughw: davor wandelt sie um</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>Punkt %1</translation>
     </message>
     <message>
         <source>point %1 is not a finite number</source>
@@ -3736,10 +3464,6 @@
         <translation>der Rundlauf braucht einen Wert je Zahn</translation>
     </message>
     <message>
-        <source>sample %1 of &apos;%2&apos;</source>
-        <translation>Wert %1 von „%2“</translation>
-    </message>
-    <message>
         <source>samples a second, from 100 to 1000000</source>
         <translation>Werte je Sekunde, von 100 bis 1000000</translation>
     </message>
@@ -3788,16 +3512,8 @@
         <translation>Einrichtung</translation>
     </message>
     <message>
-        <source>setting the length</source>
-        <translation>Länge festlegen</translation>
-    </message>
-    <message>
         <source>simulate a variable pitch instead</source>
         <translation>ungleiche Teilung stattdessen simulieren</translation>
-    </message>
-    <message>
-        <source>simulated cut</source>
-        <translation>simulierter Schnitt</translation>
     </message>
     <message>
         <source>simulated machine</source>
@@ -3808,48 +3524,12 @@
         <translation>simulierte Quelle</translation>
     </message>
     <message>
-        <source>simulated: %1</source>
-        <translation>simuliert: %1</translation>
-    </message>
-    <message>
-        <source>sound file</source>
-        <translation>Tondatei</translation>
-    </message>
-    <message>
         <source>source</source>
         <translation>Quelle</translation>
     </message>
     <message>
-        <source>source &apos;alsa&apos;</source>
-        <translation>Quelle „alsa“</translation>
-    </message>
-    <message>
-        <source>source &apos;comedi&apos;</source>
-        <translation>Quelle „comedi“</translation>
-    </message>
-    <message>
-        <source>source &apos;iio&apos;</source>
-        <translation>Quelle „iio“</translation>
-    </message>
-    <message>
-        <source>source &apos;joined&apos;</source>
-        <translation>Quelle „joined“</translation>
-    </message>
-    <message>
-        <source>source &apos;replay&apos;</source>
-        <translation>Quelle „replay“</translation>
-    </message>
-    <message>
-        <source>source &apos;serial&apos;</source>
-        <translation>Quelle „serial“</translation>
-    </message>
-    <message>
         <source>source &apos;simulated&apos;</source>
         <translation>Quelle „simulated“</translation>
-    </message>
-    <message>
-        <source>source &apos;tcp&apos;</source>
-        <translation>Quelle „tcp“</translation>
     </message>
     <message>
         <source>speed must lie between 1 and 200000 rev/min</source>
@@ -3944,10 +3624,6 @@
         <translation>der aktive Tisch braucht einen je Achse</translation>
     </message>
     <message>
-        <source>the actuator was at its end and the vibration grew</source>
-        <translation>der Aktor war am Anschlag und die Schwingung wuchs</translation>
-    </message>
-    <message>
         <source>the amplitude limit must be above zero</source>
         <translation>die Amplitudengrenze muss über null liegen</translation>
     </message>
@@ -3972,28 +3648,12 @@
         <translation>die Verzögerungen müssen von 0 oder mehr bis höchstens 10 s steigen</translation>
     </message>
     <message>
-        <source>the detector in charge or its fallback is not among the enabled ones</source>
-        <translation>der führende Detektor oder sein Ersatz gehört nicht zu den eingeschalteten</translation>
-    </message>
-    <message>
         <source>the device does not run</source>
         <translation>das Gerät läuft nicht</translation>
     </message>
     <message>
-        <source>the device lost a block</source>
-        <translation>das Gerät hat einen Block verloren</translation>
-    </message>
-    <message>
         <source>the devices have %1: N_channels says how many are theirs</source>
         <translation>die Geräte haben %1: N_channels sagt, wie viele ihnen gehören</translation>
-    </message>
-    <message>
-        <source>the end</source>
-        <translation>das Ende</translation>
-    </message>
-    <message>
-        <source>the error sensor stands still</source>
-        <translation>der Fehlersensor steht still</translation>
     </message>
     <message>
         <source>the fastest mode swings %1 times between two teeth</source>
@@ -4066,10 +3726,6 @@
     <message>
         <source>the longest was %1 of %2</source>
         <translation>das längste war %1 von %2</translation>
-    </message>
-    <message>
-        <source>the loop diverged</source>
-        <translation>die Schleife divergierte</translation>
     </message>
     <message>
         <source>the lowest feed is not below the highest</source>
@@ -4356,10 +4012,6 @@
         <translation>der Hub des Werkstückhalters muss über null und höchstens 1 mm sein</translation>
     </message>
     <message>
-        <source>there are: </source>
-        <translation>es gibt: </translation>
-    </message>
-    <message>
         <source>there are: %1</source>
         <translation>es gibt: %1</translation>
     </message>
@@ -4460,10 +4112,6 @@
         <translation>die Ungleichmäßigkeit muss zwischen 0 und 0,01 / sqrt(Hz) liegen</translation>
     </message>
     <message>
-        <source>universal file, dataset 58</source>
-        <translation>Universaldatei, Datensatz 58</translation>
-    </message>
-    <message>
         <source>unknown id &apos;%1&apos;</source>
         <translation>unbekannte Kennung „%1“</translation>
     </message>
@@ -4478,10 +4126,6 @@
     <message>
         <source>use the link &apos;simulated&apos;</source>
         <translation>die Verbindung „simulated“ verwenden</translation>
-    </message>
-    <message>
-        <source>variable %1</source>
-        <translation>Variable %1</translation>
     </message>
     <message>
         <source>virtual data sets are not read</source>
@@ -4510,14 +4154,6 @@
     <message>
         <source>without it nothing can be told or done</source>
         <translation>ohne sie lässt sich nichts sagen oder tun</translation>
-    </message>
-    <message>
-        <source>writing the journal</source>
-        <translation>Journal schreiben</translation>
-    </message>
-    <message>
-        <source>writing to disk</source>
-        <translation>auf den Datenträger schreiben</translation>
     </message>
     <message>
         <source>x and y are on the same channel</source>
@@ -4562,10 +4198,6 @@
     <message>
         <source>the link reads the machine every %1 ms: at least two of its periods</source>
         <translation>die Verbindung liest die Maschine alle %1 ms: mindestens zwei ihrer Perioden</translation>
-    </message>
-    <message>
-        <source>The run has ended</source>
-        <translation>Der Lauf ist zu Ende</translation>
     </message>
     <message>
         <source>as set</source>
@@ -4766,6 +4398,122 @@
     <message>
         <source>four times what the channel has in the calm cut</source>
         <translation>das Vierfache dessen, was der Kanal im ruhigen Schnitt hat</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; converts, or stands before what does, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>„%1“ wandelt um oder steht vor etwas, das umwandelt; das kann die Abtastrate ändern und Kanäle mischen; hw: nennt das Gerät selbst</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a sound server&apos;s, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>„%1“ gehört einem Soundserver, der die Abtastrate ändern und Kanäle mischen kann; hw: nennt das Gerät selbst</translation>
+    </message>
+    <message>
+        <source>0 to 400 %</source>
+        <translation>0 bis 400 %</translation>
+    </message>
+    <message>
+        <source>HDF5: %1</source>
+        <translation>HDF5: %1</translation>
+    </message>
+    <message>
+        <source>[[volts, value], [volts, value], ...]</source>
+        <translation>[[Volt, Wert], [Volt, Wert], ...]</translation>
+    </message>
+    <message>
+        <source>[volts, value]</source>
+        <translation>[Volt, Wert]</translation>
+    </message>
+    <message>
+        <source>a direction is two numbers, along x and y</source>
+        <translation>eine Richtung sind zwei Zahlen, entlang x und y</translation>
+    </message>
+    <message>
+        <source>allowed: %1 to %2, or auto</source>
+        <translation>erlaubt: %1 bis %2 oder auto</translation>
+    </message>
+    <message>
+        <source>cannot be tried</source>
+        <translation>kann nicht versucht werden</translation>
+    </message>
+    <message>
+        <source>cannot be tried: %1 does not start</source>
+        <translation>kann nicht versucht werden: %1 startet nicht</translation>
+    </message>
+    <message>
+        <source>cannot be written here</source>
+        <translation>kann hier nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>cannot be written: more than 268 million samples a channel</source>
+        <translation>kann nicht geschrieben werden: mehr als 268 Millionen Abtastwerte je Kanal</translation>
+    </message>
+    <message>
+        <source>cannot be written: too many samples for this format</source>
+        <translation>kann nicht geschrieben werden: zu viele Abtastwerte für dieses Format</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; holds &apos;%2&apos;</source>
+        <translation>Spalte „%1“ enthält „%2“</translation>
+    </message>
+    <message>
+        <source>export a span, or to .h5</source>
+        <translation>einen Ausschnitt exportieren, oder nach .h5</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>is &apos;%1&apos;</source>
+        <translation>ist „%1“</translation>
+    </message>
+    <message>
+        <source>it samples at %1, and could at %2</source>
+        <translation>es tastet mit %1 ab und könnte mit %2</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>Ausgang</translation>
+    </message>
+    <message>
+        <source>rms in %1, or as &quot;1 g&quot;</source>
+        <translation>Effektivwert in %1, oder als &quot;1 g&quot;</translation>
+    </message>
+    <message>
+        <source>rms in %1, or as &quot;94 dB&quot;</source>
+        <translation>Effektivwert in %1, oder als &quot;94 dB&quot;</translation>
+    </message>
+    <message>
+        <source>stillcut --report IN OUT makes reports and pictures</source>
+        <translation>stillcut --report IN OUT macht Berichte und Bilder</translation>
+    </message>
+    <message>
+        <source>the HDF5 library cannot read it</source>
+        <translation>die HDF5-Bibliothek kann es nicht lesen</translation>
+    </message>
+    <message>
+        <source>the longest was %1 of %2: samples are lost again and again</source>
+        <translation>das längste war %1 von %2: immer wieder gehen Abtastwerte verloren</translation>
+    </message>
+    <message>
+        <source>the program stillcut-reader is missing beside this one</source>
+        <translation>das Programm stillcut-reader fehlt neben diesem</translation>
+    </message>
+    <message>
+        <source>the suffix must be one of %1</source>
+        <translation>die Endung muss eine von %1 sein</translation>
+    </message>
+    <message>
+        <source>toml++: %1</source>
+        <translation>toml++: %1</translation>
+    </message>
+    <message>
+        <source>universal file</source>
+        <translation>Universaldatei</translation>
+    </message>
+    <message>
+        <source>use .h5</source>
+        <translation>.h5 verwenden</translation>
     </message>
 </context>
 <context>

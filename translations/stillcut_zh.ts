@@ -1708,16 +1708,8 @@
         <translation>设备</translation>
     </message>
     <message>
-        <source>%1 (configuration)</source>
-        <translation>%1（配置）</translation>
-    </message>
-    <message>
         <source>%1 Hz cannot be heard at %2 samples a second</source>
         <translation>采样率为每秒 %2 点时听不到 %1 Hz</translation>
-    </message>
-    <message>
-        <source>%1 Hz, channels: %2</source>
-        <translation>%1 Hz，通道：%2</translation>
     </message>
     <message>
         <source>%1 MB are left</source>
@@ -1740,24 +1732,12 @@
         <translation>%1 无法读取</translation>
     </message>
     <message>
-        <source>%1 channels, %2 Hz, %3 bits</source>
-        <translation>%1 通道，%2 Hz，%3 位</translation>
-    </message>
-    <message>
         <source>%1 datasets 58 hold other functions</source>
         <translation>%1 个 58 数据集含其他函数</translation>
     </message>
     <message>
-        <source>%1 days</source>
-        <translation>%1 天</translation>
-    </message>
-    <message>
         <source>%1 has no higher voltage</source>
         <translation>%1 的电压没有升高</translation>
-    </message>
-    <message>
-        <source>%1 hours</source>
-        <translation>%1 小时</translation>
     </message>
     <message>
         <source>%1 is longer than the file</source>
@@ -1796,20 +1776,8 @@
         <translation>%1 rpm 对这些模态过低</translation>
     </message>
     <message>
-        <source>%1 times</source>
-        <translation>%1 次</translation>
-    </message>
-    <message>
         <source>%1 turns the table round</source>
         <translation>%1 使表格反向</translation>
-    </message>
-    <message>
-        <source>%1 unit %2</source>
-        <translation>%1 单元 %2</translation>
-    </message>
-    <message>
-        <source>%1 would have alarmed %2; before %3</source>
-        <translation>%1 会报警 %2；之前 %3</translation>
     </message>
     <message>
         <source>%1, device %2: %3</source>
@@ -1824,24 +1792,8 @@
         <translation>%1：其中有错误的长度</translation>
     </message>
     <message>
-        <source>%1: a tone of %2 Hz, %3 % of what is heard; scale %4 ± %5 %6</source>
-        <translation>%1：%2 Hz 的音，占所听到的 %3 %；系数 %4 ± %5 %6</translation>
-    </message>
-    <message>
-        <source>%1: feed per tooth</source>
-        <translation>%1：每齿进给</translation>
-    </message>
-    <message>
         <source>%1: is not the device that it was</source>
         <translation>%1：已不是原来的设备</translation>
-    </message>
-    <message>
-        <source>%1: path along %2</source>
-        <translation>%1：沿 %2 的路径</translation>
-    </message>
-    <message>
-        <source>%1: path to the accelerometer along %2</source>
-        <translation>%1：沿 %2 到加速度计的路径</translation>
     </message>
     <message>
         <source>%1; some devices need a &apos;trigger&apos;</source>
@@ -1854,14 +1806,6 @@
     <message>
         <source>%1; the cut before has been stopped</source>
         <translation>%1；之前的切削已停止</translation>
-    </message>
-    <message>
-        <source>&apos; converts, or stands before what does</source>
-        <translation>&apos; 会转换，或位于转换器之前</translation>
-    </message>
-    <message>
-        <source>&apos; is a sound server&apos;s</source>
-        <translation>&apos; 属于声音服务器</translation>
     </message>
     <message>
         <source>&apos;%1&apos; and &apos;%2&apos; heard it within %3 dB of each other</source>
@@ -1924,20 +1868,12 @@
         <translation>&apos;%1&apos; 声明的数多于文件所含</translation>
     </message>
     <message>
-        <source>&apos;%1, which may change the rate and mix channels; hw: names the device itself</source>
-        <translation>&apos;%1，可能改变采样率并混合通道；hw: 指设备本身</translation>
-    </message>
-    <message>
         <source>&apos;%1channels&apos; is %2</source>
         <translation>&apos;%1channels&apos; 为 %2</translation>
     </message>
     <message>
         <source>&apos;adaptive_feed&apos; needs &apos;hal_component_port&apos;</source>
         <translation>&apos;adaptive_feed&apos; 需要 &apos;hal_component_port&apos;</translation>
-    </message>
-    <message>
-        <source>&apos;device&apos; = &apos;%1&apos;</source>
-        <translation>&apos;device&apos; = &apos;%1&apos;</translation>
     </message>
     <message>
         <source>&apos;full_stroke_um&apos; is less</source>
@@ -1972,40 +1908,8 @@
         <translation>&apos;stroke_um&apos; 超过输出能力</translation>
     </message>
     <message>
-        <source>, %1 bits; &apos;range&apos;</source>
-        <translation>，%1 位；&apos;range&apos;</translation>
-    </message>
-    <message>
-        <source>, %1 of them marked false</source>
-        <translation>，其中 %1 个标为误报</translation>
-    </message>
-    <message>
-        <source>, and could at %1</source>
-        <translation>，可用 %1</translation>
-    </message>
-    <message>
-        <source>, or as &quot;1 g&quot;</source>
-        <translation>，或写作“1 g”</translation>
-    </message>
-    <message>
-        <source>, or as &quot;94 dB&quot;</source>
-        <translation>，或写作“94 dB”</translation>
-    </message>
-    <message>
-        <source>, or auto</source>
-        <translation>，或 auto</translation>
-    </message>
-    <message>
-        <source>, up to %1 Hz for one</source>
-        <translation>，单通道最高 %1 Hz</translation>
-    </message>
-    <message>
         <source>/24 or a larger number</source>
         <translation>/24 或更大的数</translation>
-    </message>
-    <message>
-        <source>0 to %1 (&apos;inputs&apos;)</source>
-        <translation>0 至 %1（&apos;inputs&apos;）</translation>
     </message>
     <message>
         <source>0 to 1000000 rev/min</source>
@@ -2022,14 +1926,6 @@
     <message>
         <source>1_id, 1_channels, 1_delay_ms and 1_ with the device&apos;s own settings, then 2_</source>
         <translation>1_id、1_channels、1_delay_ms 及带设备自身设置的 1_，然后是 2_</translation>
-    </message>
-    <message>
-        <source>: samples are lost again and again</source>
-        <translation>：不断丢失采样</translation>
-    </message>
-    <message>
-        <source>Analog override</source>
-        <translation>模拟量倍率</translation>
     </message>
     <message>
         <source>Broken pipe</source>
@@ -2056,10 +1952,6 @@
         <translation>被占用：另一程序正在使用</translation>
     </message>
     <message>
-        <source>DynoWare text</source>
-        <translation>DynoWare 文本</translation>
-    </message>
-    <message>
         <source>FLAC holds at most 8 channels</source>
         <translation>FLAC 最多 8 个通道</translation>
     </message>
@@ -2076,24 +1968,8 @@
         <translation>是文件夹</translation>
     </message>
     <message>
-        <source>Kept by the Tune page; stillcut-cli reads it with --config.</source>
-        <translation>由调节页保存；stillcut-cli 用 --config 读取。</translation>
-    </message>
-    <message>
-        <source>LabVIEW Measurement</source>
-        <translation>LabVIEW 测量</translation>
-    </message>
-    <message>
-        <source>LabVIEW measurement text</source>
-        <translation>LabVIEW 测量文本</translation>
-    </message>
-    <message>
         <source>Modbus is not part of this build</source>
         <translation>此版本不含 Modbus</translation>
-    </message>
-    <message>
-        <source>Modbus machine</source>
-        <translation>Modbus 机床</translation>
     </message>
     <message>
         <source>No route to host</source>
@@ -2102,10 +1978,6 @@
     <message>
         <source>No space left on device</source>
         <translation>磁盘已满；请腾出空间</translation>
-    </message>
-    <message>
-        <source>No such</source>
-        <translation>没有这样的</translation>
     </message>
     <message>
         <source>No such device</source>
@@ -2132,16 +2004,8 @@
         <translation>文件系统只读</translation>
     </message>
     <message>
-        <source>Replay: %1</source>
-        <translation>回放：%1</translation>
-    </message>
-    <message>
         <source>SI units per device unit</source>
         <translation>每设备单位的 SI 值</translation>
-    </message>
-    <message>
-        <source>Simulated mill</source>
-        <translation>模拟铣床</translation>
     </message>
     <message>
         <source>Stillcut session</source>
@@ -2160,14 +2024,6 @@
         <translation>系统错误。</translation>
     </message>
     <message>
-        <source>The device is gone; identify again when it is back</source>
-        <translation>设备已断开；恢复后请重新辨识</translation>
-    </message>
-    <message>
-        <source>The tools of this shop; the Set up page writes this file.</source>
-        <translation>本车间的刀具；由设置页写入此文件。</translation>
-    </message>
-    <message>
         <source>Too many open files</source>
         <translation>打开的文件过多</translation>
     </message>
@@ -2182,14 +2038,6 @@
     <message>
         <source>a block needs at least one frame</source>
         <translation>一个数据块至少需要一帧</translation>
-    </message>
-    <message>
-        <source>a chain needs 1 to 6 detectors</source>
-        <translation>链路需要 1 至 6 个检测器</translation>
-    </message>
-    <message>
-        <source>a chain needs a strategy</source>
-        <translation>链路需要一个策略</translation>
     </message>
     <message>
         <source>a coil or discrete input is one bit</source>
@@ -2222,10 +2070,6 @@
     <message>
         <source>a history of features; detectors need the samples themselves</source>
         <translation>只是特征历史；检测器需要采样本身</translation>
-    </message>
-    <message>
-        <source>a line longer than any of this format</source>
-        <translation>有一行超出此格式的最大长度</translation>
     </message>
     <message>
         <source>a path cannot be taken over while the table moves</source>
@@ -2296,20 +2140,12 @@
         <translation>一个值只能对应一个电压</translation>
     </message>
     <message>
-        <source>a value was not finite</source>
-        <translation>有值不是有限数</translation>
-    </message>
-    <message>
         <source>above 0 and up to 1000 mm</source>
         <translation>大于 0 且不超过 1000 mm</translation>
     </message>
     <message>
         <source>above 0 and up to 1e6 rpm</source>
         <translation>大于 0 且不超过 1e6 rpm</translation>
-    </message>
-    <message>
-        <source>active &apos;%1&apos;</source>
-        <translation>主动 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>active &apos;alsa&apos;</source>
@@ -2444,10 +2280,6 @@
         <translation>无法为 %1 打开</translation>
     </message>
     <message>
-        <source>cannot be opened: %1</source>
-        <translation>无法打开：%1</translation>
-    </message>
-    <message>
         <source>cannot be recorded</source>
         <translation>无法记录</translation>
     </message>
@@ -2458,10 +2290,6 @@
     <message>
         <source>cannot stream at a rate</source>
         <translation>不能以固定采样率传输</translation>
-    </message>
-    <message>
-        <source>channel %1</source>
-        <translation>通道 %1</translation>
     </message>
     <message>
         <source>channels of one recording are of one length</source>
@@ -2496,40 +2324,16 @@
         <translation>用 --channel N[,N] 选择</translation>
     </message>
     <message>
-        <source>ci value</source>
-        <translation>CI 值</translation>
-    </message>
-    <message>
         <source>coil or holding</source>
         <translation>coil 或 holding</translation>
-    </message>
-    <message>
-        <source>column %1</source>
-        <translation>第 %1 列</translation>
     </message>
     <message>
         <source>column %1 holds %2</source>
         <translation>第 %1 列的值为 %2</translation>
     </message>
     <message>
-        <source>conditioner: %1 channels (allowed: 1 to %2)</source>
-        <translation>信号调理：%1 个通道（允许：1 至 %2）</translation>
-    </message>
-    <message>
-        <source>conditioner: sampling rate %1 Hz (allowed: 100 to 1000000)</source>
-        <translation>信号调理：采样率 %1 Hz（允许：100 至 1000000）</translation>
-    </message>
-    <message>
-        <source>conditioner: the longest block has no frames</source>
-        <translation>信号调理：最长的数据块没有帧</translation>
-    </message>
-    <message>
         <source>configure with STILLCUT_DESKTOP=ON</source>
         <translation>请用 STILLCUT_DESKTOP=ON 构建</translation>
-    </message>
-    <message>
-        <source>control made the vibration worse</source>
-        <translation>控制使振动加剧</translation>
     </message>
     <message>
         <source>convert to CSV instead, or a span without it</source>
@@ -2548,20 +2352,8 @@
         <translation>阻尼比必须在 0 到 1 之间</translation>
     </message>
     <message>
-        <source>dataset %1</source>
-        <translation>数据集 %1</translation>
-    </message>
-    <message>
-        <source>depth</source>
-        <translation>切深</translation>
-    </message>
-    <message>
         <source>detector</source>
         <translation>检测器</translation>
-    </message>
-    <message>
-        <source>device &apos;%1&apos;</source>
-        <translation>设备 &apos;%1&apos;</translation>
     </message>
     <message>
         <source>diameter must be above zero</source>
@@ -2682,10 +2474,6 @@
     <message>
         <source>from must lie before to, with 1 to 65536 columns</source>
         <translation>from 必须在 to 之前，列数为 1 至 65536</translation>
-    </message>
-    <message>
-        <source>full scale</source>
-        <translation>满量程</translation>
     </message>
     <message>
         <source>gain must not be zero</source>
@@ -3332,10 +3120,6 @@
         <translation>其时间无法读取</translation>
     </message>
     <message>
-        <source>journals are written as memory has them</source>
-        <translation>日志按内存中的形式写入</translation>
-    </message>
-    <message>
         <source>knock along %1, hard, with the machine quiet</source>
         <translation>请在机床安静时沿 %1 用力敲击</translation>
     </message>
@@ -3380,26 +3164,6 @@
         <translation>连接</translation>
     </message>
     <message>
-        <source>link &apos;%1&apos;</source>
-        <translation>连接 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>link &apos;analog&apos;</source>
-        <translation>连接 &apos;analog&apos;</translation>
-    </message>
-    <message>
-        <source>link &apos;grbl&apos;</source>
-        <translation>连接 &apos;grbl&apos;</translation>
-    </message>
-    <message>
-        <source>link &apos;linuxcnc&apos;</source>
-        <translation>连接 &apos;linuxcnc&apos;</translation>
-    </message>
-    <message>
-        <source>link &apos;modbus&apos;</source>
-        <translation>连接 &apos;modbus&apos;</translation>
-    </message>
-    <message>
         <source>link &apos;simulated&apos;</source>
         <translation>连接 &apos;simulated&apos;</translation>
     </message>
@@ -3410,14 +3174,6 @@
     <message>
         <source>mV per g, Pa, N ... of the data sheet</source>
         <translation>数据表中的 mV/g、Pa、N……</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos;</source>
-        <translation>标记 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>more than %1 MB</source>
-        <translation>超过 %1 MB</translation>
     </message>
     <message>
         <source>more than a million speeds</source>
@@ -3528,10 +3284,6 @@
         <translation>没有此文件</translation>
     </message>
     <message>
-        <source>nobody renewed the lease</source>
-        <translation>授权未被续期</translation>
-    </message>
-    <message>
         <source>noise, or a sensor that is not on the table</source>
         <translation>噪声，或传感器不在工作台上</translation>
     </message>
@@ -3556,10 +3308,6 @@
         <translation>不是测量函数的通用文件</translation>
     </message>
     <message>
-        <source>not at all</source>
-        <translation>完全没有</translation>
-    </message>
-    <message>
         <source>nothing is heard</source>
         <translation>什么也听不到</translation>
     </message>
@@ -3570,14 +3318,6 @@
     <message>
         <source>nothing was written to the actuator</source>
         <translation>没有写入执行器</translation>
-    </message>
-    <message>
-        <source>older than %1</source>
-        <translation>早于 %1</translation>
-    </message>
-    <message>
-        <source>on-line model</source>
-        <translation>在线模型</translation>
     </message>
     <message>
         <source>one input from 0 for each of the %1 [[channels]], for example 0,1</source>
@@ -3628,14 +3368,6 @@
         <translation>输出与读数长度不同</translation>
     </message>
     <message>
-        <source>path along %1</source>
-        <translation>沿 %1 的路径</translation>
-    </message>
-    <message>
-        <source>path to the force along %1</source>
-        <translation>沿 %1 到力的路径</translation>
-    </message>
-    <message>
         <source>peaks reach three times it</source>
         <translation>峰值达其三倍</translation>
     </message>
@@ -3658,10 +3390,6 @@
     <message>
         <source>plughw: in front of it converts them</source>
         <translation>前面加 plughw: 可转换</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>第 %1 点</translation>
     </message>
     <message>
         <source>point %1 is not a finite number</source>
@@ -3736,10 +3464,6 @@
         <translation>跳动需要每齿一个值</translation>
     </message>
     <message>
-        <source>sample %1 of &apos;%2&apos;</source>
-        <translation>&apos;%2&apos; 的第 %1 个采样</translation>
-    </message>
-    <message>
         <source>samples a second, from 100 to 1000000</source>
         <translation>每秒采样数，100 至 1000000</translation>
     </message>
@@ -3788,16 +3512,8 @@
         <translation>设置</translation>
     </message>
     <message>
-        <source>setting the length</source>
-        <translation>设置长度</translation>
-    </message>
-    <message>
         <source>simulate a variable pitch instead</source>
         <translation>变齿距请改用仿真</translation>
-    </message>
-    <message>
-        <source>simulated cut</source>
-        <translation>模拟切削</translation>
     </message>
     <message>
         <source>simulated machine</source>
@@ -3808,48 +3524,12 @@
         <translation>模拟信号源</translation>
     </message>
     <message>
-        <source>simulated: %1</source>
-        <translation>模拟：%1</translation>
-    </message>
-    <message>
-        <source>sound file</source>
-        <translation>声音文件</translation>
-    </message>
-    <message>
         <source>source</source>
         <translation>信号源</translation>
     </message>
     <message>
-        <source>source &apos;alsa&apos;</source>
-        <translation>信号源 &apos;alsa&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;comedi&apos;</source>
-        <translation>信号源 &apos;comedi&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;iio&apos;</source>
-        <translation>信号源 &apos;iio&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;joined&apos;</source>
-        <translation>信号源 &apos;joined&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;replay&apos;</source>
-        <translation>信号源 &apos;replay&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;serial&apos;</source>
-        <translation>信号源 &apos;serial&apos;</translation>
-    </message>
-    <message>
         <source>source &apos;simulated&apos;</source>
         <translation>信号源 &apos;simulated&apos;</translation>
-    </message>
-    <message>
-        <source>source &apos;tcp&apos;</source>
-        <translation>信号源 &apos;tcp&apos;</translation>
     </message>
     <message>
         <source>speed must lie between 1 and 200000 rev/min</source>
@@ -3944,10 +3624,6 @@
         <translation>主动工作台每轴需要一个</translation>
     </message>
     <message>
-        <source>the actuator was at its end and the vibration grew</source>
-        <translation>执行器已到行程末端且振动增大</translation>
-    </message>
-    <message>
         <source>the amplitude limit must be above zero</source>
         <translation>幅值限制必须大于零</translation>
     </message>
@@ -3972,28 +3648,12 @@
         <translation>延迟必须从 0 或以上递增，不超过 10 s</translation>
     </message>
     <message>
-        <source>the detector in charge or its fallback is not among the enabled ones</source>
-        <translation>主检测器或其后备不在已启用之列</translation>
-    </message>
-    <message>
         <source>the device does not run</source>
         <translation>设备未运行</translation>
     </message>
     <message>
-        <source>the device lost a block</source>
-        <translation>设备丢失了一个数据块</translation>
-    </message>
-    <message>
         <source>the devices have %1: N_channels says how many are theirs</source>
         <translation>各设备有 %1：N_channels 说明各占多少</translation>
-    </message>
-    <message>
-        <source>the end</source>
-        <translation>结束</translation>
-    </message>
-    <message>
-        <source>the error sensor stands still</source>
-        <translation>误差传感器无变化</translation>
     </message>
     <message>
         <source>the fastest mode swings %1 times between two teeth</source>
@@ -4066,10 +3726,6 @@
     <message>
         <source>the longest was %1 of %2</source>
         <translation>最长为 %2 中的 %1</translation>
-    </message>
-    <message>
-        <source>the loop diverged</source>
-        <translation>回路发散</translation>
     </message>
     <message>
         <source>the lowest feed is not below the highest</source>
@@ -4356,10 +4012,6 @@
         <translation>工件夹具的行程必须大于零且不超过 1 mm</translation>
     </message>
     <message>
-        <source>there are: </source>
-        <translation>现有：</translation>
-    </message>
-    <message>
         <source>there are: %1</source>
         <translation>现有：%1</translation>
     </message>
@@ -4460,10 +4112,6 @@
         <translation>不均匀度必须在 0 到 0.01 / sqrt(Hz) 之间</translation>
     </message>
     <message>
-        <source>universal file, dataset 58</source>
-        <translation>通用文件，数据集 58</translation>
-    </message>
-    <message>
         <source>unknown id &apos;%1&apos;</source>
         <translation>未知标识 &apos;%1&apos;</translation>
     </message>
@@ -4478,10 +4126,6 @@
     <message>
         <source>use the link &apos;simulated&apos;</source>
         <translation>请用连接 &apos;simulated&apos;</translation>
-    </message>
-    <message>
-        <source>variable %1</source>
-        <translation>变量 %1</translation>
     </message>
     <message>
         <source>virtual data sets are not read</source>
@@ -4510,14 +4154,6 @@
     <message>
         <source>without it nothing can be told or done</source>
         <translation>没有它就无从判断或动作</translation>
-    </message>
-    <message>
-        <source>writing the journal</source>
-        <translation>写入日志</translation>
-    </message>
-    <message>
-        <source>writing to disk</source>
-        <translation>写入磁盘</translation>
     </message>
     <message>
         <source>x and y are on the same channel</source>
@@ -4562,10 +4198,6 @@
     <message>
         <source>the link reads the machine every %1 ms: at least two of its periods</source>
         <translation>连接每 %1 ms 读取一次机床：至少两个周期</translation>
-    </message>
-    <message>
-        <source>The run has ended</source>
-        <translation>运行已结束</translation>
     </message>
     <message>
         <source>as set</source>
@@ -4766,6 +4398,122 @@
     <message>
         <source>four times what the channel has in the calm cut</source>
         <translation>该通道在平稳切削时的四倍</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; converts, or stands before what does, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>“%1”会转换，或位于会转换的设备之前，可能改变采样率并混合通道；用 hw: 指定设备本身</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a sound server&apos;s, which may change the rate and mix channels; hw: names the device itself</source>
+        <translation>“%1”属于声音服务器，可能改变采样率并混合通道；用 hw: 指定设备本身</translation>
+    </message>
+    <message>
+        <source>0 to 400 %</source>
+        <translation>0 至 400 %</translation>
+    </message>
+    <message>
+        <source>HDF5: %1</source>
+        <translation>HDF5: %1</translation>
+    </message>
+    <message>
+        <source>[[volts, value], [volts, value], ...]</source>
+        <translation>[[伏，值]，[伏，值]，...]</translation>
+    </message>
+    <message>
+        <source>[volts, value]</source>
+        <translation>[伏，值]</translation>
+    </message>
+    <message>
+        <source>a direction is two numbers, along x and y</source>
+        <translation>方向是两个数，沿 x 和沿 y</translation>
+    </message>
+    <message>
+        <source>allowed: %1 to %2, or auto</source>
+        <translation>允许：%1 至 %2，或 auto</translation>
+    </message>
+    <message>
+        <source>cannot be tried</source>
+        <translation>无法尝试</translation>
+    </message>
+    <message>
+        <source>cannot be tried: %1 does not start</source>
+        <translation>无法尝试：%1 不能启动</translation>
+    </message>
+    <message>
+        <source>cannot be written here</source>
+        <translation>不能写在这里</translation>
+    </message>
+    <message>
+        <source>cannot be written: more than 268 million samples a channel</source>
+        <translation>无法写入：每通道超过 2.68 亿个采样</translation>
+    </message>
+    <message>
+        <source>cannot be written: too many samples for this format</source>
+        <translation>无法写入：采样对此格式过多</translation>
+    </message>
+    <message>
+        <source>column &apos;%1&apos; holds &apos;%2&apos;</source>
+        <translation>列“%1”包含“%2”</translation>
+    </message>
+    <message>
+        <source>export a span, or to .h5</source>
+        <translation>导出一段，或导出为 .h5</translation>
+    </message>
+    <message>
+        <source>input</source>
+        <translation>输入</translation>
+    </message>
+    <message>
+        <source>is &apos;%1&apos;</source>
+        <translation>是“%1”</translation>
+    </message>
+    <message>
+        <source>it samples at %1, and could at %2</source>
+        <translation>以 %1 采样，也可以用 %2</translation>
+    </message>
+    <message>
+        <source>output</source>
+        <translation>输出</translation>
+    </message>
+    <message>
+        <source>rms in %1, or as &quot;1 g&quot;</source>
+        <translation>%1 的有效值，或写作 &quot;1 g&quot;</translation>
+    </message>
+    <message>
+        <source>rms in %1, or as &quot;94 dB&quot;</source>
+        <translation>%1 的有效值，或写作 &quot;94 dB&quot;</translation>
+    </message>
+    <message>
+        <source>stillcut --report IN OUT makes reports and pictures</source>
+        <translation>stillcut --report IN OUT 生成报告和图片</translation>
+    </message>
+    <message>
+        <source>the HDF5 library cannot read it</source>
+        <translation>HDF5 库无法读取</translation>
+    </message>
+    <message>
+        <source>the longest was %1 of %2: samples are lost again and again</source>
+        <translation>最长的是 %2 中的 %1：采样一再丢失</translation>
+    </message>
+    <message>
+        <source>the program stillcut-reader is missing beside this one</source>
+        <translation>旁边缺少程序 stillcut-reader</translation>
+    </message>
+    <message>
+        <source>the suffix must be one of %1</source>
+        <translation>后缀必须是 %1 之一</translation>
+    </message>
+    <message>
+        <source>toml++: %1</source>
+        <translation>toml++: %1</translation>
+    </message>
+    <message>
+        <source>universal file</source>
+        <translation>通用文件</translation>
+    </message>
+    <message>
+        <source>use .h5</source>
+        <translation>请用 .h5</translation>
     </message>
 </context>
 <context>

@@ -97,7 +97,7 @@ void print(const active::IdentifiedPath& path, const ActivePath& promise, const 
 int run(PathCommand command) {
   if (const Status usable = checkOutPath(command.out, command.file); !usable) return fail(usable.error());
   if (command.output == command.reading)
-    return fail(Error{"--reading", message("is the channel that was written"), message("--output")});
+    return fail(Error{"--reading", message("is the channel that was written"), foreign("--output")});
   const auto signals = readSignals(command);
   if (!signals) return fail(signals.error());
   std::vector<Hertz> lines;

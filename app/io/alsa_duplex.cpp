@@ -108,7 +108,7 @@ class AlsaDuplexDriver final : public active::PcmDuplexDriver {
     }
     const auto rate = static_cast<unsigned>(std::lround(request.rate.value));
     if (::snd_pcm_hw_params_set_rate(pcm, hw, rate, 0) < 0) {
-      return Error{where(request), message("has no %1 Hz (%2)", std::to_string(rate), side), message("'rate_hz'")};
+      return Error{where(request), message("has no %1 Hz (%2)", std::to_string(rate), side), foreign("'rate_hz'")};
     }
     unsigned least = 0;
     ::snd_pcm_hw_params_get_channels_min(hw, &least);

@@ -173,10 +173,10 @@ class IioDriver final : public daq::PcmDriver {
     const double is = std::strtod(text.c_str(), nullptr);
     if (std::abs(is - rate.value) <= kRateTolerance * rate.value) return Done{};
     const std::string available = attributeOf(device, "sampling_frequency_available");
-    return Error{
-        {},
-        message("'rate_hz' = %1 is not among its rates", std::to_string(std::lround(rate.value))),
-        message("it samples at %1%2", text, available.empty() ? Message() : message(", and could at %1", available))};
+    return Error{{},
+                 message("'rate_hz' = %1 is not among its rates", std::to_string(std::lround(rate.value))),
+                 available.empty() ? message("it samples at %1", text)
+                                   : message("it samples at %1, and could at %2", text, available)};
   }
 
   Status setTrigger(const iio_device* device) const {

@@ -57,7 +57,7 @@ void refuseUnasked(TomlDocument& document, const toml::table& table, const std::
   const std::vector<std::string_view> known(asked.begin(), asked.end());
   for (const auto& [key, node] : table) {
     if (!asked.contains(key.str())) {
-      document.refuse(document.place(&node), message("unknown key '%1%2'", path, key.str()),
+      document.refuse(document.place(&node), message("unknown key '%1'", path + std::string(key.str())),
                       didYouMean(key.str(), known));
       continue;
     }
@@ -86,7 +86,7 @@ const void* TomlTable::find(std::string_view key, bool required) const {
     document_->asked[&tableOf(node_)].emplace(key);
     if (const toml::node* node = tableOf(node_).get(key)) return node;
   }
-  if (required) document_->refuse(place(), message("'%1%2' is missing", path_, key));
+  if (required) document_->refuse(place(), message("'%1' is missing", path_ + std::string(key)));
   return nullptr;
 }
 

@@ -154,7 +154,7 @@ bool usableTogether(const FuzzyOptions& options) noexcept {
 
 Status checkFuzzyOptions(const FuzzyOptions& options) {
   if (!(options.energyUp > options.energyRef)) {
-    return Error{message("fuzzy.energy-limit"), message("must be above fuzzy.energy-reference")};
+    return Error{"fuzzy.energy-limit", message("must be above fuzzy.energy-reference")};
   }
   for (const auto& [table, keys] : {std::pair(&options.speedRules, &kSpeedKeys), {&options.feedRules, &kFeedKeys}}) {
     const auto rising = risingRule(*table);

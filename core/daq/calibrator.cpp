@@ -108,10 +108,9 @@ Result<double> levelFrom(const std::string& text, SensorQuantity quantity) {
     if (unit.empty() || unit == siUnit(quantity) || (acceleration && unit == "m/s2")) return value;
   }
   return Error{message("the calibrator's level"), message("'%1' is none", text),
-               message("rms in %1%2", siUnit(quantity),
-                       sound          ? message(", or as \"94 dB\"")
-                       : acceleration ? message(", or as \"1 g\"")
-                                      : Message())};
+               sound          ? message("rms in %1, or as \"94 dB\"", siUnit(quantity))
+               : acceleration ? message("rms in %1, or as \"1 g\"", siUnit(quantity))
+                              : message("rms in %1", siUnit(quantity))};
 }
 
 Result<Calibration> calibrate(std::span<const float> samples, Hertz rate, const CalibratorTone& tone) {

@@ -88,8 +88,9 @@ Result<HeardSamples> hear(DaqSource& device, const SourceFormat& format, const H
   if (stretch.length() < wanted) {
     const std::string longest = seconds(static_cast<double>(stretch.longest()) / rate);
     return Error{theDevice(), notInOnePiece(),
-                 message("the longest was %1 of %2%3", longest, seconds(request.length.value),
-                         stretch.broken() ? message(": samples are lost again and again") : Message())};
+                 stretch.broken() ? message("the longest was %1 of %2: samples are lost again and again", longest,
+                                            seconds(request.length.value))
+                                  : message("the longest was %1 of %2", longest, seconds(request.length.value))};
   }
   HeardSamples heard{std::move(stretch).samples(), format.rate, format.channels};
   if (request.told.size() != format.channels.size()) return heard;

@@ -10,11 +10,11 @@
 #include "core/config/part_settings.h"
 #include "core/daq/joined_parts.h"
 #include "core/daq/pcm_source.h"
+#include "core/daq/replay_source.h"
 #include "core/daq/stream_decoder.h"
 #include "core/daq/stream_source.h"
 #include "core/model/sensor_status.h"
 #include "core/session/open_recording.h"
-#include "core/daq/replay_source.h"
 
 namespace stillcut::daq {
 

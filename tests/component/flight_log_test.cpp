@@ -66,7 +66,7 @@ TEST_F(FlightLogTest, ADiskThatRefusesIsOneLineUntilItTakesTheRecordingAfterAll)
   FlightLog log(recorder_, folder_);
   capture(ReasonCode::LinkLost);
   EXPECT_FALSE(log.poll());
-  EXPECT_NE(log.problem().find(folder_.string()), std::string::npos) << log.problem();
+  EXPECT_NE(text(log.problem()).find(folder_.string()), std::string::npos) << text(log.problem());
   EXPECT_FALSE(log.poll());
   EXPECT_FALSE(log.problem().empty()) << "nothing has been written since";
   fs::remove(folder_);

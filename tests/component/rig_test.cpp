@@ -15,7 +15,7 @@ class SilentDevice final : public daq::DaqSource {
  public:
   explicit SilentDevice(bool live, bool opens = true) : live_(live), opens_(opens) {}
   Result<daq::SourceFormat> open() override {
-    if (!opens_) return Error{"device", "is not there", ""};
+    if (!opens_) return Error{message("device"), message("is not there")};
     return test::format();
   }
   bool read(SampleBlock& /*block*/) noexcept override { return false; }
@@ -34,7 +34,7 @@ class FakeMachine final : public cnc::CncLink {
   cnc::LinkInfo describe() const override { return {.id = "fake", .label = "Fake", .simulated = simulated_}; }
   Status open() override {
     if (openings_ != nullptr) ++*openings_;
-    return opens_ ? Status(Done{}) : Status(Error{"machine", "does not answer", ""});
+    return opens_ ? Status(Done{}) : Status(Error{message("machine"), message("does not answer")});
   }
   MachineState read(Instant /*now*/) noexcept override { return {}; }
   void apply(const OverrideCommand& /*command*/, Instant /*now*/) noexcept override {}

@@ -193,18 +193,18 @@ TEST_F(PulseTest, ADeviceBehindASoundServerIsToldFromOneOfItsOwn) {
   ASSERT_TRUE(source) << source.error().line();
   const auto opened = (*source)->open();
   ASSERT_TRUE(opened) << opened.error().line();
-  EXPECT_NE(opened->doubt.find("a sound server's"), std::string::npos) << opened->doubt;
+  EXPECT_NE(text(opened->doubt).find("a sound server's"), std::string::npos) << text(opened->doubt);
   auto direct = heard({{"device", "null"}, {"rate_hz", std::to_string(kRate)}}, 1);
   ASSERT_TRUE(direct) << direct.error().line();
   const auto bare = (*direct)->open();
   ASSERT_TRUE(bare) << bare.error().line();
-  EXPECT_EQ(bare->doubt, "");
+  EXPECT_TRUE(bare->doubt.empty());
   // What converts may stand before a server.
   auto behind = heard({{"device", "plug:null"}, {"rate_hz", std::to_string(kRate)}}, 1);
   ASSERT_TRUE(behind) << behind.error().line();
   const auto converted = (*behind)->open();
   ASSERT_TRUE(converted) << converted.error().line();
-  EXPECT_NE(converted->doubt.find("'plug:null' converts"), std::string::npos) << converted->doubt;
+  EXPECT_NE(text(converted->doubt).find("'plug:null' converts"), std::string::npos) << text(converted->doubt);
 }
 
 TEST_F(PulseTest, ARateThatWouldBeConvertedIsRefusedWithTheOneThereIs) {

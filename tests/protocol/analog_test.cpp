@@ -32,7 +32,7 @@ class NotingOutput final : public AnalogOutput {
  public:
   explicit NotingOutput(Card& card) : card_(card) {}
   Status open(const AnalogDevice& device) override {
-    if (card_.gone) return Error{device.file, "cannot be opened", "No such device"};
+    if (card_.gone) return Error{device.file, message("cannot be opened"), message("No such device")};
     return Done{};
   }
   bool write(int channel, double volts) noexcept override {

@@ -209,7 +209,7 @@ class ComediFake : public ::testing::Test {
     ASSERT_TRUE(format) << format.error().line();
     frames_ = format->blockFrames;
     volts_ = format->channels[0].scale;
-    doubt_ = format->doubt;
+    doubt_ = text(format->doubt);
     block_.allocate(2, frames_);
   }
   // Frame n: n codes above the middle on the first input, as many below it on the second.

@@ -23,7 +23,9 @@ class Machine final : public CncLink {
     info.machineWatchdog = watchdog;
     return info;
   }
-  Status open() override { return there ? Status(Done{}) : Status(Error{"mill:1", "no answer", "is it on?"}); }
+  Status open() override {
+    return there ? Status(Done{}) : Status(Error{message("mill:1"), message("no answer"), message("is it on?")});
+  }
   MachineState read(Instant) noexcept override {
     MachineState m;
     m.time = clock_.now();

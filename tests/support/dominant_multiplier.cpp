@@ -67,13 +67,14 @@ Complex refined(const TransitionMatrix& transition, double depth, Complex mu, Wo
 Result<std::complex<double>> dominantMultiplier(const milling::ExactLobes& lobes, Rpm speed, Metres depth) {
   if (Status ok = lobes.checkSpeed(speed); !ok) return ok.error();
   if (!std::isfinite(depth.value) || depth.value < 0.0 || depth.value > 1.0) {
-    return Error{"depth", "must lie between 0 and 1 m", ""};
+    return Error{message("depth"), message("must lie between 0 and 1 m")};
   }
   const double w = depth.value;
   WorkMeter meter;
   const TransitionMatrix rough(lobes.system(), speed, 2.0 * w, 1.0, meter);
   const TransitionMatrix fine(lobes.system(), speed, 2.0 * w, 0.3, meter);
-  const Error lost{"dominant multiplier", "the cut is too unstable for double precision", "take a smaller depth"};
+  const Error lost{"dominant multiplier", message("the cut is too unstable for double precision"),
+                   message("take a smaller depth")};
   if (w == 0.0) {
     double slowest = 0.0;
     for (const auto& o : lobes.system().oscillators) {

@@ -21,7 +21,7 @@ class FakeActiveDesk final : public ActiveDesk {
     return Done{};
   }
   Status start() override {
-    if (!fits[0]) return Error{"start", "no model of the path", "identify it first"};
+    if (!fits[0]) return Error{message("start"), message("no model of the path"), message("identify it first")};
     ++starts;
     return Done{};
   }

@@ -78,7 +78,8 @@ class FakeSessionDesk final : public SessionDesk {
   }
   void endLoop() override { state.looping = false; }
   Status showEverywhere(bool on) override {
-    if (on && refuse) return Error{"replay", "the machine is under our authority", "set it to Off first"};
+    if (on && refuse)
+      return Error{message("replay"), message("the machine is under our authority"), message("set it to Off first")};
     everywhere = on;
     return Done{};
   }

@@ -61,11 +61,12 @@ class FakeSetupDesk final : public SetupDesk {
   QString profileInForce() const override { return inForce; }
   Result<config::Profile> load(const QString& name) const override {
     const auto found = kept.find(name);
-    if (found == kept.end()) return Error{name.toStdString(), "does not exist", ""};
+    if (found == kept.end()) return Error{name.toStdString(), message("does not exist")};
     return found->second;
   }
   Result<QString> save(const config::Profile& profile, const QString& name) override {
-    if (name.isEmpty()) return Error{"profile", "'' is no name for a file", "letters and digits"};
+    if (name.isEmpty())
+      return Error{message("profile"), message("'' is no name for a file"), message("letters and digits")};
     kept[name] = profile;
     return name + QStringLiteral(".toml");
   }
@@ -116,7 +117,8 @@ class FakeSetupDesk final : public SetupDesk {
   }
   const std::vector<TrialStep>& trial() const override { return steps; }
   Status start(const QString& name) override {
-    if (refuse) return Error{"start", "the machine is under our authority", "set it to Off first"};
+    if (refuse)
+      return Error{message("start"), message("the machine is under our authority"), message("set it to Off first")};
     inForce = name;
     return Done{};
   }

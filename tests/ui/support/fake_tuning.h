@@ -53,7 +53,7 @@ class FakeTuning final : public Tuning {
     std::swap(desk_, other);
   }
   Result<QString> saveValues(const config::ParamSet& values) override {
-    if (refuse) return Error{"mill3.toml", "cannot be written", "the disk is full"};
+    if (refuse) return Error{message("mill3.toml"), message("cannot be written"), message("the disk is full")};
     saved = values;
     return QStringLiteral("/home/mill/profiles/mill3.toml");
   }

@@ -23,7 +23,8 @@ class ScriptedDriver final : public PcmDuplexDriver {
  public:
   explicit ScriptedDriver(Script& script) : script_(script) {}
   Result<PcmDuplexFormat> open(const PcmDuplexRequest& request) override {
-    if (script_.refuses) return Error{"device 'hw:9'", "cannot be opened for output", "No such device"};
+    if (script_.refuses)
+      return Error{message("device 'hw:9'"), message("cannot be opened for output"), message("No such device")};
     script_.asked = request;
     return PcmDuplexFormat{2, request.inputs, request.outputs};
   }

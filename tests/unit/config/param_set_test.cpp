@@ -111,7 +111,7 @@ TEST(NearestWord, FindsSlipsButNotStrangers) {
   EXPECT_EQ(nearestWord("diameter", words), "diameter_mm");
   EXPECT_EQ(nearestWord("zzzz", words), "");
   EXPECT_EQ(nearestWord("teeth", {}), "");
-  EXPECT_EQ(didYouMean("pich", words), "did you mean 'pitch'?");
+  EXPECT_EQ(text(didYouMean("pich", words)), "did you mean 'pitch'?");
 }
 
 }  // namespace

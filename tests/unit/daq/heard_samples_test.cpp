@@ -87,7 +87,7 @@ TEST(Hear, ADeviceThatSaysNothingIsGivenUp) {
   request.patience = Duration(0);
   const auto heard = hear(device, device.format, request);
   ASSERT_FALSE(heard);
-  EXPECT_EQ(heard.error().why, "the longest was 0.03 s of 0.05 s");
+  EXPECT_EQ(text(heard.error().why), "the longest was 0.03 s of 0.05 s");
 }
 
 TEST(Hear, EndsWhenItIsNotWantedAnyMore) {

@@ -253,7 +253,7 @@ TEST_F(Joined, WhileOneIsAwayAllIsAGapOfThatLength) {
 
 class NoCard final : public PcmDriver {
  public:
-  Result<PcmFormat> open(const PcmRequest& /*request*/) override { return Error{"", "no card", ""}; }
+  Result<PcmFormat> open(const PcmRequest& /*request*/) override { return Error{{}, message("no card")}; }
   int read(void* /*into*/, int /*frames*/, Instant& /*taken*/) noexcept override { return kPcmGone; }
   bool recover() noexcept override { return false; }
   bool countsLosses() const noexcept override { return true; }

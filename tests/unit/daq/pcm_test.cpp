@@ -22,7 +22,7 @@ class ScriptedPcm final : public PcmDriver {
     ++opens;
     if (absent > 0) {
       --absent;
-      return Error{"'device' = 'hw:9'", "cannot be opened", "No such device"};
+      return Error{message("'device' = 'hw:9'"), message("cannot be opened"), message("No such device")};
     }
     rate_ = request.rate.value;
     return format_;
@@ -219,7 +219,7 @@ TEST_F(PcmSourceTest, WhileItIsAwayOneLineSaysSo) {
   class Away final : public Clock {
    public:
     Instant now() const noexcept override {
-      if (source != nullptr && said.empty()) said = source->trouble();
+      if (source != nullptr && said.empty()) said = text(source->trouble());
       return now_ += std::chrono::seconds(1);
     }
     const PcmSource* source = nullptr;

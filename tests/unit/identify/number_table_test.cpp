@@ -36,7 +36,7 @@ TEST(NumberTable, RefusesProseAndBytes) {
   for (int i = 0; i < 1000; ++i) lines += "word\n";
   const auto many = parseNumberTable(lines, "t", 3);
   ASSERT_FALSE(many.ok());
-  EXPECT_EQ(many.error().why, "none in its first 64 lines");
+  EXPECT_EQ(text(many.error().why), "none in its first 64 lines");
 }
 
 }  // namespace

@@ -163,7 +163,7 @@ TEST(NeverLost, AJournalThatIsTornOrBelongsToAnotherFileIsLeftAlone) {
     EXPECT_EQ(contentOf(journalPath(path)), foreign) << "it may fit the file it was made for";
   }
   put(journal, journal.size());
-  EXPECT_FALSE(recoverFromJournal(path, [] { return Status(Error{"cut.h5", "is cut short", ""}); }).ok());
+  EXPECT_FALSE(recoverFromJournal(path, [] { return Status(Error{message("cut.h5"), message("is cut short")}); }).ok());
   EXPECT_EQ(contentOf(path)[10], std::byte{'a'}) << "what would not be whole is not begun";
   ASSERT_TRUE(recover().ok());
   EXPECT_EQ(recover().value(), Recovery::Recovered) << "done twice as well";
@@ -275,8 +275,8 @@ TEST(NeverLost, AFullDiskStopsTheRecordingLoudlyAndWhatWasFlushedIsClosed) {
     const RecorderStatus status = (*recorder)->status();
     EXPECT_FALSE(status.recording);
     EXPECT_TRUE((*recorder)->stopped());
-    EXPECT_THAT(status.fault, HasSubstr("No space left on device"));
-    EXPECT_EQ(status.fault.find('\n'), std::string::npos);
+    EXPECT_THAT(text(status.fault), HasSubstr("No space left on device"));
+    EXPECT_EQ(text(status.fault).find('\n'), std::string::npos);
     EXPECT_FALSE((*recorder)->finish().ok());
     const WhatIsLeft left = look(path);
     ASSERT_TRUE(left.opens) << left.error;
@@ -321,7 +321,7 @@ TEST(NeverLost, ASlowDiskNeverHoldsUpTheWorkerAndTheGapIsInTheFile) {
   };
   // Steps go in until none is taken: the disk has not answered once since the first flush.
   while (refused < 100) push();
-  EXPECT_EQ((*recorder)->status().fault, "") << "slow is not broken";
+  EXPECT_TRUE((*recorder)->status().fault.empty()) << "slow is not broken";
   disk.go.release(1'000'000);
   while ((*recorder)->status().written < static_cast<std::uint64_t>(taken)) std::this_thread::yield();
   push();

@@ -135,7 +135,7 @@ TEST(Recorder, ANearlyFullDiskStopsItLoudlyWithACleanFile) {
   EXPECT_FALSE((*recorder)->push(step.input, step.output)) << "control goes on, nothing is kept";
   const RecorderStatus status = (*recorder)->status();
   EXPECT_FALSE(status.recording);
-  EXPECT_THAT(status.fault, HasSubstr("disk is nearly full"));
+  EXPECT_THAT(text(status.fault), HasSubstr("disk is nearly full"));
   EXPECT_EQ(status.dropped, 2U);
   const Status finished = (*recorder)->finish();
   ASSERT_FALSE(finished.ok());
@@ -164,7 +164,7 @@ TEST(Recorder, AFileThatIsDeletedOrMovedAwayStopsItLoudly) {
       if ((*recorder)->push(next.input, next.output)) (*recorder)->drain();
     }
     EXPECT_TRUE((*recorder)->stopped());
-    EXPECT_THAT((*recorder)->status().fault, HasSubstr("deleted or moved away"));
+    EXPECT_THAT(text((*recorder)->status().fault), HasSubstr("deleted or moved away"));
     EXPECT_FALSE((*recorder)->finish().ok());
     if (!moved) continue;
     EXPECT_GT(stepsAsRecorded(folder / "moved.h5"), 0) << "what was written is closed, wherever it is";

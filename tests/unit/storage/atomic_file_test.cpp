@@ -49,7 +49,7 @@ TEST_F(AtomicFile, AFailureNamesFileAndCauseAndTouchesNothing) {
 TEST_F(AtomicFile, AMissingFolderIsNamedAsTheCause) {
   const Status failed = writeFileAtomically(folder_ / "no" / "such" / "folder.toml", "text");
   ASSERT_FALSE(failed.ok());
-  EXPECT_EQ(failed.error().why, "No such file or directory");
+  EXPECT_EQ(text(failed.error().why), "No such file or directory");
 }
 
 }  // namespace
