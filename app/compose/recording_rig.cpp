@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "app/compose/run_text.h"
+#include "core/daq/replay_source.h"
 #include "core/evaluate/scenario_reader.h"
 #include "core/pipeline/catalog.h"
 #include "core/session/open_recording.h"
-#include "core/daq/replay_source.h"
 
 namespace stillcut::app {
 namespace {

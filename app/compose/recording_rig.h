@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/compose/rig.h"
-#include "core/formats/recording_reader.h"
 #include "core/daq/replay_control.h"
+#include "core/formats/recording_reader.h"
 
 namespace stillcut::app {
 

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "app/compose/rig.h"
-#include "core/rt/realtime_thread.h"
 #include "core/daq/replay_control.h"
+#include "core/rt/realtime_thread.h"
 
 namespace stillcut::app {
 

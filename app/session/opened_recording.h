@@ -9,9 +9,9 @@
 #include "app/compose/rig.h"
 #include "app/session/background_task.h"
 #include "app/session/lobe_worker.h"
+#include "core/daq/replay_control.h"
 #include "core/model/marker.h"
 #include "core/model/session_summary.h"
-#include "core/daq/replay_control.h"
 
 namespace stillcut::app {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "core/cnc/cnc_link.h"
 #include "core/base/message.h"
+#include "core/cnc/cnc_link.h"
 
 namespace stillcut::cnc {
 

@@ -11,9 +11,9 @@
 
 #include "core/base/time.h"
 #include "core/daq/daq_source.h"
+#include "core/daq/replay_control.h"
 #include "core/formats/recording_reader.h"
 #include "core/model/step_record.h"
-#include "core/daq/replay_control.h"
 
 namespace stillcut::daq {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/dsp/line_outside.h"
 #include "core/dsp/fft.h"
 #include "core/dsp/kernels/choose.h"
+#include "core/dsp/line_outside.h"
 
 namespace stillcut::detect {
 namespace {

@@ -21,9 +21,8 @@ Alarm alarm(double begin, double end) {
 
 TEST(AlarmScore, CountsFoundMissedAndFalse) {
   const std::vector<TruthSpan> truth{span(0, 10, "stable"), span(10, 20, "chatter"), span(20, 30, "idle"),
-                                               span(30, 40, "chatter"), span(40, 50, "transition_1")};
-  const AlarmScore s =
-      scoreAlarms(truth, {alarm(3, 4), alarm(12, 15), alarm(16, 20.5), alarm(45, 46)});
+                                     span(30, 40, "chatter"), span(40, 50, "transition_1")};
+  const AlarmScore s = scoreAlarms(truth, {alarm(3, 4), alarm(12, 15), alarm(16, 20.5), alarm(45, 46)});
   EXPECT_EQ(s.spans, 2);
   EXPECT_EQ(s.found, 1);
   EXPECT_EQ(s.missed(), 1);
@@ -129,8 +128,7 @@ TEST(Truth, TheRatioOfASimulatedCutGivesItsSpans) {
   EXPECT_NEAR(spans[2].begin.value, 9.0, 1e-9);
   const double never = std::nan("");
   const double always = std::numeric_limits<double>::infinity();
-  const std::vector<TruthSpan> stable =
-      spansOfRatio(times, ratios, {Seconds(always), Seconds(never)});
+  const std::vector<TruthSpan> stable = spansOfRatio(times, ratios, {Seconds(always), Seconds(never)});
   ASSERT_EQ(stable.size(), 1U);
   EXPECT_EQ(stable[0].kind, SpanKind::Quiet);
 }
@@ -143,8 +141,7 @@ TEST(Truth, WhatWasStoppedWhileItGrewIsNeitherChatterNorQuiet) {
     ratios.push_back(i < 400 || i >= 420 ? 0.0 : 0.15);
   }
   const double never = std::nan("");
-  const std::vector<TruthSpan> spans =
-      spansOfRatio(times, ratios, {Seconds(never), Seconds(never)});
+  const std::vector<TruthSpan> spans = spansOfRatio(times, ratios, {Seconds(never), Seconds(never)});
   ASSERT_EQ(spans.size(), 3U);
   EXPECT_EQ(spans[1].kind, SpanKind::Grew);
   EXPECT_NEAR(spans[1].begin.value, 4.0, 1e-9);
@@ -156,9 +153,8 @@ TEST(Truth, WhatWasStoppedWhileItGrewIsNeitherChatterNorQuiet) {
 }
 
 TEST(Truth, WhatIsToldOfATimeAfterTheEndCountsNothing) {
-  const std::vector<TruthSpan> told{
-      {Seconds(0.0), Seconds(5000.0), SpanKind::Quiet, "stable"},
-      {Seconds(6000.0), Seconds(6001.0), SpanKind::Chatter, "chatter"}};
+  const std::vector<TruthSpan> told{{Seconds(0.0), Seconds(5000.0), SpanKind::Quiet, "stable"},
+                                    {Seconds(6000.0), Seconds(6001.0), SpanKind::Chatter, "chatter"}};
   const AlarmScore score = scoreAlarms(told, {}, Seconds(7.8));
   EXPECT_DOUBLE_EQ(score.quiet.value, 7.8);
   EXPECT_EQ(score.spans, 0) << "nobody could have found it";

@@ -7,8 +7,8 @@
 #include <limits>
 #include <random>
 
-#include "core/model/device_doubt.h"
 #include "core/daq/replay_control.h"
+#include "core/model/device_doubt.h"
 
 namespace stillcut::daq {
 namespace {

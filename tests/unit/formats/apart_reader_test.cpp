@@ -13,8 +13,8 @@
 
 #include "core/session/convert_recording.h"
 #include "core/storage/hdf5_file.h"
-#include "tests/support/temp_folder.h"
 #include "tests/support/read_all.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

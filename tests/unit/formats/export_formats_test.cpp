@@ -15,9 +15,9 @@
 #include "core/session/file/session_markers.h"
 #include "core/session/file/session_writer.h"
 #include "core/session/marker_span.h"
+#include "tests/support/read_all.h"
 #include "tests/support/step_samples.h"
 #include "tests/support/temp_folder.h"
-#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {

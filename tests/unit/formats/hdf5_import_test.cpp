@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/storage/hdf5_file.h"
-#include "tests/support/temp_folder.h"
 #include "tests/support/read_all.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -10,8 +10,8 @@
 
 #include "core/formats/utf_text.h"
 #include "core/session/convert_recording.h"
-#include "tests/support/temp_folder.h"
 #include "tests/support/read_all.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

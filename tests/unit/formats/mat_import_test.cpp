@@ -9,8 +9,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/support/temp_folder.h"
 #include "tests/support/read_all.h"
+#include "tests/support/temp_folder.h"
 
 namespace stillcut::record {
 namespace {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/formats/universal/uff58.h"
+#include "tests/support/read_all.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/uff_dataset.h"
-#include "tests/support/read_all.h"
 
 namespace stillcut::record {
 namespace {
