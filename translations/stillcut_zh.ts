@@ -7012,7 +7012,7 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::PartModel</name>
+    <name>stillcut::ui::ComponentListModel</name>
     <message>
         <source>%1, %2</source>
         <translation>%1，%2</translation>
@@ -8322,7 +8322,7 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::TuneDesk</name>
+    <name>stillcut::ui::TuningController</name>
     <message>
         <source>to the defaults</source>
         <translation>恢复默认</translation>

@@ -21,17 +21,17 @@ double frequencyError(const evaluate::RecordedTruth& truth, const evaluate::Verd
                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
-void printOwnValues(const std::vector<evaluate::OwnValueLog::Entry>& values) {
+void printOwnValues(const std::vector<evaluate::AutoValueLog::Entry>& values) {
   if (!values.empty()) std::printf("set by itself, as last known\n");
-  for (const evaluate::OwnValueLog::Entry& e : values) {
+  for (const evaluate::AutoValueLog::Entry& e : values) {
     const std::string value = std::isfinite(e.value) ? figure(e.value, "%.4g ") + std::string(e.decl->unit) : "-";
     std::printf("  %-26s %-12s %s\n", std::string(e.decl->key).c_str(), value.c_str(), std::string(e.why).c_str());
   }
 }
 
-nlohmann::json ownJson(const std::vector<evaluate::OwnValueLog::Entry>& values) {
+nlohmann::json ownJson(const std::vector<evaluate::AutoValueLog::Entry>& values) {
   nlohmann::json array = nlohmann::json::array();
-  for (const evaluate::OwnValueLog::Entry& e : values) {
+  for (const evaluate::AutoValueLog::Entry& e : values) {
     array.push_back({{"key", e.decl->key},
                      {"value", std::isfinite(e.value) ? nlohmann::json(e.value) : nlohmann::json()},
                      {"unit", e.decl->unit},

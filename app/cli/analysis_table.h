@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/evaluate/own_value_log.h"
+#include "core/evaluate/auto_value_log.h"
 #include "core/evaluate/recorded_truth.h"
 #include "core/evaluate/verdict_log.h"
 #include "core/formats/recording_reader.h"
@@ -19,8 +19,8 @@ struct Analysis {
   std::vector<std::string> remarks;  // what the answer rests on that nobody has told
   std::vector<evaluate::VerdictLog::Summary> detectors;
   std::optional<evaluate::RecordedTruth> truth;
-  std::vector<evaluate::AlarmScore> scores;         // of each detector, where there is a truth
-  std::vector<evaluate::OwnValueLog::Entry> own{};  // what is to be told of them
+  std::vector<evaluate::AlarmScore> scores;          // of each detector, where there is a truth
+  std::vector<evaluate::AutoValueLog::Entry> own{};  // what is to be told of them
 };
 
 void printTable(const Analysis& analysis);

@@ -10,7 +10,7 @@
 #include "app/cli/setting_options.h"
 #include "app/compose/recording_rig.h"
 #include "core/detect/registry.h"
-#include "core/evaluate/own_value_log.h"
+#include "core/evaluate/auto_value_log.h"
 #include "core/evaluate/series_log.h"
 #include "core/evaluate/verdict_log.h"
 #include "core/storage/atomic_file.h"
@@ -123,7 +123,7 @@ int analyze(const AnalyzeOptions& given) {
   std::vector<evaluate::AlarmList> alarms(infos.size());
   std::optional<evaluate::SeriesLog> series;
   std::optional<Instant> begin;
-  evaluate::OwnValueLog own(rig.chain());
+  evaluate::AutoValueLog own(rig.chain());
   rig.runToEnd([&](const StepInput& in, const StepOutput& out) {
     if (!begin) {
       begin = in.block.firstSample;

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
-#include "app/cli/hearing_options.h"
+#include "app/cli/measurement_options.h"
 #include "app/cli/reading_options.h"
 #include "core/daq/calibrator.h"
 #include "core/pipeline/catalog.h"
@@ -13,7 +13,7 @@
 namespace stillcut::app {
 namespace {
 
-struct CalibrateOptions : HearingOptions {
+struct CalibrateOptions : MeasurementOptions {
   std::string level;
   double frequency = 1000.0;
   ReadingOptions reading;
@@ -37,7 +37,8 @@ int save(config::Profile profile, const config::ParamCatalog& catalog, const Cal
 }
 
 int run(const CalibrateOptions& o) {
-  if (const Status usable = checkHearing(o, "calibrate", "tone", "whose sensor is on the calibrator"); !usable)
+  if (const Status usable = checkMeasurementOptions(o, "calibrate", "tone", "whose sensor is on the calibrator");
+      !usable)
     return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
@@ -48,7 +49,7 @@ int run(const CalibrateOptions& o) {
   auto profile = profileOf(o, catalog);
   if (!profile) return fail(profile.error());
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = hear(o, *profile, *reading, channel, fault);
+  const auto heard = measure(o, *profile, *reading, channel, fault);
   if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   const auto at =
       static_cast<std::size_t>(o.profile.empty() ? 0 : channel);  // a recording: the chosen one alone is read
@@ -68,7 +69,7 @@ int run(const CalibrateOptions& o) {
 void addCalibrate(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<CalibrateOptions>();
   CLI::App* command = app.add_subcommand("calibrate", "Find a sensor's sensitivity with a calibrator's tone");
-  addHearing(*command, *o, "the tone");
+  addMeasurementOptions(*command, *o, "the tone");
   command->add_option("--level", o->level, "Level of the calibrator, rms: \"94 dB\", \"1 g\", 10")->required();
   command->add_option("--frequency", o->frequency, "Its frequency [Hz]")->capture_default_str();
   command->add_flag("--save", o->save, "Set the channel of the profile right");

@@ -81,7 +81,7 @@ int run(const CoefficientsCommand& c) {
   ForceTest test;
   test.teeth = c.teeth;
   test.depth = 1e-3 * c.depthMm;
-  test.engagement = {c.immersion, c.side == "up" ? milling::Side::Up : milling::Side::Down};
+  test.engagement = {c.immersion, c.side == "up" ? milling::MillingDirection::Up : milling::MillingDirection::Down};
   test.axes.feed = c.feedAxis == "x" ? FeedAxis::X : FeedAxis::Y;
   if (const Status signs = readSigns(c.signs, test.axes); !signs) return fail(signs.error());
   for (std::size_t i = 0; i < c.files.size(); ++i) {

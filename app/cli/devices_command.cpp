@@ -17,7 +17,7 @@
 #include "app/io/wires.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 #include "core/daq/registry.h"
 #include "core/pipeline/catalog.h"
 
@@ -121,7 +121,7 @@ int tryLink(const DeviceOptions& o) {
   mindInterruption();
   cnc::LinkTrial trial(**link, clock);
   while (!interrupted() && trial.next()) {
-    const cnc::TrialStep& step = trial.steps().back();
+    const cnc::LinkTrialStep& step = trial.steps().back();
     std::printf("%-4s %s: %s\n", step.good ? "ok" : "no", step.what.c_str(), text(step.said).c_str());
     std::fflush(stdout);
   }

@@ -4,16 +4,16 @@
 #include <cstdio>
 
 #include "app/cli/command.h"
-#include "app/cli/hearing_options.h"
+#include "app/cli/measurement_options.h"
 #include "app/cli/reading_options.h"
-#include "app/compose/heard_samples.h"
+#include "app/compose/measure_samples.h"
 #include "core/daq/axis_knock.h"
 #include "core/pipeline/catalog.h"
 
 namespace stillcut::app {
 namespace {
 
-struct KnockOptions : HearingOptions {
+struct KnockOptions : MeasurementOptions {
   int along = 0;
   ReadingOptions reading;
 };
@@ -26,7 +26,7 @@ int save(config::Profile profile, const config::ParamCatalog& catalog, const Kno
 }
 
 int run(const KnockOptions& o) {
-  if (const Status usable = checkHearing(o, "knock", "knocks", "whose axes are checked"); !usable)
+  if (const Status usable = checkMeasurementOptions(o, "knock", "knocks", "whose axes are checked"); !usable)
     return fail(usable.error());
   const auto reading = o.reading.understand();
   if (!reading) return fail(reading.error());
@@ -38,7 +38,7 @@ int run(const KnockOptions& o) {
     std::fflush(stdout);
   }
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = hear(o, *profile, *reading, o.along, fault);
+  const auto heard = measure(o, *profile, *reading, o.along, fault);
   if (!heard) return fail(heard.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (const Status there = checkChannel(heard->channels.size(), o.recording, o.along); !there)
     return fail(there.error());
@@ -47,7 +47,7 @@ int run(const KnockOptions& o) {
     const bool isAxis = channel.name == "x" || channel.name == "y" || channel.name == "z";
     if (channel.axis.empty() && isAxis) channel.axis = channel.name;
   }
-  const auto knocks = daq::hearKnocks(heard->samples, heard->rate, now, static_cast<std::size_t>(o.along));
+  const auto knocks = daq::analyseKnocks(heard->samples, heard->rate, now, static_cast<std::size_t>(o.along));
   if (!knocks) return fail(knocks.error());
   std::printf("%s\n", text(daq::knockSentence(*knocks, now)).c_str());
   daq::applyKnocks(*knocks, now);
@@ -60,7 +60,7 @@ void addKnock(CLI::App& app, int& exitCode) {
   auto o = std::make_shared<KnockOptions>();
   o->seconds = 8.0;  // time to walk up and knock
   CLI::App* command = app.add_subcommand("knock", "Find exchanged axes by knocking along one");
-  addHearing(*command, *o, "the knocks");
+  addMeasurementOptions(*command, *o, "the knocks");
   command->add_option("--along", o->along, "The channel along whose axis you knock, from 0")->capture_default_str();
   command->add_flag("--save", o->save, "Exchange the axes in the profile where they are found exchanged");
   o->reading.add(*command);

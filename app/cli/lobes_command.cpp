@@ -38,9 +38,9 @@ Result<ModelParts> readParts(const LobesCommand& c) {
     if (!modes) return modes.error();
     for (const identify::IdentifiedMode& m : modes->modes) {
       parts.modes.push_back(m.mode);
-      if (m.doubt.empty()) continue;
+      if (m.caveat.empty()) continue;
       std::fprintf(stderr, "warning: %s: the mode at %.0f Hz %s\n", file.c_str(), m.mode.frequency.value,
-                   m.doubt.c_str());
+                   m.caveat.c_str());
     }
   }
   if (c.material.empty()) return parts;
@@ -89,7 +89,7 @@ int run(const LobesCommand& c) {
   options.method = c.method == "zoa"   ? LobeMethod::ZerothOrder
                    : c.method == "sdm" ? LobeMethod::SemiDiscretization
                                        : LobeMethod::Exact;
-  options.limits.maxDepth = c.maxDepthMm > 0.0 ? Metres(1e-3 * c.maxDepthMm) : lobeCase->maxDepth;
+  options.limits.maxAxialDepth = c.maxDepthMm > 0.0 ? Metres(1e-3 * c.maxDepthMm) : lobeCase->maxAxialDepth;
   options.sdm = {c.cells, c.order};
   options.threads = c.threads;
   const auto sweep = sweepLobes(lobeCase->model, *speeds, options, c.file);

@@ -50,7 +50,7 @@ void print(const ModalAnswer& answer) {
   std::printf("%14s %18s %24s %7s  %s\n", "frequency/Hz", "damping", "stiffness/(N/m)", "share", "doubt");
   for (const IdentifiedMode& m : fit.modes) {
     std::printf("%8.1f +-%4.1f %8.4f +-%7.4f %12.3e +-%9.1e %5.0f %%  %s\n", m.mode.frequency.value, m.frequencySd,
-                m.mode.damping, m.dampingSd, m.mode.stiffness, m.stiffnessSd, 100.0 * m.share, m.doubt.c_str());
+                m.mode.damping, m.dampingSd, m.mode.stiffness, m.stiffnessSd, 100.0 * m.share, m.caveat.c_str());
   }
   for (const std::string& remark : answer.remarks) std::printf("%s\n", remark.c_str());
 }

@@ -10,7 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "core/active/lms.h"
-#include "core/active/path_promise.h"
+#include "core/active/stability_margin.h"
 #include "core/session/open_recording.h"
 
 namespace stillcut::app {
@@ -66,16 +66,16 @@ Status writeFit(const std::string& path, const active::PathReport& report) {
   return file.good() ? Status{Done{}} : Status{Error{path, message("cannot be written")}};
 }
 
-void print(const active::IdentifiedPath& path, const ActivePath& promise, const PathCommand& command) {
+void print(const active::IdentifiedPath& path, const ActivePath& margin, const PathCommand& command) {
   constexpr double kDegrees = 360.0 / kTwoPi;
   if (command.asJson) {
     const json answer = {{"recording", command.file},
                          {"path_residual", path.report.residual},
-                         {"loop_delay_ms", 1e3 * promise.delay.value},
-                         {"phase_left_deg", kDegrees * promise.phaseLeft},
-                         {"worst_at_hz", promise.worstAt.value},
-                         {"delay_left_ms", 1e3 * promise.delayLeft.value},
-                         {"promises_stable", promise.promisesStable},
+                         {"loop_delay_ms", 1e3 * margin.delay.value},
+                         {"phase_left_deg", kDegrees * margin.phaseMargin},
+                         {"worst_at_hz", margin.worstFrequency.value},
+                         {"delay_left_ms", 1e3 * margin.delayMargin.value},
+                         {"promises_stable", margin.predictedStable},
                          {"delay_samples", path.model.delay},
                          {"forward", path.model.forward},
                          {"backward", path.model.backward}};
@@ -83,10 +83,10 @@ void print(const active::IdentifiedPath& path, const ActivePath& promise, const 
     return;
   }
   std::printf("path known to %.1f %%, %.2f ms late, %zu and %zu taps\n", 100.0 * path.report.residual,
-              1e3 * promise.delay.value, path.model.forward.size(), path.model.backward.size());
-  if (promise.promisesStable) {
-    std::printf("%.0f of 90 degrees left at %.0f Hz; the loop may become %.2f ms later\n", kDegrees * promise.phaseLeft,
-                promise.worstAt.value, 1e3 * promise.delayLeft.value);
+              1e3 * margin.delay.value, path.model.forward.size(), path.model.backward.size());
+  if (margin.predictedStable) {
+    std::printf("%.0f of 90 degrees left at %.0f Hz; the loop may become %.2f ms later\n",
+                kDegrees * margin.phaseMargin, margin.worstFrequency.value, 1e3 * margin.delayMargin.value);
   } else {
     std::printf(
         "promises no stability: its phase is off by 90 degrees or more, or the sensor does not hear the actuator "
@@ -114,7 +114,7 @@ int run(PathCommand command) {
   if (!command.out.empty()) {
     if (const Status written = writeFit(command.out, path->report); !written) return fail(written.error());
   }
-  print(*path, active::promiseOf(*path, lines, signals->rate), command);
+  print(*path, active::stabilityMarginOf(*path, lines, signals->rate), command);
   return kExitDone;
 }
 

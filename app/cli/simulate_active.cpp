@@ -24,13 +24,13 @@ json toJson(const ActiveResult& result, const milling::Scenario& scenario) {
         {"released", axis.released == ActuatorRelease::None ? json(nullptr) : json(actuatorReleaseText(axis.released))},
         {"released_at_s", axis.released == ActuatorRelease::None ? json(nullptr) : json(axis.releasedAt)},
         {"stroke_used", axis.strokeUsed},
-        {"limited_share", axis.limitedShare}};
+        {"limited_share", axis.limitedFraction}};
     if (const active::PathReport& path = axis.path.report; !path.frequency.empty()) {
       told["path_residual"] = path.residual;
-      told["loop_delay_ms"] = 1e3 * axis.promise.delay.value;
-      told["delay_left_ms"] = 1e3 * axis.promise.delayLeft.value;
-      told["promises_stable"] = axis.promise.promisesStable;
-      told["path_phase_left_deg"] = axis.promise.phaseLeft * 360.0 / kTwoPi;
+      told["loop_delay_ms"] = 1e3 * axis.margin.delay.value;
+      told["delay_left_ms"] = 1e3 * axis.margin.delayMargin.value;
+      told["promises_stable"] = axis.margin.predictedStable;
+      told["path_phase_left_deg"] = axis.margin.phaseMargin * 360.0 / kTwoPi;
     }
     axes.push_back(std::move(told));
   }
@@ -68,8 +68,8 @@ void print(const ActiveResult& result, const milling::Scenario& scenario) {
                   100.0 * axis.strokeUsed);
     } else {
       std::printf("%s: path known to %.1f %%, %.1f ms late, %.0f of 90 degrees left, %.0f %% of the stroke used",
-                  axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.promise.delay.value,
-                  axis.promise.phaseLeft * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
+                  axis.axis.c_str(), 100.0 * axis.path.report.residual, 1e3 * axis.margin.delay.value,
+                  axis.margin.phaseMargin * 360.0 / kTwoPi, 100.0 * axis.strokeUsed);
     }
     if (axis.released != ActuatorRelease::None) {
       std::printf(", let go at %.3f s: %s", axis.releasedAt, actuatorReleaseText(axis.released).data());

@@ -18,8 +18,8 @@ constexpr std::array<const char*, 2> kAxes{"x", "y"};
 
 using Errors = std::array<std::vector<double>, 2>;
 
-active::EngineOptions engineOptions(const milling::Scenario& scenario, const ActiveOptions& options) {
-  active::EngineOptions engine = activeOptions(*scenario.workHolder, options.params);
+active::ActiveEngineOptions engineOptions(const milling::Scenario& scenario, const ActiveOptions& options) {
+  active::ActiveEngineOptions engine = activeOptions(*scenario.workHolder, options.params);
   engine.record.seed = options.seed != 0 ? options.seed : scenario.seed;
   return engine;
 }
@@ -39,7 +39,7 @@ void runBlock(active::SimulatedDuplex& device, std::vector<double>& in, std::vec
 }
 
 Result<active::PathPairFound> identify(const milling::Scenario& scenario, const ActiveOptions& options,
-                                       const active::EngineOptions& engine) {
+                                       const active::ActiveEngineOptions& engine) {
   active::SimulatedDuplex device(scenario, active::simulatedFrames(options.params), options.seed);
   const auto format = device.open();
   if (!format) return format.error();
@@ -168,14 +168,14 @@ std::vector<double> linesOf(const milling::Scenario& s, double chatterHz, const 
 Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOptions& options) {
   if (active::forceFeedback(options.params)) return runForce(scenario, options);
   if (Status ok = active::SimulatedDuplex::check(scenario); !ok) return ok.error();
-  const active::EngineOptions engine = engineOptions(scenario, options);
+  const active::ActiveEngineOptions engine = engineOptions(scenario, options);
   auto paths = identify(scenario, options, engine);
   if (!paths) return paths.error();
 
   std::array<ActivePath, 2> promises;
   for (std::size_t a = 0; a < 2; ++a) {
-    promises[a] = active::promiseOf((*paths)[a], engine.lines, scenario.rate);
-    if (Status promised = active::checkPromise(promises[a], kAxes[a]); !promised) return promised.error();
+    promises[a] = active::stabilityMarginOf((*paths)[a], engine.lines, scenario.rate);
+    if (Status promised = active::checkStabilityMargin(promises[a], kAxes[a]); !promised) return promised.error();
   }
   const auto loop = std::make_unique<active::ActiveLoop>();
   if (Status ok = loop->prepare(active::axisOptions(engine, *paths), scenario.rate); !ok) return ok.error();
@@ -194,12 +194,12 @@ Result<ActiveResult> runActive(const milling::Scenario& scenario, const ActiveOp
   for (std::size_t a = 0; a < 2; ++a) {
     AxisResult axis;
     axis.axis = kAxes[a];
-    axis.promise = promises[a];
+    axis.margin = promises[a];
     axis.path = std::move((*paths)[a]);
     axis.released = loop->gate(a).why();
     axis.releasedAt = held.releasedAt[a];
     axis.strokeUsed = loop->gate(a).strokeUsed();
-    axis.limitedShare =
+    axis.limitedFraction =
         static_cast<double>(loop->gate(a).limitedSamples()) / static_cast<double>(held.errors[a].size());
     result.axes.push_back(std::move(axis));
     for (const double f : linesOf(scenario, alone.chatterHz, kAxes[a])) {

@@ -27,11 +27,11 @@ struct ActiveOptions {
 struct AxisResult {
   std::string axis;
   active::IdentifiedPath path;  // without a report under force feedback: it is of one line
-  ActivePath promise;
+  ActivePath margin;
   ActuatorRelease released = ActuatorRelease::None;
   double releasedAt = 0.0;  // [s]
   double strokeUsed = 0.0;  // largest share of the amplitude limit
-  double limitedShare = 0.0;
+  double limitedFraction = 0.0;
 };
 
 struct Attenuation {

@@ -7,12 +7,12 @@
 #include "app/io/alsa_duplex.h"
 #include "core/active/active_params.h"
 #include "core/active/pcm_duplex.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 
 namespace stillcut::app {
 namespace {
 
-std::vector<Hertz> linesFrom(config::PartSettings& settings) {
+std::vector<Hertz> linesFrom(config::ComponentSettings& settings) {
   std::vector<Hertz> lines;
   const std::string text = settings.text("quieten_hz", "");
   std::istringstream words(text);
@@ -33,8 +33,8 @@ std::vector<Hertz> linesFrom(config::PartSettings& settings) {
 
 }  // namespace
 
-active::EngineOptions activeOptions(const milling::WorkHolderSettings& holder, const config::ParamSet& params) {
-  active::EngineOptions options;
+active::ActiveEngineOptions activeOptions(const milling::WorkHolderSettings& holder, const config::ParamSet& params) {
+  active::ActiveEngineOptions options;
   options.controller = active::fxlmsOptions(params);
   options.path = active::pathRequest(params);
   options.record = active::recordRequest(params);
@@ -51,7 +51,7 @@ active::EngineOptions activeOptions(const milling::WorkHolderSettings& holder, c
 Result<ActiveParts> makeActiveParts(const config::Profile& profile) {
   constexpr double kMicrometre = 1e-6;
   constexpr int kMostChannel = 63;
-  config::PartSettings settings(profile.active.settings, "active '" + profile.active.id + "'");
+  config::ComponentSettings settings(profile.active.settings, "active '" + profile.active.id + "'");
   active::PcmDuplexSettings pcm;
   pcm.request.device = settings.text("device", pcm.request.device);
   pcm.request.rate = Hertz(settings.number("rate_hz", pcm.request.rate.value, 1000.0, 192000.0));

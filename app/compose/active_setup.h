@@ -11,11 +11,11 @@
 
 namespace stillcut::app {
 
-active::EngineOptions activeOptions(const milling::WorkHolderSettings& holder, const config::ParamSet& params);
+active::ActiveEngineOptions activeOptions(const milling::WorkHolderSettings& holder, const config::ParamSet& params);
 
 struct ActiveParts {
   std::unique_ptr<active::DuplexDevice> device;
-  active::EngineOptions options;
+  active::ActiveEngineOptions options;
 };
 // Of [active] in a profile. Settings of "alsa": device, rate_hz, block_frames; input_x, input_y, output_x, output_y
 // (channels from 0); sensor_x, sensor_y (SI of the sensor at full scale); full_stroke_um (stroke at full scale of the

@@ -41,7 +41,7 @@ class DynamicPart {
   double keep_, mean_ = 0.0;
 };
 
-Result<Pair> earsOf(const milling::Scenario& scenario) {
+Result<Pair> errorSensorsOf(const milling::Scenario& scenario) {
   Pair ears{};
   for (std::size_t a = 0; a < 2; ++a) {
     const auto at = std::ranges::find_if(scenario.sensors, [&](const milling::SensorSettings& s) {
@@ -129,7 +129,7 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
     return Error{scenario.name, message("has no active work-holder"),
                  message("strategy 'active' needs a table [work_holder]")};
   }
-  const auto ears = earsOf(scenario);
+  const auto ears = errorSensorsOf(scenario);
   if (!ears) return ears.error();
   const Hertz rate = scenario.rate;
   const double spindle = scenario.programme.speed.value / 60.0;
@@ -137,7 +137,7 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
     return Error{scenario.name, message("turns too slowly for its rate"),
                  message("a quarter of a turn must fit into 512 samples")};
   }
-  const active::EngineOptions engine = activeOptions(*scenario.workHolder, options.params);
+  const active::ActiveEngineOptions engine = activeOptions(*scenario.workHolder, options.params);
 
   const Course alone = run(scenario, options, *ears, [](const Pair&, double) { return Pair{}; });
   const Pair beside{(1.0 - kBeside) * spindle, (1.0 + kBeside) * spindle};
@@ -210,7 +210,7 @@ Result<ActiveResult> runForce(const milling::Scenario& scenario, const ActiveOpt
     axis.released = axes[a].gate.why();
     axis.releasedAt = releasedAt[a];
     axis.strokeUsed = axes[a].gate.strokeUsed();
-    axis.limitedShare = static_cast<double>(axes[a].gate.limitedSamples()) / static_cast<double>(n);
+    axis.limitedFraction = static_cast<double>(axes[a].gate.limitedSamples()) / static_cast<double>(n);
     result.axes.push_back(std::move(axis));
     for (const double line : {spindle, spindle * scenario.model.tool.teeth}) {
       const double quiet = linePower(held.dynamic[a], line, rate), loud = linePower(alone.dynamic[a], line, rate);

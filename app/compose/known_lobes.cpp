@@ -15,8 +15,8 @@ StableSpeeds known(const milling::SpeedAdvice& advice, Metres depth) {
     speeds.ranges.push_back({pocket.from.speed, pocket.to.speed, pocket.best});
   }
   if (advice.deepest) {
-    speeds.deepestSpeed = advice.deepest->speed;
-    speeds.deepestDepth = advice.deepest->depth;
+    speeds.largestDepthSpeed = advice.deepest->speed;
+    speeds.largestStableDepth = advice.deepest->depth;
   }
   return speeds;
 }

@@ -71,7 +71,7 @@ cnc::LinkRequest linkRequest(const config::Profile& profile, const std::string& 
 }
 
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
-                                      std::vector<config::AskedSetting>* asked, AnalogOutputs outputs) {
+                                      std::vector<config::SettingDecl>* asked, AnalogOutputs outputs) {
   if (profile.source.id.empty()) return Error{path, message("'source.id' is missing"), message("a run needs a device")};
   auto scenario = scenarioOf(profile, path);
   if (!scenario) return scenario.error();

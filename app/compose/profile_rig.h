@@ -6,7 +6,7 @@
 
 #include "app/compose/rig.h"
 #include "core/cnc/registry.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 #include "core/config/profile.h"
 
 namespace stillcut::app {
@@ -24,7 +24,7 @@ struct ProfileParts {
 enum class AnalogOutputs { Written, LeftAlone };
 // `asked`, where given, is told of every setting the link asks for.
 Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std::string& path,
-                                      std::vector<config::AskedSetting>* asked = nullptr,
+                                      std::vector<config::SettingDecl>* asked = nullptr,
                                       AnalogOutputs outputs = AnalogOutputs::Written);
 // What the profile's link is made from, on real wires; files that settings name are looked for beside `path`. `clock`
 // outlives the link.

@@ -60,7 +60,7 @@ std::vector<std::uint32_t> chosenNow(const record::RecordingFormat& format, cons
   return chosen;
 }
 
-void controlBy(const ReplayHand& hand, const std::string& path, const record::ReadOptions& read,
+void controlBy(const ReplayPacing& hand, const std::string& path, const record::ReadOptions& read,
                daq::ReplayOptions& replay) {
   replay.control = hand.control;
   replay.clock = hand.clock;
@@ -68,7 +68,7 @@ void controlBy(const ReplayHand& hand, const std::string& path, const record::Re
 }
 
 // What filters and windows are sized for before the first block.
-Rpm middleSpeed(std::vector<pipeline::SpeedLogFeed::Point> log) {
+Rpm middleSpeed(std::vector<pipeline::SpeedLogSource::Point> log) {
   const auto middle = log.begin() + static_cast<std::ptrdiff_t>(log.size() / 2);
   std::nth_element(log.begin(), middle, log.end(),
                    [](const auto& a, const auto& b) { return a.speed.value < b.speed.value; });
@@ -100,9 +100,9 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   const bool toldSpeed = options.speed.value > 0.0 || !options.log.empty();
   if (isSession && !toldSpeed) {
     spec.steps = std::make_unique<SessionStepSource>(*source, chosenNow(format, options.params));
-    spec.feed = std::make_unique<pipeline::RecordedMachineFeed>();
+    spec.feed = std::make_unique<pipeline::RecordedStateSource>();
   } else {
-    spec.feed = std::make_unique<pipeline::SpeedLogFeed>(options.log);
+    spec.feed = std::make_unique<pipeline::SpeedLogSource>(options.log);
   }
   spec.device = std::move(source);
   spec.params = options.params;
@@ -114,7 +114,7 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
   return RecordingRig{std::move(rig).value(), format};
 }
 
-Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& hand) {
+Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayPacing& hand) {
   auto reader = record::openRecording(path);
   if (!reader) return reader.error();
   const record::RecordingFormat format = (*reader)->format();
@@ -129,7 +129,7 @@ Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& h
   RigSpec spec;
   spec.setup = *format.setup;
   spec.steps = std::make_unique<SessionStepSource>(*source);
-  spec.feed = std::make_unique<pipeline::RecordedMachineFeed>();
+  spec.feed = std::make_unique<pipeline::RecordedStateSource>();
   spec.device = std::move(source);
   spec.params = std::move(run->params);
   spec.methods = std::move(run->methods);

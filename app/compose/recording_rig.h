@@ -15,19 +15,19 @@ namespace stillcut::app {
 
 // A replay led by hand: paced, paused, stepped, looped (replay_run.h runs it on a thread of its own). Its rig is
 // watched.
-struct ReplayHand {
+struct ReplayPacing {
   std::shared_ptr<daq::ReplayControl> control;  // empty: straight through, as fast as possible
   const Clock* clock = nullptr;                 // with a control; outlives the rig
 };
 
 struct RecordingOptions {
   record::ReadOptions read;
-  int teeth = 0;                                   // 0: as the recording says, or unknown
-  Rpm speed{};                                     // 0: as the recording says, or unknown
-  std::vector<pipeline::SpeedLogFeed::Point> log;  // measured speed; empty: none
+  int teeth = 0;                                     // 0: as the recording says, or unknown
+  Rpm speed{};                                       // 0: as the recording says, or unknown
+  std::vector<pipeline::SpeedLogSource::Point> log;  // measured speed; empty: none
   Methods methods{.detectors = {"energy-ratio"}, .fallback = {}, .strategy = "monitor"};
   config::ParamSet params;
-  ReplayHand hand;
+  ReplayPacing hand;
 };
 
 struct RecordingRig {
@@ -41,9 +41,9 @@ Result<RecordingRig> buildRecordingRig(const std::string& path, const RecordingO
 // A session, decided again: its own methods, parameters, limits and leave for Auto, its machine states and operator
 // inputs. The same program gives the same verdicts, requests and commands, bit by bit. An error for a recording that
 // does not say how it was made.
-Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayHand& hand = {});
+Result<RecordingRig> buildReplayRig(const std::string& path, const ReplayPacing& hand = {});
 
 // CSV with the header t,rpm; times rising.
-Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path);
+Result<std::vector<pipeline::SpeedLogSource::Point>> readSpeedLog(const std::string& path);
 
 }  // namespace stillcut::app

@@ -18,7 +18,7 @@ namespace {
 Status completeMethods(Methods& methods) {
   const auto strategy = control::makeStrategy(methods.strategy);
   if (!strategy) return strategy.error();
-  const std::string needed((*strategy)->describe().listensTo);
+  const std::string needed((*strategy)->describe().requiredDetector);
   const auto has = std::find(methods.detectors.begin(), methods.detectors.end(), needed) != methods.detectors.end();
   if (!needed.empty() && !has) methods.detectors.push_back(needed);
   return Done{};
@@ -132,9 +132,9 @@ Status Rig::prepare(SetUpFault& fault) {
   publisher_.prepare(spec_.setup, spec_.link && spec_.link->describe().simulated, spec_.autoAllowed);
   if (!spec_.steps) spec_.steps = std::make_unique<pipeline::DeviceStepSource>(*spec_.device);
   if (!spec_.feed) {
-    spec_.feed = std::make_unique<pipeline::LiveMachineFeed>(states_, inputs_);
+    spec_.feed = std::make_unique<pipeline::LiveStateSource>(states_, inputs_);
   } else if (spec_.watched) {
-    spec_.feed = std::make_unique<pipeline::TunedFeed>(std::move(spec_.feed), inputs_);
+    spec_.feed = std::make_unique<pipeline::TunedStateSource>(std::move(spec_.feed), inputs_);
   }
   if (spec_.link) {
     linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_, spec_.linkEffect);

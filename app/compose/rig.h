@@ -24,13 +24,13 @@ struct Methods {
 };
 
 struct RigSpec {
-  std::shared_ptr<const Clock> clock;           // kept for the lives of device and link; may be empty
-  std::unique_ptr<daq::DaqSource> device;       // what the steps come from
-  std::unique_ptr<pipeline::StepSource> steps;  // empty: `device`, live
-  std::unique_ptr<pipeline::MachineFeed> feed;  // empty: the link's mailbox and the operator's ring
-  std::unique_ptr<cnc::CncLink> link;           // empty: no machine
-  Seconds linkEffect{};                         // from an order to its effect, as measured before; 0: never
-  CutSetup setup;                               // rate, channels and block size are overwritten by the source's format
+  std::shared_ptr<const Clock> clock;                  // kept for the lives of device and link; may be empty
+  std::unique_ptr<daq::DaqSource> device;              // what the steps come from
+  std::unique_ptr<pipeline::StepSource> steps;         // empty: `device`, live
+  std::unique_ptr<pipeline::MachineStateSource> feed;  // empty: the link's mailbox and the operator's ring
+  std::unique_ptr<cnc::CncLink> link;                  // empty: no machine
+  Seconds linkEffect{};                                // from an order to its effect, as measured before; 0: never
+  CutSetup setup;  // rate, channels and block size are overwritten by the source's format
   config::ParamSet params;
   bool autoAllowed = false;  // Auto may be chosen at all
   std::string operatorName;  // signs what is touched during the cut; empty: "operator"

@@ -17,10 +17,10 @@ bool parseRow(const std::string& line, double& t, double& rpm) {
 
 }  // namespace
 
-Result<std::vector<pipeline::SpeedLogFeed::Point>> readSpeedLog(const std::string& path) {
+Result<std::vector<pipeline::SpeedLogSource::Point>> readSpeedLog(const std::string& path) {
   std::ifstream in(path);
   if (!in) return Error{path, message("cannot be read")};
-  std::vector<pipeline::SpeedLogFeed::Point> log;
+  std::vector<pipeline::SpeedLogSource::Point> log;
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     if (!line.empty() && line.back() == '\r') line.pop_back();

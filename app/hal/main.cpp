@@ -12,7 +12,7 @@
 #include <string_view>
 
 #include "app/hal/line_server.h"
-#include "app/hal/override_keeper.h"
+#include "app/hal/override_arbiter.h"
 
 namespace stillcut::hal {
 namespace {
@@ -28,7 +28,7 @@ void onSignal(int /*number*/) {
 // In HAL's shared memory: it outlives this program, and a machine left alone goes on reading what stands there.
 struct Pins {
   hal_bit_t *active, *heartbeat, *speedEnable, *feedEnable, *watchdogOk, *permit;
-  hal_s32_t *speed, *feed, *homeSpeed, *homeFeed;
+  hal_s32_t *speed, *feed, *restoreSpeed, *restoreFeed;
   hal_float_t* adaptiveFeed;
 };
 
@@ -39,8 +39,8 @@ bool makePins(Pins& p, int component) {
                     hal_pin_bit_newf(HAL_OUT, &p.feedEnable, component, "stillcut.feed-enable") == 0 &&
                     hal_pin_s32_newf(HAL_OUT, &p.speed, component, "stillcut.speed-percent") == 0 &&
                     hal_pin_s32_newf(HAL_OUT, &p.feed, component, "stillcut.feed-percent") == 0 &&
-                    hal_pin_s32_newf(HAL_OUT, &p.homeSpeed, component, "stillcut.speed-home") == 0 &&
-                    hal_pin_s32_newf(HAL_OUT, &p.homeFeed, component, "stillcut.feed-home") == 0 &&
+                    hal_pin_s32_newf(HAL_OUT, &p.restoreSpeed, component, "stillcut.speed-home") == 0 &&
+                    hal_pin_s32_newf(HAL_OUT, &p.restoreFeed, component, "stillcut.feed-home") == 0 &&
                     hal_pin_float_newf(HAL_OUT, &p.adaptiveFeed, component, "stillcut.adaptive-feed") == 0 &&
                     hal_pin_bit_newf(HAL_IN, &p.watchdogOk, component, "stillcut.watchdog-ok") == 0 &&
                     hal_pin_bit_newf(HAL_IN, &p.permit, component, "stillcut.permit") == 0;
@@ -49,11 +49,11 @@ bool makePins(Pins& p, int component) {
 }
 
 // Knobs that are let go of are let go of before the numbers move; the watchdog is armed last.
-void show(const KeeperPins& pins, const Pins& p) {
+void show(const ArbiterPins& pins, const Pins& p) {
   *p.speedEnable = pins.speedEnable;
   *p.feedEnable = pins.feedEnable;
-  *p.homeSpeed = pins.homeSpeed;
-  *p.homeFeed = pins.homeFeed;
+  *p.restoreSpeed = pins.restoreSpeed;
+  *p.restoreFeed = pins.restoreFeed;
   *p.speed = pins.speed;
   *p.feed = pins.feed;
   *p.adaptiveFeed = pins.adaptiveFeed;
@@ -62,7 +62,7 @@ void show(const KeeperPins& pins, const Pins& p) {
 }
 
 void run(const Pins& pins, LineServer& server, const Clock& clock) {
-  OverrideKeeper keeper;
+  OverrideArbiter keeper;
   std::array<char, cnc::kHalLine> text{};
   bool listening = true;
   const LineServer::Handlers handlers{[&](int client, std::string_view line) -> std::string_view {
@@ -80,7 +80,7 @@ void run(const Pins& pins, LineServer& server, const Clock& clock) {
   // The way home is walked before the pins go.
   listening = false;
   keeper.end(clock.now());
-  const Instant until = clock.now() + OverrideKeeper::kWayHome;
+  const Instant until = clock.now() + OverrideArbiter::kRestoreTime;
   while (clock.now() < until) round();
 }
 
@@ -125,7 +125,7 @@ int start(int argc, char** argv) {
   auto* const pins = static_cast<Pins*>(hal_malloc(sizeof(Pins)));
   const bool made = pins != nullptr && makePins(*pins, component);
   if (made) {
-    show(KeeperPins{}, *pins);
+    show(ArbiterPins{}, *pins);
     std::signal(SIGTERM, onSignal);
     std::signal(SIGINT, onSignal);
     // Where the user may, as LinuxCNC's own users may: a busy host does not delay the heartbeat then.

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 
 namespace stillcut::app {
 

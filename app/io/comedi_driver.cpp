@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "app/io/comedi_inputs.h"
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 
 namespace stillcut::app {
 

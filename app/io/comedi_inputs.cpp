@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <memory>
 
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 
 namespace stillcut::app {
 namespace {

@@ -66,7 +66,7 @@ struct Knock {
     return !open && (tries > 0 || wire->state() == cnc::WireState::Opening);
   }
   FoundMachine found() const {
-    config::PartChoice link{std::string(service->link), {}};
+    config::ComponentChoice link{std::string(service->link), {}};
     if (service->host) link.settings["host"] = host;
     if (!service->setting.empty()) link.settings[std::string(service->setting)] = std::to_string(service->port);
     return {host + ":" + std::to_string(service->port), std::string(service->what), std::move(link)};

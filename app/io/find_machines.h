@@ -22,9 +22,9 @@ struct SerialPort {
 std::vector<SerialPort> serialPorts(const std::string& devices = "/dev", const std::string& classes = "/sys/class/tty");
 
 struct FoundMachine {
-  std::string where;        // "/dev/ttyUSB0 (maker and product)", "localhost:5007"
-  std::string what;         // one sentence for a person
-  config::PartChoice link;  // what a profile would say of it; no id: it is no machine
+  std::string where;             // "/dev/ttyUSB0 (maker and product)", "localhost:5007"
+  std::string what;              // one sentence for a person
+  config::ComponentChoice link;  // what a profile would say of it; no id: it is no machine
 };
 
 // "mill, 192.168.1.0/28": names and addresses, and all of a subnet of at most 256 addresses.

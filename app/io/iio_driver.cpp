@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "app/io/iio_inputs.h"
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 #include "core/daq/scan_stamps.h"
 
 namespace stillcut::app {

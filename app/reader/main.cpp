@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "core/session/apart_server.h"
+#include "core/session/isolated_server.h"
 
 int main(int argc, char** argv) {
   constexpr int kArguments = 4;
@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    return stillcut::record::serveApart(STDIN_FILENO, argv[1], argv[2], argv[3]);
+    return stillcut::record::serveIsolated(STDIN_FILENO, argv[1], argv[2], argv[3]);
   } catch (const std::exception&) {
     return 1;
   }

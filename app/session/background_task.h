@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::app {
 

@@ -10,7 +10,7 @@
 
 #include "core/session/recorder.h"
 #include "core/session/session_folder.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 
 namespace stillcut::app {
 

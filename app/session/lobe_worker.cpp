@@ -19,13 +19,13 @@ namespace {
 constexpr int kNice = 10;                // behind the cut and the screen
 constexpr std::size_t kStartsKept = 64;  // more jumps than the points on the screen are of
 
-milling::LobeMethod methodOf(ui::LobeMethod method) {
+milling::LobeMethod methodOf(ui::LobeMethodChoice method) {
   switch (method) {
-    case ui::LobeMethod::ZerothOrder:
+    case ui::LobeMethodChoice::ZerothOrder:
       return milling::LobeMethod::ZerothOrder;
-    case ui::LobeMethod::SemiDiscretization:
+    case ui::LobeMethodChoice::SemiDiscretization:
       return milling::LobeMethod::SemiDiscretization;
-    case ui::LobeMethod::Exact:
+    case ui::LobeMethodChoice::Exact:
       return milling::LobeMethod::Exact;
   }
   return milling::LobeMethod::Exact;
@@ -69,7 +69,7 @@ LobeWorker::Cut cutOf(const milling::Scenario& scenario) {
   cut.frame.lowest = std::min(cut.frame.lowest, cut.frame.reachLow);
   cut.frame.highest = std::max(cut.frame.highest, cut.frame.reachHigh);
   cut.frame.depth = Metres(programme.depth.highest(0.0));
-  cut.frame.maxDepth = std::max(cut.frame.depth * 2.5, Metres(0.5e-3));
+  cut.frame.maxAxialDepth = std::max(cut.frame.depth * 2.5, Metres(0.5e-3));
   cut.frame.feedPerTooth = programme.feedPerTooth;
   if (programme.depth.along == milling::Along::Time) cut.depth = programme.depth;
   return cut;
@@ -86,7 +86,7 @@ ui::LobeFrame usualFrame(const milling::CutModel& model) {
   frame.lowest = Rpm(std::round(perTooth * slow->frequency.value / 3.5 / 100.0) * 100.0);
   frame.highest = Rpm(std::round(perTooth * fast->frequency.value * 1.25 / 100.0) * 100.0);
   frame.depth = Metres(1e-3);
-  frame.maxDepth = Metres(5e-3);
+  frame.maxAxialDepth = Metres(5e-3);
   frame.teeth = model.tool.teeth;
   frame.widthOfCut = model.tool.diameter * model.engagement.radialImmersion;
   return frame;
@@ -107,10 +107,10 @@ Result<std::unique_ptr<LobeWorker>> LobeWorker::ofProfile(const config::Profile&
   cut.frame = usualFrame(cut.model);
   cut.frame.name = QString::fromStdString(loaded->name);
   cut.frame.programmed = profile.cut.nominalSpeed;
-  cut.frame.maxDepth = loaded->maxDepth;
+  cut.frame.maxAxialDepth = loaded->maxAxialDepth;
   cut.frame.depthKnown = profile.depth.value > 0.0;
   if (cut.frame.depthKnown) cut.frame.depth = profile.depth;
-  cut.frame.maxDepth = std::max(cut.frame.maxDepth, cut.frame.depth * 1.25);
+  cut.frame.maxAxialDepth = std::max(cut.frame.maxAxialDepth, cut.frame.depth * 1.25);
   if (reach->high > reach->low) {
     cut.frame.reachLow = reach->low;
     cut.frame.reachHigh = reach->high;
@@ -128,7 +128,7 @@ void LobeWorker::setStart(Instant start, Instant from) {
   if (starts_.size() > kStartsKept) starts_.erase(starts_.begin());
 }
 
-Metres LobeWorker::depthAt(Instant t) const {
+Metres LobeWorker::axialDepthAt(Instant t) const {
   if (cut_.depth.empty() || starts_.empty()) return cut_.frame.depth;
   auto begun = starts_.begin();
   while (begun + 1 != starts_.end() && (begun + 1)->from <= t) ++begun;
@@ -157,8 +157,8 @@ void LobeWorker::compute(const ui::LobeQuestion& question, const std::stop_token
   if (!speeds) return finish(ui::LobeProgress::State::Failed, ui::sayError(speeds.error()));
   milling::SweepOptions options;
   options.method = methodOf(question.method);
-  options.limits.maxDepth = question.maxDepth;
-  options.limits.firstOnly = question.method != ui::LobeMethod::Exact;  // the exact one knows islands
+  options.limits.maxAxialDepth = question.maxAxialDepth;
+  options.limits.firstOnly = question.method != ui::LobeMethodChoice::Exact;  // the exact one knows islands
   options.threads = 1;
   options.progress = [this](double share) {
     const std::scoped_lock lock(mutex_);

@@ -11,8 +11,8 @@
 
 #include "core/config/profile.h"
 #include "core/milling/cut_model.h"
-#include "core/milling/simulation/profile.h"
 #include "core/milling/simulation/scenario.h"
+#include "core/milling/simulation/schedule.h"
 #include "ui/facade/lobe_service.h"
 
 namespace stillcut::app {
@@ -22,7 +22,7 @@ class LobeWorker final : public ui::LobeService {
   struct Cut {
     milling::CutModel model;
     ui::LobeFrame frame;
-    milling::Profile depth;  // over time since the cut began; empty: the frame's
+    milling::Schedule depth;  // over time since the cut began; empty: the frame's
   };
   explicit LobeWorker(Cut cut) : cut_(std::move(cut)) {}
   // Of a scenario, at its widest.
@@ -36,7 +36,7 @@ class LobeWorker final : public ui::LobeService {
   std::optional<Instant> start() const { return started() ? std::optional(starts_.back().start) : std::nullopt; }
 
   const ui::LobeFrame& frame() const override { return cut_.frame; }
-  Metres depthAt(Instant t) const override;
+  Metres axialDepthAt(Instant t) const override;
   void ask(const ui::LobeQuestion& question) override;
   void cancel() override;
   ui::LobeProgress progress() const override;

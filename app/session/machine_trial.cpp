@@ -81,7 +81,7 @@ Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
   cnc::LinkTrial trial(link, clock);
   QStringList said;
   while (trial.next()) {
-    const cnc::TrialStep& step = trial.steps().back();
+    const cnc::LinkTrialStep& step = trial.steps().back();
     const What what = trial.steps().size() == 1 ? What::Link : What::Machine;
     if (!step.good) {
       steps.bad(what, ui::sayCore(step.said));
@@ -108,7 +108,7 @@ Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkS
   }
   cnc::LinkTrial trial(**link, clock);
   while (!toEnd && trial.next()) {
-    const cnc::TrialStep& step = trial.steps().back();
+    const cnc::LinkTrialStep& step = trial.steps().back();
     steps.put({text(step.what), ui::sayCore(step.said), step.good});
   }
   return trial.passed() ? trial.look() : Seconds();

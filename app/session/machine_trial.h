@@ -10,7 +10,7 @@
 
 #include "core/base/units.h"
 #include "core/config/profile.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 
 namespace stillcut::app {
 

@@ -12,7 +12,7 @@
 namespace stillcut::app {
 namespace {
 
-Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayHand& hand, bool session) {
+Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayPacing& hand, bool session) {
   auto built = session ? buildReplayRig(path, hand) : [&] {
     RecordingOptions options;
     options.methods.detectors = {std::string(detect::kDefaultDetector)};

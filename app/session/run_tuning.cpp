@@ -19,21 +19,21 @@
 namespace stillcut::app {
 namespace {
 
-using Role = ui::TunablePart::Role;
+using Role = ui::TunableComponent::Role;
 
 QString text(std::string_view s) {
   return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));
 }
 
 template <class Part>
-void takeChosen(ui::TunablePart& shown, const Part& part) {
+void takeChosen(ui::TunableComponent& shown, const Part& part) {
   for (const config::ParamDecl* decl : shown.params) {
     if (decl->mayBeAutomatic) shown.chosen[decl->key] = part.chosen(*decl);
   }
 }
 
-ui::TunablePart part(Role role, std::string_view id, std::string_view label, config::ParamTable params) {
-  ui::TunablePart shown;
+ui::TunableComponent part(Role role, std::string_view id, std::string_view label, config::ParamTable params) {
+  ui::TunableComponent shown;
   shown.id = text(id);
   shown.label = text(label);
   shown.role = role;
@@ -41,10 +41,10 @@ ui::TunablePart part(Role role, std::string_view id, std::string_view label, con
   return shown;
 }
 
-ui::TunablePart detectorPart(const detect::DetectorRow& row, const Rig& rig) {
+ui::TunableComponent detectorPart(const detect::DetectorRow& row, const Rig& rig) {
   const auto made = row.make();
   const detect::DetectorInfo info = made->describe();
-  ui::TunablePart shown = part(Role::Detector, info.id, info.label, row.params());
+  ui::TunableComponent shown = part(Role::Detector, info.id, info.label, row.params());
   shown.source = text(info.source);
   for (const std::string_view name : info.indicators) shown.indicators.push_back(text(name));
   const auto& detectors = rig.chain().parts().detectors;
@@ -59,11 +59,11 @@ ui::TunablePart detectorPart(const detect::DetectorRow& row, const Rig& rig) {
 }
 
 template <class Part>
-std::vector<ui::OwnReading> readingsOf(const Part& part) {
-  std::vector<ui::OwnReading> readings;
-  const detect::OwnValueTable table = part.ownValues();
+std::vector<ui::AutoReading> readingsOf(const Part& part) {
+  std::vector<ui::AutoReading> readings;
+  const detect::AutoValueTable table = part.autoValues();
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const detect::OwnValue now = part.own(i);
+    const detect::AutoValue now = part.own(i);
     readings.push_back(
         {table[i].key, text(table[i].label), text(table[i].unit), text(table[i].whys[now.why]), now.value});
   }
@@ -71,7 +71,7 @@ std::vector<ui::OwnReading> readingsOf(const Part& part) {
 }
 
 // The cells of a fuzzy strategy's tables are shown as tables.
-void takeRules(ui::TunablePart& shown) {
+void takeRules(ui::TunableComponent& shown) {
   const config::ParamTable rules = control::fuzzyRuleParams(), centres = control::fuzzyCentreParams();
   const auto first = std::find(shown.params.begin(), shown.params.end(), rules.front());
   if (first == shown.params.end()) return;
@@ -84,19 +84,19 @@ void takeRules(ui::TunablePart& shown) {
 
 }  // namespace
 
-std::vector<ui::TunablePart> tunableParts(const Rig& rig) {
-  std::vector<ui::TunablePart> parts;
+std::vector<ui::TunableComponent> tunableParts(const Rig& rig) {
+  std::vector<ui::TunableComponent> parts;
   for (const auto& row : detect::detectorTable()) parts.push_back(detectorPart(row, rig));
   for (const auto& entry : control::strategyTable()) {
     const auto made = entry.make();
     const control::StrategyInfo info = made->describe();
-    ui::TunablePart shown = part(Role::Strategy, info.id, info.label, entry.params);
+    ui::TunableComponent shown = part(Role::Strategy, info.id, info.label, entry.params);
     shown.source = text(info.source);
     takeRules(shown);
     shown.running = shown.inCharge = rig.chain().parts().strategy->describe().id == info.id;
     parts.push_back(std::move(shown));
   }
-  ui::TunablePart conditioner =
+  ui::TunableComponent conditioner =
       part(Role::Conditioner, "conditioner", QT_TRANSLATE_NOOP("Core", "Signal and cut"), detect::conditionerParams());
   conditioner.running = true;
   takeChosen(conditioner, rig.chain().conditioner());
@@ -109,7 +109,7 @@ std::vector<ui::TunablePart> tunableParts(const Rig& rig) {
   return parts;
 }
 
-std::vector<ui::OwnReading> ownReadings(const Rig& rig, const ui::TunablePart& part) {
+std::vector<ui::AutoReading> ownReadings(const Rig& rig, const ui::TunableComponent& part) {
   if (part.role == Role::Conditioner) return readingsOf(rig.chain().conditioner());
   const auto& detectors = rig.chain().parts().detectors;
   if (part.detector < 0 || static_cast<std::size_t>(part.detector) >= detectors.size()) return {};

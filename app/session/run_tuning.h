@@ -10,10 +10,10 @@
 namespace stillcut::app {
 
 // Every part there is; those the rig runs say what they chose for automatic parameters.
-std::vector<ui::TunablePart> tunableParts(const Rig& rig);
+std::vector<ui::TunableComponent> tunableParts(const Rig& rig);
 
 // What the rig has set itself by now, of one of its parts.
-std::vector<ui::OwnReading> ownReadings(const Rig& rig, const ui::TunablePart& part);
+std::vector<ui::AutoReading> ownReadings(const Rig& rig, const ui::TunableComponent& part);
 
 struct ValuesToKeep {
   const config::ParamSet& values;

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::app {
 

@@ -1,6 +1,6 @@
 #include "app/session/sensor_trial.h"
 
-#include "app/compose/heard_samples.h"
+#include "app/compose/measure_samples.h"
 #include "core/daq/axis_knock.h"
 #include "core/daq/calibrator.h"
 #include "ui/base/say.h"
@@ -20,7 +20,7 @@ ui::SensorTrial failed(const Error& error) {
 ui::SensorTrial calibrateChannel(const config::Profile& profile, const std::string& path, int channel,
                                  const std::string& level, Hertz frequency, const std::atomic<bool>& ended) {
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = hearDevice(profile, path, channel, kTone, fault, &ended);
+  const auto heard = measureDevice(profile, path, channel, kTone, fault, &ended);
   if (!heard) return failed(heard.error());
   const auto at = static_cast<std::size_t>(channel);
   const auto rms = daq::levelFrom(level, heard->channels[at].quantity);
@@ -43,9 +43,10 @@ ui::SensorTrial calibrateChannel(const config::Profile& profile, const std::stri
 ui::SensorTrial knockAlong(const config::Profile& profile, const std::string& path, int channel,
                            const std::atomic<bool>& ended) {
   SetUpFault fault = SetUpFault::Input;
-  const auto heard = hearDevice(profile, path, channel, kKnocks, fault, &ended);
+  const auto heard = measureDevice(profile, path, channel, kKnocks, fault, &ended);
   if (!heard) return failed(heard.error());
-  const auto knocks = daq::hearKnocks(heard->samples, heard->rate, heard->channels, static_cast<std::size_t>(channel));
+  const auto knocks =
+      daq::analyseKnocks(heard->samples, heard->rate, heard->channels, static_cast<std::size_t>(channel));
   if (!knocks) return failed(knocks.error());
   ui::SensorTrial trial{ui::SensorTrial::State::Good, ui::sayCore(daq::knockSentence(*knocks, heard->channels)), {}};
   if (knocks->loudest == knocks->told) return trial;

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/config/profile.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 
 namespace stillcut::app {
 

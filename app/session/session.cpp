@@ -29,7 +29,7 @@ bool isAnswer(OperatorAction action) {
     case OperatorAction::Refuse:
     case OperatorAction::TrueAlarm:
     case OperatorAction::FalseAlarm:
-    case OperatorAction::HearChatter:
+    case OperatorAction::ReportChatter:
       return true;
     default:
       return false;
@@ -250,7 +250,7 @@ QStringList Session::tunedSettings() const {
   return settings;
 }
 
-const std::vector<ui::TunablePart>& Session::tunableParts() const {
+const std::vector<ui::TunableComponent>& Session::tunableParts() const {
   if (partsOf_ != generation()) {
     parts_ = app::tunableParts(shownRig());
     partsOf_ = generation();
@@ -275,16 +275,16 @@ ui::LinkStatus Session::link() const {
   return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault)};
 }
 
-ui::RecorderStatus Session::recorder() const {
+ui::RecorderView Session::recorder() const {
   const record::Recorder* recorder = rig_->recorder();
   const Message flightProblem = flightLog_ ? flightLog_->problem() : Message();
   if (recorder == nullptr && flightProblem.empty()) return {};
   if (recorder == nullptr) {
-    return {ui::RecorderStatus::State::Failed, {}, ui::sayCore(flightProblem)};
+    return {ui::RecorderView::State::Failed, {}, ui::sayCore(flightProblem)};
   }
   const record::RecorderStatus status = recorder->status();
-  ui::RecorderStatus shown;
-  shown.state = status.recording ? ui::RecorderStatus::State::Recording : ui::RecorderStatus::State::Failed;
+  ui::RecorderView shown;
+  shown.state = status.recording ? ui::RecorderView::State::Recording : ui::RecorderView::State::Failed;
   shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
   shown.problem = ui::sayCore(status.fault);
   shown.waiting = status.recording && status.written > 0 && !status.writing;
@@ -307,7 +307,8 @@ Result<std::unique_ptr<Session>> openScenarioSession(const std::string& path, bo
   info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
   auto session = std::make_unique<Session>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
   session->setLobes(std::make_unique<LobeWorker>(*scenario));
-  if (active::SimulatedDuplex::check(*scenario)) session->setActive(simulatedActiveDesk(*scenario, params));
+  if (active::SimulatedDuplex::check(*scenario))
+    session->setActive(makeSimulatedActiveLoopController(*scenario, params));
   if (scenario->grantsAuto) session->send({OperatorAction::GrantBySimulation, Authority::Auto}, session->generation());
   return session;
 }
@@ -324,7 +325,7 @@ Result<std::unique_ptr<Session>> openProfileSession(const std::string& path, Rec
   if (!profile->active.id.empty()) {
     auto parts = makeActiveParts(*profile);
     if (!parts) return parts.error();
-    session->setActive(std::make_unique<ActiveDesk>(std::move(parts->device), parts->options, activeClock()));
+    session->setActive(std::make_unique<ActiveLoopController>(std::move(parts->device), parts->options, activeClock()));
   }
   session->madeFrom(path);
   if (recorded == Recorded::AsProfileSays) {

@@ -11,11 +11,11 @@
 
 #include "app/compose/flight_log.h"
 #include "app/compose/rig.h"
-#include "app/session/active_desk.h"
+#include "app/session/active_loop_controller.h"
 #include "app/session/deletions.h"
 #include "app/session/lobe_worker.h"
-#include "app/session/machine_desk.h"
-#include "app/session/replay_desk.h"
+#include "app/session/machine_setup.h"
+#include "app/session/replay_controller.h"
 #include "app/session/run_tuning.h"
 #include "ui/models/tune/tuning.h"
 #include "ui/shell/session_facade.h"
@@ -51,7 +51,7 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   // The model that the Lobes page looks at.
   void setLobes(std::unique_ptr<LobeWorker> lobes) { lobes_ = std::move(lobes); }
   // The active work-holder of the machine.
-  void setActive(std::unique_ptr<ActiveDesk> active) { active_ = std::move(active); }
+  void setActive(std::unique_ptr<ActiveLoopController> active) { active_ = std::move(active); }
   // What the Set up page may show of a first start.
   void demonstrateWith(const std::string& scenario);
   // Before start(): where flight recordings go.
@@ -76,22 +76,24 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   void showChannel(int channel) override;
   // Always to the cut. Whoever gives us authority over the machine has it back on every page.
   void send(const OperatorInput& input, std::uint32_t seen) override;
-  ui::RecorderStatus recorder() const override;
+  ui::RecorderView recorder() const override;
   ui::LinkStatus link() const override;
   ui::LobeService* lobes() override { return shown() ? replays_.lobes() : lobes_.get(); }
   QString stateFolder() const override { return stateFolder_; }
   ui::Tuning* tuning() override { return this; }
-  ui::SessionDesk* sessions() override { return &replays_; }
-  ui::ActiveDesk* active() override { return active_.get(); }
-  ui::SetupDesk* setup() override { return &machine_; }
+  ui::SessionController* sessions() override { return &replays_; }
+  ui::ActiveController* active() override { return active_.get(); }
+  ui::SetupController* setup() override { return &machine_; }
   // Lists them, and puts them there when a profile does not say otherwise.
   void keepRecordingsIn(const QString& folder);
 
   std::uint32_t tuningRun() const override { return generation(); }
-  const std::vector<ui::TunablePart>& tunableParts() const override;
+  const std::vector<ui::TunableComponent>& tunableParts() const override;
   const RuleTables* rulesNow() override;
-  std::vector<ui::OwnReading> ownNow(const ui::TunablePart& part) override { return ownReadings(shownRig(), part); }
-  ui::TuneDesk& desk() override { return shown() ? replayTuned_ : cutTuned_; }
+  std::vector<ui::AutoReading> ownNow(const ui::TunableComponent& part) override {
+    return ownReadings(shownRig(), part);
+  }
+  ui::TuningController& controller() override { return shown() ? replayTuned_ : cutTuned_; }
   Result<QString> saveValues(const config::ParamSet& values) override;
 
  private:
@@ -112,8 +114,8 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   Result<std::unique_ptr<Session>> asAsked(Result<std::unique_ptr<Session>> next) const;
 
   std::unique_ptr<Rig> rig_;
-  ReplayDesk replays_;
-  MachineDesk machine_;
+  ReplayController replays_;
+  MachineSetup machine_;
   std::uint32_t runs_ = 0;
   std::filesystem::path flights_;
   ui::SessionInfo info_;
@@ -123,14 +125,14 @@ class Session final : public ui::SessionFacade, public ui::Tuning {
   std::string asked_;   // where everything is recorded; empty: as each run says
   Deletions deletions_;
   std::unique_ptr<LobeWorker> lobes_;
-  std::unique_ptr<ActiveDesk> active_;
-  std::string profile_;                         // the run was made from; empty: none
-  mutable std::vector<ui::TunablePart> parts_;  // of run partsOf_
+  std::unique_ptr<ActiveLoopController> active_;
+  std::string profile_;                              // the run was made from; empty: none
+  mutable std::vector<ui::TunableComponent> parts_;  // of run partsOf_
   mutable std::optional<std::uint32_t> partsOf_;
   const Snapshot* live_ = nullptr;        // as last read
   Authority authority_ = Authority::Off;  // as last seen
   Seconds effect_{};                      // of an order on the machine, as last seen
-  ui::TuneDesk cutTuned_, replayTuned_;
+  ui::TuningController cutTuned_, replayTuned_;
   std::map<std::string, std::string> tuned_;
   RuleTables rules_;                    // as last told
   std::optional<FlightLog> flightLog_;  // goes before the rig it takes from

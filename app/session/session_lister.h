@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/session/background_task.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::app {
 

@@ -17,7 +17,7 @@ ui::SessionInfo sessionInfo(const Rig& rig) {
   info.setup = rig.setup();
   for (const auto& detector : rig.chain().parts().detectors) {
     const detect::DetectorInfo d = detector->describe();
-    ui::DetectorInfo shown{viewText(d.id), viewText(d.label), {}};
+    ui::DetectorLabel shown{viewText(d.id), viewText(d.label), {}};
     for (std::string_view indicator : d.indicators) shown.indicators.push_back(viewText(indicator));
     info.detectors.push_back(std::move(shown));
   }

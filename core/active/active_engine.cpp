@@ -25,7 +25,7 @@ Error refused(Message what, Message why) {
 
 }  // namespace
 
-std::array<AxisOptions, kActiveAxes> axisOptions(const EngineOptions& options, const PathPairFound& paths) {
+std::array<AxisOptions, kActiveAxes> axisOptions(const ActiveEngineOptions& options, const PathPairFound& paths) {
   std::array<AxisOptions, kActiveAxes> axes;
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
     axes[a] = {options.controller, paths[a].model, options.limits[a], options.lines, {}};
@@ -36,7 +36,7 @@ std::array<AxisOptions, kActiveAxes> axisOptions(const EngineOptions& options, c
   return axes;
 }
 
-ActiveEngine::ActiveEngine(std::unique_ptr<DuplexDevice> device, EngineOptions options, const Clock& clock)
+ActiveEngine::ActiveEngine(std::unique_ptr<DuplexDevice> device, ActiveEngineOptions options, const Clock& clock)
     : device_(std::move(device)),
       options_(std::move(options)),
       clock_(clock),
@@ -113,8 +113,8 @@ Status ActiveEngine::identify() {
   // What is identified anew is no longer trusted as it was.
   loop_.store(nullptr);
   paths_ = {};
-  promises_.back() = paths_;
-  promises_.publish();
+  margins_.back() = paths_;
+  margins_.publish();
   delayLost_.store(false);
   recorded_.store(false);
   recorder_ = std::move(recorder);
@@ -145,12 +145,12 @@ Status ActiveEngine::install(const PathPairFound& paths) {
   auto loop = std::make_unique<ActiveLoop>();
   if (Status ok = loop->prepare(axisOptions(options_, paths), format_.rate); !ok) return ok;
   for (std::size_t a = 0; a < kActiveAxes; ++a) {
-    paths_[a] = promiseOf(paths[a], options_.lines, format_.rate);
+    paths_[a] = stabilityMarginOf(paths[a], options_.lines, format_.rate);
     paths_[a].identified = clock_.now();
   }
   for (auto& at : renewedAt_) at.store(0);
-  promises_.back() = paths_;
-  promises_.publish();
+  margins_.back() = paths_;
+  margins_.publish();
   loops_.push_back(std::move(loop));
   loop_.store(loops_.back().get());
   if (options_.auxiliary > 0.0 && !renewer_.joinable()) {
@@ -187,7 +187,7 @@ Status ActiveEngine::start() {
       return refused(message("the model along %1 is %2 minutes old", axis, std::to_string(std::lround(age / 60.0))),
                      message("identify it again"));
     }
-    if (Status promised = checkPromise(paths_[a], axis); !promised) return promised;
+    if (Status promised = checkStabilityMargin(paths_[a], axis); !promised) return promised;
   }
   if (delayLost_.load()) {
     return refused(message("blocks were lost, and input and output of this device do not start together"),
@@ -300,7 +300,7 @@ void ActiveEngine::publish() STILLCUT_RT {
   } else if (loop != nullptr) {
     loop->tell(telling_.axes);
   }
-  if (const auto* promises = promises_.read(); promises != nullptr) telling_.paths = *promises;
+  if (const auto* promises = margins_.read(); promises != nullptr) telling_.paths = *promises;
   for (std::size_t a = 0; a < kActiveAxes; ++a) telling_.paths[a].identified = identifiedAt(a, telling_.paths[a]);
   snapshots_.back() = telling_;
   snapshots_.publish();

@@ -15,15 +15,15 @@
 
 #include "core/active/active_loop.h"
 #include "core/active/duplex_device.h"
-#include "core/active/path_promise.h"
 #include "core/active/path_recorder.h"
+#include "core/active/stability_margin.h"
 #include "core/base/time.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/triple_buffer.h"
 
 namespace stillcut::active {
 
-struct EngineOptions {
+struct ActiveEngineOptions {
   FxlmsOptions controller;  // its emphasis is on `lines`
   std::array<safety::ActuatorLimits, kActiveAxes> limits{};
   std::vector<Hertz> lines;  // to quieten
@@ -36,11 +36,11 @@ struct EngineOptions {
 using PathPairFound = std::array<IdentifiedPath, kActiveAxes>;
 
 // What each axis of a loop on these paths is to be.
-std::array<AxisOptions, kActiveAxes> axisOptions(const EngineOptions& options, const PathPairFound& paths);
+std::array<AxisOptions, kActiveAxes> axisOptions(const ActiveEngineOptions& options, const PathPairFound& paths);
 
 class ActiveEngine {
  public:
-  ActiveEngine(std::unique_ptr<DuplexDevice> device, EngineOptions options, const Clock& clock);
+  ActiveEngine(std::unique_ptr<DuplexDevice> device, ActiveEngineOptions options, const Clock& clock);
   ~ActiveEngine();
   ActiveEngine(const ActiveEngine&) = delete;
   ActiveEngine& operator=(const ActiveEngine&) = delete;
@@ -79,7 +79,7 @@ class ActiveEngine {
   Instant identifiedAt(std::size_t axis, const ActivePath& path) const;  // or renewed on-line since
 
   std::unique_ptr<DuplexDevice> device_;
-  EngineOptions options_;
+  ActiveEngineOptions options_;
   const Clock& clock_;
   DuplexFormat format_;
   std::array<ActivePath, kActiveAxes> paths_{};
@@ -99,7 +99,7 @@ class ActiveEngine {
   std::vector<double> in_;
   std::vector<safety::ActuatorCommand> out_;
   rt::TripleBuffer<ActiveSnapshot> snapshots_;
-  rt::TripleBuffer<std::array<ActivePath, kActiveAxes>> promises_;  // owner to thread
+  rt::TripleBuffer<std::array<ActivePath, kActiveAxes>> margins_;   // owner to thread
   std::array<std::atomic<std::int64_t>, kActiveAxes> renewedAt_{};  // [ns]
   std::jthread renewer_;  // beside the loop, while on-line identification is on
   std::unique_ptr<rt::RealtimeThread> thread_;

@@ -48,9 +48,9 @@ class AxisTally {
     const double n = std::max(1, all.samples);
     axis.strokePeak = all.peak / amplitude_;
     axis.strokeRms = std::sqrt(all.output / n) / amplitude_;
-    axis.limitedShare = all.limited / n;
+    axis.limitedFraction = all.limited / n;
     axis.errorRms = std::sqrt(all.error / n);
-    axis.withoutRms = std::sqrt(all.without / n);
+    axis.uncontrolledRms = std::sqrt(all.without / n);
   }
 
  private:

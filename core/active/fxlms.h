@@ -61,7 +61,7 @@ class FxlmsController {
   FxlmsOptions options_;
   dsp::kernels::Kernels kernels_;
   dsp::kernels::LaneValues weights_;
-  TapLine reference_, filtered_;  // the second but for its newest value
+  DelayLine reference_, filtered_;  // the second but for its newest value
   double filteredNow_ = 0.0;
   PathPair path_;  // s^ * y and s^ * x
   ErrorWeighting errorWeight_, referenceWeight_;

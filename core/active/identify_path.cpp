@@ -169,9 +169,9 @@ void judge(const PathModel& model, Hertz rate, PathReport& report) {
     const double error = std::abs(phaseError(model, report.measured[k], f, rate));
     if (error <= report.worstPhase) continue;
     report.worstPhase = error;
-    report.worstAt = f.value;
+    report.worstFrequency = f.value;
   }
-  report.phaseLeft = 0.5 * std::numbers::pi - report.worstPhase;
+  report.phaseMargin = 0.5 * std::numbers::pi - report.worstPhase;
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ struct PathReport {
   // Largest phase error where the coherence tells (0.8 and more), and the phase that is left of the 90 degrees that
   // FXLMS can stand [rad]; the frequency it happens at [Hz].
   double worstPhase = 0.0;
-  double phaseLeft = 0.0;
-  double worstAt = 0.0;
+  double phaseMargin = 0.0;
+  double worstFrequency = 0.0;
 };
 
 struct IdentifiedPath {

@@ -18,13 +18,13 @@ void LineMeter::prepare(std::span<const Hertz> lines, Hertz rate) {
   static_assert(kActiveLines % dsp::kernels::kLanes == 0);
   kernels_ = dsp::kernels::bestKernels();
   count_ = 0;
-  turnRe_ = turnIm_ = {};
+  rotationRe_ = rotationIm_ = {};
   for (const Hertz line : lines) {
     if (count_ == kActiveLines || line.value <= 0.0 || line.value >= 0.5 * rate.value) continue;
     const auto l = static_cast<std::size_t>(count_++);
     frequency_[l] = line;
-    turnRe_[l] = std::cos(kTwoPi * line.value / rate.value);
-    turnIm_[l] = std::sin(kTwoPi * line.value / rate.value);
+    rotationRe_[l] = std::cos(kTwoPi * line.value / rate.value);
+    rotationIm_[l] = std::sin(kTwoPi * line.value / rate.value);
   }
   window_.resize(static_cast<std::size_t>(std::max(8.0, std::round(kWindow * rate.value))));
   for (std::size_t n = 0; n < window_.size(); ++n) {
@@ -51,8 +51,8 @@ void LineMeter::take() STILLCUT_RT {
                      .lanes = static_cast<std::size_t>(kActiveLines),
                      .re = re_.data(),
                      .im = im_.data(),
-                     .turnRe = turnRe_.data(),
-                     .turnIm = turnIm_.data(),
+                     .rotationRe = rotationRe_.data(),
+                     .rotationIm = rotationIm_.data(),
                      .xRe = errorRe_.data(),
                      .xIm = errorIm_.data(),
                      .yRe = withoutRe_.data(),

@@ -39,7 +39,7 @@ class LineMeter {
   std::size_t at_ = 0;      // in the window, of the first value of the chunk
   std::size_t filled_ = 0;  // of the chunk
   std::array<double, kChunk> error_{}, without_{};
-  Lines re_{}, im_{}, turnRe_{}, turnIm_{};
+  Lines re_{}, im_{}, rotationRe_{}, rotationIm_{};
   Lines errorRe_{}, errorIm_{}, withoutRe_{}, withoutIm_{};
   Lines errorPower_{}, withoutPower_{};
   int windows_ = 0;  // averaged so far, at most a second's

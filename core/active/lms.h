@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "core/active/tap_line.h"
+#include "core/active/delay_line.h"
 #include "core/base/realtime.h"
 #include "core/dsp/kernels/kernels.h"
 
@@ -35,7 +35,7 @@ class Lms {
  private:
   LmsOptions options_;
   dsp::kernels::Kernels kernels_;
-  TapLine line_;
+  DelayLine line_;
   std::vector<double> weights_;
 };
 

@@ -15,18 +15,18 @@ constexpr double kSettling = 0.5;         // [s] for the predictors after a star
 
 }  // namespace
 
-void OnlineIdentifier::Unpredictable::prepare(int taps, int delay) {
+void OnlineIdentifier::PredictionErrorFilter::prepare(int taps, int delay) {
   delay_ = delay;
   predictor_.prepare({.taps = taps, .step = kPredictorShare, .normalised = true});
   past_.prepare(static_cast<std::size_t>(delay));
 }
 
-void OnlineIdentifier::Unpredictable::reset() noexcept {
+void OnlineIdentifier::PredictionErrorFilter::reset() noexcept {
   predictor_.reset();
   past_.reset();
 }
 
-double OnlineIdentifier::Unpredictable::process(double x) STILLCUT_RT {
+double OnlineIdentifier::PredictionErrorFilter::process(double x) STILLCUT_RT {
   const double rest = predictor_.process(past_.data()[delay_ - 1], x);  // x itself is not in the line yet
   past_.push(x);
   return rest;

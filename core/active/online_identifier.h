@@ -10,9 +10,9 @@
 
 #include <vector>
 
+#include "core/active/delay_line.h"
 #include "core/active/lms.h"
 #include "core/active/path_model.h"
-#include "core/active/tap_line.h"
 #include "core/milling/simulation/noise.h"
 #include "core/rt/triple_buffer.h"
 
@@ -41,7 +41,7 @@ class OnlineIdentifier {
 
  private:
   // What a linear predictor from values `delay` old and older leaves of a signal.
-  class Unpredictable {
+  class PredictionErrorFilter {
    public:
     void prepare(int taps, int delay);
     void reset() noexcept;
@@ -49,7 +49,7 @@ class OnlineIdentifier {
 
    private:
     Lms predictor_;
-    TapLine past_;
+    DelayLine past_;
     int delay_ = 0;
   };
   struct Sums {
@@ -60,8 +60,8 @@ class OnlineIdentifier {
   OnlineOptions options_;
   dsp::kernels::Kernels kernels_;
   milling::NoiseSource noise_{7};
-  TapLine added_;  // v, newest first
-  Unpredictable error_, output_;
+  DelayLine added_;  // v, newest first
+  PredictionErrorFilter error_, output_;
   Sums sums_;
   std::size_t samples_ = 0, window_ = 1, settle_ = 0;
   double now_ = 0.0;

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/active/delay_line.h"
 #include "core/active/path_model.h"
-#include "core/active/tap_line.h"
 #include "core/base/realtime.h"
 #include "core/dsp/kernels/aligned.h"
 #include "core/dsp/kernels/kernels.h"
@@ -59,7 +59,7 @@ class PathFilter {
  private:
   dsp::kernels::Kernels kernels_;
   dsp::kernels::LaneValues forward_, backward_;  // padded
-  TapLine inputs_, outputs_;
+  DelayLine inputs_, outputs_;
   std::size_t delay_ = 0;
 };
 

@@ -8,8 +8,8 @@
 
 #include <vector>
 
+#include "core/active/delay_line.h"
 #include "core/active/path_model.h"
-#include "core/active/tap_line.h"
 #include "core/base/realtime.h"
 #include "core/dsp/kernels/kernels.h"
 
@@ -35,7 +35,7 @@ class PathIdentifier {
  private:
   IdentifierOptions options_;
   dsp::kernels::Kernels kernels_;
-  TapLine outputs_, predictions_;
+  DelayLine outputs_, predictions_;
   std::vector<double> forward_, backward_;  // padded
 };
 

@@ -42,11 +42,11 @@ class SimulatedDuplex final : public DuplexDevice {
   int frames_;
   std::uint64_t seed_;
   const Clock* clock_;
-  struct Ear {
+  struct ErrorSensor {
     int channel = 0;
     double scale = 1.0;  // SI per device unit
   };
-  std::array<Ear, 2> ears_;
+  std::array<ErrorSensor, 2> ears_;
   std::unique_ptr<milling::SimulatedCut> plant_;
   SampleBlock frame_;
   std::vector<double> playing_;

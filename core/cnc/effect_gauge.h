@@ -22,7 +22,7 @@ class EffectGauge {
   // `before`: what an earlier run has measured, which holds until an effect was seen; 0: nothing.
   explicit EffectGauge(Seconds before = {}) : before_(before) {}
   // Our factors on the programmed values; 1 and 1: let go.
-  void ordered(Ratio speed, Ratio feed, Instant now) noexcept {
+  void commanded(Ratio speed, Ratio feed, Instant now) noexcept {
     const bool speedIsNew = speed_.note(speed, now);
     const bool feedIsNew = feed_.note(feed, now);
     if (speedIsNew || feedIsNew) newest_ = now;

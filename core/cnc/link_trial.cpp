@@ -78,13 +78,13 @@ bool LinkTrial::passed() const {
   return steps_.size() == kSteps && std::all_of(steps_.begin(), steps_.end(), [](const auto& s) { return s.good; });
 }
 
-TrialStep LinkTrial::connect() {
+LinkTrialStep LinkTrial::connect() {
   const Status opened = link_.open();
   if (!opened) return {kNames[0], {opened.error().asMessage()}, false};
   return {kNames[0], {{kAnswers, {std::string(link_.describe().label)}}}, true};
 }
 
-TrialStep LinkTrial::read() {
+LinkTrialStep LinkTrial::read() {
   const Instant began = clock_.now();
   MachineState m;
   rt::Wakeup never;  // only its time-out is used
@@ -93,21 +93,21 @@ TrialStep LinkTrial::read() {
     if (!m.valid) never.waitFor(kBetweenReads);
   }
   if (!m.valid) return {kNames[1], {{kIncomplete, {}}}, false};
-  const char* const doing = m.block == OrderBlock::MachineOff     ? kOff
-                            : m.block == OrderBlock::MachineAlarm ? kAlarm
-                            : m.feedHold                          ? kHeld
-                            : m.programRunning                    ? kRunning
-                                                                  : kIdle;
-  TrialStep step{kNames[1],
-                 {{doing, {}},
-                  {kSpindle, {number(m.actualSpeed.value), number(m.programmedSpeed.value)}},
-                  {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}},
-                 true};
+  const char* const doing = m.block == OverrideInhibit::MachineOff     ? kOff
+                            : m.block == OverrideInhibit::MachineAlarm ? kAlarm
+                            : m.feedHold                               ? kHeld
+                            : m.programRunning                         ? kRunning
+                                                                       : kIdle;
+  LinkTrialStep step{kNames[1],
+                     {{doing, {}},
+                      {kSpindle, {number(m.actualSpeed.value), number(m.programmedSpeed.value)}},
+                      {kOverrides, {percent(m.speedOverride), percent(m.feedOverride)}}},
+                     true};
   if (!m.overridesEnabled) step.said.push_back({kLocked, {}});
   return step;
 }
 
-TrialStep LinkTrial::measure() {
+LinkTrialStep LinkTrial::measure() {
   std::vector<double> looks, ages;
   for (int i = 0; i < kLooks; ++i) {
     const Instant before = clock_.now();
@@ -119,12 +119,13 @@ TrialStep LinkTrial::measure() {
   look_ = median(looks);
   age_ = median(ages);
   const int lost = kLooks - static_cast<int>(ages.size());
-  TrialStep step{kNames[2], {{kDelay, {number(1e3 * look_.value, 1), number(1e3 * age_.value, 1)}}}, 2 * lost < kLooks};
+  LinkTrialStep step{
+      kNames[2], {{kDelay, {number(1e3 * look_.value, 1), number(1e3 * age_.value, 1)}}}, 2 * lost < kLooks};
   if (lost > 0) step.said.push_back({kLost, {number(lost), number(kLooks)}});
   return step;
 }
 
-TrialStep LinkTrial::safety() const {
+LinkTrialStep LinkTrial::safety() const {
   const LinkInfo info = link_.describe();
   return {
       kNames[3],

@@ -14,7 +14,7 @@
 
 namespace stillcut::cnc {
 
-struct TrialStep {
+struct LinkTrialStep {
   std::string what;  // "Connect"
   std::vector<Message> said;
   bool good = false;
@@ -27,7 +27,7 @@ class LinkTrial {
 
   // Takes the next step; false: there is none, because all are done or one has failed.
   bool next();
-  const std::vector<TrialStep>& steps() const { return steps_; }
+  const std::vector<LinkTrialStep>& steps() const { return steps_; }
   bool passed() const;
   // How long a look at the machine takes, and how old what it shows is; medians, 0 before they were measured.
   Seconds look() const { return look_; }
@@ -41,14 +41,14 @@ class LinkTrial {
   static std::span<const char* const> words();
 
  private:
-  TrialStep connect();
-  TrialStep read();
-  TrialStep measure();
-  TrialStep safety() const;
+  LinkTrialStep connect();
+  LinkTrialStep read();
+  LinkTrialStep measure();
+  LinkTrialStep safety() const;
 
   CncLink& link_;
   const Clock& clock_;
-  std::vector<TrialStep> steps_;
+  std::vector<LinkTrialStep> steps_;
   Seconds look_{}, age_{};
 };
 

@@ -12,14 +12,14 @@
 #include "core/cnc/modbus/register_map.h"
 #include "core/cnc/simulated_machine.h"
 #include "core/cnc/wire_number.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 
 namespace stillcut::cnc {
 
 namespace {
 
 Result<std::unique_ptr<CncLink>> makeSimulated(const LinkRequest& r) {
-  const config::PartSettings settings(r.settings, "link 'simulated'", r.asked);
+  const config::ComponentSettings settings(r.settings, "link 'simulated'", r.asked);
   if (Status known = settings.finish(); !known) return known.error();
   if (r.scenario == nullptr) return Error{message("link 'simulated'"), message("a scenario is needed")};
   return std::unique_ptr<CncLink>(std::make_unique<SimulatedMachine>(*r.scenario, r.port));
@@ -32,7 +32,7 @@ Status realMachine(const LinkRequest& r, const std::string& where) {
 
 Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
   const std::string where = "link 'linuxcnc'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   LinuxCncSettings s;
   s.rsh.host = settings.text("host", s.rsh.host);
   s.rsh.port = settings.whole("port", s.rsh.port, 1, 65535);
@@ -65,7 +65,7 @@ Result<std::unique_ptr<CncLink>> makeLinuxCnc(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
   const std::string where = "link 'grbl'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   GrblSettings s;
   if (settings.has("host")) {
     s.wire = {.host = settings.text("host", ""), .port = settings.whole("port", 23, 1, 65535), .device = {}};
@@ -84,7 +84,7 @@ Result<std::unique_ptr<CncLink>> makeGrbl(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
   const std::string where = "link 'modbus'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
   if (file.empty())
@@ -102,7 +102,7 @@ Result<std::unique_ptr<CncLink>> makeModbus(const LinkRequest& r) {
 
 Result<std::unique_ptr<CncLink>> makeAnalog(const LinkRequest& r) {
   const std::string where = "link 'analog'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("map", "");
   if (Status known = settings.finish(); !known) return known.error();
   if (file.empty())

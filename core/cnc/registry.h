@@ -14,7 +14,7 @@
 #include "core/cnc/byte_channel.h"
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/modbus/register_bus.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 #include "core/milling/simulation/plant_port.h"
 #include "core/milling/simulation/scenario.h"
 
@@ -31,8 +31,8 @@ struct LinkRequest {
   std::function<std::unique_ptr<AnalogOutput>()> analog;  // may give null
   Rpm programmedSpeed{};                                  // of the profile, for machines that do not tell
   MetresPerSecond programmedFeed{};
-  const Clock* clock = nullptr;                        // real machines; outlives the link
-  std::vector<config::AskedSetting>* asked = nullptr;  // told of every setting the link asks for
+  const Clock* clock = nullptr;                       // real machines; outlives the link
+  std::vector<config::SettingDecl>* asked = nullptr;  // told of every setting the link asks for
 };
 
 struct LinkEntry {

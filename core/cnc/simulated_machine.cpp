@@ -37,9 +37,9 @@ MachineState SimulatedMachine::read(Instant) noexcept {
   lastTime_ = state->time;
   MachineState seen = *state;
   seen.controlOurs = controlOurs_;
-  if (!seen.programRunning) seen.block = OrderBlock::NoProgram;
-  if (!seen.overridesEnabled) seen.block = OrderBlock::OverridesLocked;
-  if (!seen.controlOurs) seen.block = OrderBlock::OtherClient;
+  if (!seen.programRunning) seen.block = OverrideInhibit::NoProgram;
+  if (!seen.overridesEnabled) seen.block = OverrideInhibit::OverridesLocked;
+  if (!seen.controlOurs) seen.block = OverrideInhibit::OtherClient;
   seen.link.acknowledged = order_.when;  // a port takes an order at once
   seen.link.overrides = seen.link.speed = seen.link.feed = seen.link.program = seen.time;
   return seen;
@@ -69,8 +69,8 @@ void SimulatedMachine::release(Instant now) noexcept {
 }
 
 void SimulatedMachine::turnKnobs(Ratio speed, Ratio feed) noexcept {
-  order_.knobSpeed = speed;
-  order_.knobFeed = feed;
+  order_.operatorSpeedFactor = speed;
+  order_.operatorFeedFactor = feed;
   port_->order(order_);
 }
 

@@ -38,7 +38,7 @@ class SimulatedMachine final : public CncLink {
   milling::OverrideSettings ranges_;
   Seconds block_;
   std::shared_ptr<milling::PlantPort> port_;
-  milling::PlantOrder order_;
+  milling::PlantCommand order_;
   Instant lastTime_{};
   std::uint64_t engagement_ = 0, resetEngagement_ = 0;
   bool linkUp_ = true, controlOurs_ = true;

@@ -16,7 +16,7 @@ inline std::optional<double> wireNumber(std::string_view word) noexcept {
 }
 
 // Takes the first word off `text`; words are parted by `separator`, several count as one.
-inline std::string_view takeWord(std::string_view& text, char separator = ' ') noexcept {
+inline std::string_view takeToken(std::string_view& text, char separator = ' ') noexcept {
   while (!text.empty() && text.front() == separator) text.remove_prefix(1);
   const std::size_t end = text.find(separator);
   const std::string_view word = text.substr(0, end);

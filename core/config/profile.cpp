@@ -37,8 +37,8 @@ std::string idFrom(const TomlTable& table, std::string_view key, std::string_vie
   return id;
 }
 
-PartChoice partFrom(const TomlTable& table, const std::vector<std::string_view>& known) {
-  PartChoice part;
+ComponentChoice partFrom(const TomlTable& table, const std::vector<std::string_view>& known) {
+  ComponentChoice part;
   part.id = idFrom(table, "id", "", known);
   const TomlTable settings = table.tableOr("settings");
   for (const std::string& key : settings.keys()) part.settings[key] = settings.scalarText(key);
@@ -170,7 +170,7 @@ Result<Profile> profileFrom(const TomlReader& in, const ParamCatalog& catalog, c
   return profile;
 }
 
-void writePart(TomlWriter& out, std::string_view name, const PartChoice& part) {
+void writePart(TomlWriter& out, std::string_view name, const ComponentChoice& part) {
   if (part.id.empty()) return;
   out.table(name);
   out.text("id", part.id);

@@ -41,7 +41,7 @@ class TomlWriter;
 inline constexpr int kProfileVersion = 1;
 
 // A device or machine link by its id, with its own settings as text; the part itself checks them when it is made.
-struct PartChoice {
+struct ComponentChoice {
   std::string id;  // empty: none
   std::map<std::string, std::string> settings;
 };
@@ -59,9 +59,9 @@ struct Profile {
   Metres depth{};     // of the cut; 0: unknown
   std::string operatorName;  // empty: not told
   RecordingChoice recording;
-  PartChoice source;
-  PartChoice link;
-  PartChoice active;                      // device of the active work-holder
+  ComponentChoice source;
+  ComponentChoice link;
+  ComponentChoice active;                 // device of the active work-holder
   std::string detector = "energy-ratio";  // in charge
   std::string fallback;                   // takes over when it fails; empty: none
   std::string strategy = "monitor";

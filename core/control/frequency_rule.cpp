@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/control/speed_wish.h"
+#include "core/control/speed_request.h"
 
 namespace stillcut::control {
 namespace {
@@ -38,11 +38,11 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
   if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
     return keepOrNothing(input, target_);
   }
-  if (otherSpeedWord(m, programmed_)) {
+  if (programmedSpeedChanged(m, programmed_)) {
     reset();
     programmed_ = m.programmedSpeed;
   }
-  const Rpm present = presentSpeed(m);
+  const Rpm present = actualOrCommandedSpeed(m);
   const bool alarm = options_.waitForChatter ? v.state == CutState::Chatter : v.alarming();
   if (teeth_ <= 0) {
     reason_ = teethNotKnown(input);
@@ -56,7 +56,7 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
     take(whenQuiet(look(input, present)));
   }
   alarmed_ = alarm;
-  return speedWish(input, target_, reason_);
+  return speedRequest(input, target_, reason_);
 }
 
 Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
@@ -85,7 +85,7 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   view.level = view.perturbation >= 0.0 ? view.perturbation : shown(input.verdict.severity.value);
   view.effect = m.link.effect;
   view.vibration = std::isfinite(input.vibration) ? input.vibration : -1.0;
-  view.air = input.verdict.state == CutState::Air;
+  view.air = input.verdict.state == CutState::AirCutting;
   view.reach = reachableSpeeds(limits_, m);
   return view;
 }

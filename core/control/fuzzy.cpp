@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/control/speed_wish.h"
+#include "core/control/speed_request.h"
 
 namespace stillcut::control {
 namespace {
@@ -80,7 +80,7 @@ void Fuzzy::tellRules(RuleTables& into) const noexcept {
   into.refused = shownRefused_.load(std::memory_order_relaxed);
 }
 
-void Fuzzy::letGo() noexcept {
+void Fuzzy::relinquish() noexcept {
   speed_ = feed_ = 1.0;
   heldFrom_ = 0.0;
   moved_ = false;
@@ -93,7 +93,7 @@ void Fuzzy::reset() noexcept {
   lessons_ = 0;
   showRules();
   programmed_ = {};
-  letGo();
+  relinquish();
   elapsed_ = levelSum_ = coherenceMax_ = counted_ = 0.0;
   stable_ = stableSum_ = stableTime_ = stableBefore_ = remembered_ = 0.0;
   coherenceKnown_ = hearsEnergy_ = false;
@@ -109,7 +109,7 @@ OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
     const MachineState& m = input.machine;
     return keepOrNothing(input, moved_ ? m.programmedSpeed * (m.operatorSpeed.value * speed_) : Rpm());
   }
-  if (otherSpeedWord(input.machine, programmed_)) {
+  if (programmedSpeedChanged(input.machine, programmed_)) {
     reset();
     programmed_ = input.machine.programmedSpeed;
   }
@@ -148,7 +148,7 @@ void Fuzzy::gather(const StrategyInput& input) noexcept {
     if (!v.alarming()) coherence = std::min(coherence, 0.5 * ref);
   }
   // Two sensors agree on a spindle that hums in air as well.
-  if (v.phase == CutPhase::Air) coherence = std::min(coherence, 0.5 * options_.coherenceRef);
+  if (v.phase == CutPhase::AirCutting) coherence = std::min(coherence, 0.5 * options_.coherenceRef);
   const double level = levelOf(input);
   if (!ofThePast(input, level, dt)) {
     coherenceMax_ = std::max(coherenceMax_, std::clamp(coherence, 0.0, 1.0));
@@ -189,7 +189,7 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
   in.energyKnown = known;
   lastCoherence_ = coherence;
   reason_ = said(input, coherence, energy);
-  if (input.verdict.phase == CutPhase::Air) {
+  if (input.verdict.phase == CutPhase::AirCutting) {
     if (feed_ < heldFrom_) feedAgain(in, input.machine);
     reason_ = said(input, coherence, energy);
     return;  // nothing is cut that another speed could quieten, or that taught

@@ -56,7 +56,7 @@ class Fuzzy : public Strategy {
   void retune(const config::ParamSet& params) noexcept override;
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
-  void letGo() noexcept override;
+  void relinquish() noexcept override;
   // The rules as of the last cycle, what was learned included. Any thread, for a screen: each cell is true by itself.
   void tellRules(RuleTables& into) const noexcept;
 

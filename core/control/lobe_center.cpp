@@ -36,7 +36,7 @@ void LobeCenter::retune(const config::ParamSet& params) noexcept {
 }
 
 Aim LobeCenter::aim(const RuleView& view) noexcept {
-  const Pocket pocket = pocketInReach(view.chatter, view.teeth, view.present, view.reach);
+  const LobeTarget pocket = pocketInReach(view.chatter, view.teeth, view.present, view.reach);
   if (pocket.waves == 0) {
     return {{},
             {ReasonCode::TargetOutOfRange,

@@ -61,7 +61,7 @@ Rpm MinimumSearch::advance(const Input& in) STILLCUT_RT {
   if (dwelt_ > 0.5 * dwell && nearChatter()) {
     closeThisSide({});
   } else if (dwelt_ >= dwell) {
-    judge({trying_, sum_ / dwelt_, perturbationSum_ / dwelt_, true});
+    evaluateTrial({trying_, sum_ / dwelt_, perturbationSum_ / dwelt_, true});
   }
   return trying_;
 }
@@ -89,7 +89,7 @@ double MinimumSearch::drift() STILLCUT_RT {
   return std::clamp(std::min(growth_, before) * sinceJudged_, -kMostDrift, kMostDrift);
 }
 
-void MinimumSearch::judge(const Point& point) STILLCUT_RT {
+void MinimumSearch::evaluateTrial(const Point& point) STILLCUT_RT {
   const double since = 1.0 + drift();
   sinceJudged_ = 0.0;
   for (Point* p : {&best_, &below_, &above_}) p->level *= since;

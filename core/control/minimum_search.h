@@ -63,7 +63,7 @@ class MinimumSearch {
   double drift() STILLCUT_RT;
   bool nearChatter() const STILLCUT_RT;
   bool closeThisSide(Rpm chatter) STILLCUT_RT;
-  void judge(const Point& point) STILLCUT_RT;
+  void evaluateTrial(const Point& point) STILLCUT_RT;
   void next() STILLCUT_RT;
   Rpm vertex() const STILLCUT_RT;
   Rpm inside() const STILLCUT_RT;

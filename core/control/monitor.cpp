@@ -1,6 +1,6 @@
 #include "core/control/monitor.h"
 
-#include "core/control/plain_reasons.h"
+#include "core/control/common_reasons.h"
 
 namespace stillcut::control {
 

@@ -34,8 +34,8 @@ void PocketSearch::prepare(const CutSetup& setup) {
       if (ranges_ < kRanges) range_[ranges_++] = range;
     }
     depth_ = known.depth;
-    deepestDepth_ = known.deepestDepth;
-    deepestSpeed_ = known.deepestSpeed;
+    deepestDepth_ = known.largestStableDepth;
+    deepestSpeed_ = known.largestDepthSpeed;
   }
   forget();
 }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/control/speed_wish.h"
+#include "core/control/speed_request.h"
 
 namespace stillcut::control {
 namespace {
@@ -54,7 +54,7 @@ void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params
   limits_ = *limits;
   teeth_ = setup.teeth;
   retune(params);
-  judge_.forget();
+  confirmation_.forget();
   search_.prepare(setup);
   reset();
 }
@@ -64,17 +64,17 @@ void StablePocket::retune(const config::ParamSet& params) noexcept {
   settle_ = Seconds(params.real(kSettle) / 1000.0);
   forget_ = Seconds(params.real(kForget));
   pause_ = Seconds(params.real(kPause));
-  judge_.configure({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
+  confirmation_.configure({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
 }
 
 void StablePocket::reset() noexcept {
-  judge_.forgetLevels();
+  confirmation_.forgetLevels();
   programmed_ = {};
-  letGo();
+  relinquish();
 }
 
-void StablePocket::letGo() noexcept {
-  judge_.forget();
+void StablePocket::relinquish() noexcept {
+  confirmation_.forget();
   search_.forget();
   phase_ = Phase::Watch;
   target_ = from_ = even_ = {};
@@ -90,13 +90,13 @@ void StablePocket::letGo() noexcept {
 OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
   const MachineState& m = input.machine;
   const Verdict& v = input.verdict;
-  if (target_.value > 0.0 && usable(m)) watchLetGo(v, m, presentSpeed(m));
+  if (target_.value > 0.0 && usable(m)) watchLetGo(v, m, actualOrCommandedSpeed(m));
   if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
     // Chatter that drives the sensor to its limit now and then has not ended each time.
-    if (v.valid || v.reason.code != ReasonCode::InputClipped) judge_.forget();
+    if (v.valid || v.reason.code != ReasonCode::InputClipped) confirmation_.forget();
     return keepOrNothing(input, target_);
   }
-  if (otherSpeedWord(m, programmed_)) {
+  if (programmedSpeedChanged(m, programmed_)) {
     reset();
     programmed_ = m.programmedSpeed;
   }
@@ -110,7 +110,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
   } else if (positive(m.actualFeed.value)) {
     path_ += Metres(m.actualFeed.value * input.dt.value);
   }
-  const Rpm present = presentSpeed(m);
+  const Rpm present = actualOrCommandedSpeed(m);
   const double dt = input.dt.value;
   even_ = near(even_, present, kShaken) ? even_ + (dt / (dt + kEvenTime)) * (present - even_) : present;
   if (phase_ == Phase::Settle) {
@@ -138,13 +138,13 @@ void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machin
 void StablePocket::giveUpTarget() noexcept {
   target_ = from_ = {};
   phase_ = Phase::Watch;
-  judge_.forget();
+  confirmation_.forget();
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
 void StablePocket::listen(const StrategyInput& input) noexcept {
   const double dt = input.dt.value;
-  judge_.hear(input.verdict, input.dt, {toHertz(even_), teeth_, moves_ > 0}, input.vibration);
+  confirmation_.update(input.verdict, input.dt, {toHertz(even_), teeth_, moves_ > 0}, input.vibration);
   quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
   if (phase_ == Phase::Resigned) {
     inPhase_ += dt;
@@ -161,7 +161,7 @@ void StablePocket::listen(const StrategyInput& input) noexcept {
     moves_ = 0;
     search_.forget();
   }
-  if (judge_.confirmed()) {
+  if (confirmation_.confirmed()) {
     choose(input.machine, even_);
   } else if (target_.value > 0.0 && arrived_) {  // asked for is not yet kept: the reason to ask stays
     reason_ = {ReasonCode::KeepingSpeed, {target_.value, movedFor_.value}};
@@ -191,7 +191,7 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
     if (inPhase_ < std::max(settle_.value, kSettleTurns / toHertz(present).value)) return;
     phase_ = Phase::Watch;
     quiet_ = 0.0;
-    judge_.forget();
+    confirmation_.forget();
     reason_ = {ReasonCode::KeepingSpeed, {target_.value, movedFor_.value}};
     return;
   }
@@ -202,12 +202,12 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
   waiting_ = 0.0;
   --moves_;
   phase_ = Phase::Watch;
-  judge_.forget();
+  confirmation_.forget();
 }
 
 void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   const config::SpeedRange reach = reachableSpeeds(limits_, m);
-  const Hertz chatter = judge_.frequency();
+  const Hertz chatter = confirmation_.frequency();
   if (moves_ >= mostMoves_) {
     resign(nothingQuiet(chatter));
     return;
@@ -227,7 +227,7 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   reason_ = next.reason;
   phase_ = Phase::Settle;
   inPhase_ = waiting_ = standing_ = 0.0;
-  judge_.forget();
+  confirmation_.forget();
 }
 
 void StablePocket::resign(const Reason& why) noexcept {
@@ -242,7 +242,7 @@ Reason StablePocket::nothingQuiet(Hertz chatter) const noexcept {
 }
 
 OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept {
-  OverrideRequest request = speedWish(input, target_, reason_);
+  OverrideRequest request = speedRequest(input, target_, reason_);
   if (phase_ == Phase::Resigned) request.kind = RequestKind::Release;
   return request;
 }

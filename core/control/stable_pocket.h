@@ -1,6 +1,6 @@
 // stable-pocket: the default strategy. van Dijk 2010, section 4.1 chooses where to go (eq. 29, 30); this is what it
 // takes to leave the rule on without watching it:
-//   watch   the cut; an alarm must stand for a moment at one frequency (chatter_judge.h)
+//   watch   the cut; an alarm must stand for a moment at one frequency (chatter_confirmation.h)
 //   move    once, to a target that no longer changes; where modes are known it is checked against the lobes
 //   settle  until the spindle is there and what chattered has had time to ring down. There is also where it stands
 //           although the order is in force: slip under load is not waited for. A target that a turned knob has put out
@@ -16,7 +16,7 @@
 // Thread: as Strategy.
 #pragma once
 
-#include "core/control/chatter_judge.h"
+#include "core/control/chatter_confirmation.h"
 #include "core/control/pocket_search.h"
 #include "core/control/strategy.h"
 
@@ -32,7 +32,7 @@ class StablePocket final : public Strategy {
   void retune(const config::ParamSet& params) noexcept override;
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
-  void letGo() noexcept override;
+  void relinquish() noexcept override;
 
  private:
   enum class Phase { Watch, Settle, Resigned };
@@ -52,7 +52,7 @@ class StablePocket final : public Strategy {
   int mostMoves_ = 0;
   Seconds settle_{}, forget_{}, pause_{};
 
-  ChatterJudge judge_;
+  ChatterConfirmation confirmation_;
   PocketSearch search_;
   Phase phase_ = Phase::Watch;
   Rpm programmed_{};

@@ -19,7 +19,7 @@ struct StrategyInfo {
   std::string_view source;  // "van Dijk 2010, section 4.1"
   // Id of the detector whose indicators it weighs besides the verdict in charge ("coherence"); it runs whenever the
   // strategy does. Empty: the verdict in charge is enough.
-  std::string_view listensTo = {};
+  std::string_view requiredDetector = {};
 };
 
 struct StrategyInput {
@@ -27,8 +27,8 @@ struct StrategyInput {
   Seconds dt{};   // measured time since the previous decision
   Verdict verdict;
   // As read, but for operatorSpeed and operatorFeed: the knobs by which the gate divides what is asked for
-  // (OverrideGate::seenByWishes). While something of ours is in force they may differ from the newest read: a knob that
-  // is turned then scales what is in force, and a strategy that saw it turned would count it twice.
+  // (OverrideGate::machineSeenByRequests). While something of ours is in force they may differ from the newest read: a
+  // knob that is turned then scales what is in force, and a strategy that saw it turned would count it twice.
   MachineState machine;
   // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26), of whichever detector reports it, for the strategies that lower it;
   // negative: unknown, the verdict's severity stands in for it.
@@ -57,7 +57,7 @@ class Strategy {
   virtual void reset() noexcept = 0;
   // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not
   // come back with the next grant. What was learned of the cut may stay. Real-time.
-  virtual void letGo() noexcept { reset(); }
+  virtual void relinquish() noexcept { reset(); }
 };
 
 }  // namespace stillcut::control

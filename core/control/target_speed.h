@@ -22,7 +22,7 @@ inline Rpm speedForWaves(Hertz chatter, int teeth, int waves) STILLCUT_RT {
   return toRpm(chatter) / (static_cast<double>(waves) * teeth);
 }
 
-struct Pocket {
+struct LobeTarget {
   Rpm speed{};
   int waves = 0;       // p; 0: none is in reach
   Rpm firstChoice{};   // what the rule itself asks for
@@ -31,9 +31,9 @@ struct Pocket {
 
 // The pocket that eq. 29 and 30 choose, or, where the override does not reach it, the nearest of its neighbours
 // (p - 1, p + 1) that it reaches.
-inline Pocket pocketInReach(Hertz chatter, int teeth, Rpm present, const config::SpeedRange& reach) STILLCUT_RT {
+inline LobeTarget pocketInReach(Hertz chatter, int teeth, Rpm present, const config::SpeedRange& reach) STILLCUT_RT {
   const int p = wavesBetweenTeeth(chatter, teeth, present);
-  Pocket best;
+  LobeTarget best;
   best.firstChoice = speedForWaves(chatter, teeth, p);
   for (const int candidate : {p, p - 1, p + 1}) {
     if (candidate < 1) continue;

@@ -62,8 +62,8 @@ std::vector<std::size_t> blowsIn(const std::vector<std::vector<double>>& powers,
 
 }  // namespace
 
-Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
-                              const std::vector<ChannelInfo>& channels, std::size_t told) {
+Result<KnockResult> analyseKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
+                                  const std::vector<ChannelInfo>& channels, std::size_t told) {
   if (told >= channels.size() || channels[told].axis.empty()) {
     return Error{kWhere, message("the chosen channel has no axis"), message("say which one it should lie along")};
   }
@@ -106,10 +106,10 @@ Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, He
                          channels[energies[1].second].name, number(lead)),
                  message("knock straight along %1, close to the sensor", chosen.axis)};
   }
-  return KnockHeard{told, energies[0].second, lead, static_cast<int>(blows.size())};
+  return KnockResult{told, energies[0].second, lead, static_cast<int>(blows.size())};
 }
 
-std::vector<Message> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels) {
+std::vector<Message> knockSentence(const KnockResult& heard, const std::vector<ChannelInfo>& channels) {
   const ChannelInfo& told = channels[heard.told];
   const ChannelInfo& loudest = channels[heard.loudest];
   Message most{heard.knocks == 1 ? kOneKnock : kKnocks, {told.axis, loudest.name, number(heard.lead)}};
@@ -122,7 +122,7 @@ std::span<const char* const> knockWords() {
   return kWords;
 }
 
-void applyKnocks(const KnockHeard& heard, std::vector<ChannelInfo>& channels) {
+void applyKnocks(const KnockResult& heard, std::vector<ChannelInfo>& channels) {
   std::swap(channels[heard.told].axis, channels[heard.loudest].axis);
 }
 

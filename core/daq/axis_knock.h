@@ -16,7 +16,7 @@
 
 namespace stillcut::daq {
 
-struct KnockHeard {
+struct KnockResult {
   std::size_t told = 0;     // channel that is said to lie along the axis
   std::size_t loudest = 0;  // channel that heard the knocks most: the same, where all is right
   double lead = 0.0;        // of its energy over the next one's [dB]
@@ -26,15 +26,15 @@ struct KnockHeard {
 // `samples`: of each channel, as the device delivers them, two seconds or more. Compared are the channels of the told
 // one's quantity and place that have an axis. Error, one line: no such channels; no blow 20 dB above the rest; two
 // channels within 6 dB of each other.
-Result<KnockHeard> hearKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
-                              const std::vector<ChannelInfo>& channels, std::size_t told);
+Result<KnockResult> analyseKnocks(const std::vector<std::vector<float>>& samples, Hertz rate,
+                                  const std::vector<ChannelInfo>& channels, std::size_t told);
 
 // "4 knocks along x: 'x' heard most, 14.2 dB above the next; it is right".
-std::vector<Message> knockSentence(const KnockHeard& heard, const std::vector<ChannelInfo>& channels);
+std::vector<Message> knockSentence(const KnockResult& heard, const std::vector<ChannelInfo>& channels);
 // The forms of its phrases; for whoever translates them.
 std::span<const char* const> knockWords();
 
 // The axes of the two exchanged, where another channel than the told one was the loudest.
-void applyKnocks(const KnockHeard& heard, std::vector<ChannelInfo>& channels);
+void applyKnocks(const KnockResult& heard, std::vector<ChannelInfo>& channels);
 
 }  // namespace stillcut::daq

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 
@@ -37,7 +37,7 @@ void BlockStamper::finish(SampleBlock& block, Instant seen) noexcept {
     block.lostFrames = static_cast<std::uint64_t>(std::llround(std::max(0.0, missing)));
   }
   if (block.lostFrames > 0 || clock_.jumped()) block.flags |= kBlockGap;
-  if (!clock_.settled()) block.flags |= kBlockUnchecked;
+  if (!clock_.settled()) block.flags |= kBlockRateUnverified;
   sequence_ += block.lostFrames / static_cast<std::uint64_t>(blockFrames_);
   block.sequence = sequence_++;
   started_ = true;

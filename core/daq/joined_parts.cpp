@@ -43,7 +43,7 @@ Result<Joining> takeJoining(Settings& part, const std::string& prefix) {
   for (const std::string& key : {id, channels, delay}) {
     if (auto node = part.extract(key.substr(prefix.size()))) ours.emplace(key, node.mapped());
   }
-  config::PartSettings settings(ours, kWhere);
+  config::ComponentSettings settings(ours, kWhere);
   Joining joining;
   if (!settings.has(id)) settings.fault(id, message("is missing"), two());
   joining.id = settings.text(id, "");

@@ -9,7 +9,7 @@
 #include "core/dsp/rate_watch.h"
 #include "core/dsp/repeat_watch.h"
 #include "core/model/block_copy.h"
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 namespace {
@@ -66,15 +66,15 @@ struct JoinedSource::Follower {
       if (other < 0 && repeats[c].repeats() && !holds[c]) other = static_cast<int>(c);
     }
     if (looked >= stretch) looked = 0;
-    if (rates.pending() > 0.0) block.flags |= kBlockUnchecked;
-    if (other >= 0) block.flags |= otherRateOf(other);
+    if (rates.pending() > 0.0) block.flags |= kBlockRateUnverified;
+    if (other >= 0) block.flags |= rateMismatchOf(other);
   }
   // The reader's thread.
   void collect() noexcept {
     while (SampleBlock* block = ring->front()) {
       aligner.push(*block);
-      unchecked = block->has(kBlockUnchecked);
-      otherRate = block->has(kBlockOtherRate) ? otherRateChannel(*block) : -1;
+      unchecked = block->has(kBlockRateUnverified);
+      otherRate = block->has(kBlockRateMismatch) ? rateMismatchChannel(*block) : -1;
       if (block->has(kBlockClipped)) {
         if (!clipped) clippedFrom = block->firstSample;
         clipped = true;
@@ -185,8 +185,8 @@ bool JoinedSource::read(SampleBlock& block) noexcept {
     const double step = 1.0 / own_.rate.value;
     for (auto& f : followers_) {
       if (f->takeClipped(from, to)) block.flags |= kBlockClipped;
-      if (f->unchecked) block.flags |= kBlockUnchecked;
-      if (f->otherRate >= 0 && !block.has(kBlockOtherRate)) block.flags |= otherRateOf(channel + f->otherRate);
+      if (f->unchecked) block.flags |= kBlockRateUnverified;
+      if (f->otherRate >= 0 && !block.has(kBlockRateMismatch)) block.flags |= rateMismatchOf(channel + f->otherRate);
       for (int c = 0; c < f->channels; ++c, ++channel) {
         const std::span<float> out = block.channel(channel);
         for (std::size_t i = 0; i < out.size(); ++i) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 #include "core/daq/joined_parts.h"
 #include "core/daq/pcm_source.h"
 #include "core/daq/replay_source.h"
@@ -28,7 +28,7 @@ Result<std::unique_ptr<DaqSource>> makeSimulated(const SourceRequest& r) {
 // The recording's samples alone, with its own rate and channels: the machine of then is not this profile's.
 Result<std::unique_ptr<DaqSource>> makeReplay(const SourceRequest& r) {
   const std::string where = "source 'replay'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   const std::string file = settings.text("file", "");
   if (file.empty())
     settings.fault("file", message("is missing"), message("a session, or a recording of any kind that is imported"));
@@ -51,8 +51,8 @@ Status realChannels(const SourceRequest& r, const std::string& where) {
 
 // Bytes over a wire: what frames are in them, and what cannot be seen in them, the rate and the channels.
 Result<std::unique_ptr<DaqSource>> makeStream(const SourceRequest& r, const std::string& where,
-                                              WireAddress (*addressOf)(config::PartSettings&)) {
-  config::PartSettings settings(r.settings, where, r.asked);
+                                              WireAddress (*addressOf)(config::ComponentSettings&)) {
+  config::ComponentSettings settings(r.settings, where, r.asked);
   const WireAddress address = addressOf(settings);
   SourceFormat format;
   format.channels = r.channels;
@@ -72,7 +72,7 @@ Result<std::unique_ptr<DaqSource>> makeStream(const SourceRequest& r, const std:
 }
 
 Result<std::unique_ptr<DaqSource>> makeTcp(const SourceRequest& r) {
-  return makeStream(r, "source 'tcp'", [](config::PartSettings& settings) {
+  return makeStream(r, "source 'tcp'", [](config::ComponentSettings& settings) {
     WireAddress address;
     address.host = settings.text("host", "localhost");
     address.port = settings.whole("port", 7820, 1, 65535);
@@ -81,7 +81,7 @@ Result<std::unique_ptr<DaqSource>> makeTcp(const SourceRequest& r) {
 }
 
 Result<std::unique_ptr<DaqSource>> makeSerial(const SourceRequest& r) {
-  return makeStream(r, "source 'serial'", [](config::PartSettings& settings) {
+  return makeStream(r, "source 'serial'", [](config::ComponentSettings& settings) {
     WireAddress address;
     address.device = settings.text("device", "/dev/ttyACM0");
     address.baud = settings.whole("baud", 115200, 1200, 12'000'000);
@@ -90,7 +90,7 @@ Result<std::unique_ptr<DaqSource>> makeSerial(const SourceRequest& r) {
 }
 
 // "0,2": one input for each channel of the profile; left out: the first ones.
-std::vector<int> inputsFrom(config::PartSettings& settings, std::size_t channels) {
+std::vector<int> inputsFrom(config::ComponentSettings& settings, std::size_t channels) {
   std::vector<int> inputs(channels);
   std::iota(inputs.begin(), inputs.end(), 0);
   if (!settings.has("inputs")) return inputs;
@@ -116,7 +116,7 @@ std::vector<int> inputsFrom(config::PartSettings& settings, std::size_t channels
 
 // What the devices behind a PcmDriver have in common, once `settings` has been read but for `inputs` and `block_ms`.
 Result<std::unique_ptr<DaqSource>> makePcm(const SourceRequest& r, const std::string& where, PcmRequest request,
-                                           config::PartSettings& settings, std::unique_ptr<PcmDriver> driver,
+                                           config::ComponentSettings& settings, std::unique_ptr<PcmDriver> driver,
                                            const std::string& package) {
   if (Status some = realChannels(r, where); !some) return some.error();
   request.periodFrames =
@@ -133,7 +133,7 @@ Result<std::unique_ptr<DaqSource>> makePcm(const SourceRequest& r, const std::st
 
 Result<std::unique_ptr<DaqSource>> makeAlsa(const SourceRequest& r) {
   const std::string where = "source 'alsa'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", request.device);
   request.rate = Hertz(settings.whole("rate_hz", 48000, 8000, 192000));
@@ -144,7 +144,7 @@ Result<std::unique_ptr<DaqSource>> makeAlsa(const SourceRequest& r) {
 
 Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
   const std::string where = "source 'iio'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "");
   if (request.device.empty())
@@ -159,7 +159,7 @@ Result<std::unique_ptr<DaqSource>> makeIio(const SourceRequest& r) {
 
 Result<std::unique_ptr<DaqSource>> makeComedi(const SourceRequest& r) {
   const std::string where = "source 'comedi'";
-  config::PartSettings settings(r.settings, where, r.asked);
+  config::ComponentSettings settings(r.settings, where, r.asked);
   PcmRequest request;
   request.device = settings.text("device", "/dev/comedi0");
   if (!settings.has("rate_hz"))

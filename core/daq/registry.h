@@ -12,7 +12,7 @@
 
 #include "core/base/byte_channel.h"
 #include "core/base/time.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 #include "core/daq/daq_source.h"
 #include "core/daq/pcm_driver.h"
 #include "core/daq/simulated_source.h"
@@ -33,8 +33,8 @@ struct SourceRequest {
   std::function<std::unique_ptr<PcmDriver>(const std::string& uri, const std::string& trigger)> iio;
   // Comedi cards; reference: 0 ground, 1 common, 2 differential; may give null.
   std::function<std::unique_ptr<PcmDriver>(int range, int reference)> comedi;
-  const Clock* clock = nullptr;                        // real devices; outlives the source
-  std::vector<config::AskedSetting>* asked = nullptr;  // told of every setting the source asks for
+  const Clock* clock = nullptr;                       // real devices; outlives the source
+  std::vector<config::SettingDecl>* asked = nullptr;  // told of every setting the source asks for
 };
 
 struct SourceEntry {

@@ -29,7 +29,7 @@ std::string bytesOfHex(const std::string& text) {
   return bytes.size() <= kLongestSync ? bytes : std::string();
 }
 
-std::unique_ptr<StreamDecoder> binary(config::PartSettings& settings, int channels) {
+std::unique_ptr<StreamDecoder> binary(config::ComponentSettings& settings, int channels) {
   FrameFormat f;
   f.channels = channels;
   const std::string sync = settings.text("sync", "");
@@ -49,7 +49,7 @@ std::unique_ptr<StreamDecoder> binary(config::PartSettings& settings, int channe
 
 }  // namespace
 
-std::unique_ptr<StreamDecoder> makeDecoder(config::PartSettings& settings, int channels) {
+std::unique_ptr<StreamDecoder> makeDecoder(config::ComponentSettings& settings, int channels) {
   if (settings.choice("format", 0, {"binary", "text"}) == 0) return binary(settings, channels);
   return std::make_unique<TextLines>(channels, settings.flag("counted", false));
 }

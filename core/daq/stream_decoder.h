@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 
 namespace stillcut::daq {
 
@@ -36,6 +36,6 @@ class StreamDecoder {
 
 // Key `format`: binary or text. Of binary frames: sync, counter, instants (in a frame), sample, byte_order, checksum;
 // of text: counted (each line begins with a counter). What is wrong stays in `settings`.
-std::unique_ptr<StreamDecoder> makeDecoder(config::PartSettings& settings, int channels);
+std::unique_ptr<StreamDecoder> makeDecoder(config::ComponentSettings& settings, int channels);
 
 }  // namespace stillcut::daq

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/daq/device_words.h"
+#include "core/daq/device_messages.h"
 
 namespace stillcut::daq {
 namespace {

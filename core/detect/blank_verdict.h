@@ -16,7 +16,7 @@ inline Verdict blankVerdict(const ConditionedBlock& block) noexcept {
   v.spindle = block.spindle;
   v.valid = block.valid;
   v.reason = block.reason;
-  if (v.valid && block.phase != CutPhase::Air && !block.speedKnown()) {
+  if (v.valid && block.phase != CutPhase::AirCutting && !block.speedKnown()) {
     v.valid = false;
     v.reason = {ReasonCode::NoSpeed, {}};
   }

@@ -8,8 +8,8 @@
 #include "core/config/param_set.h"
 #include "core/model/cut_setup.h"
 #include "core/model/verdict.h"
+#include "core/sensing/auto_values.h"
 #include "core/sensing/conditioned_block.h"
-#include "core/sensing/own_values.h"
 
 namespace stillcut::detect {
 
@@ -44,9 +44,9 @@ class Detector {
   virtual double chosen(const config::ParamDecl& /*decl*/) const { return config::kAutomatic; }
 
   // What it has set itself, by parameters that are automatic and by what it learns: the value now and its reason, in
-  // the order of ownValues(), which is the same always. own(): any thread.
-  virtual OwnValueTable ownValues() const { return {}; }
-  virtual OwnValue own(std::size_t /*index*/) const noexcept { return {}; }
+  // the order of autoValues(), which is the same always. own(): any thread.
+  virtual AutoValueTable autoValues() const { return {}; }
+  virtual AutoValue own(std::size_t /*index*/) const noexcept { return {}; }
 
   // Forgets everything learned. Real-time.
   virtual void reset() noexcept = 0;

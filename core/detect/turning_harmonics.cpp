@@ -26,12 +26,12 @@ double lambdaForGain(double gain, int harmonics) noexcept {
   return p * p / (2.0 * (n * p + 1.0));
 }
 
-void TurningHarmonics::prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels) {
+void RotatingHarmonicFilter::prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels) {
   kernels_ = kernels;
   channels_ = channels;
   harmonics_ = harmonics;
   padded_ = dsp::kernels::wholeLanes(static_cast<std::size_t>(std::max(harmonics, 1)));
-  for (auto* v : {&turnRe_, &turnIm_, &jumpRe_, &jumpIm_}) v->assign(padded_, 0.0);
+  for (auto* v : {&rotationRe_, &rotationIm_, &jumpRe_, &jumpIm_}) v->assign(padded_, 0.0);
   for (auto* v : {&re_, &im_}) v->assign(row(channels), 0.0);
   active_ = 0;
   step_ = 0.0;
@@ -39,12 +39,12 @@ void TurningHarmonics::prepare(int channels, int harmonics, const dsp::kernels::
   setActive(harmonics);
 }
 
-void TurningHarmonics::reset() noexcept {
+void RotatingHarmonicFilter::reset() noexcept {
   std::fill(re_.begin(), re_.end(), 0.0);
   std::fill(im_.begin(), im_.end(), 0.0);
 }
 
-void TurningHarmonics::setActive(int count) noexcept {
+void RotatingHarmonicFilter::setActive(int count) noexcept {
   const int clamped = std::clamp(count, 0, harmonics_);
   if (clamped == active_) return;
   active_ = clamped;
@@ -59,23 +59,23 @@ void TurningHarmonics::setActive(int count) noexcept {
   makeTurn();
 }
 
-void TurningHarmonics::setGain(double gain, double keep) noexcept {
+void RotatingHarmonicFilter::setGain(double gain, double keep) noexcept {
   gain_ = gain;
   if (keep == keep_) return;
   keep_ = keep;
   makeTurn();
 }
 
-void TurningHarmonics::makeTurn() noexcept {
+void RotatingHarmonicFilter::makeTurn() noexcept {
   const auto n = static_cast<std::size_t>(active_);
-  kernels_.powers(std::cos(step_), std::sin(step_), n, turnRe_.data(), turnIm_.data());
+  kernels_.powers(std::cos(step_), std::sin(step_), n, rotationRe_.data(), rotationIm_.data());
   for (std::size_t i = 0; i < padded_; ++i) {
-    turnRe_[i] = i < n ? keep_ * turnRe_[i] : 0.0;
-    turnIm_[i] = i < n ? keep_ * turnIm_[i] : 0.0;
+    rotationRe_[i] = i < n ? keep_ * rotationRe_[i] : 0.0;
+    rotationIm_[i] = i < n ? keep_ * rotationIm_[i] : 0.0;
   }
 }
 
-void TurningHarmonics::align(double angle, double step) noexcept {
+void RotatingHarmonicFilter::align(double angle, double step) noexcept {
   const auto n = static_cast<std::size_t>(active_);
   const double jump = dsp::wrapPhase(angle - angle_);
   angle_ = angle;
@@ -90,56 +90,57 @@ void TurningHarmonics::align(double angle, double step) noexcept {
   makeTurn();
 }
 
-HarmonicRun TurningHarmonics::run(int channel, const double* x, double* rest, std::size_t frames,
-                                  double after) noexcept {
+HarmonicRun RotatingHarmonicFilter::run(int channel, const double* x, double* residual, std::size_t frames,
+                                        double after) noexcept {
   return {x,
-          rest,
+          residual,
           frames,
           used_,
           re_.data() + row(channel),
           im_.data() + row(channel),
-          turnRe_.data(),
-          turnIm_.data(),
+          rotationRe_.data(),
+          rotationIm_.data(),
           gain_ / keep_,
           after};
 }
 
-bool TurningHarmonics::finished(int channel, double* rest, std::size_t frames) noexcept {
-  if (frames == 0 || std::isfinite(rest[frames - 1])) return true;
+bool RotatingHarmonicFilter::finished(int channel, double* residual, std::size_t frames) noexcept {
+  if (frames == 0 || std::isfinite(residual[frames - 1])) return true;
   std::fill_n(re_.data() + row(channel), padded_, 0.0);
   std::fill_n(im_.data() + row(channel), padded_, 0.0);
-  std::fill_n(rest, frames, 0.0);
+  std::fill_n(residual, frames, 0.0);
   return false;
 }
 
-void TurningHarmonics::process(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept {
-  kernels_.harmonics(run(channel, x, rest, frames, after));
-  finished(channel, rest, frames);
+void RotatingHarmonicFilter::process(int channel, const double* x, double* residual, std::size_t frames,
+                                     double after) noexcept {
+  kernels_.harmonics(run(channel, x, residual, frames, after));
+  finished(channel, residual, frames);
 }
 
-void TurningHarmonics::process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride,
-                               std::size_t frames, double after) noexcept {
+void RotatingHarmonicFilter::process(const double* x, std::ptrdiff_t stride, double* residual,
+                                     std::ptrdiff_t residualStride, std::size_t frames, double after) noexcept {
   int c = 0;
   for (; c + 1 < channels_; c += 2) {
-    const HarmonicRun first = run(c, x + c * stride, rest + c * restStride, frames, after);
-    const HarmonicRun second = run(c + 1, x + (c + 1) * stride, rest + (c + 1) * restStride, frames, after);
+    const HarmonicRun first = run(c, x + c * stride, residual + c * residualStride, frames, after);
+    const HarmonicRun second = run(c + 1, x + (c + 1) * stride, residual + (c + 1) * residualStride, frames, after);
     kernels_.harmonicPair(first, second);
-    finished(c, first.rest, frames);
-    finished(c + 1, second.rest, frames);
+    finished(c, first.residual, frames);
+    finished(c + 1, second.residual, frames);
   }
-  if (c < channels_) process(c, x + c * stride, rest + c * restStride, frames, after);
+  if (c < channels_) process(c, x + c * stride, residual + c * residualStride, frames, after);
 }
 
-void TurningHarmonics::advance(std::size_t frames) noexcept {
+void RotatingHarmonicFilter::advance(std::size_t frames) noexcept {
   angle_ = dsp::wrapPhase(angle_ + static_cast<double>(frames) * step_);
 }
 
-double TurningHarmonics::power(int channel, int n) const noexcept {
+double RotatingHarmonicFilter::power(int channel, int n) const noexcept {
   const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
   return re_[i] * re_[i] + im_[i] * im_[i];
 }
 
-void TurningHarmonics::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+void RotatingHarmonicFilter::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
   const double c = std::cos(angle_);
   const double s = -std::sin(angle_);
   double re = c;
@@ -154,7 +155,7 @@ void TurningHarmonics::amplitudes(int channel, std::span<std::complex<double>> o
   }
 }
 
-double TurningHarmonics::weightedPower(int channel, const double* weight) const noexcept {
+double RotatingHarmonicFilter::weightedPower(int channel, const double* weight) const noexcept {
   return kernels_.weightedPower(re_.data() + row(channel), im_.data() + row(channel), weight, used_);
 }
 

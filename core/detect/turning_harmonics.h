@@ -22,7 +22,7 @@ namespace stillcut::detect {
 double harmonicGain(double lambda, int harmonics) noexcept;
 double lambdaForGain(double gain, int harmonics) noexcept;
 
-class TurningHarmonics {
+class RotatingHarmonicFilter {
  public:
   void prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels);
   void reset() noexcept;
@@ -37,13 +37,14 @@ class TurningHarmonics {
   void align(double angle, double step) noexcept;
   // Predicts one channel, corrects its harmonics, writes the rest times `after`. A rest that is not finite starts the
   // channel anew and leaves silence.
-  void process(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept;
-  // Every channel: x[channel * stride + frame], rest the same with restStride.
-  void process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride, std::size_t frames,
-               double after) noexcept;
+  void process(int channel, const double* x, double* residual, std::size_t frames, double after) noexcept;
+  // Every channel: x[channel * stride + frame], rest the same with residualStride.
+  void process(const double* x, std::ptrdiff_t stride, double* residual, std::ptrdiff_t residualStride,
+               std::size_t frames, double after) noexcept;
   // The same for a kernel that does more with each rest; finished() is to follow.
-  dsp::kernels::HarmonicRun run(int channel, const double* x, double* rest, std::size_t frames, double after) noexcept;
-  bool finished(int channel, double* rest, std::size_t frames) noexcept;
+  dsp::kernels::HarmonicRun run(int channel, const double* x, double* residual, std::size_t frames,
+                                double after) noexcept;
+  bool finished(int channel, double* residual, std::size_t frames) noexcept;
   // After the correction: x - sum Re q (Caliskan 2018 eq. 22), as a part of the rest before it.
   double afterCorrection() const noexcept { return 1.0 - gain_ * active_; }
   // After every channel has had the same frames.
@@ -70,9 +71,9 @@ class TurningHarmonics {
   double keep_ = 1.0;
   double angle_ = 0.0;
   double step_ = 0.0;
-  std::vector<double> re_, im_;          // states for the next frame, [channel * padded + n]
-  std::vector<double> turnRe_, turnIm_;  // keep e^{j n step}; 0 beyond the active ones
-  std::vector<double> jumpRe_, jumpIm_;  // of the angle, scratch
+  std::vector<double> re_, im_;                  // states for the next frame, [channel * padded + n]
+  std::vector<double> rotationRe_, rotationIm_;  // keep e^{j n step}; 0 beyond the active ones
+  std::vector<double> jumpRe_, jumpIm_;          // of the angle, scratch
 };
 
 }  // namespace stillcut::detect

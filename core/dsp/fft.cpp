@@ -42,17 +42,17 @@ struct RealFft::Plan {
         in(fftw_alloc_real(2 * half)),
         folded(fftw_alloc_real(2 * half)),
         out(reinterpret_cast<std::complex<double>*>(fftw_alloc_complex(half + 1))),
-        turnRe(half / 2 + 1 + kernels::kLanes),
-        turnIm(turnRe.size()) {
+        rotationRe(half / 2 + 1 + kernels::kLanes),
+        rotationIm(rotationRe.size()) {
     const std::lock_guard lock(plannerMutex());
     plan = fftw_plan_dft_1d(n / 2, reinterpret_cast<fftw_complex*>(in.get()),
                             reinterpret_cast<fftw_complex*>(folded.get()), FFTW_FORWARD,
                             FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
     std::fill_n(in.get(), n, 0.0);
-    for (std::size_t k = 0; k < turnRe.size(); ++k) {
+    for (std::size_t k = 0; k < rotationRe.size(); ++k) {
       const double angle = std::numbers::pi * static_cast<double>(k) / static_cast<double>(half);
-      turnRe[k] = 0.5 * std::cos(angle);
-      turnIm[k] = -0.5 * std::sin(angle);
+      rotationRe[k] = 0.5 * std::cos(angle);
+      rotationIm[k] = -0.5 * std::sin(angle);
     }
   }
   ~Plan() {
@@ -68,7 +68,7 @@ struct RealFft::Plan {
   std::unique_ptr<double, FftwFree> in;
   std::unique_ptr<double, FftwFree> folded;
   std::unique_ptr<std::complex<double>, FftwFree> out;
-  std::vector<double> turnRe, turnIm;
+  std::vector<double> rotationRe, rotationIm;
   fftw_plan plan = nullptr;
 };
 
@@ -109,7 +109,8 @@ std::span<double> RealFft::input() noexcept {
 std::span<const std::complex<double>> RealFft::forward() noexcept {
   Plan& p = *plan_;
   fftw_execute(p.plan);
-  p.kernels.unfold({p.folded.get(), p.turnRe.data(), p.turnIm.data(), p.half, reinterpret_cast<double*>(p.out.get())});
+  p.kernels.unfold(
+      {p.folded.get(), p.rotationRe.data(), p.rotationIm.data(), p.half, reinterpret_cast<double*>(p.out.get())});
   return {p.out.get(), p.half + 1};
 }
 

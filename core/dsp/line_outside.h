@@ -6,8 +6,8 @@
 #include <span>
 
 #include "core/base/units.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/kernels/kernels.h"
-#include "core/dsp/spectral_frames.h"
 
 namespace stillcut::detect {
 

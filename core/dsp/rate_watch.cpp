@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::dsp {
 namespace {
@@ -35,8 +35,8 @@ void RateWatch::push(const SampleBlock& block) noexcept {
   // The stamps jump where the first arrivals have shown another rate; those before followed the told one.
   if (unchecked_ && block.has(kBlockGap)) long_ = recent_ = {};
   pendingFor_ = std::max(
-      kLeastWait, (block.has(kBlockUnchecked) && !pending_ ? kUsualWait : pendingFor_) - block.frames / nominal_);
-  unchecked_ = block.has(kBlockUnchecked);
+      kLeastWait, (block.has(kBlockRateUnverified) && !pending_ ? kUsualWait : pendingFor_) - block.frames / nominal_);
+  unchecked_ = block.has(kBlockRateUnverified);
   if (recent_.seconds >= kRecent) long_ = std::exchange(recent_, {});
   long_.push(block, nominal_);
   recent_.push(block, nominal_);

@@ -187,7 +187,7 @@ Result<std::optional<RecordedTruth>> fromSession(const std::string& path) {
   }
   std::vector<Seconds> times;
   std::vector<double> ratios;
-  for (const record::TruthSample& sample : series.value()) {
+  for (const record::RecordedTruthSample& sample : series.value()) {
     if (sample.name != "chatter_counted") continue;
     times.push_back(secondsBetween(begin, sample.time));
     ratios.push_back(sample.value);
@@ -250,7 +250,7 @@ std::vector<TruthSpan> spansOfMarkers(const std::vector<Marker>& markers, Instan
     const SpanKind kind = kindOf(marker.label);
     if (to > from) {
       spans.push_back({from, to, kind, marker.label});
-    } else if (marker.label == kLabelHeard) {
+    } else if (marker.label == kLabelOperatorChatter) {
       spans.push_back({std::max(Seconds(), from - kHeard), from, kind, marker.label, true});
     } else if (marker.label == kLabelTrueAlarm || marker.label == kLabelFalseAlarm) {
       const auto after = std::find_if(alarms.begin(), alarms.end(), [from](const Alarm& a) { return a.begin > from; });

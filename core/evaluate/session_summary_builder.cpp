@@ -177,7 +177,7 @@ class Builder {
     point.vibration = vibration;
     point.gap = block.has(kBlockGap);
     point.valid = verdict.valid;
-    point.state = verdict.valid ? verdict.state : CutState::Air;
+    point.state = verdict.valid ? verdict.state : CutState::AirCutting;
     point.severity = verdict.valid ? verdict.severity.value : 0.0;
     if (verdict.alarming()) point.frequency = verdict.frequency;
     if (step != nullptr && step->input.machine.valid) {

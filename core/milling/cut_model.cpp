@@ -8,11 +8,11 @@
 namespace stillcut::milling {
 
 double Engagement::startAngle() const {
-  return side == Side::Up ? 0.0 : std::numbers::pi - std::acos(1.0 - 2.0 * radialImmersion);
+  return side == MillingDirection::Up ? 0.0 : std::numbers::pi - std::acos(1.0 - 2.0 * radialImmersion);
 }
 
 double Engagement::exitAngle() const {
-  return side == Side::Up ? std::acos(1.0 - 2.0 * radialImmersion) : std::numbers::pi;
+  return side == MillingDirection::Up ? std::acos(1.0 - 2.0 * radialImmersion) : std::numbers::pi;
 }
 
 namespace {

@@ -44,11 +44,11 @@ struct Material {
   double processDamping = 0.0;  // indentation coefficient [N/m]; 0: off. Force = -a_p * c * (dr/dt) / v_c
 };
 
-enum class Side { Up, Down };
+enum class MillingDirection { Up, Down };
 
 struct Engagement {
   double radialImmersion = 1.0;  // a/D, 0 < a/D <= 1
-  Side side = Side::Up;
+  MillingDirection side = MillingDirection::Up;
   double startAngle() const;  // [rad]
   double exitAngle() const;   // [rad]
 };

@@ -74,7 +74,7 @@ CutModel readModel(const config::TomlTable& root, const ModelParts& parts) {
   for (const char* notes : {"modal_fit", "force_fit"}) root.tableOr(notes).keys();
   const config::TomlTable e = root.table("engagement");
   model.engagement.radialImmersion = e.number("radial_immersion", 1e-6, 1.0);
-  model.engagement.side = e.choice("side", {"up", "down"}) == 0 ? Side::Up : Side::Down;
+  model.engagement.side = e.choice("side", {"up", "down"}) == 0 ? MillingDirection::Up : MillingDirection::Down;
   return model;
 }
 
@@ -108,7 +108,7 @@ std::string modelText(const CutModel& model) {
   }
   s += "\n" + materialText(model.material);
   s += "[engagement]\nradial_immersion = " + numberText(model.engagement.radialImmersion) + "\nside = \"" +
-       (model.engagement.side == Side::Up ? "up" : "down") + "\"\n\n";
+       (model.engagement.side == MillingDirection::Up ? "up" : "down") + "\"\n\n";
   return s;
 }
 

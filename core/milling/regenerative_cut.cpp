@@ -68,7 +68,7 @@ double RegenerativeCut::flatFeedPerTooth() const noexcept {
   return feed_ * kTwoPi / (omega_ * teeth_);
 }
 
-void RegenerativeCut::setDepth(double metres) noexcept {
+void RegenerativeCut::setAxialDepth(double metres) noexcept {
   depth_ = metres;
   liveEdges_ = 0;
   for (int s = 0; s < slices_; ++s) {

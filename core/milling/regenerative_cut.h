@@ -35,7 +35,7 @@ class RegenerativeCut {
 
   void setSpeed(double radPerSecond) noexcept;  // > 0; from the next step on
   void setFeed(double metresPerSecond) noexcept;
-  void setDepth(double metres) noexcept;  // 0: air
+  void setAxialDepth(double metres) noexcept;  // 0: air
   void setWindows(std::span<const AngularWindow> windows) noexcept;
   void setForceScale(double scale) noexcept { forceScale_ = scale; }  // material that is not the same everywhere
   void setExternalForce(double fx, double fy) noexcept;               // on the tool tip [N], held

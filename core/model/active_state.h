@@ -44,9 +44,9 @@ struct ActiveAxis {
   ActuatorRelease release = ActuatorRelease::None;  // of the last letting go
   double strokePeak = 0.0;                          // share of the stroke, over the last second
   double strokeRms = 0.0;                           //
-  double limitedShare = 0.0;                        // of the last second's samples, cut off by amplitude or slew
+  double limitedFraction = 0.0;                     // of the last second's samples, cut off by amplitude or slew
   double errorRms = 0.0;                            // read now [SI of the sensor]
-  double withoutRms = 0.0;                          // by the model, without control
+  double uncontrolledRms = 0.0;                     // by the model, without control
   int lineCount = 0;
   std::array<LineAttenuation, kActiveLines> lines{};
 };
@@ -54,13 +54,13 @@ struct ActiveAxis {
 // The model of the path from an actuator to its sensor, and what it promises.
 struct ActivePath {
   bool known = false;
-  Instant identified{};         // on the loop's clock
-  Seconds delay{};              // from output to the first that is heard of it: the loop's own delay
-  double residual = 0.0;        // rms of what the model does not predict, over that of the reading
-  double phaseLeft = 0.0;       // at its worst place on the lines to quieten, of the 90 degrees FXLMS can stand [rad]
-  Seconds delayLeft{};          // how much later the loop may become before a line is driven the wrong way
-  Hertz worstAt{};              // that place
-  bool promisesStable = false;  // phaseLeft > 0
+  Instant identified{};          // on the loop's clock
+  Seconds delay{};               // from output to the first that is heard of it: the loop's own delay
+  double residual = 0.0;         // rms of what the model does not predict, over that of the reading
+  double phaseMargin = 0.0;      // at its worst place on the lines to quieten, of the 90 degrees FXLMS can stand [rad]
+  Seconds delayMargin{};         // how much later the loop may become before a line is driven the wrong way
+  Hertz worstFrequency{};        // that place
+  bool predictedStable = false;  // phaseMargin > 0
 };
 
 struct ActiveSnapshot {

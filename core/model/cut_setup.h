@@ -16,10 +16,10 @@ struct StableSpeeds {
     Rpm from{}, to{};
     Rpm best{};  // carries the largest depth
   };
-  Metres depth{};             // that they were worked out for
-  std::vector<Range> ranges;  // by speed; empty: no speed in reach carries this depth
-  Rpm deepestSpeed{};         // where `ranges` is empty: the speed that carries most,
-  Metres deepestDepth{};      // and how much
+  Metres depth{};               // that they were worked out for
+  std::vector<Range> ranges;    // by speed; empty: no speed in reach carries this depth
+  Rpm largestDepthSpeed{};      // where `ranges` is empty: the speed that carries most,
+  Metres largestStableDepth{};  // and how much
 };
 
 struct CutSetup {

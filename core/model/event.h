@@ -21,12 +21,12 @@ struct Event {
 // One move of ours and what came of it.
 struct Intervention {
   std::uint64_t number = 0;
-  Instant began{};        // first alarm
-  Instant commanded{};    // first command after it
-  bool finished = false;  // quiet again, or given up
-  bool quiet = false;     // quiet again
-  Seconds timeToQuiet{};  // from the first alarm
-  Hertz frequency{};      // chatter frequency at the alarm
+  Instant began{};         // first alarm
+  Instant commanded{};     // first command after it
+  bool finished = false;   // quiet again, or given up
+  bool quiet = false;      // quiet again
+  Seconds timeToStable{};  // from the first alarm
+  Hertz frequency{};       // chatter frequency at the alarm
   Rpm speedBefore{}, speedAfter{};
   MetresPerSecond feedBefore{}, feedAfter{};
   Ratio severityBefore{}, severityAfter{};  // energy ratio: highest before our command, newest after

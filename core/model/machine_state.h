@@ -12,7 +12,7 @@ namespace stillcut {
 // What the link knows of itself: when each part was last heard, and the delays it has measured. Times are stream time,
 // 0: never. A machine that takes its overrides unseen (analog) leaves `overrides` at never.
 struct LinkTimes {
-  Instant ordered{};       // the newest order that differs from the one before
+  Instant commanded{};     // the newest order that differs from the one before
   Instant acknowledged{};  // the newest order that was
   Instant overrides{};     // read back: what is in force
   Instant speed{};         // actual speed, at speed
@@ -23,7 +23,7 @@ struct LinkTimes {
 
   // Onto another stream's time; never stays never.
   void shift(Duration by) {
-    for (Instant* t : {&ordered, &acknowledged, &overrides, &speed, &feed, &program}) {
+    for (Instant* t : {&commanded, &acknowledged, &overrides, &speed, &feed, &program}) {
       if (*t != Instant{}) *t += by;
     }
   }
@@ -31,7 +31,7 @@ struct LinkTimes {
 
 // What keeps orders from acting on a machine that answers, as far as its link can tell. The gate goes by the flags of
 // MachineState; this is their cause, for a person.
-enum class OrderBlock : std::uint8_t {
+enum class OverrideInhibit : std::uint8_t {
   None,             // nothing, or the link cannot tell
   MachineOff,       // switched off, or in emergency stop
   MachineAlarm,     //
@@ -46,8 +46,8 @@ enum class OrderBlock : std::uint8_t {
   ComponentDown,    // stillcut-hal has not seen the machine's watchdog act
   ComponentOut,     // the machine's watchdog or the operator's switch has taken stillcut-hal out
 };
-inline constexpr int kOrderBlocks = 13;
-std::string_view name(OrderBlock block);
+inline constexpr int kOverrideInhibits = 13;
+std::string_view name(OverrideInhibit block);
 
 struct MachineState {
   Instant time{};      // when it was read, stream time
@@ -58,7 +58,7 @@ struct MachineState {
   bool atSpeed = false;          // the spindle has reached what is commanded
   bool overridesEnabled = true;  // false under M49 and its like
   bool controlOurs = true;       // false when another client took the overrides
-  OrderBlock block = OrderBlock::None;
+  OverrideInhibit block = OverrideInhibit::None;
   Rpm programmedSpeed{};             // S word; 0: spindle stopped
   MetresPerSecond programmedFeed{};  // F word
   Ratio operatorSpeed{1.0};          // the operator's own knobs

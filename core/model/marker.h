@@ -13,7 +13,7 @@ namespace stillcut {
 // "chatter", "stable", "idle", "entry", "exit", "spindle_runup", "transition".
 inline constexpr const char* kLabelTrueAlarm = "true-alarm";    // the alarm just given was chatter
 inline constexpr const char* kLabelFalseAlarm = "false-alarm";  // the alarm just given was not
-inline constexpr const char* kLabelHeard = "heard";             // "I hear it now"
+inline constexpr const char* kLabelOperatorChatter = "heard";   // "I hear it now"
 inline constexpr const char* kLabelNote = "note";
 
 struct Marker {

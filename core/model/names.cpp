@@ -76,8 +76,8 @@ std::string_view name(Authority a) {
   return kNames[static_cast<std::size_t>(a)];
 }
 
-std::string_view name(OrderBlock block) {
-  constexpr std::array<std::string_view, kOrderBlocks> kNames{
+std::string_view name(OverrideInhibit block) {
+  constexpr std::array<std::string_view, kOverrideInhibits> kNames{
       "none",         "machine-off",     "machine-alarm", "no-program",      "overrides-locked", "speed-locked",
       "feed-locked",  "adaptive-locked", "other-client",  "control-refused", "component-silent", "component-down",
       "component-out"};

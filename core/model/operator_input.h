@@ -18,7 +18,7 @@ enum class OperatorAction : std::uint8_t {
   EndHold,
   TrueAlarm,          // "that was chatter"
   FalseAlarm,         // "that was not chatter"
-  HearChatter,        // "I hear it now"
+  ReportChatter,      // "I hear it now"
   GrantBySimulation,  // Auto, because the machine exists only in this program
   SetParameter,       // `parameter` to `value`, on the running cut; no authority is asked for
 };

@@ -16,7 +16,7 @@ enum class ReasonCode : std::uint16_t {
   Learning,            // seconds still needed
   NoSpeed,             // -
   NoTeeth,             // -
-  NoAir,               // Hz of a tone that fills the signal from its start
+  NoAirCutting,        // Hz of a tone that fills the signal from its start
   InputGap,            // frames lost
   InputClipped,        // -
   InputNotFinite,      // channel
@@ -59,38 +59,38 @@ enum class ReasonCode : std::uint16_t {
   NoStableSpeedTried,  // speeds tried, chatter Hz, mm of feed since it began
   FuzzyRules,          // coherence, energy over that of the stable cut (0: not known), target rpm, feed mm/min
   // gate
-  AuthorityOff,          // -
-  AdviceOnly,            // -
-  GateNotFinite,         // -
-  GateLimited,           // wanted %, given %
-  GateStaleMachine,      // age s
-  GateStaleVerdict,      // age s
-  GateMachineNotReady,   // -
-  GateOperatorHold,      // -
-  GateSettling,          // actual rpm, commanded rpm
-  GateChangesPerMinute,  // changes, allowed
-  GateReleased,          // -
-  LeaseExpired,          // age s
-  GateInForce,           // our speed %, our feed %, product speed %, product feed %
-  GateMoving,            // our speed % now, wanted %, our feed % now, wanted %
-  GateMachineInvalid,    // -: the machine's state makes no sense
-  GateMachineLocked,     // -: overrides disabled by the program
-  GateControlLost,       // -: another client has them
-  GateVerdictInvalid,    // -
-  GateStaleRequest,      // age s
-  GateClockFault,        // -: stream time stood still or went back
-  GateNotInCut,          // -
-  GateFeedHold,          // -
-  GateKnobMoved,         // operator's speed %, feed %
-  GateNotFollowing,      // read back rpm, expected rpm
-  GateOverrideNotTaken,  // override read back %, expected %
-  GateProgramChanged,    // programmed rpm before, now
-  GateResting,           // seconds until the overrides may be taken again
-  GateCoolDown,          // seconds left
-  AutoNotAllowed,        // -
-  AutoWithdrawn,         // changes per minute allowed: authority falls back to Advise
-  AdviceAccepted,        // rpm, feed mm/min
-  AdviceRefused,         // rpm, feed mm/min
+  AuthorityOff,               // -
+  AdviceOnly,                 // -
+  GateNotFinite,              // -
+  GateLimited,                // wanted %, given %
+  GateStaleMachine,           // age s
+  GateStaleVerdict,           // age s
+  GateMachineNotReady,        // -
+  GateOperatorHold,           // -
+  GateSettling,               // actual rpm, commanded rpm
+  GateChangesPerMinute,       // changes, allowed
+  GateReleased,               // -
+  LeaseExpired,               // age s
+  GateInForce,                // our speed %, our feed %, product speed %, product feed %
+  GateMoving,                 // our speed % now, wanted %, our feed % now, wanted %
+  GateMachineInvalid,         // -: the machine's state makes no sense
+  GateMachineLocked,          // -: overrides disabled by the program
+  GateControlLost,            // -: another client has them
+  GateVerdictInvalid,         // -
+  GateStaleRequest,           // age s
+  GateClockFault,             // -: stream time stood still or went back
+  GateNotInCut,               // -
+  GateFeedHold,               // -
+  GateOperatorOverrideMoved,  // operator's speed %, feed %
+  GateNotFollowing,           // read back rpm, expected rpm
+  GateOverrideNotTaken,       // override read back %, expected %
+  GateProgramChanged,         // programmed rpm before, now
+  GateReengageDelay,          // seconds until the overrides may be taken again
+  GateCoolDown,               // seconds left
+  AutoNotAllowed,             // -
+  AutoWithdrawn,              // changes per minute allowed: authority falls back to Advise
+  AdviceAccepted,             // rpm, feed mm/min
+  AdviceRefused,              // rpm, feed mm/min
   // events
   ChatterBegan,             // Hz, energy ratio
   ChatterEnded,             // seconds in chatter, mm of feed

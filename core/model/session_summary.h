@@ -40,7 +40,7 @@ struct SummaryPoint {
   double vibration = 0.0;  // rms of the first channel [SI units]
   double severity = 0.0;   // energy ratio, 0..1
   Hertz frequency{};       // chatter frequency while alarming; 0: none
-  CutState state = CutState::Air;
+  CutState state = CutState::AirCutting;
   bool valid = false;     // a detector had an opinion
   bool gap = false;       // samples are missing in it
   Rpm speed{};            // measured, or programmed where nothing is measured; 0: unknown

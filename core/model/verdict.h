@@ -11,8 +11,8 @@
 
 namespace stillcut {
 
-enum class CutState : std::uint8_t { Air, Stable, Onset, Chatter };
-enum class CutPhase : std::uint8_t { Air, RunUp, Entry, Steady, Exit };
+enum class CutState : std::uint8_t { AirCutting, Stable, Onset, Chatter };
+enum class CutPhase : std::uint8_t { AirCutting, RunUp, Entry, Steady, Exit };
 enum class ChatterKind : std::uint8_t { Unknown, Hopf, Flip, Forced };
 
 // Names as files spell them: "air", "stable", "onset", "chatter"; "air", "runup", "entry", ...; "hopf", ...
@@ -26,8 +26,8 @@ inline constexpr int kMaxIndicators = 8;
 struct Verdict {
   Instant time{};  // of the last sample used
   std::uint64_t blockSequence = 0;
-  CutState state = CutState::Air;
-  CutPhase phase = CutPhase::Air;
+  CutState state = CutState::AirCutting;
+  CutPhase phase = CutPhase::AirCutting;
   ChatterKind kind = ChatterKind::Unknown;
   bool valid = false;
   bool earlyWarning = false;

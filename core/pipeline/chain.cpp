@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/control/plain_reasons.h"
+#include "core/control/common_reasons.h"
 #include "core/model/event_slots.h"
 #include "core/safety/gate_checks.h"
 
@@ -102,7 +102,7 @@ const Chain::Step& Chain::process(const StepInput& input) noexcept {
   step_.feed = block.feed;
   step_.sensors = &conditioner_.sensors();
   runDetectors(block);
-  tellStrategy(input);
+  updateStrategyAuthority(input);
   step_.output.request = askStrategy(input);
   step_.strategyFailed = strategyFailed_;
   runGate(input);
@@ -140,14 +140,14 @@ void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
     if (good) continue;
     verdict = faultVerdict(block, i);
     step_.detectorFailed = true;
-    sayDetectorFault(i, block.end());
+    reportDetectorFault(i, block.end());
     parts_.detectors[static_cast<std::size_t>(i)]->reset();
     if (i == inCharge_ && parts_.fallback >= 0 && parts_.fallback != i) inCharge_ = parts_.fallback;
   }
   out.inCharge = inCharge_;
 }
 
-void Chain::sayDetectorFault(int detector, Instant now) noexcept {
+void Chain::reportDetectorFault(int detector, Instant now) noexcept {
   bool& said = saidFault_[static_cast<std::size_t>(detector)];
   if (said) return;
   said = true;
@@ -159,7 +159,7 @@ void Chain::keep(const Event& event) noexcept {
   step_.eventsLost += addEvent(step_.output.events, step_.output.eventCount, event);
 }
 
-void Chain::tellStrategy(const StepInput& input) noexcept {
+void Chain::updateStrategyAuthority(const StepInput& input) noexcept {
   for (int i = 0; i < input.inputCount; ++i) {
     const OperatorInput& asked = input.inputs[static_cast<std::size_t>(i)];
     const Authority granted = asked.action == OperatorAction::GrantBySimulation ? Authority::Auto : asked.authority;
@@ -167,7 +167,7 @@ void Chain::tellStrategy(const StepInput& input) noexcept {
         asked.action == OperatorAction::SetAuthority || asked.action == OperatorAction::GrantBySimulation;
     // The same again, or one that the gate refuses, changes nothing: what is in force keeps its author.
     const bool another = asksFor && granted != gate_.authority() && gate_.grants(granted);
-    if (another || asked.action == OperatorAction::BackToProgrammed) parts_.strategy->letGo();
+    if (another || asked.action == OperatorAction::BackToProgrammed) parts_.strategy->relinquish();
   }
 }
 
@@ -176,7 +176,7 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const control::StrategyInput seen{.now = input.block.end(),
                                     .dt = dt_,
                                     .verdict = verdict,
-                                    .machine = gate_.seenByWishes(machine_),
+                                    .machine = gate_.machineSeenByRequests(machine_),
                                     .perturbation = read(perturbation_),
                                     .vibration = step_.vibrationRms,
                                     .coherence = read(coherence_),

@@ -58,9 +58,9 @@ class Chain {
  private:
   void takeParameters(const StepInput& input) noexcept;
   void runDetectors(const detect::ConditionedBlock& block) noexcept;
-  void tellStrategy(const StepInput& input) noexcept;
+  void updateStrategyAuthority(const StepInput& input) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
-  void sayDetectorFault(int detector, Instant now) noexcept;
+  void reportDetectorFault(int detector, Instant now) noexcept;
   void keep(const Event& event) noexcept;
   struct Indicator {
     std::size_t detector = 0, index = 0;

@@ -84,16 +84,16 @@ void InterventionLog::update(const StepInput& input, StepOutput& output, const V
     if (verdict.state == CutState::Chatter) card.marked += Metres(cut.feed.value * dt.value);
     return;
   }
-  const bool left = verdict.phase == CutPhase::Air;
+  const bool left = verdict.phase == CutPhase::AirCutting;
   const bool quiet = sinceAlarm_ >= kQuietFor;
   if (!left && !quiet) return;
   card.finished = true;
   card.quiet = quiet && !left;  // a tool that left the cut proves nothing
-  card.timeToQuiet = secondsBetween(card.began, lastAlarm_);
+  card.timeToStable = secondsBetween(card.began, lastAlarm_);
   open_ = false;
   const ReasonCode end = card.quiet ? ReasonCode::ChatterEnded : ReasonCode::ChatterLeftCut;
   append(output, EventLevel::Info, input.block.end(),
-         {end, {card.timeToQuiet.value, card.marked.value * 1e3, 0.0, 0.0}});
+         {end, {card.timeToStable.value, card.marked.value * 1e3, 0.0, 0.0}});
 }
 
 }  // namespace stillcut::pipeline

@@ -8,11 +8,11 @@ void LinkRunner::tick(Instant now) noexcept {
     const auto newest = commands_.latest();
     switch (lease_.poll(newest ? &*newest : nullptr, now)) {
       case safety::LinkAction::Apply:
-        effect_.ordered(newest->speed(), newest->feed(), now);
+        effect_.commanded(newest->speed(), newest->feed(), now);
         link_.apply(*newest, now);
         break;
       case safety::LinkAction::Release:
-        effect_.ordered(Ratio(1.0), Ratio(1.0), now);
+        effect_.commanded(Ratio(1.0), Ratio(1.0), now);
         link_.release(now);
         break;
       case safety::LinkAction::Nothing:
@@ -34,7 +34,7 @@ void LinkRunner::measure(MachineState& state) noexcept {
     effect_.shown(Ratio(state.speedOverride / state.operatorSpeed), Ratio(state.feedOverride / state.operatorFeed),
                   state.link.overrides);
   }
-  state.link.ordered = effect_.newest();
+  state.link.commanded = effect_.newest();
   state.link.effect = effect_.typical();
 }
 

@@ -8,7 +8,7 @@
 #include "core/model/step_record.h"
 #include "core/pipeline/chain.h"
 #include "core/pipeline/intervention_log.h"
-#include "core/pipeline/machine_feed.h"
+#include "core/pipeline/machine_state_source.h"
 #include "core/pipeline/snapshot_publisher.h"
 #include "core/rt/mailbox.h"
 
@@ -26,7 +26,7 @@ class StepTap {
 
 struct StepLoopParts {
   Chain& chain;
-  MachineFeed& feed;
+  MachineStateSource& feed;
   rt::Mailbox<OverrideCommand>& commands;
   SnapshotPublisher* publisher = nullptr;  // may be absent: nobody watches
   StepTap* tap = nullptr;                  // may be absent: nothing is recorded

@@ -45,8 +45,8 @@ void ActuatorGate::listen() STILLCUT_RT {
   const bool start = engageAsked_.load(std::memory_order_relaxed) && (stop || state_ != ActuatorState::RampOut) &&
                      engageAsked_.exchange(false);
   const bool open = state_ == ActuatorState::RampIn || state_ == ActuatorState::On;
-  if (open && stop) letGo(ActuatorRelease::Asked);
-  if (open && !stop && sinceRenewal_ >= leaseSamples_) letGo(ActuatorRelease::LeaseOver);
+  if (open && stop) relinquish(ActuatorRelease::Asked);
+  if (open && !stop && sinceRenewal_ >= leaseSamples_) relinquish(ActuatorRelease::LeaseOver);
   if (!open && start && !stop && state_ == ActuatorState::Off) {
     watch_.reset();
     sinceRenewal_ = 0;
@@ -56,7 +56,7 @@ void ActuatorGate::listen() STILLCUT_RT {
   }
 }
 
-void ActuatorGate::letGo(ActuatorRelease why) STILLCUT_RT {
+void ActuatorGate::relinquish(ActuatorRelease why) STILLCUT_RT {
   held_ = last_;
   ramp_ = 1.0;
   why_ = why;
@@ -93,17 +93,17 @@ void ActuatorGate::heed(LoopHealth health) STILLCUT_RT {
     case LoopHealth::Fine:
       break;
     case LoopHealth::Diverging:
-      letGo(ActuatorRelease::Diverging);
+      relinquish(ActuatorRelease::Diverging);
       break;
     case LoopHealth::Saturated:
-      letGo(ActuatorRelease::Saturated);
+      relinquish(ActuatorRelease::Saturated);
       break;
     case LoopHealth::Worse:
-      letGo(ActuatorRelease::Worse);
+      relinquish(ActuatorRelease::Worse);
       break;
     case LoopHealth::DeadSensor:
     case LoopHealth::Silenced:
-      letGo(ActuatorRelease::DeadSensor);
+      relinquish(ActuatorRelease::DeadSensor);
       break;
   }
 }
@@ -121,7 +121,7 @@ ActuatorCommand ActuatorGate::through(double wanted, double error, double withou
   limited_ = false;
   double output = 0.0;
   const bool open = state_ == ActuatorState::RampIn || state_ == ActuatorState::On;
-  if (open && (!std::isfinite(wanted) || !std::isfinite(error))) letGo(ActuatorRelease::NotFinite);
+  if (open && (!std::isfinite(wanted) || !std::isfinite(error))) relinquish(ActuatorRelease::NotFinite);
   if (state_ == ActuatorState::RampIn || state_ == ActuatorState::On) {
     output = shaped(wanted);
     const LoopHealth found = watch_.watch(error, without, output, limited_);

@@ -68,7 +68,7 @@ class ActuatorGate {
   ActuatorCommand through(double wanted, double error, double without, Health health) STILLCUT_RT;
   void heed(LoopHealth health) STILLCUT_RT;
   void listen() STILLCUT_RT;
-  void letGo(ActuatorRelease why) STILLCUT_RT;
+  void relinquish(ActuatorRelease why) STILLCUT_RT;
   double ramped() STILLCUT_RT;
   double shaped(double wanted) STILLCUT_RT;
 

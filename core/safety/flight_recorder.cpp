@@ -24,7 +24,7 @@ std::string flags(const MachineState& m) {
   if (!m.atSpeed) s += " not-at-speed";
   if (!m.overridesEnabled) s += " locked";
   if (!m.controlOurs) s += " not-ours";
-  if (m.block != OrderBlock::None) s += " " + std::string(name(m.block));
+  if (m.block != OverrideInhibit::None) s += " " + std::string(name(m.block));
   return s.empty() ? " ok" : s;
 }
 

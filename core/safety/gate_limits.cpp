@@ -129,7 +129,7 @@ Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& se
   limits.speedSlew = share(kSpeedSlew);
   limits.feedStep = share(kFeedStep);
   limits.feedSlew = share(kFeedSlew);
-  limits.recoveryShare = share(kRecoveryShare);
+  limits.recoveryFraction = share(kRecoveryShare);
   limits.filter = milli(kFilter);
   limits.deadband = share(kDeadband);
   limits.changesPerMinute = params.integer(kChangesPerMinute);
@@ -137,8 +137,8 @@ Result<GateLimits> gateLimits(const config::ParamSet& params, const CutSetup& se
   limits.speedTolerance = share(kSpeedTolerance);
   limits.verdictAge = milli(kVerdictAge);
   limits.holdTime = milli(kHoldTime);
-  limits.restTime = Seconds(params.real(kRestTime));
-  limits.knobTime = Seconds(params.real(kKnobTime));
+  limits.reengageDelay = Seconds(params.real(kRestTime));
+  limits.operatorPause = Seconds(params.real(kKnobTime));
   limits.takeTime = Seconds(params.real(kTakeTime));
   limits.followTime = Seconds(params.real(kFollowTime));
   limits.lease = milli(kLease);

@@ -17,21 +17,21 @@ struct GateLimits {
   // Granted by whoever set this run up (profile or scenario), never by a parameter.
   bool autoAllowed = false;
 
-  double speedStep = 0.05;       // largest change of our speed factor per step
-  double speedSlew = 1.0;        // ... per second
-  double feedStep = 0.05;        // the same for feed
-  double feedSlew = 2.0;         //
-  double recoveryShare = 0.2;    // of step and slew, back toward 100 % when nothing chatters
-  Seconds filter{0.02};          // time constant on the wanted factors
-  double deadband = 0.005;       // wanted changes up to this are ignored
-  int changesPerMinute = 12;     // moves that start from rest or turn back
-  Seconds coolDown{20.0};        // after that many
-  double speedTolerance = 0.02;  // spindle counts as at speed
-  Seconds machineAge{0.3};       // older: stale; gateLimits() makes it of the link's period
-  Seconds verdictAge{0.3};       // verdict and request
-  Seconds holdTime{0.5};         // bad input: hold this long, then release
-  Seconds restTime{1.0};         // after a release: good input for this long before the overrides are taken again
-  Seconds knobTime{2.0};         // after the operator's knob moved
+  double speedStep = 0.05;        // largest change of our speed factor per step
+  double speedSlew = 1.0;         // ... per second
+  double feedStep = 0.05;         // the same for feed
+  double feedSlew = 2.0;          //
+  double recoveryFraction = 0.2;  // of step and slew, back toward 100 % when nothing chatters
+  Seconds filter{0.02};           // time constant on the wanted factors
+  double deadband = 0.005;        // wanted changes up to this are ignored
+  int changesPerMinute = 12;      // moves that start from rest or turn back
+  Seconds coolDown{20.0};         // after that many
+  double speedTolerance = 0.02;   // spindle counts as at speed
+  Seconds machineAge{0.3};        // older: stale; gateLimits() makes it of the link's period
+  Seconds verdictAge{0.3};        // verdict and request
+  Seconds holdTime{0.5};          // bad input: hold this long, then release
+  Seconds reengageDelay{1.0};     // after a release: good input for this long before the overrides are taken again
+  Seconds operatorPause{2.0};     // after the operator's knob moved
   // Override read back must agree within this. Longer than a link needs that has to find out by itself that the
   // overrides are locked (cnc/lock_judge.h): a lock is not taken for somebody's reset.
   Seconds takeTime{2.0};

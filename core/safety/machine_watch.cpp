@@ -56,7 +56,7 @@ void MachineWatch::lookAtKnobs(const MachineState& machine, double dt) STILLCUT_
                              differs(machine.operatorFeed.value, feedKnob_.value, kKnobClick));
   if (!seen_) rebase(machine);
   if (knobJustMoved_) {
-    knobLeft_ = limits_.knobTime.value;
+    knobLeft_ = limits_.operatorPause.value;
   } else {
     knobLeft_ = std::max(0.0, knobLeft_ - dt);
   }

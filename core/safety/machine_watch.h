@@ -24,12 +24,12 @@ class MachineWatch {
   // the program's lock, which the machine tells, nor a machine that never took it) or GateNotFollowing.
   Reason trouble() const STILLCUT_RT { return trouble_; }
   bool programChanged() const STILLCUT_RT { return programChanged_; }
-  bool knobTurning() const STILLCUT_RT { return knobLeft_ > 0.0; }
-  bool knobJustMoved() const STILLCUT_RT { return knobJustMoved_; }
+  bool operatorOverrideMoving() const STILLCUT_RT { return knobLeft_ > 0.0; }
+  bool operatorOverrideJustMoved() const STILLCUT_RT { return knobJustMoved_; }
   bool atSpeed() const STILLCUT_RT { return atSpeed_; }
   Rpm programmed() const STILLCUT_RT { return programmed_; }  // when the overrides were taken
-  Ratio baseSpeedKnob() const STILLCUT_RT { return baseSpeed_; }
-  Ratio baseFeedKnob() const STILLCUT_RT { return baseFeed_; }
+  Ratio baseOperatorSpeed() const STILLCUT_RT { return baseSpeed_; }
+  Ratio baseOperatorFeed() const STILLCUT_RT { return baseFeed_; }
 
  private:
   void lookAtKnobs(const MachineState& machine, double dt) STILLCUT_RT;

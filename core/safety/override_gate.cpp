@@ -12,15 +12,15 @@ void OverrideGate::prepare(const GateLimits& limits) {
   owesRelease_ = owesRelease_ || commanding_;
   limits_ = limits;
   ramp_.prepare(limits);
-  keeper_.prepare(limits);
+  setpoint_.prepare(limits);
   watch_.prepare(limits);
-  desk_.clear();
+  pendingAdvice_.clear();
   authority_ = Authority::Off;
   authoritySince_ = lastNow_;
   operatorHold_ = false;
   commanding_ = false;
   goingBack_ = false;
-  lettingGo_ = false;
+  relinquishing_ = false;
   hasTime_ = false;
   badTime_ = 0.0;
   restLeft_ = 0.0;
@@ -37,8 +37,8 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   obeyOperator(in, out);
   endWhatCannotGoOn(in, out);
   const Reason trouble = findTrouble(in, out);
-  if (lettingGo_) {
-    goHome(in, out);
+  if (relinquishing_) {
+    releaseAtProgrammed(in, out);
   } else if (trouble.code != ReasonCode::None) {
     holdThenRelease(trouble, in, out);
   } else {
@@ -69,8 +69,8 @@ void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
   elapsed_ = elapsed;
   clockGood_ = std::isfinite(in.dt.value) && in.dt.value > 0.0;
   moveTime_ = clockGood_ ? std::min(elapsed, in.dt.value) : 0.0;
-  desk_.advance(elapsed_);
-  keeper_.advance(elapsed_, ramp_.at(keeper_.target()));
+  pendingAdvice_.advance(elapsed_);
+  setpoint_.advance(elapsed_, ramp_.at(setpoint_.target()));
 }
 
 // Faults that leave nothing to hold: the link has let go already, or the wish that is in force has lost its author.
@@ -81,11 +81,11 @@ void OverrideGate::endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILL
   if (!in.strategyFailed || strategyFailed_) return;
   strategyFailed_ = true;
   const Reason why{ReasonCode::StrategyFault, {}};
-  if (!commanding_ || lettingGo_) report(out, in.now, EventLevel::Fault, why);
-  letGo(why, EventLevel::Fault, in.now, out);
+  if (!commanding_ || relinquishing_) report(out, in.now, EventLevel::Fault, why);
+  relinquish(why, EventLevel::Fault, in.now, out);
 }
 
-// With authority tellTrouble() says what is wrong.
+// With authority reportFault() says what is wrong.
 void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (in.machine.linkUp) {
     if (linkLost_) say(out, in.now, EventLevel::Info, {ReasonCode::LinkBack, {}});
@@ -104,11 +104,11 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
   watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
-  if (commanding_ && !lettingGo_ && watch_.programChanged()) {
+  if (commanding_ && !relinquishing_ && watch_.programChanged()) {
     // Whatever else is wrong: our factors were meant for another speed.
     const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
     say(out, in.now, EventLevel::Info, why);
-    letGo(why, EventLevel::Info, in.now, out);
+    relinquish(why, EventLevel::Info, in.now, out);
     return why;
   }
   if (!clockGood_) return {ReasonCode::GateClockFault, {}};
@@ -156,8 +156,8 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.authority = authority_;
   out.authoritySince = authoritySince_;
   out.autoAllowed = limits_.autoAllowed;
-  out.adviceOpen = desk_.open();
-  out.adviceNumber = desk_.number();
+  out.adviceOpen = pendingAdvice_.open();
+  out.adviceNumber = pendingAdvice_.number();
   out.operatorHold = operatorHold_;
 }
 

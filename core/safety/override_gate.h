@@ -16,12 +16,12 @@
 // Thread: prepare() at set-up, step() on the worker, once per block, real-time.
 #pragma once
 
-#include "core/safety/advice_desk.h"
 #include "core/safety/gate_io.h"
 #include "core/safety/gate_limits.h"
 #include "core/safety/machine_watch.h"
 #include "core/safety/override_ramp.h"
-#include "core/safety/target_keeper.h"
+#include "core/safety/override_setpoint.h"
+#include "core/safety/pending_advice.h"
 
 namespace stillcut::safety {
 
@@ -40,10 +40,10 @@ class OverrideGate {
   // The machine as the next step() takes absolute wishes: with the operator's knobs by which they are divided. A knob
   // that is turned while something of ours is in force scales what is in force; a strategy that saw it turned would
   // count it twice.
-  MachineState seenByWishes(const MachineState& machine) const STILLCUT_RT;
+  MachineState machineSeenByRequests(const MachineState& machine) const STILLCUT_RT;
 
  private:
-  struct Wish {
+  struct TrimmedRequest {
     Factors factors;
     Reason limited;  // GateLimited when it had to be trimmed, else None
   };
@@ -58,7 +58,7 @@ class OverrideGate {
   void refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT;
   void watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT;
   Reason findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT;
-  void tellTrouble(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void reportFault(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
   void holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT;
 
   void act(const GateInput& in, GateOutput& out) STILLCUT_RT;
@@ -71,14 +71,14 @@ class OverrideGate {
   void refuseBeyondLimits(const Reason& limited, const GateInput& in, GateOutput& out) STILLCUT_RT;
   RampInput rampInput(const MachineState& machine) const STILLCUT_RT;
 
-  Wish wish(const OverrideRequest& request, const MachineState& machine) const STILLCUT_RT;
+  TrimmedRequest trimmed(const OverrideRequest& request, const MachineState& machine) const STILLCUT_RT;
   Reason notReady(const GateInput& in) const STILLCUT_RT;
   Freeze frozen(const MachineState& machine) const STILLCUT_RT;
   Reason inForce(const MachineState& machine) const STILLCUT_RT;
 
   // By the ramp, over the next steps; at once where nothing is in force.
-  void letGo(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
-  void goHome(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void relinquish(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
+  void releaseAtProgrammed(const GateInput& in, GateOutput& out) STILLCUT_RT;
   // At once.
   void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
   void forget() STILLCUT_RT;
@@ -90,19 +90,19 @@ class OverrideGate {
 
   GateLimits limits_;
   OverrideRamp ramp_;
-  TargetKeeper keeper_;
+  OverrideSetpoint setpoint_;
   MachineWatch watch_;
-  AdviceDesk desk_;
+  PendingAdvice pendingAdvice_;
 
   Authority authority_ = Authority::Off;
   Instant authoritySince_{};
   bool operatorHold_ = false;
 
   bool commanding_ = false;
-  bool goingBack_ = false;    // on the slow way to 100 %, then release
-  bool lettingGo_ = false;    // on the way to 100 % at full rate, then release
-  double stuck_ = 0.0;        // [s] on that way without getting any further
-  bool owesRelease_ = false;  // dropped, the Release is not out yet
+  bool goingBack_ = false;      // on the slow way to 100 %, then release
+  bool relinquishing_ = false;  // on the way to 100 % at full rate, then release
+  double stuck_ = 0.0;          // [s] on that way without getting any further
+  bool owesRelease_ = false;    // dropped, the Release is not out yet
   Reason dropReason_;
   std::uint64_t sequence_ = 0;
   std::uint64_t engagement_ = 0;

@@ -8,7 +8,7 @@ namespace stillcut::safety {
 namespace {
 
 bool inCut(const Verdict& v) noexcept {
-  return v.state != CutState::Air && v.phase != CutPhase::RunUp;
+  return v.state != CutState::AirCutting && v.phase != CutPhase::RunUp;
 }
 
 // A return is advised with the values that it leads to.
@@ -26,7 +26,7 @@ Advice adviceOf(const Factors& factors, const OverrideRequest& r, const MachineS
 void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   badTime_ = std::max(0.0, badTime_ - elapsed_);
   if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
-  if (!keeper_.budget().cooling()) saidCoolDown_ = false;
+  if (!setpoint_.budget().cooling()) saidCoolDown_ = false;
   if (!owesRelease_) restLeft_ = std::max(0.0, restLeft_ - elapsed_);
   if (!commanding_) watch_.rebase(in.machine);
 
@@ -37,42 +37,42 @@ void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
     tryToTake(in, out);
   }
   // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects. From the
-  // next wish on: this one was made with seenByWishes() of before.
-  if (commanding_ && in.verdict.alarming() && !watch_.knobTurning()) watch_.rebase(in.machine);
+  // next wish on: this one was made with machineSeenByRequests() of before.
+  if (commanding_ && in.verdict.alarming() && !watch_.operatorOverrideMoving()) watch_.rebase(in.machine);
 }
 
-MachineState OverrideGate::seenByWishes(const MachineState& machine) const STILLCUT_RT {
+MachineState OverrideGate::machineSeenByRequests(const MachineState& machine) const STILLCUT_RT {
   MachineState seen = machine;
   if (commanding_) {
-    seen.operatorSpeed = watch_.baseSpeedKnob();
-    seen.operatorFeed = watch_.baseFeedKnob();
+    seen.operatorSpeed = watch_.baseOperatorSpeed();
+    seen.operatorFeed = watch_.baseOperatorFeed();
   }
   return seen;
 }
 
 // What was accepted for another cut, or is no longer asked for, is not carried out.
 void OverrideGate::endOldAcceptance(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (desk_.accepted() == nullptr) return;
-  const Advice now{wish(in.request, in.machine).factors, in.request, in.machine.programmedSpeed};
-  if (desk_.stillMeant(now)) return;
-  const OverrideRequest& was = desk_.accepted()->request;
+  if (pendingAdvice_.accepted() == nullptr) return;
+  const Advice now{trimmed(in.request, in.machine).factors, in.request, in.machine.programmedSpeed};
+  if (pendingAdvice_.stillMeant(now)) return;
+  const OverrideRequest& was = pendingAdvice_.accepted()->request;
   const OverrideRequest& is = in.request.kind == RequestKind::Set ? in.request : was;
   report(out, in.now, EventLevel::Warning, {ReasonCode::AdviceChanged, {is.speed.value, toMmPerMin(is.feed)}});
-  desk_.carriedOut();
+  pendingAdvice_.carriedOut();
 }
 
 // Nothing of ours is in force.
 void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  const Advice* accepted = desk_.accepted();
+  const Advice* accepted = pendingAdvice_.accepted();
   if (authority_ == Authority::Off) {
     out.reason = {ReasonCode::AuthorityOff, {}};
     return;
   }
-  const Wish wanted = wish(in.request, in.machine);
-  const bool wants = in.request.kind == RequestKind::Set && !keeper_.near(wanted.factors);
+  const TrimmedRequest wanted = trimmed(in.request, in.machine);
+  const bool wants = in.request.kind == RequestKind::Set && !setpoint_.near(wanted.factors);
   if (in.request.kind != RequestKind::Set) saidLimits_ = false;
   if (!wants && accepted == nullptr) {
-    desk_.close();
+    pendingAdvice_.close();
     if (in.request.kind == RequestKind::Set && wanted.limited.code != ReasonCode::None) {
       return refuseBeyondLimits(wanted.limited, in, out);
     }
@@ -80,19 +80,19 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
     return;
   }
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    desk_.put(adviceOf(wanted.factors, in.request, in.machine));
+    pendingAdvice_.put(adviceOf(wanted.factors, in.request, in.machine));
     out.reason = {ReasonCode::AdviceOnly, {}};
     return;
   }
   out.reason = notReady(in);
   if (out.reason.code != ReasonCode::None) return;
-  const Wish target = accepted != nullptr ? wish(accepted->request, in.machine) : wanted;
-  if (keeper_.propose(target.factors, accepted != nullptr) == Proposal::Refused) {
+  const TrimmedRequest target = accepted != nullptr ? trimmed(accepted->request, in.machine) : wanted;
+  if (setpoint_.propose(target.factors, accepted != nullptr) == Proposal::Refused) {
     refuseChange(in, out);
     return;
   }
   say(out, in.now, EventLevel::Info, accepted != nullptr ? accepted->request.reason : in.request.reason);
-  desk_.carriedOut();
+  pendingAdvice_.carriedOut();
   ramp_.restart();
   watch_.engage(in.machine);
   commanding_ = true;
@@ -103,11 +103,11 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
 
 Reason OverrideGate::notReady(const GateInput& in) const STILLCUT_RT {
   const MachineState& m = in.machine;
-  if (owesRelease_ || restLeft_ > 0.0) return {ReasonCode::GateResting, {restLeft_}};
+  if (owesRelease_ || restLeft_ > 0.0) return {ReasonCode::GateReengageDelay, {restLeft_}};
   if (operatorHold_) return {ReasonCode::GateOperatorHold, {}};
   if (m.feedHold) return {ReasonCode::GateFeedHold, {}};
-  if (watch_.knobTurning()) {
-    return {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
+  if (watch_.operatorOverrideMoving()) {
+    return {ReasonCode::GateOperatorOverrideMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
   }
   if (!watch_.atSpeed()) return {ReasonCode::GateSettling, {m.actualSpeed.value, m.targetSpeed().value}};
   if (!inCut(in.verdict)) return {ReasonCode::GateNotInCut, {}};
@@ -117,15 +117,15 @@ Reason OverrideGate::notReady(const GateInput& in) const STILLCUT_RT {
 OverrideGate::Freeze OverrideGate::frozen(const MachineState& machine) const STILLCUT_RT {
   if (operatorHold_) return Freeze::Operator;
   if (machine.feedHold) return Freeze::FeedHold;
-  return watch_.knobTurning() ? Freeze::Knob : Freeze::No;
+  return watch_.operatorOverrideMoving() ? Freeze::Knob : Freeze::No;
 }
 
 // Something of ours is in force.
 void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const MachineState& m = in.machine;
-  if (watch_.knobJustMoved()) {
+  if (watch_.operatorOverrideJustMoved()) {
     say(out, in.now, EventLevel::Info,
-        {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}});
+        {ReasonCode::GateOperatorOverrideMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}});
   }
   switch (frozen(m)) {
     case Freeze::Operator:
@@ -135,7 +135,8 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
       out.reason = {ReasonCode::GateFeedHold, {}};
       break;
     case Freeze::Knob:
-      out.reason = {ReasonCode::GateKnobMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
+      out.reason = {ReasonCode::GateOperatorOverrideMoved,
+                    {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
       break;
     case Freeze::No:
       retarget(in, out);
@@ -149,27 +150,27 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
 // Under Advise only what was accepted becomes a target, the way back to 100 % like every other move.
 void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (in.request.kind == RequestKind::Hold) stay();
-  const Advice* accepted = desk_.accepted();
+  const Advice* accepted = pendingAdvice_.accepted();
   const OverrideRequest& r = accepted != nullptr ? accepted->request : in.request;
   const bool back = r.kind == RequestKind::Release;
   if (!back && r.kind != RequestKind::Set) {
-    desk_.close();
+    pendingAdvice_.close();
     return;
   }
-  const Wish wanted = wish(r, in.machine);
+  const TrimmedRequest wanted = trimmed(r, in.machine);
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    const bool underWay = back ? goingBack_ : keeper_.near(wanted.factors);
-    underWay ? desk_.close() : desk_.put(adviceOf(wanted.factors, r, in.machine));
+    const bool underWay = back ? goingBack_ : setpoint_.near(wanted.factors);
+    underWay ? pendingAdvice_.close() : pendingAdvice_.put(adviceOf(wanted.factors, r, in.machine));
     return;
   }
   if (back) {
-    keeper_.goBack();
-  } else if (keeper_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
+    setpoint_.goBack();
+  } else if (setpoint_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
     refuseChange(in, out);
     return;
   }
   goingBack_ = back;
-  desk_.carriedOut();
+  pendingAdvice_.carriedOut();
   if (wanted.limited.code != ReasonCode::None) out.reason = wanted.limited;
 }
 
@@ -179,7 +180,7 @@ void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
     return;
   }
   RampInput ramp = rampInput(in.machine);
-  ramp.wanted = keeper_.target();
+  ramp.wanted = setpoint_.target();
   ramp.recovering = goingBack_ || !in.verdict.alarming();
   ramp_.advance(ramp);
   if (out.reason.code == ReasonCode::None) out.reason = inForce(in.machine);
@@ -199,7 +200,7 @@ RampInput OverrideGate::rampInput(const MachineState& m) const STILLCUT_RT {
 
 // No hunting: after the changes of a minute are used up there is a pause, and the second time Auto is withdrawn.
 void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  const ChangeBudget& budget = keeper_.budget();
+  const ChangeBudget& budget = setpoint_.budget();
   out.reason = {ReasonCode::GateCoolDown, {budget.coolDownLeft()}};
   if (!saidCoolDown_) {
     saidCoolDown_ = true;
@@ -221,17 +222,17 @@ void OverrideGate::refuseBeyondLimits(const Reason& limited, const GateInput& in
   report(out, in.now, EventLevel::Warning, limited);
 }
 
-OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
+OverrideGate::TrimmedRequest OverrideGate::trimmed(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
   if (r.kind == RequestKind::Release) return {};  // 100 %
   const config::OverrideLimits& o = limits_.overrides;
   const config::FactorRange speeds = speedFactors(o, m);
   const config::FactorRange feeds = feedFactors(o, m);
-  const double speed = r.claimsSpeed ? r.speed / (m.programmedSpeed * watch_.baseSpeedKnob().value) : 1.0;
-  const MetresPerSecond feedBase = m.programmedFeed * watch_.baseFeedKnob().value;
+  const double speed = r.claimsSpeed ? r.speed / (m.programmedSpeed * watch_.baseOperatorSpeed().value) : 1.0;
+  const MetresPerSecond feedBase = m.programmedFeed * watch_.baseOperatorFeed().value;
   double feed = 1.0;
   // Without a feed to refer to, following the speed is the only way to keep the feed per tooth.
   if (r.claimsFeed) feed = feedBase.value > 0.0 ? r.feed / feedBase : speed;
-  Wish w;
+  TrimmedRequest w;
   w.factors.speed = speeds.clamp(speed);
   w.factors.feed = feeds.clamp(o.perTooth(feed, w.factors.speed));
   if (std::abs(w.factors.speed - speed) > limits_.deadband) {
@@ -244,7 +245,7 @@ OverrideGate::Wish OverrideGate::wish(const OverrideRequest& r, const MachineSta
 
 Reason OverrideGate::inForce(const MachineState& m) const STILLCUT_RT {
   const Factors& now = ramp_.now();
-  const Factors& goal = keeper_.target();
+  const Factors& goal = setpoint_.target();
   if (goingBack_ && !ramp_.at(goal)) return {ReasonCode::Recovering, {goal.speed}};
   if (!ramp_.at(goal)) {
     return {ReasonCode::GateMoving, {100.0 * now.speed, 100.0 * goal.speed, 100.0 * now.feed, 100.0 * goal.feed}};

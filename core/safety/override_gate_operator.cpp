@@ -36,7 +36,7 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
         break;
       case OperatorAction::TrueAlarm:
       case OperatorAction::FalseAlarm:
-      case OperatorAction::HearChatter:
+      case OperatorAction::ReportChatter:
       case OperatorAction::SetParameter:
         break;  // for the detectors' thresholds and the record, not for the machine
     }
@@ -58,28 +58,28 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
     report(out, now, EventLevel::Info, change);
     authority_ = wanted;
     authoritySince_ = now;
-    desk_.clear();
-    keeper_.forgiveChanges();
+    pendingAdvice_.clear();
+    setpoint_.forgiveChanges();
     saidLimits_ = false;
     saidTrouble_ = ReasonCode::None;  // whoever takes or gives authority hears what stands in the way
-    if (wanted == Authority::Advise && commanding_ && !lettingGo_) stay();
+    if (wanted == Authority::Advise && commanding_ && !relinquishing_) stay();
   }
-  if (authority_ == Authority::Off) letGo({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
+  if (authority_ == Authority::Off) relinquish({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
 }
 
 // From now on each move is asked for, the rest of one that was under way included.
 void OverrideGate::stay() STILLCUT_RT {
-  keeper_.stopAt(ramp_.now());
+  setpoint_.stopAt(ramp_.now());
   ramp_.halt();
   goingBack_ = false;
 }
 
 // A target that jumped as the finger landed is another advice, and nobody has accepted that one.
 void OverrideGate::acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT {
-  if (authority_ != Authority::Advise || !desk_.open()) return;
-  const OverrideRequest& r = desk_.advice().request;
+  if (authority_ != Authority::Advise || !pendingAdvice_.open()) return;
+  const OverrideRequest& r = pendingAdvice_.advice().request;
   const std::array<double, 4> values{r.speed.value, toMmPerMin(r.feed)};
-  if (desk_.accept(number)) {
+  if (pendingAdvice_.accept(number)) {
     say(out, now, EventLevel::Info, {ReasonCode::AdviceAccepted, values});
   } else {
     report(out, now, EventLevel::Warning, {ReasonCode::AdviceChanged, values});
@@ -87,8 +87,8 @@ void OverrideGate::acceptAdvice(std::uint32_t number, Instant now, GateOutput& o
 }
 
 void OverrideGate::refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT {
-  if (authority_ != Authority::Advise || !desk_.refuse()) return;
-  const OverrideRequest& r = desk_.advice().request;
+  if (authority_ != Authority::Advise || !pendingAdvice_.refuse()) return;
+  const OverrideRequest& r = pendingAdvice_.advice().request;
   const Reason answer{ReasonCode::AdviceRefused, {r.speed.value, toMmPerMin(r.feed)}};
   report(out, now, EventLevel::Info, answer);
 }

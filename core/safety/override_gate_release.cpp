@@ -15,7 +15,7 @@ bool ordinary(const Reason& trouble, const Verdict& verdict) noexcept {
   const ReasonCode why = verdict.reason.code;
   return trouble.code == ReasonCode::GateVerdictInvalid &&
          (why == ReasonCode::Learning || why == ReasonCode::SpindleRunUp || why == ReasonCode::Transient ||
-          why == ReasonCode::NoAir);
+          why == ReasonCode::NoAirCutting);
 }
 
 // Commands still reach the machine and act on it. A program that has ended does not matter to that.
@@ -31,7 +31,7 @@ bool nowhere(const Reason& trouble) noexcept {
 }  // namespace
 
 // Once for each trouble, until the input has been good again for as long as it was bad.
-void OverrideGate::tellTrouble(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
+void OverrideGate::reportFault(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (first_ && trouble.code == ReasonCode::GateClockFault) return;
   if (trouble.code == ReasonCode::StrategyFault) return;  // has been told
   const bool plain = ordinary(trouble, in.verdict);
@@ -47,10 +47,10 @@ void OverrideGate::tellTrouble(const Reason& trouble, const GateInput& in, GateO
 
 void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.reason = trouble;
-  desk_.close();
-  desk_.carriedOut();
-  if (restLeft_ > 0.0) restLeft_ = limits_.restTime.value;
-  if (trouble.code != ReasonCode::GateOverrideReset) tellTrouble(trouble, in, out);
+  pendingAdvice_.close();
+  pendingAdvice_.carriedOut();
+  if (restLeft_ > 0.0) restLeft_ = limits_.reengageDelay.value;
+  if (trouble.code != ReasonCode::GateOverrideReset) reportFault(trouble, in, out);
   badTime_ = std::min(badTime_ + elapsed_, limits_.holdTime.value);
   if (!commanding_) return;
   ramp_.halt();
@@ -60,30 +60,30 @@ void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, G
   if (badTime_ < limits_.holdTime.value) return;
   const EventLevel level = ordinary(trouble, in.verdict) ? EventLevel::Info : EventLevel::Fault;
   if (steered && !nowhere(trouble)) {
-    letGo(trouble, level, in.now, out);
+    relinquish(trouble, level, in.now, out);
   } else {
     drop(trouble, level, in.now, out);
   }
 }
 
-void OverrideGate::letGo(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
+void OverrideGate::relinquish(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
   if (!commanding_) return drop(why, level, now, out);
-  if (lettingGo_) return;
+  if (relinquishing_) return;
   forget();
   ramp_.straightTo({});
-  lettingGo_ = true;
+  relinquishing_ = true;
   stuck_ = 0.0;
   dropReason_ = why;
   if (level == EventLevel::Fault) report(out, now, level, why);
 }
 
 // At full rate: it was not the cut's becoming quiet that ended it, somebody or something wants the programmed values.
-void OverrideGate::goHome(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  desk_.close();
+void OverrideGate::releaseAtProgrammed(const GateInput& in, GateOutput& out) STILLCUT_RT {
+  pendingAdvice_.close();
   const Reason machine = checkMachine(in.machine, in.now, limits_.machineAge);
   if (!steerable(machine)) {
     saidTrouble_ = ReasonCode::None;
-    tellTrouble(machine, in, out);
+    reportFault(machine, in, out);
     drop(dropReason_, EventLevel::Info, in.now, out);
     return;
   }
@@ -107,8 +107,8 @@ void OverrideGate::goHome(const GateInput& in, GateOutput& out) STILLCUT_RT {
 
 // What was wanted, advised or counted as bad so far is over.
 void OverrideGate::forget() STILLCUT_RT {
-  keeper_.restart();
-  desk_.clear();
+  setpoint_.restart();
+  pendingAdvice_.clear();
   goingBack_ = false;
   badTime_ = 0.0;
 }
@@ -116,12 +116,12 @@ void OverrideGate::forget() STILLCUT_RT {
 void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
   forget();
   ramp_.restart();
-  lettingGo_ = false;
+  relinquishing_ = false;
   if (!commanding_) return;
   commanding_ = false;
   owesRelease_ = true;
   dropReason_ = why;
-  restLeft_ = limits_.restTime.value;
+  restLeft_ = limits_.reengageDelay.value;
   if (level == EventLevel::Fault) report(out, now, level, why);
   say(out, now, EventLevel::Info, {ReasonCode::GateReleased, {}});
 }

@@ -59,7 +59,7 @@ void OverrideRamp::advance(const RampInput& in) STILLCUT_RT {
   const double feedGoal = in.feed.clamp(o.perTooth(filtered_.feed, speedGoal));
 
   const auto most = [&](double from, double to, double step, double slew) {
-    const double rate = in.recovering && toward100(from, to) ? limits_.recoveryShare : 1.0;
+    const double rate = in.recovering && toward100(from, to) ? limits_.recoveryFraction : 1.0;
     return rate * std::min(step, slew * in.dt);
   };
   double speed = approach(now_.speed, speedGoal, most(now_.speed, speedGoal, limits_.speedStep, limits_.speedSlew));

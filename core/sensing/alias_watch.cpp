@@ -36,12 +36,12 @@ void AliasWatch::prepare(int channels, Hertz rate) {
   mask_.prepare(spectrum_.bins(), spectrum_.binWidth());
   power_.assign(static_cast<std::size_t>(spectrum_.bins()), 0.0);
   channels_.assign(static_cast<std::size_t>(channels), {});
-  for (Channel& c : channels_) c.samples.assign(window_, 0.0);
+  for (AliasChannel& c : channels_) c.samples.assign(window_, 0.0);
   reset();
 }
 
 void AliasWatch::reset() noexcept {
-  for (Channel& c : channels_) {
+  for (AliasChannel& c : channels_) {
     c.folds = {};
     c.folded = {};
   }
@@ -87,7 +87,7 @@ void AliasWatch::push(const ConditionedBlock& block, bool inCut) noexcept {
   doubt_ = block.spindleSd.value + kSmear * (high_ - low_);
 }
 
-void AliasWatch::look(Channel& c) noexcept {
+void AliasWatch::look(AliasChannel& c) noexcept {
   spectrum_.transform(c.samples);
   spectrum_.powers(power_);
   mask_.update(Hertz(mean_), Hertz(doubt_), kMaskBins, Hertz(kUsableBand * rate_));

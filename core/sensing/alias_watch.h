@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/dsp/spectral_frames.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/spectrum.h"
 #include "core/sensing/conditioned_block.h"
 
@@ -40,13 +40,13 @@ class AliasWatch {
     int moves = 0;
     int misses = 0;
   };
-  struct Channel {
+  struct AliasChannel {
     std::vector<double> samples;
     std::array<Fold, 4> folds;  // k = 1, 1, 2, 2
     Folded folded;
   };
   bool begin(const ConditionedBlock& block) noexcept;
-  void look(Channel& c) noexcept;
+  void look(AliasChannel& c) noexcept;
   bool hidden(double line) const noexcept;
   void follow(Fold& fold, double place) const noexcept;
 
@@ -54,7 +54,7 @@ class AliasWatch {
   dsp::Spectrum spectrum_;
   HarmonicMask mask_;
   std::vector<double> power_;
-  std::vector<Channel> channels_;
+  std::vector<AliasChannel> channels_;
   double rate_ = 0.0;
   std::size_t window_ = 0;
   std::size_t fill_ = 0;    // frames of the stretch

@@ -31,7 +31,7 @@ void CableWatch::prepare(const CutSetup& setup) {
 }
 
 void CableWatch::reset() noexcept {
-  for (Channel& c : channels_) {
+  for (CableChannel& c : channels_) {
     const SensorQuantity quantity = c.quantity;
     const bool alone = c.alone;
     c = {};
@@ -41,9 +41,9 @@ void CableWatch::reset() noexcept {
 }
 
 bool CableWatch::anotherGoesOn(std::size_t channel, const CutGate& gate) const noexcept {
-  const Channel& fallen = channels_[channel];
+  const CableChannel& fallen = channels_[channel];
   for (std::size_t o = 0; o < channels_.size(); ++o) {
-    const Channel& other = channels_[o];
+    const CableChannel& other = channels_[o];
     if (o == channel || other.quantity != fallen.quantity || other.left > 0.0) continue;
     const double was = fallen.beside[o];
     const double air = gate.airFloor(static_cast<int>(o));
@@ -55,7 +55,7 @@ bool CableWatch::anotherGoesOn(std::size_t channel, const CutGate& gate) const n
 void CableWatch::look(int channel, std::span<const double> window, std::span<const double> windowBefore,
                       double meanSquare, double perSecond, const CutGate& gate) noexcept {
   const auto i = static_cast<std::size_t>(channel);
-  Channel& c = channels_[i];
+  CableChannel& c = channels_[i];
   c.latest = meanSquare;
   if (c.left > 0.0) {
     ++c.windows;

@@ -26,7 +26,7 @@ class CableWatch {
   bool broken(int channel) const noexcept { return channels_[static_cast<std::size_t>(channel)].broken; }
 
  private:
-  struct Channel {
+  struct CableChannel {
     SensorQuantity quantity = SensorQuantity::Acceleration;
     double latest = 0.0;  // mean square of the last window
     double level = 0.0;   // ... over about a second
@@ -41,7 +41,7 @@ class CableWatch {
   bool anotherGoesOn(std::size_t channel, const CutGate& gate) const noexcept;
 
   int hop_ = 0;  // frames of a millisecond
-  std::vector<Channel> channels_;
+  std::vector<CableChannel> channels_;
 };
 
 }  // namespace stillcut::detect

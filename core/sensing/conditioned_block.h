@@ -23,14 +23,14 @@ struct ConditionedBlock {
   bool valid = false;     // false: detectors hold their state and say `reason`
   bool afterGap = false;  // samples were lost just before: filters must restart
   Reason reason;          // why not valid
-  CutPhase phase = CutPhase::Air;
-  double levelTrend = 1.0;          // mean square of the last turn over that of the last few
-  Hertz spindle{};                  // best estimate at the end of the block; 0: unknown
-  Hertz spindleSd{};                // its doubt
-  Hertz loneLine{};                 // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
-  bool speedMoving = false;         // the angle follows a machine that changes its speed
-  bool turnsCompare = true;         // false: its speed changes too fast to compare one turn with the next
-  const double* samples = nullptr;  // [channel * stride + frame], SI units, high-passed
+  CutPhase phase = CutPhase::AirCutting;
+  double levelTrend = 1.0;            // mean square of the last turn over that of the last few
+  Hertz spindle{};                    // best estimate at the end of the block; 0: unknown
+  Hertz spindleSd{};                  // its doubt
+  Hertz isolatedLine{};               // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
+  bool speedChanging = false;         // the angle follows a machine that changes its speed
+  bool revolutionsComparable = true;  // false: its speed changes too fast to compare one turn with the next
+  const double* samples = nullptr;    // [channel * stride + frame], SI units, high-passed
   std::ptrdiff_t stride = 0;
   const double* angle = nullptr;      // [frame], integrated spindle angle in rad, wrapped to 0..2 pi
   const double* angleStep = nullptr;  // [frame], rad per sample: 2 pi f_sp / F_s

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> kWhySpeedSd{"no speed is known", "of w
                                                       "of what the signal shows"};
 constexpr std::array<std::string_view, 2> kWhyNoise{"no air has been heard yet",
                                                     "the quietest fifth of a second so far"};
-constexpr std::array<OwnValueDecl, OwnNoise + kNoises> kOwnValues{{
+constexpr std::array<AutoValueDecl, OwnNoise + kNoises> kOwnValues{{
     {"conditioner.high-pass", "High-pass edge", "Hz", kWhyHighPass},
     {"conditioner.speed", "Spindle speed", "rpm", kWhySpeed},
     {"conditioner.speed-doubt", "Doubt of the speed", "rpm", kWhySpeedSd},
@@ -196,11 +196,11 @@ void Conditioner::advanceGate() noexcept {
   const Seconds turn = spindle > 0.0 ? Seconds(1.0 / spindle) : kTurnUnknown;
   const CutPhase before = gate_.phase();
   gate_.setForced(speed_.forced());
-  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.loneLine().value > 0.0);
+  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0);
   for (double& s : squares_) s /= stepFrames_;
   gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
                 Seconds(stepFrames_ / setup_.rate.value), turn);
-  if (before == CutPhase::Air && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
+  if (before == CutPhase::AirCutting && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
 }
 
 // Where nothing quieter was ever heard, a tone that no teeth force may be chatter that was there before, or the
@@ -208,7 +208,7 @@ void Conditioner::advanceGate() noexcept {
 Reason Conditioner::doubtAir() const noexcept {
   const Hertz tone = speed_.suspect();
   if (gate_.airSeen() || gate_.inCut() || !(tone.value > 0.0)) return {};
-  return {ReasonCode::NoAir, {tone.value}};
+  return {ReasonCode::NoAirCutting, {tone.value}};
 }
 
 // The signal goes on, so that the speed is followed and recovery is seen; the detectors start anew after it.
@@ -222,7 +222,7 @@ void Conditioner::checkSensors(const SampleBlock& block) noexcept {
   out_.reason = doubt;
 }
 
-OwnValueTable Conditioner::ownValues() {
+AutoValueTable Conditioner::autoValues() {
   return kOwnValues;
 }
 
@@ -249,7 +249,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   out_.angleStep = angleStep_.data();
   out_.afterGap = false;
   out_.feed = feedNow(machine, setup_.nominalFeed);
-  speed_.listen(machine, out_.frames, out_.end());
+  speed_.setMachineState(machine, out_.frames, out_.end());
   out_.valid = usable(block);
   if (!out_.valid) {
     gapPending_ = true;  // whatever follows starts anew
@@ -264,10 +264,10 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   makeSi(block);
   follow(block.frames);
   out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
-  out_.loneLine = speed_.loneLine();
+  out_.isolatedLine = speed_.isolatedLine();
   out_.spindleSd = speed_.sd();
-  out_.speedMoving = speed_.riding();
-  out_.turnsCompare = !speed_.moving();
+  out_.speedChanging = speed_.riding();
+  out_.revolutionsComparable = !speed_.moving();
   out_.phase = gate_.phase();
   out_.levelTrend = gate_.trend();
   checkSensors(block);

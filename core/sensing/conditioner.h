@@ -11,10 +11,10 @@
 #include "core/model/cut_setup.h"
 #include "core/model/machine_state.h"
 #include "core/model/sample_block.h"
+#include "core/sensing/auto_values.h"
 #include "core/sensing/conditioned_block.h"
 #include "core/sensing/cut_gate.h"
 #include "core/sensing/input_check.h"
-#include "core/sensing/own_values.h"
 #include "core/sensing/sensor_check.h"
 #include "core/spindle/speed_tracker.h"
 
@@ -44,9 +44,9 @@ class Conditioner {
   // As Detector::retune() and Detector::chosen().
   void retune(const config::ParamSet& params) noexcept;
   double chosen(const config::ParamDecl& decl) const;
-  // As Detector::ownValues() and Detector::own().
-  static OwnValueTable ownValues();
-  OwnValue own(std::size_t index) const noexcept { return own_.read(index); }
+  // As Detector::autoValues() and Detector::own().
+  static AutoValueTable autoValues();
+  AutoValue own(std::size_t index) const noexcept { return own_.read(index); }
   // The returned block and what it points at are good until the next call.
   const ConditionedBlock& process(const SampleBlock& block, const MachineState& machine) noexcept;
   void reset() noexcept;
@@ -66,7 +66,7 @@ class Conditioner {
   Reason doubtAir() const noexcept;
   void tellOwn() noexcept;
 
-  OwnValues own_;
+  AutoValues own_;
   CutSetup setup_;
   int capacity_ = 0;
   int channels_ = 0;

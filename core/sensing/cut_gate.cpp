@@ -38,7 +38,7 @@ void CutGate::reset() noexcept {
   calm_ = {};
   slow_ = long_ = level_ = elapsed_ = sinceChange_ = quiet_ = settled_ = whole_ = louder_ = still_ = stillAt_ = 0.0;
   airSeen_ = forced_ = speedKnown_ = false;
-  phase_ = CutPhase::Air;
+  phase_ = CutPhase::AirCutting;
 }
 
 void CutGate::go(CutPhase phase) noexcept {
@@ -66,17 +66,17 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
 // heard when the tool leaves: the floor falls as far as a cut is above it. It falls from where it was in the steady
 // cut; what a tool that is in the material at once shakes loose is far above that.
 void CutGate::hearAir() noexcept {
-  if (phase_ == CutPhase::Air && level_ > openRatio_) airSeen_ = true;
+  if (phase_ == CutPhase::AirCutting && level_ > openRatio_) airSeen_ = true;
   for (std::size_t c = 0; c < channels_ && phase_ == CutPhase::Exit; ++c) {
     if (floor_[c] * openRatio_ < cutFloor_[c]) airSeen_ = true;
   }
 }
 
 CutPhase CutGate::next(double revolution) const noexcept {
-  const bool loud = level_ > openRatio_ * (phase_ == CutPhase::Air ? 1.0 : kCloseRelative);
+  const bool loud = level_ > openRatio_ * (phase_ == CutPhase::AirCutting ? 1.0 : kCloseRelative);
   const bool cutting = loud || (forced_ && !airSeen_);
-  if (!cutting && quiet_ > revolution) return CutPhase::Air;
-  if (phase_ == CutPhase::Air) return cutting ? CutPhase::Entry : CutPhase::Air;
+  if (!cutting && quiet_ > revolution) return CutPhase::AirCutting;
+  if (phase_ == CutPhase::AirCutting) return cutting ? CutPhase::Entry : CutPhase::AirCutting;
   const double fast = level_;
   const bool settled = settled_ > 0.0;
   if (phase_ == CutPhase::Entry || phase_ == CutPhase::RunUp) {
@@ -118,7 +118,7 @@ void CutGate::advance(std::span<const double> meanSquares, Seconds seconds, Seco
   const CutPhase before = phase_;
   const double steady = sinceChange_;
   go(next(revolution.value));
-  if (before == CutPhase::Air && phase_ == CutPhase::Entry) {
+  if (before == CutPhase::AirCutting && phase_ == CutPhase::Entry) {
     slow_ = level_;
     cutFloor_ = floor_;
   }

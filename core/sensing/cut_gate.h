@@ -31,7 +31,7 @@ class CutGate {
   void setSpeedKnown(bool known) noexcept { speedKnown_ = known; }
 
   CutPhase phase() const noexcept { return phase_; }
-  bool inCut() const noexcept { return phase_ != CutPhase::Air; }
+  bool inCut() const noexcept { return phase_ != CutPhase::AirCutting; }
   bool airSeen() const noexcept { return airSeen_; }
   // Mean square of a channel in air; 0 until learned.
   double airFloor(int channel) const noexcept { return airSeen_ ? floor_[static_cast<std::size_t>(channel)] : 0.0; }
@@ -65,7 +65,7 @@ class CutGate {
   bool airSeen_ = false;
   bool forced_ = false;
   bool speedKnown_ = false;
-  CutPhase phase_ = CutPhase::Air;
+  CutPhase phase_ = CutPhase::AirCutting;
 };
 
 }  // namespace stillcut::detect

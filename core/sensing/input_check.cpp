@@ -23,14 +23,14 @@ void InputCheck::prepare(const CutSetup& setup) {
 }
 
 void InputCheck::reset() noexcept {
-  for (Channel& c : channels_) {
+  for (InputChannel& c : channels_) {
     c.run = 0;
     c.clip = {};
   }
 }
 
 Reason InputCheck::checkChannel(std::span<const float> samples, int index) noexcept {
-  Channel& c = channels_[static_cast<std::size_t>(index)];
+  InputChannel& c = channels_[static_cast<std::size_t>(index)];
   for (const float v : samples) {
     if (!std::isfinite(v)) return {ReasonCode::InputNotFinite, {static_cast<double>(index)}};
     c.run = c.run > 0 && v == c.last ? c.run + 1 : 1;
@@ -49,7 +49,7 @@ Reason InputCheck::check(const SampleBlock& block) noexcept {
   for (int c = 0; c < channels; ++c) {
     const Reason reason = checkChannel(block.channel(c), c);
     if (worst.code == ReasonCode::None) worst = reason;
-    const Channel& of = channels_[static_cast<std::size_t>(c)];
+    const InputChannel& of = channels_[static_cast<std::size_t>(c)];
     still = still && (!of.hears || of.run >= deadRun_);
   }
   if (worst.code == ReasonCode::None && block.has(kBlockClipped)) return {ReasonCode::InputClipped, {}};

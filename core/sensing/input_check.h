@@ -30,7 +30,7 @@ class InputCheck {
   void reset() noexcept;
 
  private:
-  struct Channel {
+  struct InputChannel {
     SensorQuantity quantity = SensorQuantity::Acceleration;
     bool hears = true;  // the cut
     float last = 0.0F;
@@ -40,7 +40,7 @@ class InputCheck {
   Reason checkChannel(std::span<const float> samples, int index) noexcept;
 
   int deadRun_ = 0;  // samples
-  std::array<Channel, kMaxChannels> channels_{};
+  std::array<InputChannel, kMaxChannels> channels_{};
 };
 
 }  // namespace stillcut::detect

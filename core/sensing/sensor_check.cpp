@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 #include "core/sensing/input_check.h"
 
 namespace stillcut::detect {
@@ -38,7 +38,7 @@ void SensorCheck::prepare(const CutSetup& setup) {
   windowSeconds_ = static_cast<double>(window_) / setup.rate.value;
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    SensorChannel& c = channels_[i];
     c.quantity = setup.channels[i].quantity;
     c.scale = setup.channels[i].scale;
     c.samples.assign(window_, 0.0);
@@ -56,7 +56,7 @@ void SensorCheck::prepare(const CutSetup& setup) {
 }
 
 void SensorCheck::reset() noexcept {
-  for (Channel& c : channels_) {
+  for (SensorChannel& c : channels_) {
     c.knocks.reset();
     c.hum.reset();
     c.place = c.largest = c.seconds = 0.0;
@@ -77,7 +77,7 @@ void SensorCheck::reset() noexcept {
 // The channels' windows end one after another, so that no block has to look at all of them: the first is shorter.
 void SensorCheck::begin() noexcept {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    SensorChannel& c = channels_[i];
     c.fill = c.beforeFill = 0;
     c.length = window_ - window_ * i / (2 * channels_.size());
     c.sum = 0.0;
@@ -94,7 +94,7 @@ void SensorCheck::interrupt(const SampleBlock& raw, const Reason& why) noexcept 
 }
 
 void SensorCheck::take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept {
-  Channel& c = channels_[static_cast<std::size_t>(index)];
+  SensorChannel& c = channels_[static_cast<std::size_t>(index)];
   const std::span<const float> delivered = raw.channel(index);
   const std::span<const double> x = block.channel(index);
   const bool turning = block.spindle.value > 0.0;
@@ -117,7 +117,7 @@ void SensorCheck::take(const SampleBlock& raw, const ConditionedBlock& block, in
   c.hum.push(x, block.spindle);
 }
 
-void SensorCheck::watchMean(Channel& c, double mean, double peak) noexcept {
+void SensorCheck::watchMean(SensorChannel& c, double mean, double peak) noexcept {
   if (!changesOnly(c.quantity)) return;
   if (c.seconds < kLearnPlace) {
     c.largest = std::max(c.largest, peak);
@@ -137,7 +137,7 @@ void SensorCheck::watchMean(Channel& c, double mean, double peak) noexcept {
 
 // What may rest is dead where others of its kind are in a cut, 6 dB above their own air.
 void SensorCheck::watchStill(int index, const CutGate& gate) noexcept {
-  Channel& c = channels_[static_cast<std::size_t>(index)];
+  SensorChannel& c = channels_[static_cast<std::size_t>(index)];
   bool othersCut = false;
   for (std::size_t o = 0; o < channels_.size() && gate.inCut(); ++o) {
     const double air = gate.airFloor(static_cast<int>(o));
@@ -150,7 +150,7 @@ void SensorCheck::watchStill(int index, const CutGate& gate) noexcept {
 
 void SensorCheck::look(int index, const CutGate& gate) noexcept {
   const auto i = static_cast<std::size_t>(index);
-  Channel& c = channels_[i];
+  SensorChannel& c = channels_[i];
   const std::span<const double> x(c.samples.data(), c.fill);
   const double count = static_cast<double>(c.fill);
   double squares = 0.0;
@@ -188,7 +188,7 @@ int SensorCheck::windowsIn(double seconds) const noexcept {
 }
 
 Reason SensorCheck::faultOf(int index, const CutGate& gate) const noexcept {
-  const Channel& c = channels_[static_cast<std::size_t>(index)];
+  const SensorChannel& c = channels_[static_cast<std::size_t>(index)];
   const auto channel = static_cast<double>(index);
   if (c.still.stands()) return {ReasonCode::InputDead, {channel}};
   if (cable_.broken(index)) return {ReasonCode::InputSilent, {channel}};
@@ -225,8 +225,8 @@ Reason SensorCheck::check(const SampleBlock& raw, const ConditionedBlock& block,
   if (rate_.wrong() && status_.fault.code == ReasonCode::None) {
     status_.fault = {ReasonCode::InputRate, {rate_.rate().value, status_.nominalRate.value}};
   }
-  if (raw.has(kBlockOtherRate) && status_.fault.code == ReasonCode::None) {
-    const int channel = otherRateChannel(raw);
+  if (raw.has(kBlockRateMismatch) && status_.fault.code == ReasonCode::None) {
+    const int channel = rateMismatchChannel(raw);
     status_.fault = {ReasonCode::InputRepeated, {static_cast<double>(channel)}};
     if (channel < block.channels) status_.channel[static_cast<std::size_t>(channel)].fault = status_.fault;
   }

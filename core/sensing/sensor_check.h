@@ -52,7 +52,7 @@ class SensorCheck {
   const SensorStatus& status() const noexcept { return status_; }
 
  private:
-  struct Channel {
+  struct SensorChannel {
     SensorQuantity quantity = SensorQuantity::Acceleration;
     double scale = 1.0;
     std::vector<double> samples, before;  // of the window, conditioned, and of the one before it
@@ -70,14 +70,14 @@ class SensorCheck {
   void begin() noexcept;
   void take(const SampleBlock& raw, const ConditionedBlock& block, int index, const CutGate& gate) noexcept;
   void look(int index, const CutGate& gate) noexcept;
-  void watchMean(Channel& c, double mean, double peak) noexcept;
+  void watchMean(SensorChannel& c, double mean, double peak) noexcept;
   void watchStill(int index, const CutGate& gate) noexcept;
   int windowsIn(double seconds) const noexcept;
   Reason faultOf(int index, const CutGate& gate) const noexcept;
 
   double windowSeconds_ = 0.1;
   std::size_t window_ = 0;
-  std::vector<Channel> channels_;
+  std::vector<SensorChannel> channels_;
   CableWatch cable_;
   PairWatch pairs_;
   dsp::RateWatch rate_;

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/formats/gap_list.h"
-#include "core/formats/hdf5/apart_reader.h"
+#include "core/formats/hdf5/isolated_reader.h"
 #include "core/formats/matlab/mat_import.h"
 #include "core/formats/sound/wav_reader.h"
 #include "core/formats/text/text_reader.h"
@@ -73,7 +73,7 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (head.empty()) return Error{name, message("the file is empty")};
   if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
-    auto foreign = openApart(name, inner, options);
+    auto foreign = openIsolated(name, inner, options);
     if (!foreign || *foreign) return foreign;
     return openSession(name, options);
   }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/formats/hdf5/apart_reader.h"
+#include "core/formats/hdf5/isolated_reader.h"
 #include "core/session/file/marker_rows.h"
 #include "core/session/file/session_layout.h"
 #include "core/session/file/session_open.h"
@@ -16,7 +16,7 @@ std::optional<SessionGlance> glanceAtSession(const std::string& path) {
   // With its journal beside it the file is being written, or was cut off and wants a repair.
   std::error_code ignored;
   if (std::filesystem::exists(journalPath(path), ignored)) return std::nullopt;
-  const auto foreign = openApart(path, "", {});
+  const auto foreign = openIsolated(path, "", {});
   if (!foreign || *foreign) return std::nullopt;
   const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
   if (!opened) return std::nullopt;

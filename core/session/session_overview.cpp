@@ -27,22 +27,22 @@ MinMax scaled(MinMax value, double scale) {
 }  // namespace
 
 struct SessionOverview::Impl {
-  struct Channel {
+  struct ChannelPyramid {
     SampleReader samples;
     std::array<FloatTable, kPyramidLevels> levels;
   };
   explicit Impl(std::string name) : path_(std::move(name)) {}
   Status use(OpenedSession opened);
   // Buckets first .. first + count of `level`, -1: the samples themselves. False: damaged.
-  bool buckets(Channel& channel, int level, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
-  bool samples(Channel& channel, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
+  bool buckets(ChannelPyramid& channel, int level, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
+  bool samples(ChannelPyramid& channel, std::uint64_t first, std::uint64_t count, std::vector<MinMax>& out);
   Result<std::vector<MinMax>> overview(int channel, Instant from, Instant to, int columns);
 
   std::string path_;
   std::unique_ptr<JournaledFile> journaled_;
   Hdf5Id file_;
   RecordingFormat format_;
-  std::vector<Channel> channels_;
+  std::vector<ChannelPyramid> channels_;
   std::vector<SegmentRow> segments_;
   std::uint64_t frames_ = 0;  // of the shortest channel
 };
@@ -73,7 +73,7 @@ Status SessionOverview::Impl::use(OpenedSession opened) {
   journaled_ = std::move(opened.journaled);
   file_ = std::move(opened.file);
   for (int c = 0; c < static_cast<int>(format_.channels.size()); ++c) {
-    Channel channel;
+    ChannelPyramid channel;
     if (!channel.samples.open(file_.get(), c)) return Error{path_, message("the samples cannot be read"), hdf5Cause()};
     for (int level = 0; level < kPyramidLevels; ++level) {
       // A level that is missing has no rows.
@@ -97,7 +97,7 @@ Instant SessionOverview::end() const {
   return segments.empty() ? Instant{} : timeOf(segments.back(), std::max(impl_->frames_, segments.back().offset));
 }
 
-bool SessionOverview::Impl::samples(Channel& channel, std::uint64_t first, std::uint64_t count,
+bool SessionOverview::Impl::samples(ChannelPyramid& channel, std::uint64_t first, std::uint64_t count,
                                     std::vector<MinMax>& out) {
   std::vector<float> values(count);
   if (!channel.samples.read(first, values)) return false;
@@ -105,7 +105,7 @@ bool SessionOverview::Impl::samples(Channel& channel, std::uint64_t first, std::
   return true;
 }
 
-bool SessionOverview::Impl::buckets(Channel& channel, int level, std::uint64_t first, std::uint64_t count,
+bool SessionOverview::Impl::buckets(ChannelPyramid& channel, int level, std::uint64_t first, std::uint64_t count,
                                     std::vector<MinMax>& out) {
   if (level < 0) return samples(channel, first, count, out);
   const FloatTable& table = channel.levels[static_cast<std::size_t>(level)];

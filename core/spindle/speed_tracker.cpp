@@ -74,7 +74,7 @@ void SpeedTracker::reset() noexcept {
   machine_.reset();
   toldSd_ = 0.0;
   ratio_ = 1.0;
-  source_ = nominal_ > 0.0 ? SpeedSource::Told : SpeedSource::None;
+  source_ = nominal_ > 0.0 ? SpeedSource::Nominal : SpeedSource::None;
   locked_ = proven_ = trusted_ = returning_ = followed_ = false;
   toothPart_ = 0.0;
   lone_.reset();
@@ -89,11 +89,11 @@ void SpeedTracker::restart() noexcept {
   if (locked_) tracker_.start(spindle(), sd());
 }
 
-void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) noexcept {
+void SpeedTracker::setMachineState(const MachineState& machine, int frames, Instant end) noexcept {
   blockFrames_ = std::max(frames, 1);
   blockDone_ = 0;
   before_ = told_;
-  const MachineSpeed::Word word = machine_.hear(machine, end);
+  const ReportedSpeed::Word word = machine_.hear(machine, end);
   const double told = word.hertz > 0.0 ? word.hertz : nominal_;
   toldSd_ = word.sd;
   if (word.measured != measured_ || !(before_ > 0.0)) {
@@ -106,7 +106,7 @@ void SpeedTracker::listen(const MachineState& machine, int frames, Instant end) 
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
   if (told_ > 0.0 && told > 0.0 && locked_ && !riding()) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
-  if (!locked_) source_ = told > 0.0 ? (measured_ ? SpeedSource::Machine : SpeedSource::Told) : SpeedSource::None;
+  if (!locked_) source_ = told > 0.0 ? (measured_ ? SpeedSource::Machine : SpeedSource::Nominal) : SpeedSource::None;
 }
 
 Hertz SpeedTracker::sd() const noexcept {
@@ -138,7 +138,7 @@ void SpeedTracker::beginCut() noexcept {
   if (locked_ && tracker_.turns() < kThoroughTurns) return;  // found while the tool was coming in
   if (source_ == SpeedSource::Signal) {                      // what was told still holds
     told_ = nominal_ > 0.0 || measured_ ? told_ : 0.0;
-    source_ = !(told_ > 0.0) ? SpeedSource::None : measured_ ? SpeedSource::Machine : SpeedSource::Told;
+    source_ = !(told_ > 0.0) ? SpeedSource::None : measured_ ? SpeedSource::Machine : SpeedSource::Nominal;
   }
   locked_ = proven_ = trusted_ = returning_ = followed_ = false;
   toothPart_ = 0.0;

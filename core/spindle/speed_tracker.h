@@ -10,15 +10,15 @@
 #include "core/model/cut_setup.h"
 #include "core/model/machine_state.h"
 #include "core/spindle/lone_line.h"
-#include "core/spindle/machine_speed.h"
 #include "core/spindle/phase_tracker.h"
+#include "core/spindle/reported_speed.h"
 #include "core/spindle/speed_motion.h"
 #include "core/spindle/speed_search.h"
 #include "core/spindle/speed_trend.h"
 
 namespace stillcut::detect {
 
-enum class SpeedSource : std::uint8_t { None, Told, Machine, Signal };
+enum class SpeedSource : std::uint8_t { None, Nominal, Machine, Signal };
 
 class SpeedTracker {
  public:
@@ -31,7 +31,7 @@ class SpeedTracker {
   void restart() noexcept;
 
   // Before each block of so many frames, up to `end`: what the machine says.
-  void listen(const MachineState& machine, int frames, Instant end) noexcept;
+  void setMachineState(const MachineState& machine, int frames, Instant end) noexcept;
   // A new cut began: what was found in the last one is only a hint.
   void beginCut() noexcept;
   // Conditioned samples of a block or a part of it, channel c at samples[c], all equally far apart; fills angle [rad,
@@ -48,7 +48,7 @@ class SpeedTracker {
   // Told, or found in the signal and followed since.
   bool known() const noexcept { return spindle().value > 0.0 && (source_ != SpeedSource::Signal || trusted_); }
   // Without a lock (lone_line.h); 0: none.
-  Hertz loneLine() const noexcept { return lone_.line(); }
+  Hertz isolatedLine() const noexcept { return lone_.line(); }
   // The speed changes and the angle follows the machine's word. Where it follows the vibration, what it catches up of
   // its own lag is no turning of the spindle, and turns are told by the speed alone.
   bool riding() const noexcept { return motion_.riding(); }
@@ -103,7 +103,7 @@ class SpeedTracker {
   double range_ = 0.03;
   int teeth_ = 0;
   double nominal_ = 0.0;  // Hz, from the setup
-  MachineSpeed machine_;
+  ReportedSpeed machine_;
   SpeedMotion motion_;
   double told_ = 0.0;       // Hz, now
   double toldSd_ = 0.0;     // Hz, because it was read some time ago

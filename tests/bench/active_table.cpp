@@ -33,8 +33,8 @@ milling::Scenario scattered(milling::Scenario scenario, std::mt19937_64& random)
 std::optional<milling::StabilityLimit> firstCrossing(const milling::Scenario& plant) {
   const auto lobes = milling::ExactLobes::make(plant.model, "plant");
   if (!lobes) return std::nullopt;
-  const auto limits = lobes->limits(plant.programme.speed,
-                                    {.maxDepth = Metres(6e-3), .firstOnly = true, .frequencies = true, .hint = {}});
+  const auto limits = lobes->limits(
+      plant.programme.speed, {.maxAxialDepth = Metres(6e-3), .firstOnly = true, .frequencies = true, .hint = {}});
   if (!limits || !limits->hasLimit()) return std::nullopt;
   return limits->crossings.front();
 }

@@ -26,7 +26,7 @@ void step(benchmark::State& state) {
   cut.setSpeed(11000.0 * kTwoPi / 60.0);
   cut.setFeed(1e-4 * 2 * 11000.0 / 60.0);
   cut.setWindows({&slot, 1});
-  cut.setDepth(1e-4);
+  cut.setAxialDepth(1e-4);
   constexpr int kSteps = 2048;
   for ([[maybe_unused]] auto _ : state) {
     cut.advance(kSteps);

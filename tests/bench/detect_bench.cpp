@@ -14,8 +14,8 @@
 #include "core/detect/van_dijk/parametric_recursions.h"
 #include "core/detect/xu/coherence_ratio.h"
 #include "core/dsp/frame_ring.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/kernels/choose.h"
-#include "core/dsp/spectral_frames.h"
 #include "tests/bench/best_of.h"
 
 namespace stillcut::detect {

@@ -177,7 +177,7 @@ void wholeStep(benchmark::State& state) {
   pipeline::SnapshotPublisher publisher;
   publisher.prepare(demo.setup, true, true);
   rt::Mailbox<OverrideCommand> commands;
-  pipeline::RecordedMachineFeed feed;
+  pipeline::RecordedStateSource feed;
   const SteadyClock clock;
   std::vector<StepInput> inputs = demo.inputs;
   overTheCut(

@@ -36,7 +36,7 @@ RecordedDemo record() {
   rt::Mailbox<MachineState> states;
   rt::SpscRing<OperatorInput> operatorInputs(4);
   operatorInputs.push({OperatorAction::SetAuthority, Authority::Auto});
-  pipeline::LiveMachineFeed feed(states, operatorInputs);
+  pipeline::LiveStateSource feed(states, operatorInputs);
   pipeline::Chain chain(everyDetector());
   chain.prepare(demo.setup, {}, demo.limits);
   detect::Conditioner conditioner;

@@ -15,7 +15,7 @@ CutModel textbook(int modes) {
   CutModel model;
   const double omega = kTwoPi * 922.0;
   model.modes.push_back({Hertz(922.0), 0.011, 0.03993 * omega * omega, {1.0, 0.0}});
-  model.engagement = {1.0, Side::Up};
+  model.engagement = {1.0, MillingDirection::Up};
   if (modes == 2) {
     model.modes.push_back(model.modes.front());
     model.modes.back().direction = {0.0, 1.0};

@@ -23,7 +23,7 @@ class Table {
     EXPECT_TRUE(scenario.ok());
     if (change) change(*scenario);
     const milling::Scenario& plant = *scenario;
-    active::EngineOptions options = activeOptions(*plant.workHolder, {});
+    active::ActiveEngineOptions options = activeOptions(*plant.workHolder, {});
     options.record.duration = Seconds(2.0);
     device_ = std::make_unique<active::SimulatedDuplex>(plant, 1, plant.seed);
     EXPECT_TRUE(device_->open().ok());

@@ -94,7 +94,7 @@ class Owned final : public control::Strategy {
   void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
   OverrideRequest decide(const control::StrategyInput& /*input*/) override { return {}; }
   void reset() noexcept override {}
-  void letGo() noexcept override { ++told_; }
+  void relinquish() noexcept override { ++told_; }
 
  private:
   int& told_;
@@ -168,7 +168,7 @@ TEST(Chain, AStrategyThatThrowsLosesTheMachineInThatBlock) {
 }
 
 // A good machine, and what the operator does in this step.
-class GivenFeed final : public MachineFeed {
+class GivenFeed final : public MachineStateSource {
  public:
   void complete(StepInput& step) noexcept override {
     step.machine = MachineState{};

@@ -169,7 +169,7 @@ struct Parts {
   rt::SpscRing<OperatorInput> inputs{8};
   SteadyClock clock;
   pipeline::Chain chain;
-  pipeline::LiveMachineFeed feed;
+  pipeline::LiveStateSource feed;
   pipeline::StepLoop loop;
   pipeline::LinkRunner link;
   StepInput input;
@@ -304,7 +304,7 @@ class Gap : public testing::TestWithParam<std::string_view> {};
 TEST_P(Gap, InAStableCutIsSaidAndWhatWasLearnedStays) {
   constexpr double kGapAt = 1.2;
   milling::Scenario stable = test::demoCut();
-  stable.programme.depth = milling::constantProfile(0.5e-3);  // less than half of the limit
+  stable.programme.depth = milling::constantSchedule(0.5e-3);  // less than half of the limit
   const auto verdicts = verdictsAround(GetParam(), stable, kGapAt);
   ASSERT_TRUE(at(verdicts, kGapAt - 0.02).valid);
   const Verdict& first = at(verdicts, kGapAt + 0.03);

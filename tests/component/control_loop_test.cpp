@@ -215,7 +215,7 @@ TEST(InterventionCard, SaysWhatReallyHappened) {
   // A detector needs some turns to see the beginning and some to believe the end.
   const double cardBegan = sinceEpoch(card.began).value;
   EXPECT_NEAR(cardBegan, began, 0.3);
-  EXPECT_NEAR(cardBegan + card.timeToQuiet.value, ended, 0.3);
+  EXPECT_NEAR(cardBegan + card.timeToStable.value, ended, 0.3);
   const double marked = run.plant().truth().marked().value - markedBefore;
   EXPECT_NEAR(card.marked.value, marked, 0.35 * run.plant().machineState().programmedFeed.value);
   EXPECT_GT(card.marked.value, 0.5 * marked);
@@ -243,7 +243,7 @@ TEST(NoStableSpeed, WithKnownModesItNamesTheDepthAndMovesNothing) {
       if (r.reason.code != ReasonCode::NoStableSpeed) continue;
       named = true;
       EXPECT_NEAR(r.reason.n[0], 1e3 * tool.known.depth.value, 1e-9);
-      EXPECT_NEAR(r.reason.n[1], 1e3 * tool.known.deepestDepth.value, 1e-9);
+      EXPECT_NEAR(r.reason.n[1], 1e3 * tool.known.largestStableDepth.value, 1e-9);
       EXPECT_LT(r.reason.n[1], r.reason.n[0]);
     }
     const evaluate::SimulationReport result = evaluate::report(run.history(), run.history(), run.plant());

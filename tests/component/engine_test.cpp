@@ -16,7 +16,7 @@ using test::KeepingTap;
 using test::ScriptedSource;
 
 // A feed that holds the worker until the test lets it go on, block by block.
-class HoldingFeed final : public MachineFeed {
+class HoldingFeed final : public MachineStateSource {
  public:
   void complete(StepInput& step) noexcept override {
     permits_.acquire();
@@ -29,7 +29,7 @@ class HoldingFeed final : public MachineFeed {
 };
 
 struct Bench {
-  Bench(StepSource& source, MachineFeed& feed, int ringBlocks)
+  Bench(StepSource& source, MachineStateSource& feed, int ringBlocks)
       : chain(test::scriptedChain()),
         loop({chain, feed, commands, nullptr, &tap, clock}),
         linkRunner(link, commands, states),
@@ -82,7 +82,7 @@ TEST(StepLoop, ACutWithoutALinkCountsItsPathInChatterWithTheFeedThatWasSetUp) {
   constexpr int kBlocks = 50;
   SteadyClock clock;
   rt::Mailbox<OverrideCommand> commands;
-  RecordedMachineFeed feed;
+  RecordedStateSource feed;
   Chain chain(test::scriptedChain([](const auto&) {
     Verdict v = test::stableVerdict();
     v.state = CutState::Chatter;
@@ -111,7 +111,7 @@ int threadsOfThisProcess() {
 
 void startAndStop() {
   ScriptedSource source(3);
-  RecordedMachineFeed feed;
+  RecordedStateSource feed;
   Bench bench(source, feed, 4);
   bench.engine.start();
   bench.engine.stop();
@@ -129,7 +129,7 @@ TEST(Engine, StopReturnsWhileTheSourceIsBlocked) {
   std::latch waiting{1};
   ScriptedSource source(10);
   source.pauseBefore(2, waiting, goOn);  // the source's stop() ends the pause, as a device's would
-  RecordedMachineFeed feed;
+  RecordedStateSource feed;
   Bench bench(source, feed, 8);
   bench.engine.start();
   waiting.wait();

@@ -165,7 +165,7 @@ TEST_F(FaultScript, TheOperatorGrabsTheKnob) {
   EXPECT_TRUE(said("the operator turns the knobs: speed 90 %, feed 90 %"));
   EXPECT_NEAR(run_.last().output.command.speed.value, ours, 0.06);
   EXPECT_NEAR(machine().speedOverride.value, 0.9 * run_.last().output.command.speed.value, 0.01);
-  EXPECT_EQ(run_.last().gate.reason.code, ReasonCode::GateKnobMoved);
+  EXPECT_EQ(run_.last().gate.reason.code, ReasonCode::GateOperatorOverrideMoved);
   run_.send({OperatorAction::BackToProgrammed});
   runFor(0.4);
   EXPECT_NEAR(machine().speedOverride.value, 0.9, 1e-9);

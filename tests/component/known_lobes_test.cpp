@@ -21,7 +21,7 @@ class KnownLobes : public testing::Test {
   void SetUp() override {
     const auto demo = milling::loadScenario(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml");
     ASSERT_TRUE(demo.ok());
-    const milling::LobeCase cut{.name = "demo", .model = demo->model, .maxDepth = Metres(5e-3), .reference = {}};
+    const milling::LobeCase cut{.name = "demo", .model = demo->model, .maxAxialDepth = Metres(5e-3), .reference = {}};
     ASSERT_TRUE(milling::saveLobeCase(cut, path("cut.toml")).ok());
     auto read = config::loadProfile(STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml", pipeline::fullCatalog());
     ASSERT_TRUE(read.ok()) << read.error().line();

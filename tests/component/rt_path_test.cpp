@@ -97,7 +97,7 @@ Tally runCut(std::unique_ptr<control::Strategy> strategy) {
   rt::Mailbox<MachineState> states;
   rt::SpscRing<OperatorInput> inputs(8);
   inputs.push({OperatorAction::SetAuthority, Authority::Auto});
-  LiveMachineFeed feed(states, inputs);
+  LiveStateSource feed(states, inputs);
   const SteadyClock clock;
   StepLoop loop({chain, feed, commands, &publisher, &tap, clock});
   LinkRunner link(machine, commands, states);

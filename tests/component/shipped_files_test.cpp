@@ -24,7 +24,7 @@ TEST(ShippedFiles, EveryProfileIsOneToStartFromOnceItIsCopied) {
     fs::copy_file(entry.path(), copy);
     const auto profile = config::loadProfile(copy, pipeline::fullCatalog(), knownIds());
     ASSERT_TRUE(profile.ok()) << profile.error().line();
-    std::vector<config::AskedSetting> asked;
+    std::vector<config::SettingDecl> asked;
     const auto parts = makeProfileParts(*profile, copy, &asked, AnalogOutputs::LeftAlone);
     EXPECT_TRUE(parts.ok()) << copy << ": " << parts.error().line();
     ++seen;

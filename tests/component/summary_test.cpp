@@ -134,7 +134,7 @@ TEST(Summary, AHistoryOfFeaturesTellsTheChatterOfTheWholeRecording) {
       for (std::size_t k = 0; k < all->interventions.size(); ++k) {
         EXPECT_EQ(kept->interventions[k].began, all->interventions[k].began);
         EXPECT_EQ(kept->interventions[k].quiet, all->interventions[k].quiet);
-        EXPECT_NEAR(kept->interventions[k].timeToQuiet.value, all->interventions[k].timeToQuiet.value, 1.5 * block);
+        EXPECT_NEAR(kept->interventions[k].timeToStable.value, all->interventions[k].timeToStable.value, 1.5 * block);
       }
     }
   }

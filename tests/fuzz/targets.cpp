@@ -14,7 +14,7 @@
 #include "core/cnc/grbl/grbl_status.h"
 #include "core/cnc/line_splitter.h"
 #include "core/cnc/linuxcnc/emc_status.h"
-#include "core/cnc/linuxcnc/hal_words.h"
+#include "core/cnc/linuxcnc/hal_messages.h"
 #include "core/cnc/modbus/register_map.h"
 #include "core/config/profile.h"
 #include "core/formats/universal/uff58.h"
@@ -26,8 +26,8 @@
 namespace stillcut::fuzz {
 namespace {
 
-[[noreturn]] void broken(const std::string& promise) {
-  std::fprintf(stderr, "fuzz: %s\n", promise.c_str());
+[[noreturn]] void broken(const std::string& margin) {
+  std::fprintf(stderr, "fuzz: %s\n", margin.c_str());
   std::abort();
 }
 
@@ -145,7 +145,7 @@ void hearHal(std::string_view bytes) {
     if (const auto request = cnc::readHalRequest(line)) {
       const auto again = cnc::readHalRequest(bare(cnc::writeHalRequest(*request, text)));
       if (!again || again->hold != request->hold || again->speed != request->speed || again->feed != request->feed ||
-          again->homeSpeed != request->homeSpeed || again->homeFeed != request->homeFeed ||
+          again->restoreSpeed != request->restoreSpeed || again->restoreFeed != request->restoreFeed ||
           std::abs(again->adaptiveFeed - request->adaptiveFeed) > 1e-3) {
         broken("a request that is said otherwise than it was understood");
       }

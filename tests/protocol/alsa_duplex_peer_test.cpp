@@ -77,7 +77,7 @@ class AlsaDuplex : public ::testing::Test {
     settings.request = {"looped", Hertz(kRate), kFrames, 2, 2};
     settings.sensor = {100.0, 100.0};
     settings.stroke = {3e-6, 3e-6};
-    EngineOptions options;
+    ActiveEngineOptions options;
     options.record.duration = Seconds(4.0);
     options.path.mostDelay = kMostDelay - 2;
     for (safety::ActuatorLimits& l : options.limits) {

@@ -19,7 +19,7 @@ class CommandMaker {
     }
     throw std::runtime_error("the gate does not reach this speed");
   }
-  OverrideCommand letGo() {
+  OverrideCommand relinquish() {
     for (int i = 0; i < 500; ++i) {
       const safety::GateOutput out = gate_.authority(Authority::Off);
       if (out.command && out.command->kind() == CommandKind::Release) return *out.command;

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "app/hal/override_keeper.h"
+#include "app/hal/override_arbiter.h"
 #include "core/cnc/line_splitter.h"
 #include "tests/protocol/fake_emc.h"
 
@@ -15,7 +15,7 @@ class FakeWatchdog {
  public:
   explicit FakeWatchdog(Duration patience = std::chrono::milliseconds(30)) : patience_(patience) {}
   bool ok = false, wired = true;
-  void look(const hal::KeeperPins& pins, Instant now) {
+  void look(const hal::ArbiterPins& pins, Instant now) {
     if (pins.active && !armed_) ok = wired;
     armed_ = pins.active;
     if (pins.heartbeat != beat_ || (pins.active && !heard_)) heardAt_ = now;
@@ -39,8 +39,8 @@ class FakeHal final : public Peer {
   bool permit = true;
   int lost = 0;  // orders of halui that do not arrive
   FakeWatchdog watchdog;
-  hal::OverrideKeeper keeper;
-  hal::KeeperPins pins;
+  hal::OverrideArbiter keeper;
+  hal::ArbiterPins pins;
 
   void gone() override {
     if (!killed) keeper.clientGone(kOurs, clock_.now());
@@ -59,9 +59,9 @@ class FakeHal final : public Peer {
     if (!killed) pins = keeper.tick({watchdog.ok, permit}, now);
     watchdog.look(pins, now);
     mill_.adaptive = watchdog.ok ? pins.adaptiveFeed : 1.0;
-    speed_.follow(watchdog.ok ? pins.speed : pins.homeSpeed, pins.speedEnable, now, mill_.spindle, mill_.shownSpindle,
-                  lost);
-    feed_.follow(watchdog.ok ? pins.feed : pins.homeFeed, pins.feedEnable, now, mill_.feed, mill_.shownFeed, lost);
+    speed_.follow(watchdog.ok ? pins.speed : pins.restoreSpeed, pins.speedEnable, now, mill_.spindle,
+                  mill_.shownSpindle, lost);
+    feed_.follow(watchdog.ok ? pins.feed : pins.restoreFeed, pins.feedEnable, now, mill_.feed, mill_.shownFeed, lost);
   }
 
  private:

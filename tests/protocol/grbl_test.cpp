@@ -239,7 +239,7 @@ TEST(Grbl, HoldAbortAndAlarmAreSaid) {
   b.grbl.state = "Idle";  // the program was aborted
   MachineState m = b.run(0.1);
   EXPECT_FALSE(m.programRunning);
-  EXPECT_EQ(m.block, OrderBlock::NoProgram);
+  EXPECT_EQ(m.block, OverrideInhibit::NoProgram);
   b.link->release(b.clock.now());
   EXPECT_EQ(b.grbl.spindle, 100);
   EXPECT_EQ(b.grbl.feed, 100);
@@ -247,7 +247,7 @@ TEST(Grbl, HoldAbortAndAlarmAreSaid) {
   m = b.run(0.1);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.programRunning);
-  EXPECT_EQ(m.block, OrderBlock::MachineAlarm);
+  EXPECT_EQ(m.block, OverrideInhibit::MachineAlarm);
 }
 
 // Its real-time bytes are taken in every state.
@@ -258,7 +258,7 @@ TEST(Grbl, AlarmIsSaidAndTheOverridesComeBack) {
   b.run(0.5);
   ASSERT_EQ(b.grbl.spindle, 90);
   b.grbl.state = "Alarm";
-  EXPECT_EQ(b.run(0.1).block, OrderBlock::MachineAlarm);
+  EXPECT_EQ(b.run(0.1).block, OverrideInhibit::MachineAlarm);
   b.link.reset();
   EXPECT_EQ(b.grbl.spindle, 100);
   EXPECT_EQ(b.grbl.feed, 100);

@@ -57,7 +57,7 @@ class World {
     restore();
     for (const Instant end = clock_.now() + toDuration(Seconds(seconds)); clock_.now() < end;) turn();
   }
-  void letGo() { link_->release(clock_.now()); }
+  void relinquish() { link_->release(clock_.now()); }
   void end() {
     const Instant began = clock_.now();
     link_.reset();
@@ -98,7 +98,7 @@ class World {
       CommandMaker gate;
       std::vector<OverrideCommand> made;
       for (const double percent : {90.0, 95.0, 82.0, 100.0, 104.0}) made.push_back(gate.set(percent));
-      made.push_back(gate.letGo());
+      made.push_back(gate.relinquish());
       return made;
     }();
     return all;
@@ -319,7 +319,7 @@ TEST_P(LinkStorm, EndsAtHomeOnceTheWireIsGoodAgain) {
     const auto world = GetParam().make(seed);
     world->storm();
     moved += world->moves() > 0 ? 1 : 0;
-    world->letGo();
+    world->relinquish();
     world->calm(25.0);  // another client keeps control for 10 s, a lost order is sent again after 6 s
     EXPECT_TRUE(world->seen().valid);
     EXPECT_EQ(world->speed(), 100);

@@ -49,7 +49,7 @@ struct Bench {
   test::VirtualClock clock{instantFromNs(1'000'000'000)};
   Machine machine{clock};
   LinkTrial trial{machine, clock};
-  const TrialStep& run() {
+  const LinkTrialStep& run() {
     while (trial.next()) {
     }
     return trial.steps().back();
@@ -94,7 +94,7 @@ TEST(LinkTrial, StopsAtTheStepThatFailsAndSaysWhy) {
 TEST(LinkTrial, LostLooksAreCountedAndTooManyFail) {
   Bench b;
   b.machine.lostLooks = 40;
-  const TrialStep& last = b.run();
+  const LinkTrialStep& last = b.run();
   EXPECT_FALSE(last.good);
   EXPECT_NE(text(last.said).find("40 of 60 looks were lost"), std::string::npos) << text(last.said);
 }
@@ -110,7 +110,7 @@ TEST(LinkTrial, EverythingThatItSaysIsListedForTranslation) {
   mute.machine.readable = false;
   for (Bench* b : {&plain, &doubtful, &mute}) {
     b->run();
-    for (const TrialStep& step : b->trial.steps()) {
+    for (const LinkTrialStep& step : b->trial.steps()) {
       for (const Message& phrase : step.said) EXPECT_TRUE(listed(phrase.form)) << phrase.form;
     }
   }

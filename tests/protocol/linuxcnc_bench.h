@@ -55,7 +55,7 @@ class LinuxCncBench : public ::testing::Test {
         return wanted(m);
       };
       if (until(commanded, 4.0)) return true;
-      link_->apply(gate_.letGo(), clock_.now());
+      link_->apply(gate_.relinquish(), clock_.now());
       until([](const MachineState& m) { return at(m, 1.0); }, 2.0);
     }
     return false;

@@ -37,12 +37,12 @@ TEST(LinuxCnc, AcknowledgedWithoutEffectIsALockNotASuccess) {
   m = b.run(2.0);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.overridesEnabled);
-  EXPECT_EQ(m.block, OrderBlock::OverridesLocked);
+  EXPECT_EQ(m.block, OverrideInhibit::OverridesLocked);
   EXPECT_EQ(m.feedOverride.value, 1.0);
   b.mill.lock(false);  // M48
   m = b.run(1.0);
   EXPECT_TRUE(m.overridesEnabled);
-  EXPECT_EQ(m.block, OrderBlock::None);
+  EXPECT_EQ(m.block, OverrideInhibit::None);
   EXPECT_NEAR(m.feedOverride.value, 0.9, 1e-9);
 }
 
@@ -55,7 +55,7 @@ TEST(LinuxCnc, SpeedAndFeedThatAreLockedAreToldApart) {
     b.link->apply(b.gate.set(90.0), b.clock.now());
     const MachineState m = b.run(3.0);
     EXPECT_FALSE(m.overridesEnabled);
-    EXPECT_EQ(m.block, speed ? OrderBlock::SpeedLocked : OrderBlock::FeedLocked);
+    EXPECT_EQ(m.block, speed ? OverrideInhibit::SpeedLocked : OverrideInhibit::FeedLocked);
     EXPECT_NEAR(m.speedOverride.value, speed ? 1.0 : 0.9, 1e-6);
     EXPECT_NEAR(m.feedOverride.value, speed ? 0.9 : 1.0, 1e-6);
   }
@@ -72,13 +72,13 @@ TEST(LinuxCnc, AboveTheProgrammedSpeedALimitIsNotTakenForM49) {
     b.link->apply(b.gate.set(104.0), b.clock.now());
     const MachineState m = b.run(3.0);
     EXPECT_FALSE(m.overridesEnabled);
-    EXPECT_EQ(m.block, OrderBlock::SpeedLocked) << "whose sentence names both";
+    EXPECT_EQ(m.block, OverrideInhibit::SpeedLocked) << "whose sentence names both";
     EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-6);
     EXPECT_NEAR(m.feedOverride.value, 1.0, 1e-6);
-    b.link->apply(b.gate.letGo(), b.clock.now());
+    b.link->apply(b.gate.relinquish(), b.clock.now());
     b.run(0.5);
     b.link->apply(b.gate.set(90.0), b.clock.now());
-    EXPECT_EQ(b.run(3.0).block, locked ? OrderBlock::OverridesLocked : OrderBlock::None);
+    EXPECT_EQ(b.run(3.0).block, locked ? OverrideInhibit::OverridesLocked : OverrideInhibit::None);
   }
 }
 
@@ -117,7 +117,7 @@ TEST(LinuxCnc, AnotherClientInControlIsSaidAndNotFought) {
   const MachineState m = b.run(1.0);
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::OtherClient);
+  EXPECT_EQ(m.block, OverrideInhibit::OtherClient);
   EXPECT_EQ(b.mill.owner, &b.other);
 }
 
@@ -128,7 +128,7 @@ TEST(LinuxCnc, RefusedControlIsNoOtherClient) {
   b.link->apply(b.gate.set(90.0), b.clock.now());
   const MachineState m = b.run(1.0);
   EXPECT_FALSE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::ControlRefused);
+  EXPECT_EQ(m.block, OverrideInhibit::ControlRefused);
 }
 
 TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
@@ -140,12 +140,12 @@ TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
   EXPECT_TRUE(m.valid);
   EXPECT_FALSE(m.programRunning);
   EXPECT_TRUE(m.controlOurs);
-  EXPECT_EQ(m.block, OrderBlock::MachineOff);
+  EXPECT_EQ(m.block, OverrideInhibit::MachineOff);
   EXPECT_EQ(b.mill.sets, 0);
   EXPECT_EQ(b.mill.owner, nullptr);  // nothing could be done with it
   b.mill.machineOn = true;
   b.mill.running = false;
-  EXPECT_EQ(b.run(0.3).block, OrderBlock::NoProgram);
+  EXPECT_EQ(b.run(0.3).block, OverrideInhibit::NoProgram);
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ class CutOnLinuxCnc final : public CncLink {
   MachineState read(Instant now) noexcept override {
     const MachineState m = machine_->read(now);
     if (m.valid && m.actualSpeed.value > 0.0) {
-      milling::PlantOrder order;
+      milling::PlantCommand order;
       order.speed = Ratio(m.actualSpeed.value / kSpeed);
       order.feed = Ratio(toMmPerMin(m.actualFeed) / kFeed);
       order.when = now;
@@ -79,7 +79,7 @@ struct Seen {
   Seconds quiet{};  // since the last onset or chatter, at another speed
   MachineState machine;
   Instant noisy{};
-  CutState state = CutState::Air;
+  CutState state = CutState::AirCutting;
   Reason reason;
 };
 

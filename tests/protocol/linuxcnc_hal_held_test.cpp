@@ -7,7 +7,7 @@ namespace stillcut::cnc {
 namespace {
 
 using namespace testing;
-using hal::OverrideKeeper;
+using hal::OverrideArbiter;
 using Bench = HalBench;
 
 TEST(LinuxCncHal, WatchdogIsProvenBeforeAnythingIsTakenAndNothingMoves) {
@@ -45,7 +45,7 @@ TEST(LinuxCncHal, OperatorsSwitchTakesUsOutUntilWeLetGo) {
   b.hal.permit = true;
   b.run(0.3);
   EXPECT_EQ(b.mill.spindle, 100);  // not by itself
-  b.link->apply(b.gate.letGo(), b.clock.now());
+  b.link->apply(b.gate.relinquish(), b.clock.now());
   EXPECT_TRUE(b.run(0.3).controlOurs);
   b.engage(90.0);
   EXPECT_EQ(b.mill.spindle, 90);
@@ -66,15 +66,15 @@ TEST(LinuxCncHal, SecondClientLooksAndHoldsNothingUntilTheFirstHasLetGo) {
   Bench b;
   b.engage(90.0);
   constexpr int kOther = FakeHal::kOurs + 1;
-  OverrideKeeper& keeper = b.hal.keeper;
+  OverrideArbiter& keeper = b.hal.keeper;
   for (int i = 0; i < 50; ++i) {
     keeper.take(*readHalRequest("home 70 70"), kOther, b.clock.now());  // as a monitor says every 10 ms
-    EXPECT_EQ(keeper.report(kOther).standing, HalStanding::Taken);
+    EXPECT_EQ(keeper.report(kOther).standing, HalLeaseState::Taken);
     keeper.take(*readHalRequest("set 50 50 1 70 70"), kOther, b.clock.now());
     EXPECT_TRUE(b.run(0.01).controlOurs);
   }
   EXPECT_EQ(b.mill.spindle, 90);
-  EXPECT_EQ(b.hal.pins.homeSpeed, 100);
+  EXPECT_EQ(b.hal.pins.restoreSpeed, 100);
   keeper.clientGone(kOther, b.clock.now());
   b.run(0.2);
   EXPECT_EQ(b.mill.spindle, 90) << "somebody else's end is not ours";
@@ -83,8 +83,8 @@ TEST(LinuxCncHal, SecondClientLooksAndHoldsNothingUntilTheFirstHasLetGo) {
   ASSERT_EQ(b.mill.spindle, 100);
   keeper.take(*readHalRequest("set 95 95 1 100 100"), kOther, b.clock.now());
   const MachineState m = b.run(0.02);
-  EXPECT_EQ(m.block, OrderBlock::OtherClient);
-  EXPECT_EQ(keeper.report(kOther).standing, HalStanding::Held);
+  EXPECT_EQ(m.block, OverrideInhibit::OtherClient);
+  EXPECT_EQ(keeper.report(kOther).standing, HalLeaseState::Held);
 }
 
 TEST(LinuxCncHal, LockedOverrideIsSaid) {
@@ -93,7 +93,7 @@ TEST(LinuxCncHal, LockedOverrideIsSaid) {
   b.engage(90.0);
   const MachineState m = b.run(2.0);
   EXPECT_FALSE(m.overridesEnabled);
-  EXPECT_EQ(m.block, OrderBlock::OverridesLocked);
+  EXPECT_EQ(m.block, OverrideInhibit::OverridesLocked);
   EXPECT_NEAR(m.speedOverride.value, 1.0, 1e-9);
   EXPECT_NEAR(m.feedOverride.value, 1.0, 1e-9);
 }
@@ -105,7 +105,7 @@ TEST(LinuxCncHal, AdaptiveFeedThatIsNotHeededIsSaid) {
     b.mill.adaptiveHeeded = heeded;
     b.engage(90.0);
     const MachineState m = b.run(2.0);
-    EXPECT_EQ(m.block, heeded ? OrderBlock::None : OrderBlock::AdaptiveLocked);
+    EXPECT_EQ(m.block, heeded ? OverrideInhibit::None : OverrideInhibit::AdaptiveLocked);
     EXPECT_EQ(m.overridesEnabled, heeded);
     EXPECT_NEAR(m.feedOverride.value, heeded ? 0.9 : 1.0, 1e-3);
     EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-6);
@@ -116,17 +116,17 @@ TEST(LinuxCncHal, AdaptiveFeedThatIsNotHeededIsSaid) {
 TEST(LinuxCncHal, WhyTheKnobsAreNotOursIsToldApart) {
   Bench b;
   b.engage(90.0);
-  EXPECT_EQ(b.run(0.1).block, OrderBlock::None);
+  EXPECT_EQ(b.run(0.1).block, OverrideInhibit::None);
   b.hal.permit = false;
-  EXPECT_EQ(b.run(0.1).block, OrderBlock::ComponentOut);
+  EXPECT_EQ(b.run(0.1).block, OverrideInhibit::ComponentOut);
   b.hal.permit = true;
   b.link->release(b.clock.now());
-  EXPECT_EQ(b.run(0.2).block, OrderBlock::None);
+  EXPECT_EQ(b.run(0.2).block, OverrideInhibit::None);
   b.hal.keeper = {};  // loaded anew
   b.hal.watchdog.wired = false;
-  EXPECT_EQ(b.run(1.5).block, OrderBlock::ComponentDown);
+  EXPECT_EQ(b.run(1.5).block, OverrideInhibit::ComponentDown);
   b.hal.killed = true;
-  EXPECT_EQ(b.run(0.5).block, OrderBlock::ComponentSilent);
+  EXPECT_EQ(b.run(0.5).block, OverrideInhibit::ComponentSilent);
 }
 
 // Taken out by the operator's switch, the first has not let go yet: the second is told whose they are, and its own end
@@ -141,8 +141,8 @@ TEST(LinuxCncHal, SecondClientOfOneThatHasFallenWaitsForNothingAtItsEnd) {
     b.hal.keeper.take(holding, kOther, b.clock.now());
     b.run(0.01);
   }
-  ASSERT_EQ(b.hal.keeper.report(kOther).standing, HalStanding::Fallen);
-  EXPECT_EQ(b.run(0.02).block, OrderBlock::OtherClient);
+  ASSERT_EQ(b.hal.keeper.report(kOther).standing, HalLeaseState::Fallen);
+  EXPECT_EQ(b.run(0.02).block, OverrideInhibit::OtherClient);
   const Instant began = b.clock.now();
   b.link->release(began);
   EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.05);

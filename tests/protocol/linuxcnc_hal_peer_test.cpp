@@ -103,7 +103,7 @@ TEST_F(LinuxCncHalReal, TrialPassesAndMeasuresTheDelay) {
   const auto link = linkWithComponent();
   LinkTrial trial(*link, clock_);
   while (trial.next()) {
-    const TrialStep& step = trial.steps().back();
+    const LinkTrialStep& step = trial.steps().back();
     std::printf("%s: %s\n", step.what.c_str(), text(step.said).c_str());
   }
   EXPECT_TRUE(trial.passed());
@@ -139,7 +139,7 @@ TEST_F(LinuxCncHalReal, AdaptiveFeedThatTheProgramDoesNotFollowIsSaid) {
     EXPECT_TRUE(untilCommanding(90.0, [&](const MachineState& m) {
       // 540 of 600 mm/min; the path also comes through 540 on its way up, with nothing in force yet
       const bool slower = m.feedOverride.value < 0.95 && std::abs(toMmPerMin(m.actualFeed) - 540.0) < 1.0;
-      return m.valid && (follows ? slower : m.block == OrderBlock::AdaptiveLocked && !m.overridesEnabled);
+      return m.valid && (follows ? slower : m.block == OverrideInhibit::AdaptiveLocked && !m.overridesEnabled);
     })) << word;
     EXPECT_NEAR(seen_.feedOverride.value, follows ? 0.9 : 1.0, 1e-3) << word;
     link_->release(clock_.now());
@@ -151,10 +151,10 @@ TEST_F(LinuxCncHalReal, AdaptiveFeedThatTheProgramDoesNotFollowIsSaid) {
 TEST_F(LinuxCncHalReal, MachineOffIsSaidAndHomeAllTheSame) {
   ASSERT_TRUE(untilCommanding(90.0, [](const MachineState& m) { return at(m, 0.9); }));
   LinuxCncPeer::talk({"set enable EMCTOO", "set machine off", "set enable off"});
-  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OrderBlock::MachineOff; }));
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OverrideInhibit::MachineOff; }));
   link_->release(clock_.now());
   EXPECT_TRUE(until([](const MachineState& m) { return at(m, 1.0); }, 1.0));
-  EXPECT_EQ(seen_.block, OrderBlock::MachineOff);
+  EXPECT_EQ(seen_.block, OverrideInhibit::MachineOff);
 }
 
 TEST_F(LinuxCncHalReal, KilledProgramIsHomeWithinTheLease) {

@@ -94,7 +94,7 @@ TEST(LinuxCncHal, OverridesComeHomeThoughLinuxcncrshAloneIsGone) {
     b.watchWire->hangUp();
     EXPECT_FALSE(b.run(0.1).valid);
     EXPECT_EQ(b.mill.spindle, 90);
-    b.link->apply(b.gate.letGo(), b.clock.now());
+    b.link->apply(b.gate.relinquish(), b.clock.now());
     b.run(0.3);
     EXPECT_EQ(b.mill.spindle, 100);
     EXPECT_EQ(b.mill.feed, 100);
@@ -103,7 +103,7 @@ TEST(LinuxCncHal, OverridesComeHomeThoughLinuxcncrshAloneIsGone) {
     EXPECT_TRUE(m.valid);
     EXPECT_EQ(m.operatorSpeed.value, 1.0);
     EXPECT_EQ(b.mill.spindle, 100);
-    EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalStanding::Home);
+    EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalLeaseState::Home);
   }
 }
 
@@ -119,7 +119,7 @@ TEST(LinuxCncHal, KnobThatStrayedIsHeldAgainAndBroughtHome) {
   b.run(2.0);
   EXPECT_EQ(b.mill.spindle, 100);
   EXPECT_EQ(b.mill.feed, 100);
-  EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalStanding::Home);
+  EXPECT_EQ(b.hal.keeper.report(FakeHal::kOurs).standing, HalLeaseState::Home);
 }
 
 TEST(LinuxCncHal, OperatorsHandIsLeftAloneAndSurvivesTheRelease) {
@@ -149,7 +149,7 @@ TEST(LinuxCncHal, OrderThatGetsLostIsGivenAgainOnTheWayOutAndHome) {
   EXPECT_EQ(b.mill.spindle, 90);
   EXPECT_EQ(b.mill.feed, 90);
   b.hal.lost = 2;
-  b.link->apply(b.gate.letGo(), b.clock.now());
+  b.link->apply(b.gate.relinquish(), b.clock.now());
   b.run(1.2);
   EXPECT_EQ(b.mill.spindle, 100);
   EXPECT_EQ(b.mill.feed, 100);
@@ -176,7 +176,7 @@ TEST(LinuxCncHal, RestartedMachineIsHomeAndItsWatchdogProvenAnew) {
   b.hal.keeper = {};
   b.run(0.1);
   b.faults.refuse(false);
-  b.link->apply(b.gate.letGo(), b.clock.now());  // the lease ran out meanwhile
+  b.link->apply(b.gate.relinquish(), b.clock.now());  // the lease ran out meanwhile
   const OverrideCommand command = b.gate.set(91.0);
   b.link->apply(command, b.clock.now());
   for (int i = 0; i < 2000 && b.mill.spindle == 100; ++i) b.run(Bench::kStep);

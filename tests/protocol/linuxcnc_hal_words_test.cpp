@@ -29,7 +29,7 @@ TEST(LinuxCncHal, ReportsInTheWrongOrderAreOursOrHome) {
     EXPECT_TRUE(b.mill.spindle == 90 || b.mill.spindle == 100) << b.mill.spindle;
   }
   b.faults = {};
-  b.link->apply(b.gate.letGo(), b.clock.now());
+  b.link->apply(b.gate.relinquish(), b.clock.now());
   b.run(1.0);
   EXPECT_EQ(b.mill.spindle, 100);
   b.engage(92.0);
@@ -53,19 +53,19 @@ TEST(LinuxCncHal, WordsAreReadAsTheyWereWritten) {
   r.hold = true;
   r.feed = 1000;
   r.adaptiveFeed = 0.25;
-  r.homeSpeed = 70;
+  r.restoreSpeed = 70;
   std::string line(writeHalRequest(r, text));
   EXPECT_EQ(line, "set - 1000 0.250 70 100\n");
   line.pop_back();
   const auto back = readHalRequest(line);
   ASSERT_TRUE(back);
-  EXPECT_TRUE(back->hold && !back->speed && back->feed == 1000 && back->homeSpeed == 70);
-  const HalReport report{HalStanding::Fallen, 90, 95, 0.5, 71};
+  EXPECT_TRUE(back->hold && !back->speed && back->feed == 1000 && back->restoreSpeed == 70);
+  const HalReport report{HalLeaseState::Fallen, 90, 95, 0.5, 71};
   line = writeHalReport(report, text);
   line.pop_back();
   const auto heard = readHalReport(line);
   ASSERT_TRUE(heard);
-  EXPECT_TRUE(heard->standing == HalStanding::Fallen && heard->speed == 90 && heard->feed == 95 &&
+  EXPECT_TRUE(heard->standing == HalLeaseState::Fallen && heard->speed == 90 && heard->feed == 95 &&
               heard->adaptiveFeed == 0.5 && heard->watchdogMs == 71);
 }
 

@@ -74,11 +74,11 @@ TEST_F(LinuxCncReal, BothOverridesActAndTheSpindleFollows) {
 TEST_F(LinuxCncReal, LockedByTheProgramIsSaid) {
   const struct {
     const char* word;
-    OrderBlock block;
+    OverrideInhibit block;
     double speed, feed;
-  } locks[] = {{"M49", OrderBlock::OverridesLocked, 1.0, 1.0},
-               {"M51 P0", OrderBlock::SpeedLocked, 1.0, 0.9},
-               {"M50 P0", OrderBlock::FeedLocked, 0.9, 1.0}};
+  } locks[] = {{"M49", OverrideInhibit::OverridesLocked, 1.0, 1.0},
+               {"M51 P0", OverrideInhibit::SpeedLocked, 1.0, 0.9},
+               {"M50 P0", OverrideInhibit::FeedLocked, 0.9, 1.0}};
   for (const auto& lock : locks) {
     peer_->run(peer_->locking(lock.word));
     ASSERT_TRUE(until([](const MachineState& m) { return m.programmedSpeed.value == 5000.0 && m.programRunning; }));
@@ -97,14 +97,14 @@ TEST_F(LinuxCncReal, MachineOffIsSaidAndKeepsTheOverrideUntilItIsOn) {
   apply(90.0);
   ASSERT_TRUE(until([](const MachineState& m) { return at(m, 0.9); }));
   LinuxCncPeer::talk({"set enable EMCTOO", "set machine off", "set enable off"});
-  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OrderBlock::MachineOff; }));
+  ASSERT_TRUE(until([](const MachineState& m) { return m.valid && m.block == OverrideInhibit::MachineOff; }));
   const Instant began = clock_.now();
   link_->release(clock_.now());
   EXPECT_LT(secondsBetween(began, clock_.now()).value, toSeconds(LinuxCncLink::kReleaseTime).value);
   EXPECT_NE(LinuxCncPeer::talk({"get feed_override"}).find("FEED_OVERRIDE 90"), std::string::npos);
   LinuxCncPeer::talk({"set enable EMCTOO", "set machine on", "set enable off"});
   // Another client was in control, and keeps it for 10 s where ours has noticed.
-  EXPECT_TRUE(until([](const MachineState& m) { return m.block == OrderBlock::NoProgram && at(m, 1.0); }, 15.0));
+  EXPECT_TRUE(until([](const MachineState& m) { return m.block == OverrideInhibit::NoProgram && at(m, 1.0); }, 15.0));
 }
 
 TEST_F(LinuxCncReal, AnotherClientTakesControlAndKeepsIt) {
@@ -113,7 +113,7 @@ TEST_F(LinuxCncReal, AnotherClientTakesControlAndKeepsIt) {
   const std::string other =
       LinuxCncPeer::talk({"set enable EMCTOO", "set set_wait received", "set spindle_override 0 97"});
   EXPECT_NE(other.find("SET SPINDLE_OVERRIDE ACK"), std::string::npos);
-  EXPECT_TRUE(until([](const MachineState& m) { return !m.controlOurs && m.block == OrderBlock::OtherClient; }));
+  EXPECT_TRUE(until([](const MachineState& m) { return !m.controlOurs && m.block == OverrideInhibit::OtherClient; }));
 }
 
 TEST_F(LinuxCncReal, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {

@@ -71,7 +71,7 @@ TEST(LinuxCnc, QuittingWhileTheMachineIsOffIsAtOnceAndTheOverrideGoesHomeWhenItI
   b.link->release(began);
   EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.3);  // control is given back
   const MachineState m = b.run(0.5);
-  EXPECT_EQ(m.block, OrderBlock::MachineOff);
+  EXPECT_EQ(m.block, OverrideInhibit::MachineOff);
   EXPECT_NEAR(m.speedOverride.value, 0.9, 1e-6);  // said, for it stays where we go now
   EXPECT_EQ(b.mill.owner, nullptr);
   b.mill.machineOn = true;

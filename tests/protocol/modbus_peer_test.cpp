@@ -106,7 +106,7 @@ class ModbusReal : public ::testing::TestWithParam<Plc::Wire> {
     plc_->locate(map->bus);
     map->watchdog = watched();
     // The feed that is in force can be read here: no knob stands before it.
-    map->read[static_cast<std::size_t>(MachineSignal::FeedOverride)] = map->at(MachineOrder::FeedOverride);
+    map->read[static_cast<std::size_t>(MachineSignal::FeedOverride)] = map->at(MachineCommand::FeedOverride);
     if (change) change(map->bus);
     auto bus = app::busMaker()(map->bus);
     EXPECT_TRUE(bus.ok());

@@ -157,7 +157,7 @@ class Books {
     if (shown != Authority::Advise) licence = false;
     // What is in force is, by its acceptance or because it was in force when Advise was chosen.
     if (edge && set) licence = true;
-    const bool waits = bad || held || in.machine.feedHold || sinceKnob < limits_.knobTime.value || !settled_;
+    const bool waits = bad || held || in.machine.feedHold || sinceKnob < limits_.operatorPause.value || !settled_;
     if (moved || edge || !licence || (set && waits)) still_ = 0.0;
     still_ += elapsed;
     if (still_ > (set ? 1.0 : 6.0)) licence = false;

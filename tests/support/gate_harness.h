@@ -17,7 +17,7 @@ inline GateLimits promptLimits() {
   GateLimits limits;
   limits.autoAllowed = true;
   limits.filter = Seconds(0.0);
-  limits.restTime = Seconds(0.1);
+  limits.reengageDelay = Seconds(0.1);
   return limits;
 }
 

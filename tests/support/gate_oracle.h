@@ -103,13 +103,14 @@ class GateOracle {
     if (out.authority == Authority::Off) return "took the overrides without authority";
     if (b.bad) return "took the overrides on bad input";
     if (out.authority == Authority::Advise && !b.licence) return "took the overrides on an advice that nobody accepted";
-    if (b.sinceRelease + b.elapsed < limits_.restTime.value - kTiny) {
+    if (b.sinceRelease + b.elapsed < limits_.reengageDelay.value - kTiny) {
       return "took the overrides again after " + std::to_string(b.sinceRelease + b.elapsed) + " of " +
-             std::to_string(limits_.restTime.value) + " s";
+             std::to_string(limits_.reengageDelay.value) + " s";
     }
     if (b.held || m.feedHold) return "took the overrides while something was on hold";
-    if (b.sinceKnob < limits_.knobTime.value - kTiny) return "took the overrides from under the operator's hand";
-    if (g.verdict.state == CutState::Air || g.verdict.phase == CutPhase::RunUp) return "took the overrides in air";
+    if (b.sinceKnob < limits_.operatorPause.value - kTiny) return "took the overrides from under the operator's hand";
+    if (g.verdict.state == CutState::AirCutting || g.verdict.phase == CutPhase::RunUp)
+      return "took the overrides in air";
     const double speed = m.programmedSpeed.value * m.operatorSpeed.value;
     const bool turns = m.actualSpeed.value <= 0.0 ||
                        std::abs(m.actualSpeed.value - speed) <= limits_.speedTolerance * speed * (1.0 + kTiny);
@@ -169,7 +170,7 @@ class GateOracle {
     if (!b.mayLeave) {
       if (b.bad && !still) return "moved on bad input";
       if (!still && (b.held || g.machine.feedHold)) return "moved while something was on hold";
-      if (!still && b.sinceKnob < limits_.knobTime.value - kTiny) return "moved under the operator's hand";
+      if (!still && b.sinceKnob < limits_.operatorPause.value - kTiny) return "moved under the operator's hand";
       if (!still && out.authority == Authority::Advise && !b.licence) return "moved without an accepted advice";
     }
     return rates(g, speed, feed, ds, df);

@@ -55,8 +55,8 @@ class HostileWorld {
     l.changesPerMinute = 1 + below(chance(0.5) ? 6 : 120);
     l.coolDown = Seconds(uniform(1.0, 5.0));
     l.holdTime = Seconds(uniform(0.0, 1.0));
-    l.restTime = Seconds(uniform(0.0, 0.3));
-    l.knobTime = Seconds(uniform(0.0, 1.0));
+    l.reengageDelay = Seconds(uniform(0.0, 0.3));
+    l.operatorPause = Seconds(uniform(0.0, 1.0));
     l.takeTime = Seconds(uniform(0.1, chance(0.5) ? 1.0 : 10.0));
     l.followTime = Seconds(uniform(0.2, chance(0.5) ? 1.0 : 60.0));
     return l;

@@ -50,7 +50,7 @@ MachineState machine(Numbers& n) {
   m.atSpeed = n.coin();
   m.overridesEnabled = n.coin();
   m.controlOurs = n.coin();
-  m.block = static_cast<OrderBlock>(n.below(kOrderBlocks));
+  m.block = static_cast<OverrideInhibit>(n.below(kOverrideInhibits));
   m.programmedSpeed = Rpm(n.real());
   m.programmedFeed = MetresPerSecond(n.real());
   m.operatorSpeed = Ratio(n.real());
@@ -195,7 +195,7 @@ std::vector<std::uint64_t> bitsOf(const StepInput& input) {
   const MachineState& m = input.machine;
   bits << m.time << m.valid << m.linkUp << m.programRunning << m.feedHold << m.atSpeed << m.overridesEnabled
        << m.controlOurs << m.block << m.programmedSpeed << m.programmedFeed << m.operatorSpeed << m.operatorFeed
-       << m.speedOverride << m.feedOverride << m.actualSpeed << m.actualFeed << m.endedEngagement << m.link.ordered
+       << m.speedOverride << m.feedOverride << m.actualSpeed << m.actualFeed << m.endedEngagement << m.link.commanded
        << m.link.acknowledged << m.link.overrides << m.link.speed << m.link.feed << m.link.program << m.link.roundTrip
        << m.link.effect << input.inputCount;
   for (const OperatorInput& i : input.inputs) bits << i.action << i.authority;

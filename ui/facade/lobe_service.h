@@ -14,13 +14,13 @@
 
 namespace stillcut::ui {
 
-enum class LobeMethod { ZerothOrder, SemiDiscretization, Exact };
+enum class LobeMethodChoice { ZerothOrder, SemiDiscretization, Exact };
 
 struct LobeQuestion {
-  LobeMethod method = LobeMethod::Exact;
+  LobeMethodChoice method = LobeMethodChoice::Exact;
   Rpm from{}, to{};
-  int steps = 160;    // speeds looked at
-  Metres maxDepth{};  // deepest cut looked at
+  int steps = 160;         // speeds looked at
+  Metres maxAxialDepth{};  // deepest cut looked at
 };
 
 struct DepthSpan {
@@ -53,7 +53,7 @@ struct LobeFrame {
   Rpm reachLow{}, reachHigh{};
   Metres depth{};          // deepest of the programme
   bool depthKnown = true;  // false: nobody has told it, and `depth` is only where "what if" begins
-  Metres maxDepth{};       // a depth worth looking down to
+  Metres maxAxialDepth{};  // a depth worth looking down to
   Metres widthOfCut{};
   Metres feedPerTooth{};  // 0: not known
   int teeth = 0;
@@ -72,7 +72,7 @@ class LobeService {
 
   virtual const LobeFrame& frame() const = 0;
   // Depth of cut then, where the programme tells it; else the frame's.
-  virtual Metres depthAt(Instant t) const = 0;
+  virtual Metres axialDepthAt(Instant t) const = 0;
   // Ends what is being computed and begins this.
   virtual void ask(const LobeQuestion& question) = 0;
   virtual void cancel() = 0;

@@ -14,7 +14,7 @@
 namespace stillcut::ui {
 
 // In the order of Snapshot::verdicts.
-struct DetectorInfo {
+struct DetectorLabel {
   QString id;              // "energy-ratio"
   QString label;           // "Energy ratio"
   QStringList indicators;  // in the order of Verdict::indicators
@@ -33,7 +33,7 @@ struct SessionInfo {
   bool simulatedMachine = false;
   bool machineWatchdog = false;  // the machine restores 100 % by itself when this program dies
   Metres feedPerTooth{};         // 0: unknown
-  std::vector<DetectorInfo> detectors;
+  std::vector<DetectorLabel> detectors;
   LimitMarks limits;
   qint64 wallMsAtStreamZero = 0;  // wall clock (ms since 1970) at stream time 0
 
@@ -43,7 +43,7 @@ struct SessionInfo {
 class RunHistory;
 class SignalHistory;
 
-struct RecorderStatus {
+struct RecorderView {
   enum class State { Off, Recording, Failed };
   State state = State::Off;
   Seconds length{};
@@ -57,7 +57,7 @@ struct LinkStatus {
 };
 
 // What a plot tells of itself.
-enum class Standing { Moves, Paused, Stale, Ended };
+enum class PlotState { Moves, Paused, Stale, Ended };
 
 // Everything one display tick shows.
 struct Picture {
@@ -67,7 +67,7 @@ struct Picture {
   bool stale = false;
   bool paused = false;  // a replay that stands still because somebody wants it so: not stale
   qint64 nowMs = 0;     // the screen's own clock, for touches
-  RecorderStatus recorder;
+  RecorderView recorder;
   LinkStatus link;
   UnitSystem units = UnitSystem::Metric;
   const RunHistory* history = nullptr;  // of this run; null only where nobody keeps one
@@ -77,8 +77,8 @@ struct Picture {
 
   // Nothing more will come, and it is known why: not stale.
   bool over() const { return !link.ended.isEmpty(); }
-  Standing standing() const {
-    return over() ? Standing::Ended : stale ? Standing::Stale : paused ? Standing::Paused : Standing::Moves;
+  PlotState plotState() const {
+    return over() ? PlotState::Ended : stale ? PlotState::Stale : paused ? PlotState::Paused : PlotState::Moves;
   }
   const Verdict& verdict() const { return snapshot->verdicts[static_cast<std::size_t>(snapshot->inCharge)]; }
 };

@@ -9,7 +9,7 @@ namespace stillcut::ui {
 
 QString stateText(CutState state) {
   switch (state) {
-    case CutState::Air:
+    case CutState::AirCutting:
       return say("no cut");
     case CutState::Stable:
       return say("stable");

@@ -154,7 +154,7 @@ WhatIf whatIf(const LobeDiagram* diagram, const LobeFrame& frame, Rpm speed, Met
 std::vector<MetPoint> pointsMet(const RunHistory& history, const LobeService& service) {
   std::vector<MetPoint> out;
   for (const WorkingPoint& point : history.points()) {
-    const MetPoint met{point.speed, service.depthAt(point.time), point.state};
+    const MetPoint met{point.speed, service.axialDepthAt(point.time), point.state};
     const bool same = !out.empty() && out.back().state == met.state &&
                       std::abs(met.speed / out.back().speed - 1.0) < kSameSpeed &&
                       std::abs((met.depth - out.back().depth).value) < kSameDepth;

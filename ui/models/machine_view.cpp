@@ -36,32 +36,32 @@ QString machineOff(const MachineState& m) {
 
 QString blocked(const MachineState& m) {
   switch (m.block) {
-    case OrderBlock::MachineOff:
+    case OverrideInhibit::MachineOff:
       return machineOff(m);
-    case OrderBlock::MachineAlarm:
+    case OverrideInhibit::MachineAlarm:
       return say("The machine is in alarm");
-    case OrderBlock::NoProgram:
+    case OverrideInhibit::NoProgram:
       return say("No program runs");
-    case OrderBlock::OverridesLocked:
+    case OverrideInhibit::OverridesLocked:
       return say("The program has locked both overrides (M49)");
-    case OrderBlock::SpeedLocked:
+    case OverrideInhibit::SpeedLocked:
       return say(
           "The spindle override has no effect: locked by the program (M51, M49), or the machine is at its limit");
-    case OrderBlock::FeedLocked:
+    case OverrideInhibit::FeedLocked:
       return say("The feed override has no effect: locked by the program (M50, M49), or the machine is at its limit");
-    case OrderBlock::AdaptiveLocked:
+    case OverrideInhibit::AdaptiveLocked:
       return say("Adaptive feed has no effect: the program has not said M52 P1");
-    case OrderBlock::OtherClient:
+    case OverrideInhibit::OtherClient:
       return say("Another program has the overrides");
-    case OrderBlock::ControlRefused:
+    case OverrideInhibit::ControlRefused:
       return say("LinuxCNC refuses control: is the control password right?");
-    case OrderBlock::ComponentSilent:
+    case OverrideInhibit::ComponentSilent:
       return say("stillcut-hal does not answer");
-    case OrderBlock::ComponentDown:
+    case OverrideInhibit::ComponentDown:
       return say("stillcut-hal has not seen the machine's watchdog act");
-    case OrderBlock::ComponentOut:
+    case OverrideInhibit::ComponentOut:
       return say("The machine's watchdog or the operator's switch has taken Stillcut out");
-    case OrderBlock::None:
+    case OverrideInhibit::None:
       break;
   }
   return {};
@@ -70,7 +70,7 @@ QString blocked(const MachineState& m) {
 QString whatHinders(const MachineState& m, Seconds age) {
   if (!m.linkUp) return say("The machine does not answer; last values %1 old").arg(duration(age));
   if (age > kOldAfter) return say("Values are %1 old").arg(duration(age));
-  if (m.block != OrderBlock::None) return blocked(m);
+  if (m.block != OverrideInhibit::None) return blocked(m);
   if (!m.controlOurs) return say("Another program has the overrides");
   if (!m.overridesEnabled) return say("The program has switched overrides off");
   if (!m.programRunning) return say("No program runs, or the machine is off");
@@ -110,7 +110,7 @@ BarView ratioBar(const QString& label, double value, bool known) {
 
 int detectorIndex(const SessionInfo& info, const QString& id) {
   const auto found =
-      std::find_if(info.detectors.begin(), info.detectors.end(), [&](const DetectorInfo& d) { return d.id == id; });
+      std::find_if(info.detectors.begin(), info.detectors.end(), [&](const DetectorLabel& d) { return d.id == id; });
   return found == info.detectors.end() ? -1 : static_cast<int>(found - info.detectors.begin());
 }
 
@@ -150,7 +150,7 @@ BarView vibrationBar(const Picture& p, bool live, VibrationScale& scale) {
 
 BarView coherenceBar(const Picture& p, bool live, int detector) {
   const auto which = static_cast<std::size_t>(detector);
-  const DetectorInfo& info = p.info->detectors[which];
+  const DetectorLabel& info = p.info->detectors[which];
   const qsizetype place = std::max<qsizetype>(info.indicators.indexOf(QStringLiteral("gamma_max")), 0);
   const Verdict none;
   const Verdict& verdict = live ? p.snapshot->verdicts[which] : none;

@@ -13,7 +13,7 @@ namespace stillcut::ui {
 QString markerText(const std::string& label) {
   if (label == kLabelTrueAlarm) return say("true alarm");
   if (label == kLabelFalseAlarm) return say("false alarm");
-  if (label == kLabelHeard) return say("heard");
+  if (label == kLabelOperatorChatter) return say("heard");
   if (label == kLabelNote) return say("note");
   return QString::fromStdString(label);
 }
@@ -90,11 +90,11 @@ bool SessionOrder::lessThan(const QModelIndex& a, const QModelIndex& b) const {
   return time(a) > time(b);
 }
 
-void MarkerModel::show(const SessionDesk& desk) {
+void MarkerModel::show(const SessionController& controller) {
   beginResetModel();
-  markers_ = desk.markers();
+  markers_ = controller.markers();
   times_.clear();
-  for (const Marker& marker : markers_) times_.push_back(desk.markerTime(marker));
+  for (const Marker& marker : markers_) times_.push_back(controller.markerTime(marker));
   endResetModel();
 }
 

@@ -4,7 +4,7 @@
 #include <QAbstractListModel>
 #include <QSortFilterProxyModel>
 
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::ui {
 
@@ -41,7 +41,7 @@ class MarkerModel : public QAbstractListModel {
   Q_OBJECT
  public:
   using QAbstractListModel::QAbstractListModel;
-  void show(const SessionDesk& desk);
+  void show(const SessionController& controller);
   const Marker* marker(int row) const;
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ui/base/units.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 
 namespace stillcut::ui {
 

@@ -6,7 +6,7 @@
 #include "ui/base/format.h"
 #include "ui/base/reason_text.h"
 #include "ui/base/say.h"
-#include "ui/models/active_words.h"
+#include "ui/models/active_text.h"
 #include "ui/models/advice_view.h"
 
 namespace stillcut::ui {
@@ -86,16 +86,16 @@ StripItem counter(const QString& label, quint64 count) {
   return {label, number(static_cast<double>(count)), count > 0 ? Tone::Onset : Tone::Normal};
 }
 
-StripItem recordingItem(const RecorderStatus& recorder, quint64 lost) {
+StripItem recordingItem(const RecorderView& recorder, quint64 lost) {
   switch (recorder.state) {
-    case RecorderStatus::State::Off:
+    case RecorderView::State::Off:
       return {say("Recording"), say("off"), Tone::Faint};
-    case RecorderStatus::State::Recording:
+    case RecorderView::State::Recording:
       if (lost == 0 && recorder.waiting) return {say("Recording"), say("at the next event"), Tone::Normal};
       if (lost == 0) return {say("Recording"), stopwatch(recorder.length), Tone::Normal};
       return {say("Recording"), say("%1, %2 lost").arg(stopwatch(recorder.length), number(static_cast<double>(lost))),
               Tone::Onset};
-    case RecorderStatus::State::Failed:
+    case RecorderView::State::Failed:
       return {say("Recording"), recorder.problem.isEmpty() ? say("stopped") : recorder.problem, Tone::Chatter};
   }
   return {};
@@ -110,12 +110,12 @@ QString headlineOf(const Intervention& i, const Picture& picture) {
   const QString at = join(number(i.frequency.value), QStringLiteral("Hz"));
   const bool onset = i.feedBefore.value > 0.0 && !(i.marked.value > 0.0);
   if (onset && i.finished && i.quiet)
-    return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToQuiet));
+    return say("Onset %1, quiet after %2, nothing marked").arg(at, duration(i.timeToStable));
   const QString what = (onset ? say("Onset %1") : say("Chatter %1")).arg(at);
   const bool acts = picture.snapshot && picture.snapshot->authority == Authority::Auto;
   if (!i.finished) return (acts ? say("%1, acting") : say("%1, going on")).arg(what);
   if (!i.quiet) return say("%1, not quieted").arg(what);
-  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToQuiet), lengthText(i.marked, picture.units));
+  return say("%1, quiet after %2, %3 marked").arg(what, duration(i.timeToStable), lengthText(i.marked, picture.units));
 }
 
 // What was cured is the chatter, told as its part of the vibration. The vibration itself may even have risen: at the

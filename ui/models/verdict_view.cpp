@@ -11,7 +11,7 @@ namespace {
 
 QString stateWord(CutState state) {
   switch (state) {
-    case CutState::Air:
+    case CutState::AirCutting:
       return say("NO CUT");
     case CutState::Stable:
       return say("STABLE");
@@ -53,7 +53,7 @@ QString trendText(Trend trend) {
 
 QString phaseText(CutPhase phase) {
   switch (phase) {
-    case CutPhase::Air:
+    case CutPhase::AirCutting:
       return say("The tool is in the air");
     case CutPhase::RunUp:
       return say("The spindle is running up");

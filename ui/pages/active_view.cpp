@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ui/base/say.h"
-#include "ui/models/active_words.h"
+#include "ui/models/active_text.h"
 #include "ui/plots/path_fit_plot.h"
 #include "ui/widgets/painting.h"
 #include "ui/widgets/text_label.h"
@@ -13,9 +13,9 @@
 
 namespace stillcut::ui {
 
-ActiveView::ActiveView(FindDesk desk, QWidget* parent)
+ActiveView::ActiveView(FindController controller, QWidget* parent)
     : QWidget(parent),
-      desk_(std::move(desk)),
+      controller_(std::move(controller)),
       actions_(new QHBoxLayout),
       axes_(new QHBoxLayout),
       identify_(
@@ -49,9 +49,9 @@ ActiveView::ActiveView(FindDesk desk, QWidget* parent)
   column->addWidget(fit_);
   problem_->setTone(Tone::Onset);
   // Enabled only where there is a desk.
-  connect(identify_, &TouchButton::clicked, this, [this] { tell(desk_()->identify()); });
-  connect(start_, &TouchButton::clicked, this, [this] { tell(desk_()->start()); });
-  connect(stop_, &TouchButton::clicked, this, [this] { desk_()->stop(); });
+  connect(identify_, &TouchButton::clicked, this, [this] { tell(controller_()->identify()); });
+  connect(start_, &TouchButton::clicked, this, [this] { tell(controller_()->start()); });
+  connect(stop_, &TouchButton::clicked, this, [this] { controller_()->stop(); });
   takeAxis(0);
 }
 
@@ -66,26 +66,26 @@ void ActiveView::tell(const Status& status) {
 }
 
 void ActiveView::display() {
-  ActiveDesk* desk = desk_();
-  for (TouchButton* b : {identify_, start_, stop_}) b->setEnabled(desk != nullptr);
-  if (desk == nullptr) {
+  ActiveController* controller = controller_();
+  for (TouchButton* b : {identify_, start_, stop_}) b->setEnabled(controller != nullptr);
+  if (controller == nullptr) {
     device_->setText(tr("There is no active work-holder here."));
     for (TextLabel* label : {problem_, state_, earned_, model_}) label->clear();
     fit_->display(nullptr);
     return;
   }
-  if (desk->problem() != problemSeen_) refused_.clear();  // older than the problem
-  problemSeen_ = desk->problem();
+  if (controller->problem() != problemSeen_) refused_.clear();  // older than the problem
+  problemSeen_ = controller->problem();
   problem_->setText(refused_.isEmpty() ? problemSeen_ : refused_);
   problem_->setVisible(!problem_->text().isEmpty());
-  fit_->display(desk->fit(axis_));
-  const ActiveSnapshot* snapshot = desk->pull();
+  fit_->display(controller->fit(axis_));
+  const ActiveSnapshot* snapshot = controller->pull();
   if (snapshot == nullptr) {
-    device_->setText(tr("%1: nothing yet").arg(desk->device()));
+    device_->setText(tr("%1: nothing yet").arg(controller->device()));
     return;
   }
   const ActiveAxisView view = makeActiveAxis(*snapshot, axis_);
-  device_->setText(activeDeviceText(*snapshot, desk->device()));
+  device_->setText(activeDeviceText(*snapshot, controller->device()));
   QStringList states;
   Tone worst = Tone::Normal;
   for (int axis = 0; axis < kActiveAxes; ++axis) {

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "ui/base/themed.h"
-#include "ui/facade/active_desk.h"
+#include "ui/facade/active_controller.h"
 
 class QHBoxLayout;
 
@@ -21,8 +21,8 @@ class ActiveView : public QWidget, public Themed {
   Q_OBJECT
  public:
   // Gives the desk of the session as it is now; null: there is no active work-holder, the view says so.
-  using FindDesk = std::function<ActiveDesk*()>;
-  explicit ActiveView(FindDesk desk, QWidget* parent = nullptr);
+  using FindController = std::function<ActiveController*()>;
+  explicit ActiveView(FindController controller, QWidget* parent = nullptr);
 
   // Every display tick while it is on screen; somebody polls the desk.
   void display();
@@ -32,7 +32,7 @@ class ActiveView : public QWidget, public Themed {
   void takeAxis(int axis);
   void tell(const Status& status);
 
-  FindDesk desk_;
+  FindController controller_;
   int axis_ = 0;
   QString refused_;  // the last touch, and why; empty: it was not
   QString problemSeen_;

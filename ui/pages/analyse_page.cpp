@@ -97,7 +97,7 @@ void AnalysePage::display(const Picture& picture) {
   tools_->setChannels(channelNames(info.setup));
   bar_->display(info);
   std::vector<TrackPlot::Row> rows;
-  for (const DetectorInfo& detector : info.detectors) {
+  for (const DetectorLabel& detector : info.detectors) {
     rows.push_back(
         {sayCore(detector.label.toStdString()), limitOfIndicator(detector.indicators.value(0), info.limits)});
   }
@@ -106,10 +106,10 @@ void AnalysePage::display(const Picture& picture) {
   trace_->display(picture.signal, unit);
   tracks_->display(&history, std::move(rows), picture.snapshot ? picture.snapshot->inCharge : 0);
   spectrum_->display(makeSpectrumView(history, view_, info));
-  const Standing standing = view_.following() ? picture.standing() : Standing::Moves;
-  spectrum_->setStanding(standing);
+  const PlotState plotState = view_.following() ? picture.plotState() : PlotState::Moves;
+  spectrum_->setPlotState(plotState);
   for (TimePlot* plot : std::initializer_list<TimePlot*>{map_, trace_, tracks_}) {
-    plot->setStanding(standing);
+    plot->setPlotState(plotState);
     plot->setClock([&info](Instant t) { return info.wallMs(t); });
   }
 }

@@ -37,7 +37,7 @@ InterventionList::InterventionList(QWidget* parent)
   }
   // Stays pressed until the alarm comes or another picture does: that is what the touch asked for.
   connect(hear_, &TouchButton::clicked, this, [this] {
-    emit asked({OperatorAction::HearChatter, Authority::Off});
+    emit asked({OperatorAction::ReportChatter, Authority::Off});
     hear_->setChecked(true);
   });
   connect(wasTrue_, &TouchButton::clicked, this, [this] { judge(true); });

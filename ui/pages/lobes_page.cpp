@@ -129,7 +129,7 @@ void LobesPage::layOut() {
 void LobesPage::connectAll() {
   for (std::size_t k = 0; k < methods_.size(); ++k) {
     connect(methods_[k], &TouchButton::clicked, this, [this, k] {
-      chooseMethod(static_cast<LobeMethod>(k));
+      chooseMethod(static_cast<LobeMethodChoice>(k));
       compute();
       emit stateChanged();
     });
@@ -193,7 +193,7 @@ void LobesPage::meet(LobeService* service, bool replay) {
   depth_->setDecimals(inch ? 4 : 2);
   depth_->setSingleStep(inch ? 0.002 : 0.05);
   depth_->setSuffix(inch ? QStringLiteral("\u00a0in") : QStringLiteral("\u00a0mm"));
-  depth_->setRange(0.0, frame.maxDepth.value / unitLength(units_));
+  depth_->setRange(0.0, frame.maxAxialDepth.value / unitLength(units_));
   depth_->setValue(frame.depth.value / unitLength(units_));
   if (!frame.name.isEmpty() && asked_.tool == frame.name) {
     speed_->setValue(asked_.speed.value);
@@ -209,13 +209,13 @@ void LobesPage::compute() {
   question.method = method_;
   question.from = service_->frame().lowest;
   question.to = service_->frame().highest;
-  question.maxDepth = service_->frame().maxDepth;
+  question.maxAxialDepth = service_->frame().maxAxialDepth;
   service_->ask(question);
 }
 
-void LobesPage::chooseMethod(LobeMethod method) {
+void LobesPage::chooseMethod(LobeMethodChoice method) {
   method_ = method;
-  for (std::size_t k = 0; k < methods_.size(); ++k) methods_[k]->setChecked(static_cast<LobeMethod>(k) == method);
+  for (std::size_t k = 0; k < methods_.size(); ++k) methods_[k]->setChecked(static_cast<LobeMethodChoice>(k) == method);
 }
 
 void LobesPage::display(const Picture& picture) {
@@ -246,7 +246,7 @@ void LobesPage::showWork(const Picture& picture) {
   const Snapshot* s = picture.snapshot;
   const bool known = service_->frame().depthKnown;
   if (known && s != nullptr && s->machine.valid && !picture.stale && !picture.over()) {
-    now = SpeedDepth{s->machine.actualSpeed, service_->depthAt(s->time)};
+    now = SpeedDepth{s->machine.actualSpeed, service_->axialDepthAt(s->time)};
     if (s->adviceOpen && s->request.claimsSpeed) advice = s->request.speed;
     if (s->commanding && !s->adviceOpen) advice = s->machine.programmedSpeed * s->command.speed.value;
   }
@@ -333,8 +333,8 @@ void LobesPage::keep(QSettings& settings) const {
 }
 
 void LobesPage::restore(const QSettings& settings) {
-  const int kept = settings.value(QStringLiteral("method"), static_cast<int>(LobeMethod::Exact)).toInt();
-  if (kept >= 0 && kept < static_cast<int>(methods_.size())) chooseMethod(static_cast<LobeMethod>(kept));
+  const int kept = settings.value(QStringLiteral("method"), static_cast<int>(LobeMethodChoice::Exact)).toInt();
+  if (kept >= 0 && kept < static_cast<int>(methods_.size())) chooseMethod(static_cast<LobeMethodChoice>(kept));
   asked_ = {settings.value(QStringLiteral("what-if-tool")).toString(),
             Rpm(settings.value(QStringLiteral("what-if-speed")).toDouble()),
             Metres(settings.value(QStringLiteral("what-if-depth")).toDouble())};

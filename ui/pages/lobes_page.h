@@ -40,7 +40,7 @@ class LobesPage : public Page {
   void meet(LobeService* service, bool replay);
   void showWork(const Picture& picture);
   void compute();
-  void chooseMethod(LobeMethod method);
+  void chooseMethod(LobeMethodChoice method);
   void showProgress();
   void showDiagram();
   void showWhatIf();
@@ -50,7 +50,7 @@ class LobesPage : public Page {
   FindService find_;
   LobeService* service_ = nullptr;
   bool met_ = false;
-  LobeMethod method_ = LobeMethod::Exact;
+  LobeMethodChoice method_ = LobeMethodChoice::Exact;
   struct Asked {
     QString tool;
     Rpm speed{};

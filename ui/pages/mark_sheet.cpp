@@ -10,9 +10,9 @@
 #include "ui/widgets/painting.h"
 
 namespace stillcut::ui {
-MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
+MarkSheet::MarkSheet(SessionController* controller, QWidget* parent)
     : QWidget(parent),
-      desk_(desk),
+      controller_(controller),
       list_(new QListView),
       label_(makeEdit(tr("Label"), tr("Label of the span"), "mark-label")),
       note_(makeEdit(tr("Note"), tr("Note of the next marker"), "mark-text")),
@@ -31,7 +31,7 @@ MarkSheet::MarkSheet(SessionDesk* desk, QWidget* parent)
   const Button buttons[] = {
       {tr("CHATTER"), tr("Mark a true alarm"), "mark-true", kLabelTrueAlarm, Qt::ALT | Qt::Key_1},
       {tr("FALSE"), tr("Mark a false alarm"), "mark-false", kLabelFalseAlarm, Qt::ALT | Qt::Key_2},
-      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelHeard, Qt::ALT | Qt::Key_3},
+      {tr("I HEAR IT"), tr("I hear it now"), "mark-heard", kLabelOperatorChatter, Qt::ALT | Qt::Key_3},
       {tr("NOTE"), tr("Mark with the note"), "mark-note", kLabelNote, Qt::ALT | Qt::Key_4}};
   for (const Button& b : buttons) {
     TouchButton* button = toolButton(b.caption, b.spoken, b.name);
@@ -76,9 +76,9 @@ const Marker* MarkSheet::current() const {
 
 // The note is the one that was typed for this marker, not what the list has shown of another.
 void MarkSheet::mark(const QString& label) {
-  if (desk_ == nullptr || !desk_->replay().open) return;
+  if (controller_ == nullptr || !controller_->replay().open) return;
   const auto [from, to] = chosen();
-  const Status done = desk_->mark(from, to, label, note_->isModified() ? note_->text() : QString());
+  const Status done = controller_->mark(from, to, label, note_->isModified() ? note_->text() : QString());
   if (done) {
     list_->setCurrentIndex({});
     editNone();
@@ -100,8 +100,8 @@ void MarkSheet::change() {
   const Marker* marker = current();
   if (marker == nullptr || marker->number != edited_) return;
   const QString label = label_->text().trimmed();
-  const Status done =
-      desk_->changeMark(marker->number, label.isEmpty() ? QString::fromStdString(marker->label) : label, note_->text());
+  const Status done = controller_->changeMark(
+      marker->number, label.isEmpty() ? QString::fromStdString(marker->label) : label, note_->text());
   if (done) {
     label_->setModified(false);
     note_->setModified(false);
@@ -113,15 +113,15 @@ void MarkSheet::change() {
 void MarkSheet::remove() {
   if (removed_) {
     const auto [begin, length, label, note] = *std::exchange(removed_, std::nullopt);
-    emit told(desk_->mark(begin, begin + length, label, note), tr("Marker put back"));
+    emit told(controller_->mark(begin, begin + length, label, note), tr("Marker put back"));
     enable();
     return;
   }
   const Marker* marker = current();
   if (marker == nullptr) return;
-  const Removed gone{desk_->markerTime(*marker), secondsBetween(marker->begin, marker->end),
+  const Removed gone{controller_->markerTime(*marker), secondsBetween(marker->begin, marker->end),
                      QString::fromStdString(marker->label), QString::fromStdString(marker->note)};
-  const Status done = desk_->removeMark(marker->number);
+  const Status done = controller_->removeMark(marker->number);
   if (done) removed_ = gone;
   emit told(done, tr("Marker removed"));
   enable();
@@ -159,17 +159,17 @@ void MarkSheet::choose(int row) {
   if (marker == nullptr) return;
   removed_.reset();
   edit(*marker);
-  const Seconds begin = desk_->markerTime(*marker);
+  const Seconds begin = controller_->markerTime(*marker);
   emit wentTo(begin, begin + secondsBetween(marker->begin, marker->end));
 }
 
 void MarkSheet::refresh() {
-  if (desk_ == nullptr) return;
-  const bool another = std::exchange(path_, desk_->openedPath()) != desk_->openedPath();
+  if (controller_ == nullptr) return;
+  const bool another = std::exchange(path_, controller_->openedPath()) != controller_->openedPath();
   const Marker* before = current();
   const auto chosenNumber = before != nullptr && !another ? std::optional(before->number) : std::nullopt;
   refreshing_ = true;
-  markers_.show(*desk_);
+  markers_.show(*controller_);
   for (int row = 0; row < markers_.rowCount(); ++row) {
     if (markers_.marker(row)->number == chosenNumber) list_->setCurrentIndex(markers_.index(row));
   }
@@ -181,7 +181,7 @@ void MarkSheet::refresh() {
 }
 
 void MarkSheet::enable() {
-  const auto summary = desk_ != nullptr ? desk_->summary() : nullptr;
+  const auto summary = controller_ != nullptr ? controller_->summary() : nullptr;
   const bool open = summary != nullptr && summary->session;
   for (TouchButton* button : touches_) button->setEnabled(open);
   span_->setEnabled(open);

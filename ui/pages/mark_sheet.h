@@ -21,7 +21,7 @@ class MarkSheet : public QWidget, public Themed {
   Q_OBJECT
  public:
   // `desk` may be null: nothing can be marked. It outlives the widget.
-  explicit MarkSheet(SessionDesk* desk, QWidget* parent = nullptr);
+  explicit MarkSheet(SessionController* controller, QWidget* parent = nullptr);
 
   // What the next marker is about: the selected span, or the present moment. Set before the first touch.
   std::function<std::pair<Seconds, Seconds>()> chosen;
@@ -47,7 +47,7 @@ class MarkSheet : public QWidget, public Themed {
   void enable();
   const Marker* current() const;
 
-  SessionDesk* desk_;
+  SessionController* controller_;
   MarkerModel markers_;
   QString path_;                         // of the recording that the markers are of
   std::optional<std::uint64_t> edited_;  // whose label and note are in the fields; none: they are of the next marker

@@ -102,7 +102,7 @@ void OperatePage::showSpectrogram(const Picture& picture) {
   const QLatin1String prefix("channel ");  // a file without names counts them
   spectrogram_->setSignal(tr("channel %1").arg(name.startsWith(prefix) ? name.mid(prefix.size()) : name),
                           QString::fromUtf8(si.data(), static_cast<qsizetype>(si.size())), setup.teeth);
-  spectrogram_->setStanding(picture.standing());
+  spectrogram_->setPlotState(picture.plotState());
   if (!picture.snapshot) return;
   const Verdict& verdict = picture.verdict();
   const Tone alarm = alarmTone(picture);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ui/models/advice_view.h"
-#include "ui/models/history/column_reader.h"
+#include "ui/models/history/spectrum_column_reader.h"
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
 #include "ui/pages/page.h"
@@ -51,7 +51,7 @@ class OperatePage : public Page {
   std::vector<LimitBar*> bars_;
 
   Theme theme_;
-  ColumnReader columns_;
+  SpectrumColumnReader columns_;
   SeverityTrend trend_;
   std::uint32_t adviceShown_ = 0;
   MoveReason moveReason_;

@@ -18,9 +18,9 @@ constexpr double kLearned = 0.05;  // less is not told
 
 }  // namespace
 
-RuleEditor::RuleEditor(TuneDesk& desk, QWidget* parent)
+RuleEditor::RuleEditor(TuningController& controller, QWidget* parent)
     : QWidget(parent),
-      desk_(&desk),
+      controller_(&controller),
       line_(new QHBoxLayout),
       speedTable_(makeToolButton(tr("SPEED"), tr("Rules of the speed"), "rules-speed")),
       feedTable_(makeToolButton(tr("FEED"), tr("Rules of the feed"), "rules-feed")),
@@ -50,13 +50,13 @@ RuleEditor::RuleEditor(TuneDesk& desk, QWidget* parent)
   connect(grid_, &RuleGrid::chosenChanged, this, [this](int cell) { cell_->setText(grid_->cellText(cell)); });
   connect(grid_, &RuleGrid::reset, this, [this](int cell) {
     const config::ParamDecl& decl = *decls()[static_cast<std::size_t>(cell)];
-    desk_->set(decl, decl.fallback);
-    desk_->settle();
+    controller_->set(decl, decl.fallback);
+    controller_->settle();
   });
   hide();
 }
 
-void RuleEditor::show(const TunablePart* part) {
+void RuleEditor::show(const TunableComponent* part) {
   part_ = part != nullptr && !part->speedRules.empty() ? part : nullptr;
   hasNow_ = false;
   setVisible(part_ != nullptr);
@@ -77,8 +77,8 @@ void RuleEditor::takeTable(bool feed) {
 void RuleEditor::step(int cell, int direction) {
   if (part_ == nullptr) return;
   const config::ParamDecl& decl = *decls()[static_cast<std::size_t>(cell)];
-  desk_->set(decl, std::clamp(desk_->value(decl) + direction * kStep, decl.lowest, decl.highest));
-  desk_->settle();
+  controller_->set(decl, std::clamp(controller_->value(decl) + direction * kStep, decl.lowest, decl.highest));
+  controller_->settle();
 }
 
 void RuleEditor::refresh(const RuleTables* told) {
@@ -91,7 +91,7 @@ void RuleEditor::refresh(const RuleTables* told) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const config::ParamDecl& decl = *decls()[k];
     const std::size_t row = k / kRuleSets, column = k % kRuleSets;
-    const double rule = desk_->value(decl);
+    const double rule = controller_->value(decl);
     const double now = !hasNow_ || now_.lessons == 0 ? rule : feed_ ? now_.feed[row][column] : now_.speed[row][column];
     cells[k] = {rule, now, rule != decl.fallback};
     if (std::abs(now - rule) < kLearned) continue;
@@ -101,7 +101,7 @@ void RuleEditor::refresh(const RuleTables* told) {
   grid_->display(cells);
   cell_->setText(grid_->cellText(grid_->chosen()));
   std::array<double, 3> centres{};
-  for (std::size_t k = 0; k < centres.size(); ++k) centres[k] = desk_->value(*part_->setCentres[k]);
+  for (std::size_t k = 0; k < centres.size(); ++k) centres[k] = controller_->value(*part_->setCentres[k]);
   sets_->display(centres);
   learned_->setVisible(hasNow_);
   learned_->setText(now_.refused ? tr("These values cannot be used together: rules must fall as coherence rises, and "

@@ -4,8 +4,8 @@
 
 #include "core/model/rule_tables.h"
 #include "ui/base/themed.h"
-#include "ui/models/tune/tune_desk.h"
 #include "ui/models/tune/tuning.h"
+#include "ui/models/tune/tuning_controller.h"
 #include "ui/pages/rule_grid.h"
 
 class QHBoxLayout;
@@ -19,11 +19,11 @@ class TouchButton;
 class RuleEditor : public QWidget, public Themed {
   Q_OBJECT
  public:
-  explicit RuleEditor(TuneDesk& desk, QWidget* parent = nullptr);
-  void work(TuneDesk& desk) { desk_ = &desk; }
+  explicit RuleEditor(TuningController& controller, QWidget* parent = nullptr);
+  void work(TuningController& controller) { controller_ = &controller; }
 
   // Null, or a part without rules: nothing to edit, hidden. The part lives as long as it is shown.
-  void show(const TunablePart* part);
+  void show(const TunableComponent* part);
   // The values, and what the running strategy says of its rules; null: it says nothing new.
   void refresh(const RuleTables* told);
   void applyTheme(const Theme& theme) override;
@@ -33,8 +33,8 @@ class RuleEditor : public QWidget, public Themed {
   void takeTable(bool feed);
   void step(int cell, int direction);
 
-  TuneDesk* desk_;
-  const TunablePart* part_ = nullptr;
+  TuningController* controller_;
+  const TunableComponent* part_ = nullptr;
   bool feed_ = false;
   RuleTables now_;
   bool hasNow_ = false;

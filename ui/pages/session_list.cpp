@@ -11,8 +11,12 @@
 #include "ui/widgets/wrapped_list.h"
 
 namespace stillcut::ui {
-SessionList::SessionList(SessionDesk* desk, QWidget* parent)
-    : QWidget(parent), desk_(desk), kinds_(new QHBoxLayout), orders_(new QHBoxLayout), list_(new QListView) {
+SessionList::SessionList(SessionController* controller, QWidget* parent)
+    : QWidget(parent),
+      controller_(controller),
+      kinds_(new QHBoxLayout),
+      orders_(new QHBoxLayout),
+      list_(new QListView) {
   order_.setSourceModel(&sessions_);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
@@ -48,7 +52,7 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const auto openIndex = [this](const QModelIndex& index) {
     const QString path = index.data(SessionListModel::PathRole).toString();
-    if (desk_ != nullptr && !path.isEmpty() && path != desk_->openedPath()) desk_->open(path);
+    if (controller_ != nullptr && !path.isEmpty() && path != controller_->openedPath()) controller_->open(path);
   };
   connect(list_, &QListView::clicked, this, openIndex);
   connect(list_, &QListView::activated, this, openIndex);
@@ -57,7 +61,7 @@ SessionList::SessionList(SessionDesk* desk, QWidget* parent)
   folder_->setObjectName(QStringLiteral("session-folder"));
   folder_->setAccessibleName(tr("Folder of the recordings"));
   connect(folder_, &QLineEdit::editingFinished, this, [this] {
-    if (desk_ != nullptr && folder_->text() != desk_->folder()) desk_->setFolder(folder_->text());
+    if (controller_ != nullptr && folder_->text() != controller_->folder()) controller_->setFolder(folder_->text());
   });
   column->addLayout(kinds_);
   column->addWidget(filter_);
@@ -82,18 +86,19 @@ void SessionList::showSimulated(bool simulated) {
 }
 
 void SessionList::refresh() {
-  if (desk_ != nullptr) {
-    sessions_.show(simulated_->isChecked() ? desk_->scenarios() : desk_->entries());
-    if (!folder_->hasFocus()) folder_->setText(desk_->folder());
+  if (controller_ != nullptr) {
+    sessions_.show(simulated_->isChecked() ? controller_->scenarios() : controller_->entries());
+    if (!folder_->hasFocus()) folder_->setText(controller_->folder());
   }
-  empty_->setText(desk_ != nullptr ? tr("No recordings here. Cuts are recorded as the page SET UP, RECORDING says.")
-                                   : tr("There are no recordings to work on here."));
+  empty_->setText(controller_ != nullptr
+                      ? tr("No recordings here. Cuts are recorded as the page SET UP, RECORDING says.")
+                      : tr("There are no recordings to work on here."));
   empty_->setVisible(sessions_.rowCount() == 0);
 }
 
 void SessionList::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  if (desk_ != nullptr) desk_->setFolder(desk_->folder());
+  if (controller_ != nullptr) controller_->setFolder(controller_->folder());
 }
 
 void SessionList::applyTheme(const Theme& theme) {

@@ -20,7 +20,7 @@ class SessionList : public QWidget, public Themed {
   Q_OBJECT
  public:
   // `desk` may be null: the list stays empty and says so. It outlives the widget.
-  explicit SessionList(SessionDesk* desk, QWidget* parent = nullptr);
+  explicit SessionList(SessionController* controller, QWidget* parent = nullptr);
 
   void refresh();
   void applyTheme(const Theme& theme) override;
@@ -32,7 +32,7 @@ class SessionList : public QWidget, public Themed {
   void orderBy(SessionOrder::By by);
   void showSimulated(bool simulated);
 
-  SessionDesk* desk_;
+  SessionController* controller_;
   SessionListModel sessions_;
   SessionOrder order_;
   QLineEdit *filter_, *folder_;

@@ -14,7 +14,7 @@
 #include "ui/base/format.h"
 #include "ui/base/say.h"
 #include "ui/models/live_numbers.h"
-#include "ui/models/session_words.h"
+#include "ui/models/session_text.h"
 #include "ui/pages/mark_sheet.h"
 #include "ui/pages/session_list.h"
 #include "ui/pages/tool_button.h"
@@ -43,14 +43,14 @@ constexpr std::array<Format, 9> kFormats{{{"WAV", ".wav"},
                                           {"SVG", ".svg", true}}};
 
 Tone toneOf(const std::string& label) {
-  if (label == kLabelTrueAlarm || label == kLabelHeard) return Tone::Chatter;
+  if (label == kLabelTrueAlarm || label == kLabelOperatorChatter) return Tone::Chatter;
   return label == kLabelFalseAlarm ? Tone::Onset : Tone::Advice;
 }
 
 }  // namespace
 
-SessionsPage::SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* parent)
-    : Page(parent), desk_(desk), report_(std::move(report)), theme_(makeTheme(ThemeKind::Light, 1.0)) {
+SessionsPage::SessionsPage(SessionController* controller, ReportWriter report, QWidget* parent)
+    : Page(parent), controller_(controller), report_(std::move(report)), theme_(makeTheme(ThemeKind::Light, 1.0)) {
   auto* columns = new QHBoxLayout(this);
   auto* right = new QVBoxLayout;
   panel_ = new Panel;
@@ -77,7 +77,7 @@ SessionsPage::SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* pare
   top->addWidget(status_);
   right->addWidget(panel_, 60);
   right->addWidget(makeBelow(), 40);
-  list_ = new SessionList(desk_);
+  list_ = new SessionList(controller_);
   columns->addWidget(list_, 24);
   columns->addLayout(right, 76);
   connectTransport();
@@ -91,7 +91,7 @@ QWidget* SessionsPage::makeBelow() {
   auto* choices = new QVBoxLayout;
   auto* sheets = new QStackedWidget;
   sheets->setObjectName(QStringLiteral("sheets"));
-  marks_ = new MarkSheet(desk_);
+  marks_ = new MarkSheet(controller_);
   connectMarks();
   sheets->addWidget(marks_);
   sheets->addWidget(makeResults());
@@ -151,60 +151,61 @@ QWidget* SessionsPage::makeResults() {
   column->addLayout(second);
   column->addWidget(scroll, 1);
   connect(run_, &TouchButton::clicked, this,
-          [this] { desk_->runDetectors(settings_->text().split(u' ', Qt::SkipEmptyParts)); });
+          [this] { controller_->runDetectors(settings_->text().split(u' ', Qt::SkipEmptyParts)); });
   connect(settings_, &QLineEdit::returnPressed, run_, &TouchButton::click);
-  connect(tuned_, &TouchButton::clicked, this, [this] { settings_->setText(desk_->tunedSettings().join(u' ')); });
-  connect(score_, &TouchButton::clicked, this, [this] { desk_->score(false); });
-  connect(scoreAll_, &TouchButton::clicked, this, [this] { desk_->score(true); });
+  connect(tuned_, &TouchButton::clicked, this, [this] { settings_->setText(controller_->tunedSettings().join(u' ')); });
+  connect(score_, &TouchButton::clicked, this, [this] { controller_->score(false); });
+  connect(scoreAll_, &TouchButton::clicked, this, [this] { controller_->score(true); });
   connect(cut_, &TouchButton::clicked, this, &SessionsPage::exportChosen);
   connect(formatButton_, &TouchButton::clicked, this, &SessionsPage::nextFormat);
   connect(pdf_, &TouchButton::clicked, this, [this] { writeDrawn(QStringLiteral(".pdf")); });
   connect(beside_, &TouchButton::clicked, this, [this] {
     const bool on = beside_->isChecked();
-    timeline_->setBeside(on ? desk_->summary() : nullptr);
+    timeline_->setBeside(on ? controller_->summary() : nullptr);
     if (on) tell(Done{}, tr("Open another recording: this one stays beside it, as the dashed line"));
   });
-  connect(stop_, &TouchButton::clicked, this, [this] { desk_->cancel(); });
+  connect(stop_, &TouchButton::clicked, this, [this] { controller_->cancel(); });
   return sheet;
 }
 
 void SessionsPage::connectTransport() {
-  if (desk_ == nullptr) return;
-  connect(transport_, &TransportBar::playAsked, this, [this] { desk_->play(); });
-  connect(transport_, &TransportBar::pauseAsked, this, [this] { desk_->pause(); });
-  connect(transport_, &TransportBar::toStartAsked, this, [this] { desk_->goTo(Seconds()); });
-  connect(transport_, &TransportBar::stepAsked, this, [this](int blocks) { desk_->step(blocks); });
-  connect(transport_, &TransportBar::paceAsked, this, [this](double times) { desk_->setPace(times); });
+  if (controller_ == nullptr) return;
+  connect(transport_, &TransportBar::playAsked, this, [this] { controller_->play(); });
+  connect(transport_, &TransportBar::pauseAsked, this, [this] { controller_->pause(); });
+  connect(transport_, &TransportBar::toStartAsked, this, [this] { controller_->goTo(Seconds()); });
+  connect(transport_, &TransportBar::stepAsked, this, [this](int blocks) { controller_->step(blocks); });
+  connect(transport_, &TransportBar::paceAsked, this, [this](double times) { controller_->setPace(times); });
   connect(transport_, &TransportBar::loopAsked, this, [this](bool on) {
     if (!on) {
-      desk_->endLoop();
+      controller_->endLoop();
     } else if (timeline_->hasSelection()) {
-      desk_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
+      controller_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
     } else {
       status_->setText(tr("Drag over the picture or choose a marked span first: the loop repeats it"));
     }
   });
-  connect(timeline_, &SessionTimeline::wentTo, this, [this](double t) { desk_->goTo(Seconds(t)); });
+  connect(timeline_, &SessionTimeline::wentTo, this, [this](double t) { controller_->goTo(Seconds(t)); });
   connect(timeline_, &SessionTimeline::selected, this, [this] {
-    if (desk_->replay().looping) desk_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
+    if (controller_->replay().looping) controller_->loop(timeline_->selectedFrom(), timeline_->selectedTo());
   });
   connect(everywhere_, &TouchButton::clicked, this, [this] {
     const bool on = everywhere_->isChecked();
-    tell(desk_->showEverywhere(on), on ? tr("Every page shows the replay; the touches below still go to the machine")
-                                       : tr("Every page shows the cut again"));
+    tell(controller_->showEverywhere(on),
+         on ? tr("Every page shows the replay; the touches below still go to the machine")
+            : tr("Every page shows the cut again"));
   });
 }
 
 // A span becomes the selection, so that LOOP, EXPORT and the next marker take it.
 void SessionsPage::connectMarks() {
   marks_->chosen = [this] {
-    const Seconds here = desk_->replay().position;
+    const Seconds here = controller_->replay().position;
     return timeline_->hasSelection() ? std::pair(timeline_->selectedFrom(), timeline_->selectedTo())
                                      : std::pair(here, here);
   };
   connect(marks_, &MarkSheet::told, this, &SessionsPage::tell);
   connect(marks_, &MarkSheet::wentTo, this, [this](Seconds begin, Seconds end) {
-    desk_->goTo(begin);
+    controller_->goTo(begin);
     if (end > begin) timeline_->select(begin, end);
   });
 }
@@ -216,8 +217,8 @@ void SessionsPage::tell(const Status& status, const QString& done) {
 
 // Beside the recording; where nothing may be written there, among the others.
 QString SessionsPage::exportName(const QString& suffix) const {
-  const QFileInfo file(desk_->openedPath());
-  const QDir dir(QFileInfo(file.path()).isWritable() ? file.path() : desk_->folder());
+  const QFileInfo file(controller_->openedPath());
+  const QDir dir(QFileInfo(file.path()).isWritable() ? file.path() : controller_->folder());
   QString name = dir.filePath(file.completeBaseName() + suffix);
   for (int k = 2; QFileInfo::exists(name); ++k) {
     name = dir.filePath(QStringLiteral("%1-%2%3").arg(file.completeBaseName()).arg(k).arg(suffix));
@@ -232,50 +233,50 @@ void SessionsPage::nextFormat() {
 
 // Pictures are of the whole; samples of the selected span where there is one.
 void SessionsPage::exportChosen() {
-  const auto summary = desk_->summary();
+  const auto summary = controller_->summary();
   if (!summary) return;
   const Format& format = kFormats[format_];
   if (format.drawn) return writeDrawn(QLatin1String(format.suffix));
   const bool span = timeline_->hasSelection();
-  desk_->exportSpan(span ? timeline_->selectedFrom() : Seconds(), span ? timeline_->selectedTo() : summary->length,
-                    exportName(QLatin1String(format.suffix)));
+  controller_->exportSpan(span ? timeline_->selectedFrom() : Seconds(),
+                          span ? timeline_->selectedTo() : summary->length, exportName(QLatin1String(format.suffix)));
 }
 
 void SessionsPage::writeDrawn(const QString& suffix) {
-  const auto summary = desk_->summary();
+  const auto summary = controller_->summary();
   if (!summary || !report_) return;
-  if (!desk_->summaryWhole())
+  if (!controller_->summaryWhole())
     return tell(Error{message("export"), message("the recording is still being read"), message("a moment later")}, {});
   const QString file = exportName(suffix);
   tell(report_(*summary, file, units_), tr("Written: %1").arg(file));
 }
 
 void SessionsPage::see(const Picture&) {
-  if (desk_ == nullptr || !desk_->poll()) return;
+  if (controller_ == nullptr || !controller_->poll()) return;
   refresh();
-  if (std::exchange(keptFolder_, desk_->folder()) != desk_->folder()) emit stateChanged();
+  if (std::exchange(keptFolder_, controller_->folder()) != controller_->folder()) emit stateChanged();
 }
 
 void SessionsPage::refresh() {
-  const bool any = desk_ != nullptr;
+  const bool any = controller_ != nullptr;
   if (any) {
     marks_->refresh();
-    timeline_->setSummary(desk_->summary());
+    timeline_->setSummary(controller_->summary());
     // What is kept is read to its end first.
-    if (beside_->isChecked() && !timeline_->besideShown()) timeline_->setBeside(desk_->summary());
-    timeline_->setTracks(desk_->tracks());
+    if (beside_->isChecked() && !timeline_->besideShown()) timeline_->setBeside(controller_->summary());
+    timeline_->setTracks(controller_->tracks());
     std::vector<SessionTimeline::Mark> marks;
-    for (const Marker& m : desk_->markers()) {
-      const Seconds begin = desk_->markerTime(m);
+    for (const Marker& m : controller_->markers()) {
+      const Seconds begin = controller_->markerTime(m);
       const QString text = m.note.empty() ? markerText(m.label) : QString::fromStdString(m.note);
       marks.push_back({begin, begin + secondsBetween(m.begin, m.end), text, toneOf(m.label)});
     }
     timeline_->setMarks(std::move(marks));
   }
   list_->refresh();
-  const auto summary = any ? desk_->summary() : nullptr;
+  const auto summary = any ? controller_->summary() : nullptr;
   title_->setText(summary ? QFileInfo(QString::fromStdString(summary->file)).fileName() : tr("No recording is open"));
-  const bool whole = summary != nullptr && desk_->summaryWhole();
+  const bool whole = summary != nullptr && controller_->summaryWhole();
   if (whole) {
     facts_->setText(tr("%1 · %2 · alarms: %3 · in chatter %4")
                         .arg(sayCore(summary->kind), timeText(summary->length))
@@ -289,34 +290,34 @@ void SessionsPage::refresh() {
   const bool open = summary != nullptr;
   for (TouchButton* button : {run_, score_, cut_, everywhere_, beside_}) button->setEnabled(open);
   pdf_->setEnabled(whole);
-  scoreAll_->setEnabled(any && !desk_->entries().empty());
+  scoreAll_->setEnabled(any && !controller_->entries().empty());
   if (any) showResults();
 }
 
 void SessionsPage::showResults() {
   QStringList lines;
-  for (const DetectorTrack& track : desk_->tracks()) lines.push_back(trackText(track));
-  for (const ScoreLine& score : desk_->scores()) lines.push_back(scoreText(score));
-  for (const QString& problem : desk_->notScored()) lines.push_back(tr("Not scored: %1").arg(problem));
+  for (const DetectorTrack& track : controller_->tracks()) lines.push_back(trackText(track));
+  for (const ScoreLine& score : controller_->scores()) lines.push_back(scoreText(score));
+  for (const QString& problem : controller_->notScored()) lines.push_back(tr("Not scored: %1").arg(problem));
   results_->setText(lines.join(u'\n'));
 }
 
 void SessionsPage::display(const Picture& picture) {
   units_ = picture.units;
-  if (desk_ == nullptr) return;
-  const ReplayState replay = desk_->replay();
+  if (controller_ == nullptr) return;
+  const ReplayState replay = controller_->replay();
   transport_->display(replay);
   timeline_->setReplay(replay);
-  everywhere_->setChecked(desk_->shownEverywhere());
-  tuned_->setEnabled(!desk_->tunedSettings().isEmpty());
-  const TaskState task = desk_->task();
+  everywhere_->setChecked(controller_->shownEverywhere());
+  tuned_->setEnabled(!controller_->tunedSettings().isEmpty());
+  const TaskState task = controller_->task();
   stop_->setEnabled(task.running);
   if (task.running || taskRan_) {
     status_->setTone(!task.running && !task.problem.isEmpty() ? Tone::Onset : Tone::Normal);
     status_->setText(taskText(task));
   }
   taskRan_ = task.running;
-  const Snapshot* shown = desk_->replayed();
+  const Snapshot* shown = controller_->replayed();
   const bool judged = shown != nullptr && shown->detectorCount > 0;
   const Verdict* verdict = judged ? &shown->verdicts[static_cast<std::size_t>(shown->inCharge)] : nullptr;
   verdict_->setText(verdict == nullptr ? QString() : verdict->valid ? stateText(verdict->state) : tr("no verdict"));
@@ -326,12 +327,12 @@ void SessionsPage::display(const Picture& picture) {
 }
 
 void SessionsPage::keep(QSettings& settings) const {
-  if (desk_ != nullptr) settings.setValue(QStringLiteral("folder"), desk_->folder());
+  if (controller_ != nullptr) settings.setValue(QStringLiteral("folder"), controller_->folder());
 }
 
 void SessionsPage::restore(const QSettings& settings) {
   const QString folder = settings.value(QStringLiteral("folder")).toString();
-  if (desk_ != nullptr && QFileInfo(folder).isDir()) desk_->setFolder(folder);
+  if (controller_ != nullptr && QFileInfo(folder).isDir()) controller_->setFolder(folder);
 }
 
 void SessionsPage::applyTheme(const Theme& theme) {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 #include "ui/pages/page.h"
 
 class QBoxLayout;
@@ -26,7 +26,7 @@ class SessionsPage : public Page {
  public:
   using ReportWriter = std::function<Status(const SessionSummary&, const QString& file, UnitSystem)>;
   // `desk` may be null: there are no recordings to work on here. It outlives the page.
-  SessionsPage(SessionDesk* desk, ReportWriter report, QWidget* parent = nullptr);
+  SessionsPage(SessionController* controller, ReportWriter report, QWidget* parent = nullptr);
 
   void see(const Picture& picture) override;
   void display(const Picture& picture) override;
@@ -48,7 +48,7 @@ class SessionsPage : public Page {
   QString exportName(const QString& suffix) const;
 
   QString keptFolder_;  // that was said to be worth keeping
-  SessionDesk* desk_;
+  SessionController* controller_;
   ReportWriter report_;
   Theme theme_;
   UnitSystem units_ = UnitSystem::Metric;

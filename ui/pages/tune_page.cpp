@@ -33,7 +33,7 @@ TouchButton* tool(const QString& caption, const char* name, QWidget* parent) {
 
 }  // namespace
 
-TunePage::TunePage(Tuning* tuning, std::function<ActiveDesk*()> active, QWidget* parent)
+TunePage::TunePage(Tuning* tuning, std::function<ActiveController*()> active, QWidget* parent)
     : Page(parent),
       tuning_(tuning),
       theme_(makeTheme(ThemeKind::Light, 1.0)),
@@ -104,13 +104,13 @@ QWidget* TunePage::makeToolbar() {
   undo_->setKey(QKeySequence::Undo);
   redo_->setKey(QKeySequence(Qt::CTRL | Qt::Key_Y));
   save_->setKey(QKeySequence::Save);
-  connect(undo_, &TouchButton::clicked, this, [this] { desk_->undoStack().undo(); });
-  connect(redo_, &TouchButton::clicked, this, [this] { desk_->undoStack().redo(); });
+  connect(undo_, &TouchButton::clicked, this, [this] { controller_->undoStack().undo(); });
+  connect(redo_, &TouchButton::clicked, this, [this] { controller_->undoStack().redo(); });
   connect(start_, &TouchButton::clicked, this, [this] {
-    if (params_.part() != nullptr) desk_->resetToStart(openParams());
+    if (params_.part() != nullptr) controller_->resetToStart(openParams());
   });
   connect(reset_, &TouchButton::clicked, this, [this] {
-    if (params_.part() != nullptr) desk_->resetToDefaults(openParams());
+    if (params_.part() != nullptr) controller_->resetToDefaults(openParams());
   });
   connect(save_, &TouchButton::clicked, this, &TunePage::save);
   for (TouchButton* button : {undo_, redo_, start_, reset_, save_}) tools_->addWidget(button);
@@ -136,14 +136,14 @@ QWidget* TunePage::makeSide() {
   useA_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_A));
   useB_->setKey(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B));
   connect(useA_, &TouchButton::clicked, this, [this] {
-    desk_->use(TuneDesk::A);
+    controller_->use(TuningController::A);
     refreshTools();
   });
   connect(useB_, &TouchButton::clicked, this, [this] {
-    desk_->use(TuneDesk::B);
+    controller_->use(TuningController::B);
     refreshTools();
   });
-  connect(copy_, &TouchButton::clicked, this, [this] { desk_->copyToOther(); });
+  connect(copy_, &TouchButton::clicked, this, [this] { controller_->copyToOther(); });
   sides_ = new QHBoxLayout;
   for (TouchButton* button : {useA_, useB_, copy_}) sides_->addWidget(button);
   differs_ = new TextLabel({type_size::kLabel, false, true, true});
@@ -164,18 +164,18 @@ QWidget* TunePage::makeSide() {
   return sidePanel_;
 }
 
-void TunePage::work(TuneDesk& desk) {
-  desk_->disconnect(this);
-  desk_->undoStack().disconnect(this);
-  desk_ = &desk;
-  params_.work(desk);
-  rules_->work(desk);
-  connect(&desk, &TuneDesk::changed, this, [this] {
+void TunePage::work(TuningController& controller) {
+  controller_->disconnect(this);
+  controller_->undoStack().disconnect(this);
+  controller_ = &controller;
+  params_.work(controller);
+  rules_->work(controller);
+  connect(&controller, &TuningController::changed, this, [this] {
     for (ParamRow* row : rows_) row->refresh();
     rules_->refresh(nullptr);
     refreshTools();
   });
-  connect(&desk.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
+  connect(&controller.undoStack(), &QUndoStack::indexChanged, this, &TunePage::refreshTools);
 }
 
 void TunePage::openRun() {
@@ -188,7 +188,7 @@ void TunePage::openRun() {
   }
   run_ = tuning_->tuningRun();
   parts_.show(tuning_->tunableParts());
-  work(tuning_->desk());
+  work(tuning_->controller());
   list_->setCurrentIndex(parts_.index(std::max(parts_.rowOf(before), 0)));
   refreshTools();
 }
@@ -204,7 +204,7 @@ std::vector<const config::ParamDecl*> TunePage::openParams() const {
   return open;
 }
 
-void TunePage::showPart(const TunablePart* part) {
+void TunePage::showPart(const TunableComponent* part) {
   for (ParamRow* row : rows_) delete row;
   rows_.clear();
   params_.show(part);
@@ -212,7 +212,7 @@ void TunePage::showPart(const TunablePart* part) {
   source_->setText(part != nullptr ? part->source : QString());
   source_->setVisible(!source_->text().isEmpty());
   for (int k = 0; k < params_.rowCount(); ++k) {
-    auto* row = new ParamRow(params_, *desk_, k);
+    auto* row = new ParamRow(params_, *controller_, k);
     row->applyTheme(theme_);
     for (QWidget* child : row->findChildren<QWidget*>()) {
       if (auto* themed = dynamic_cast<Themed*>(child)) themed->applyTheme(theme_);
@@ -223,20 +223,20 @@ void TunePage::showPart(const TunablePart* part) {
   rules_->show(part);
   own_->clear();
   own_->hide();
-  active_->setVisible(part != nullptr && part->role == TunablePart::Role::Active);
+  active_->setVisible(part != nullptr && part->role == TunableComponent::Role::Active);
   scroll_->ensureVisible(0, 0);
 }
 
 void TunePage::refreshTools() {
   const bool any = tuning_ != nullptr;
-  undo_->setEnabled(desk_->undoStack().canUndo());
-  redo_->setEnabled(desk_->undoStack().canRedo());
+  undo_->setEnabled(controller_->undoStack().canUndo());
+  redo_->setEnabled(controller_->undoStack().canRedo());
   for (TouchButton* button : {reset_, start_, save_, useA_, useB_}) button->setEnabled(any);
-  useA_->setChecked(desk_->side() == TuneDesk::A);
-  useB_->setChecked(desk_->side() == TuneDesk::B);
-  const auto differences = desk_->differences();
+  useA_->setChecked(controller_->side() == TuningController::A);
+  useB_->setChecked(controller_->side() == TuningController::B);
+  const auto differences = controller_->differences();
   copy_->setEnabled(any && !differences.empty());
-  copy_->setText(desk_->side() == TuneDesk::A ? tr("B = A") : tr("A = B"));
+  copy_->setText(controller_->side() == TuningController::A ? tr("B = A") : tr("A = B"));
   differs_->setText(differences.empty() ? tr("Both sides are alike. Take B, change something, and go to and fro.")
                                         : tr("Values that differ: %1").arg(differences.size()));
 }
@@ -245,7 +245,7 @@ void TunePage::see(const Picture& picture) {
   if (tuning_ == nullptr) return;
   if (tuning_->tuningRun() != run_) openRun();
   if (picture.snapshot == nullptr) return;
-  desk_->tally().see(*picture.snapshot, static_cast<std::size_t>(desk_->side()));
+  controller_->tally().see(*picture.snapshot, static_cast<std::size_t>(controller_->side()));
 }
 
 void TunePage::display(const Picture& picture) {
@@ -253,17 +253,17 @@ void TunePage::display(const Picture& picture) {
   if (params_.setRunning(running)) {
     for (ParamRow* row : rows_) row->refresh();
   }
-  const TunablePart* part = params_.part();
+  const TunableComponent* part = params_.part();
   if (running && part != nullptr && part->running && rules_->isVisible()) rules_->refresh(tuning_->rulesNow());
   if (active_->isVisible()) active_->display();
   if (running) showOwn();
   showLive(picture);
-  tallyA_->setText(QStringLiteral("A: ") + tallyText(desk_->tally().side(0)));
-  tallyB_->setText(QStringLiteral("B: ") + tallyText(desk_->tally().side(1)));
+  tallyA_->setText(QStringLiteral("A: ") + tallyText(controller_->tally().side(0)));
+  tallyB_->setText(QStringLiteral("B: ") + tallyText(controller_->tally().side(1)));
 }
 
 void TunePage::showOwn() {
-  const TunablePart* part = params_.part();
+  const TunableComponent* part = params_.part();
   if (part == nullptr || !part->running) return;
   params_.tell(tuning_->ownNow(*part));
   for (ParamRow* row : rows_) row->seeAutomatic();
@@ -273,7 +273,7 @@ void TunePage::showOwn() {
 }
 
 void TunePage::showLive(const Picture& picture) {
-  const TunablePart* part = params_.part();
+  const TunableComponent* part = params_.part();
   live_->setTone(Tone::Normal);
   if (part == nullptr || picture.snapshot == nullptr) {
     live_->setText(tr("Nothing yet"));
@@ -294,13 +294,13 @@ void TunePage::showLive(const Picture& picture) {
   QStringList lines;
   if (picture.paused) lines << tr("The replay is paused");
   numbers_->setText(lines.join(u'\n'));
-  if (part->role == TunablePart::Role::Strategy) {
+  if (part->role == TunableComponent::Role::Strategy) {
     live_->setText(part->running ? reasonText(picture.snapshot->request.reason) : tr("It does not run"));
     return;
   }
-  const int index = part->detector >= 0                         ? part->detector
-                    : part->role == TunablePart::Role::Detector ? -1
-                                                                : picture.snapshot->inCharge;
+  const int index = part->detector >= 0                              ? part->detector
+                    : part->role == TunableComponent::Role::Detector ? -1
+                                                                     : picture.snapshot->inCharge;
   if (index < 0 || index >= picture.snapshot->detectorCount) {
     live_->setText(tr("It does not run"));
     return;
@@ -316,7 +316,7 @@ void TunePage::showLive(const Picture& picture) {
 }
 
 void TunePage::save() {
-  const Result<QString> kept = tuning_->saveValues(desk_->values());
+  const Result<QString> kept = tuning_->saveValues(controller_->values());
   note_->setTone(kept ? Tone::Normal : Tone::Onset);
   note_->setText(kept ? tr("Kept in %1").arg(kept.value()) : tr("Not kept: %1").arg(sayError(kept.error())));
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ui/models/tune/param_model.h"
-#include "ui/models/tune/tune_desk.h"
 #include "ui/models/tune/tuning.h"
+#include "ui/models/tune/tuning_controller.h"
 #include "ui/pages/page.h"
 
 class QListView;
@@ -18,7 +18,7 @@ class QVBoxLayout;
 namespace stillcut::ui {
 
 class Panel;
-class ActiveDesk;
+class ActiveController;
 class ActiveView;
 class ParamRow;
 class RuleEditor;
@@ -30,7 +30,7 @@ class TunePage : public Page {
  public:
   // `tuning` may be null: there is nothing to tune, the page says so. It outlives the page. `active` gives the desk of
   // the active work-holder as it is now, or null.
-  TunePage(Tuning* tuning, std::function<ActiveDesk*()> active, QWidget* parent = nullptr);
+  TunePage(Tuning* tuning, std::function<ActiveController*()> active, QWidget* parent = nullptr);
 
   void see(const Picture& picture) override;
   void display(const Picture& picture) override;
@@ -38,15 +38,15 @@ class TunePage : public Page {
   void keep(QSettings& settings) const override;
   void restore(const QSettings& settings) override;
 
-  TuneDesk& desk() { return *desk_; }
+  TuningController& controller() { return *controller_; }
 
  private:
   void build();
   QWidget* makeToolbar();
   QWidget* makeSide();
   void openRun();
-  void work(TuneDesk& desk);
-  void showPart(const TunablePart* part);
+  void work(TuningController& controller);
+  void showPart(const TunableComponent* part);
   std::vector<const config::ParamDecl*> openParams() const;
   void refreshTools();
   void showOwn();
@@ -54,10 +54,10 @@ class TunePage : public Page {
   void save();
 
   Tuning* tuning_;
-  TuneDesk none_;            // where there is nothing to tune
-  TuneDesk* desk_ = &none_;  // of the run that is shown
+  TuningController none_;                  // where there is nothing to tune
+  TuningController* controller_ = &none_;  // of the run that is shown
   ParamModel params_{none_};
-  PartModel parts_;
+  ComponentListModel parts_;
   Theme theme_;
   std::uint32_t run_ = 0;
 

@@ -116,7 +116,7 @@ void LobeChart::showFrame() {
 void LobeChart::showWhole() {
   from_ = frame_.lowest;
   to_ = frame_.highest;
-  deepest_ = frame_.maxDepth;
+  deepest_ = frame_.maxAxialDepth;
   showFrame();
   viewport()->update();
 }
@@ -126,7 +126,7 @@ void LobeChart::zoom(double factor, const QPointF& around, Qt::Orientation along
   const Rpm whole = frame_.highest - frame_.lowest;
   if (!(whole.value > 0.0) || !std::isfinite(factor) || !(factor > 0.0)) return;
   if (along == Qt::Vertical) {
-    deepest_ = std::clamp(deepest_ * factor, frame_.maxDepth * kClosest, frame_.maxDepth);
+    deepest_ = std::clamp(deepest_ * factor, frame_.maxAxialDepth * kClosest, frame_.maxAxialDepth);
   } else {
     const Rpm width = std::clamp((to_ - from_) * factor, whole * kClosest, whole);
     const Rpm at(chart()->mapToValue(around, limit_).x());
@@ -149,14 +149,14 @@ void LobeChart::moveBy(double right) {
 
 void LobeChart::setDiagram(const LobeDiagram* diagram, const LobeFrame& frame) {
   const bool other =
-      frame.lowest != frame_.lowest || frame.highest != frame_.highest || frame.maxDepth != frame_.maxDepth;
+      frame.lowest != frame_.lowest || frame.highest != frame_.highest || frame.maxAxialDepth != frame_.maxAxialDepth;
   frame_ = frame;
   if (other) showWhole();
   showFrame();
   QList<QPointF> limit, floor;
   if (diagram != nullptr) {
     for (const LobeLimit& l : diagram->limits) {
-      limit << QPointF(l.speed.value, std::min(shown(l.depth), shown(frame_.maxDepth)));
+      limit << QPointF(l.speed.value, std::min(shown(l.depth), shown(frame_.maxAxialDepth)));
       floor << QPointF(l.speed.value, 0.0);
     }
   }
@@ -277,7 +277,7 @@ void LobeChart::drawIslands(QPainter& p) const {
 
 void LobeChart::moveHandle(SpeedDepth to) {
   handle_.speed = std::clamp(to.speed, frame_.lowest, std::max(frame_.lowest, frame_.highest));
-  handle_.depth = std::clamp(to.depth, Metres(1e-6), std::max(frame_.maxDepth, Metres(1e-6)));
+  handle_.depth = std::clamp(to.depth, Metres(1e-6), std::max(frame_.maxAxialDepth, Metres(1e-6)));
   viewport()->update();
   emit handleMoved();
 }
@@ -315,7 +315,7 @@ void LobeChart::wheelEvent(QWheelEvent* event) {
 void LobeChart::keyPressEvent(QKeyEvent* event) {
   const double factor = event->modifiers() & Qt::ShiftModifier ? 10.0 : 1.0;
   const Rpm speed = (frame_.highest - frame_.lowest) * (0.002 * factor);
-  const Metres depth = frame_.maxDepth * (0.005 * factor);
+  const Metres depth = frame_.maxAxialDepth * (0.005 * factor);
   switch (event->key()) {
     case Qt::Key_Left:
       return moveHandle({handle_.speed - speed, handle_.depth});

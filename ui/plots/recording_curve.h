@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/model/session_summary.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::ui {
 

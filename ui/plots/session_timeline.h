@@ -9,7 +9,7 @@
 
 #include "core/model/marker.h"
 #include "ui/base/themed.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::ui {
 

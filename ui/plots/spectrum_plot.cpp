@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "ui/base/format.h"
-#include "ui/models/standing_text.h"
+#include "ui/models/plot_state_text.h"
 #include "ui/plots/touch_input.h"
 
 namespace stillcut::ui {
@@ -108,9 +108,9 @@ void SpectrumPlot::drawCurve(QPainter& p, const Levels& level_dB, const QPen& pe
   if (pen.style() == Qt::SolidLine) p.drawPolyline(line.translated(0.0, 1.0));
 }
 
-void SpectrumPlot::setStanding(Standing standing) {
-  if (standing == standing_) return;
-  standing_ = standing;
+void SpectrumPlot::setPlotState(PlotState plotState) {
+  if (plotState == plotState_) return;
+  plotState_ = plotState;
   update();
 }
 
@@ -122,12 +122,12 @@ void SpectrumPlot::paintEvent(QPaintEvent*) {
   if (plot.width() < 40 || plot.height() < 20) return;
   p.setPen(theme_.colors.secondary);
   p.setFont(theme_.font(type_size::kLabel, true));
-  const bool old = standing_ == Standing::Stale && !spectrum_.atCursor;
-  const QString title = !spectrum_.known               ? tr("SPECTRUM")
-                        : spectrum_.atCursor           ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
-                        : old                          ? tr("SPECTRUM, STALE: nothing new arrives")
-                        : standing_ == Standing::Moves ? tr("SPECTRUM, NEWEST")
-                                                       : standingTitle(tr("SPECTRUM"), standing_);
+  const bool old = plotState_ == PlotState::Stale && !spectrum_.atCursor;
+  const QString title = !spectrum_.known                 ? tr("SPECTRUM")
+                        : spectrum_.atCursor             ? tr("SPECTRUM AT A, %1").arg(spectrum_.time)
+                        : old                            ? tr("SPECTRUM, STALE: nothing new arrives")
+                        : plotState_ == PlotState::Moves ? tr("SPECTRUM, NEWEST")
+                                                         : plotStateTitle(tr("SPECTRUM"), plotState_);
   if (old) p.setPen(theme_.colors.onsetText);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   const QString unit =

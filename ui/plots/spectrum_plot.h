@@ -21,7 +21,7 @@ class SpectrumPlot : public QWidget, public Themed {
 
   void display(const SpectrumView& spectrum);
   // Of the newest one.
-  void setStanding(Standing standing);
+  void setPlotState(PlotState plotState);
   // What the spectrum on show becomes the reference; again: none.
   void toggleReference();
   bool hasReference() const { return reference_.has_value(); }
@@ -55,7 +55,7 @@ class SpectrumPlot : public QWidget, public Themed {
   std::optional<QPointF> pressed_;
   QPointF last_;
   bool dragged_ = false;
-  Standing standing_ = Standing::Moves;
+  PlotState plotState_ = PlotState::Moves;
 };
 
 }  // namespace stillcut::ui

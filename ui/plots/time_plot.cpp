@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "ui/base/format.h"
-#include "ui/models/standing_text.h"
+#include "ui/models/plot_state_text.h"
 #include "ui/plots/axis_painter.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/touch_input.h"
@@ -50,9 +50,9 @@ void TimePlot::setTimesShown(bool shown) {
   update();
 }
 
-void TimePlot::setStanding(Standing standing) {
-  if (standing == standing_) return;
-  standing_ = standing;
+void TimePlot::setPlotState(PlotState plotState) {
+  if (plotState == plotState_) return;
+  plotState_ = plotState;
   update();
 }
 
@@ -84,7 +84,7 @@ void TimePlot::paintEvent(QPaintEvent*) {
   if (plot.height() < 10 || plot.width() < 40) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
-  const QString title = standingTitle(title_, standing_);
+  const QString title = plotStateTitle(title_, plotState_);
   p.drawText(QRect(theme_.px(12), 0, width() - theme_.px(24), theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int after = theme_.px(12 + 14) + p.fontMetrics().horizontalAdvance(title);
   p.setFont(theme_.font(type_size::kTick));
@@ -92,7 +92,7 @@ void TimePlot::paintEvent(QPaintEvent*) {
     p.drawText(QRect(after, 0, width() - after, theme_.px(26)), Qt::AlignVCenter | Qt::AlignLeft, legend_);
   }
   p.fillRect(plot, theme_.colors.track);
-  const bool stale = standing_ == Standing::Stale;
+  const bool stale = plotState_ == PlotState::Stale;
   if (stale) p.setOpacity(0.4);
   drawPlot(p, plot);
   p.setOpacity(1.0);

@@ -26,7 +26,7 @@ class TimePlot : public QWidget, public Themed {
   void setTimesShown(bool shown);
   // How it is read, beside the title where there is room.
   void setLegend(const QString& legend) { legend_ = legend; }
-  void setStanding(Standing standing);
+  void setPlotState(PlotState plotState);
 
   QRect plotRect() const;
   Instant timeAt(double x) const;
@@ -72,7 +72,7 @@ class TimePlot : public QWidget, public Themed {
   Theme theme_;
   std::function<qint64(Instant)> wallMs_;
   bool timesShown_ = true;
-  Standing standing_ = Standing::Moves;
+  PlotState plotState_ = PlotState::Moves;
   std::optional<QPointF> pressed_;  // where a touch began
   QPointF last_;
   bool dragged_ = false;

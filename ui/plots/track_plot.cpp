@@ -15,7 +15,7 @@ namespace {
 double heightOf(const TrackPoint& point) {
   if (!point.valid) return 0.0;
   switch (point.state) {
-    case CutState::Air:
+    case CutState::AirCutting:
       return 0.0;
     case CutState::Stable:
       return 0.2;

@@ -179,7 +179,7 @@ std::vector<TableRow> interventionRows(const SessionSummary& s, UnitSystem units
               << pair(feedNumber(i.feedBefore, units), feedNumber(i.feedAfter, units))
               << pair(number(i.severityBefore.value, 2), number(i.severityAfter.value, 2))
               << pair(significant(i.vibrationBefore, 3), significant(i.vibrationAfter, 3))
-              << (i.quiet ? duration(i.timeToQuiet) : kNothing)
+              << (i.quiet ? duration(i.timeToStable) : kNothing)
               << (i.marked.value > 0.0 ? lengthText(i.marked, units) : kNothing) << outcome(i);
     row.tone = i.finished && !i.quiet ? Tone::Chatter : Tone::Normal;
     rows.push_back(row);

@@ -42,7 +42,7 @@ void drawStates(QPainter& painter, const QRectF& band, const SessionSummary& sum
   const std::size_t n = summary.curve.size();
   for (std::size_t i = 0; i < n; ++i) {
     const SummaryPoint& p = summary.curve[i];
-    if (!p.valid || p.state == CutState::Air) continue;
+    if (!p.valid || p.state == CutState::AirCutting) continue;
     const double from = i == 0 ? 0.0 : 0.5 * (summary.curve[i - 1].time.value + p.time.value);
     const double to = i + 1 == n ? seconds : 0.5 * (p.time.value + summary.curve[i + 1].time.value);
     const double share = p.state == CutState::Chatter ? 1.0 : p.state == CutState::Onset ? 0.66 : 0.33;

@@ -160,7 +160,7 @@ void MainWindow::tick(qint64 nowMs) {
   if (snapshot != nullptr) history_.see(*snapshot);
   if (live != nullptr && live->running && !state_.guideSeen()) state_.setGuideSeen();
   session_.readSignal([this](const SampleBlock& block) { signal_.add(block); });
-  ActiveDesk* table = session_.active();
+  ActiveController* table = session_.active();
   if (table != nullptr) table->poll();
   const bool paused = replay && session_.replayStands();
   Picture picture{&session_.info(),

@@ -9,11 +9,11 @@
 #include "core/model/operator_input.h"
 #include "core/model/sample_block.h"
 #include "core/model/snapshot.h"
-#include "ui/facade/active_desk.h"
+#include "ui/facade/active_controller.h"
 #include "ui/facade/lobe_service.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 #include "ui/facade/session_info.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 #include "ui/models/tune/tuning.h"
 
 namespace stillcut::ui {
@@ -44,18 +44,18 @@ class SessionFacade {
   // active work-holder go as well. `seen`: the generation() that was on the screen when it was touched. Advice and
   // alarms are answered only of the machine's cut, and only of the one that was seen; anything else is let fall.
   virtual void send(const OperatorInput& input, std::uint32_t seen) = 0;
-  virtual RecorderStatus recorder() const = 0;
+  virtual RecorderView recorder() const = 0;
   virtual LinkStatus link() const = 0;
   // Of what the pages show. Null: the modes of that cut are not known.
   virtual LobeService* lobes() { return nullptr; }
   // What the Tune page works on; null: nothing. As long-lived as the session.
   virtual Tuning* tuning() { return nullptr; }
   // Recordings and their replay; null: there are none here. As long-lived as the session.
-  virtual SessionDesk* sessions() { return nullptr; }
+  virtual SessionController* sessions() { return nullptr; }
   // Parts, profiles and tools; null: nothing can be set up here. As long-lived as the session.
-  virtual SetupDesk* setup() { return nullptr; }
+  virtual SetupController* setup() { return nullptr; }
   // The active work-holder; null: the machine has none. Another one with another generation().
-  virtual ActiveDesk* active() { return nullptr; }
+  virtual ActiveController* active() { return nullptr; }
   // Where window and pages keep what outlives a restart; empty: nothing is kept.
   virtual QString stateFolder() const { return {}; }
 };

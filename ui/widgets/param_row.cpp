@@ -28,10 +28,10 @@ TouchButton* smallButton(const QString& caption, const QString& spoken, const QS
 
 }  // namespace
 
-ParamRow::ParamRow(ParamModel& model, TuneDesk& desk, int row, QWidget* parent)
+ParamRow::ParamRow(ParamModel& model, TuningController& controller, int row, QWidget* parent)
     : QWidget(parent),
       model_(model),
-      desk_(desk),
+      controller_(controller),
       decl_(model.decl(row)),
       row_(row),
       theme_(makeTheme(ThemeKind::Light, 1.0)),
@@ -70,16 +70,16 @@ void ParamRow::makeNumber() {
   less_ = smallButton(QString(QChar(0x2212)), tr("Less: %1").arg(label), objectName() + QStringLiteral("-less"), this);
   more_ = smallButton(QStringLiteral("+"), tr("More: %1").arg(label), objectName() + QStringLiteral("-more"), this);
   connect(slider_, &ValueSlider::moved, this, [this](double fraction) { set(valueAt(decl_, fraction)); });
-  const auto step = [this](int direction) { set(stepFrom(decl_, desk_.value(decl_), direction)); };
+  const auto step = [this](int direction) { set(stepFrom(decl_, controller_.value(decl_), direction)); };
   connect(slider_, &ValueSlider::stepped, this, step);
-  connect(slider_, &ValueSlider::released, &desk_, &TuneDesk::settle);
+  connect(slider_, &ValueSlider::released, &controller_, &TuningController::settle);
   connect(less_, &TouchButton::clicked, this, [this, step] {
     step(-1);
-    desk_.settle();
+    controller_.settle();
   });
   connect(more_, &TouchButton::clicked, this, [this, step] {
     step(1);
-    desk_.settle();
+    controller_.settle();
   });
   connect(edit_, &QLineEdit::editingFinished, this, &ParamRow::type);
   if (!decl_.mayBeAutomatic) return;
@@ -90,7 +90,7 @@ void ParamRow::makeNumber() {
     const double chosen = model_.ownValue(decl_);
     const double own = std::isfinite(chosen) && config::isLegal(decl_, chosen) ? chosen : valueAt(decl_, 0.5);
     set(view_.isAutomatic ? own : config::kAutomatic);
-    desk_.settle();
+    controller_.settle();
   });
 }
 
@@ -102,7 +102,7 @@ void ParamRow::makeChoices() {
     button->setCheckable(true);
     connect(button, &TouchButton::clicked, this, [this, k] {
       set(k);
-      desk_.settle();
+      controller_.settle();
       refresh();
     });
     choices_.push_back(button);
@@ -116,7 +116,7 @@ void ParamRow::set(double value) {
 void ParamRow::type() {
   if (edit_->text() == view_.value) return;
   const bool taken = model_.setData(model_.index(row_, ParamModel::Value), edit_->text());
-  desk_.settle();
+  controller_.settle();
   refresh();
   if (taken) return;
   note_->setTone(Tone::Onset);

@@ -21,7 +21,7 @@ class ParamRow : public QWidget, public Themed {
   Q_OBJECT
  public:
   // `row` of the model; the model outlives the widget.
-  ParamRow(ParamModel& model, TuneDesk& desk, int row, QWidget* parent = nullptr);
+  ParamRow(ParamModel& model, TuningController& controller, int row, QWidget* parent = nullptr);
 
   void refresh();
   // Only where what the part set itself has changed: what is being typed and said stays.
@@ -39,7 +39,7 @@ class ParamRow : public QWidget, public Themed {
   void type();
 
   ParamModel& model_;
-  TuneDesk& desk_;
+  TuningController& controller_;
   const config::ParamDecl& decl_;
   int row_;
   ParamView view_;

@@ -13,9 +13,9 @@
 namespace stillcut::ui {
 namespace {
 
-using Kind = config::AskedSetting::Kind;
+using Kind = config::SettingDecl::Kind;
 
-bool sameQuestions(const std::vector<config::AskedSetting>& a, const std::vector<config::AskedSetting>& b) {
+bool sameQuestions(const std::vector<config::SettingDecl>& a, const std::vector<config::SettingDecl>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.key == y.key && x.kind == y.kind && x.words == y.words && x.fallback == y.fallback;
   });
@@ -28,22 +28,22 @@ SettingsForm::SettingsForm(QWidget* parent)
   rows_->setContentsMargins(0, 0, 0, 0);
 }
 
-void SettingsForm::show(const std::vector<config::AskedSetting>& asked,
-                        const std::map<std::string, std::string>& values, const QString& prefix) {
+void SettingsForm::show(const std::vector<config::SettingDecl>& asked, const std::map<std::string, std::string>& values,
+                        const QString& prefix) {
   const bool same = sameQuestions(asked, asked_) && prefix == prefix_;
   if (same && values == values_) return;
   asked_ = asked;
   values_ = values;
   prefix_ = prefix;
   if (same) {  // the editors stay, and with them the focus
-    for (const config::AskedSetting& setting : asked_) showValue(setting);
+    for (const config::SettingDecl& setting : asked_) showValue(setting);
     return;
   }
   while (QLayoutItem* item = rows_->takeAt(0)) {
     if (item->widget() != nullptr) item->widget()->deleteLater();
     delete item;
   }
-  for (const config::AskedSetting& setting : asked_) {
+  for (const config::SettingDecl& setting : asked_) {
     auto* row = new QWidget(this);
     auto* line = new QHBoxLayout(row);
     line->setContentsMargins(0, 0, 0, 0);
@@ -57,12 +57,12 @@ void SettingsForm::show(const std::vector<config::AskedSetting>& asked,
   }
 }
 
-QString SettingsForm::valueOf(const config::AskedSetting& setting) const {
+QString SettingsForm::valueOf(const config::SettingDecl& setting) const {
   const auto value = values_.find(setting.key);
   return value != values_.end() ? QString::fromStdString(value->second) : QString();
 }
 
-void SettingsForm::showValue(const config::AskedSetting& setting) {
+void SettingsForm::showValue(const config::SettingDecl& setting) {
   const QString name = prefix_ + QString::fromStdString(setting.key), value = valueOf(setting);
   if (auto* edit = findChild<QLineEdit*>(name)) edit->setText(value);
   const QString shown = value.isEmpty() ? QString::fromStdString(setting.fallback) : value;
@@ -71,7 +71,7 @@ void SettingsForm::showValue(const config::AskedSetting& setting) {
   }
 }
 
-QWidget* SettingsForm::makeEditor(const config::AskedSetting& setting, const QString& value, const QString& name) {
+QWidget* SettingsForm::makeEditor(const config::SettingDecl& setting, const QString& value, const QString& name) {
   const QString key = QString::fromStdString(setting.key);
   const QString fallback = QString::fromStdString(setting.fallback);
   if (setting.kind == Kind::Flag || setting.kind == Kind::Choice) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/config/part_settings.h"
+#include "core/config/component_settings.h"
 #include "ui/base/themed.h"
 
 class QVBoxLayout;
@@ -20,7 +20,7 @@ class SettingsForm : public QWidget, public Themed {
   explicit SettingsForm(QWidget* parent = nullptr);
 
   // `prefix`: of the editors' object names.
-  void show(const std::vector<config::AskedSetting>& asked, const std::map<std::string, std::string>& values,
+  void show(const std::vector<config::SettingDecl>& asked, const std::map<std::string, std::string>& values,
             const QString& prefix);
   void applyTheme(const Theme& theme) override;
 
@@ -29,13 +29,13 @@ class SettingsForm : public QWidget, public Themed {
   void edited(const QString& key, const QString& value);
 
  private:
-  QString valueOf(const config::AskedSetting& setting) const;
-  void showValue(const config::AskedSetting& setting);
-  QWidget* makeEditor(const config::AskedSetting& setting, const QString& value, const QString& name);
+  QString valueOf(const config::SettingDecl& setting) const;
+  void showValue(const config::SettingDecl& setting);
+  QWidget* makeEditor(const config::SettingDecl& setting, const QString& value, const QString& name);
 
   Theme theme_;
   QVBoxLayout* rows_;
-  std::vector<config::AskedSetting> asked_;
+  std::vector<config::SettingDecl> asked_;
   std::map<std::string, std::string> values_;
   QString prefix_;
 };

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "ui/base/themed.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::ui {
 

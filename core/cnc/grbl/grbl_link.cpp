@@ -25,7 +25,7 @@ constexpr double kInch = 0.0254;
 }  // namespace
 
 GrblLink::GrblLink(const GrblSettings& settings, std::unique_ptr<ByteChannel> wire, const Clock& clock)
-    : settings_(settings), wire_(std::move(wire)), clock_(clock), lettingGo_(clock, kReleaseTime) {}
+    : settings_(settings), wire_(std::move(wire)), clock_(clock), releaseBudget_(clock, kReleaseTime) {}
 
 GrblLink::~GrblLink() {
   release(clock_.now());
@@ -193,7 +193,7 @@ void GrblLink::tick(Instant now) noexcept {
 MachineState GrblLink::read(Instant now) noexcept {
   tick(now);
   const MachineState m = state(now);
-  if (m.valid) lettingGo_.anew();
+  if (m.valid) releaseBudget_.anew();
   return m;
 }
 
@@ -211,8 +211,8 @@ MachineState GrblLink::state(Instant now) const noexcept {
   if (!m.valid) return m;
   m.programRunning = r.state == GrblState::Run || r.state == GrblState::Hold;
   m.feedHold = r.state == GrblState::Hold;
-  if (r.state == GrblState::Alarm) m.block = OrderBlock::MachineAlarm;
-  if (r.state == GrblState::Idle) m.block = OrderBlock::NoProgram;
+  if (r.state == GrblState::Alarm) m.block = OverrideInhibit::MachineAlarm;
+  if (r.state == GrblState::Idle) m.block = OverrideInhibit::NoProgram;
   m.speedOverride = Ratio(speed_.shown() * 0.01);
   m.feedOverride = Ratio(feed_.shown() * 0.01);
   m.operatorSpeed = speed_.base();
@@ -233,22 +233,22 @@ MachineState GrblLink::state(Instant now) const noexcept {
 
 void GrblLink::apply(const OverrideCommand& command, Instant now) noexcept {
   const bool set = command.kind() == CommandKind::Set;
-  lettingGo_.anew();
+  releaseBudget_.anew();
   speed_.want(set ? command.speed() : Ratio(1.0), command.engagement());
   feed_.want(set ? command.feed() : Ratio(1.0), command.engagement());
   if (wire_->state() == WireState::Open) moveOverrides(now);
 }
 
 void GrblLink::release(Instant now) noexcept {
-  if (speed_.home() && feed_.home()) return;
-  speed_.letGo();
-  feed_.letGo();
-  lettingGo_.run(
-      now, kWait, [&] { return speed_.seenHome() && feed_.seenHome(); }, [&](Instant at) { tick(at); });
+  if (speed_.atBase() && feed_.atBase()) return;
+  speed_.relinquish();
+  feed_.relinquish();
+  releaseBudget_.run(
+      now, kWait, [&] { return speed_.baseConfirmed() && feed_.baseConfirmed(); }, [&](Instant at) { tick(at); });
   // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
   const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
-  const bool home = speed_.seenHome() && feed_.seenHome();
-  if (home || wire_->state() != WireState::Open || !wire_->write({programmed.data(), programmed.size()})) return;
+  const bool atBase = speed_.baseConfirmed() && feed_.baseConfirmed();
+  if (atBase || wire_->state() != WireState::Open || !wire_->write({programmed.data(), programmed.size()})) return;
   for (Axis* axis : {&speed_, &feed_}) axis->sent(100, now);
   settled_ = false;
   answersSinceMove_ = 0;

@@ -17,9 +17,9 @@
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/grbl/grbl_status.h"
-#include "core/cnc/letting_go.h"
 #include "core/cnc/line_splitter.h"
-#include "core/cnc/shared_knob.h"
+#include "core/cnc/release_budget.h"
+#include "core/cnc/shared_override.h"
 
 namespace stillcut::cnc {
 
@@ -52,8 +52,8 @@ class GrblLink final : public CncLink {
   void takeReport(const GrblReport& report, Instant now) noexcept;
   void ask(Instant now) noexcept;
   void moveOverrides(Instant now) noexcept;
-  struct Axis : SharedKnob {
-    Axis() : SharedKnob(kGrblLowest, kGrblHighest) {}
+  struct Axis : SharedOverride {
+    Axis() : SharedOverride(kGrblLowest, kGrblHighest) {}
     bool adrift = false;  // a step of ours was taken or lost
   };
   void resynchronise() noexcept;
@@ -76,7 +76,7 @@ class GrblLink final : public CncLink {
   Instant asked_{}, askedWords_{}, heard_{}, nextTry_{}, moved_{}, shownAt_{}, toldWords_{};
   Instant askedAt_{};  // by the clock, for the round trip
   DelayGauge roundTrip_;
-  LettingGo lettingGo_;
+  ReleaseBudget releaseBudget_;
   bool ever_ = false;
 };
 

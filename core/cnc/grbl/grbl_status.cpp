@@ -31,13 +31,13 @@ void takeField(std::string_view field, GrblReport& r) noexcept {
   const std::string_view name = field.substr(0, colon);
   std::string_view values = field.substr(colon + 1);
   if (name == "FS" || name == "F") {
-    r.feed = sane(takeWord(values, ','));
-    if (name == "FS") r.speed = sane(takeWord(values, ','));
-    if (name == "FS" && !values.empty()) r.measuredSpeed = sane(takeWord(values, ','));
+    r.feed = sane(takeToken(values, ','));
+    if (name == "FS") r.speed = sane(takeToken(values, ','));
+    if (name == "FS" && !values.empty()) r.measuredSpeed = sane(takeToken(values, ','));
   } else if (name == "Ov") {
-    const auto feed = sane(takeWord(values, ','));
-    takeWord(values, ',');  // rapids
-    const auto speed = sane(takeWord(values, ','));
+    const auto feed = sane(takeToken(values, ','));
+    takeToken(values, ',');  // rapids
+    const auto speed = sane(takeToken(values, ','));
     if (!feed || !speed || *feed > kGrblHighest || *speed > kGrblHighest) return;
     r.feedOverride = static_cast<int>(std::lround(*feed));
     r.speedOverride = static_cast<int>(std::lround(*speed));
@@ -49,7 +49,7 @@ bool takeWords(std::string_view text, GrblWords& into) noexcept {
   bool feed = false;
   bool speed = false;
   while (true) {
-    const std::string_view word = takeWord(text);
+    const std::string_view word = takeToken(text);
     if (word.empty()) break;
     if (word == "G20") words.inches = true;
     const auto value = word.front() == 'F' || word.front() == 'S' ? sane(word.substr(1)) : std::nullopt;
@@ -73,8 +73,8 @@ GrblLine readGrblLine(std::string_view line, GrblReport& report, GrblWords& word
   if (line.size() < 3 || !line.starts_with("<") || !line.ends_with(">")) return GrblLine::Other;
   std::string_view fields = line.substr(1, line.size() - 2);
   report = GrblReport{};
-  report.state = stateOf(takeWord(fields, '|'));
-  while (!fields.empty()) takeField(takeWord(fields, '|'), report);
+  report.state = stateOf(takeToken(fields, '|'));
+  while (!fields.empty()) takeField(takeToken(fields, '|'), report);
   return GrblLine::Report;
 }
 

@@ -20,7 +20,7 @@ EmcSession::EmcSession(std::unique_ptr<ByteChannel> channel, std::string passwor
 void EmcSession::keepUp(Instant now) noexcept {
   switch (channel_->state()) {
     case WireState::Closed:
-      if (standing_ != Standing::Down || opening_) {
+      if (standing_ != ConnectionState::Down || opening_) {
         close();
         nextTry_ = now + kRetry;
       }
@@ -34,9 +34,9 @@ void EmcSession::keepUp(Instant now) noexcept {
       if (now - asked_ > kPatience) close();
       return;
     case WireState::Open:
-      if (standing_ != Standing::Down) return;
+      if (standing_ != ConnectionState::Down) return;
       opening_ = false;
-      standing_ = Standing::Greeting;
+      standing_ = ConnectionState::Greeting;
       say(hello_, now);
       return;
   }
@@ -47,7 +47,7 @@ void EmcSession::greeted(std::string_view line, Instant now) noexcept {
     say(kManners, now);
   } else if (line.starts_with("SET VERBOSE ACK")) {
     waiting_ = false;
-    standing_ = Standing::Ready;
+    standing_ = ConnectionState::Ready;
   } else if (line.find("NAK") != std::string_view::npos) {
     close();
     nextTry_ = now + kRetry;
@@ -68,7 +68,7 @@ void EmcSession::say(std::string_view line, Instant now) noexcept {
 bool EmcSession::ask(std::string_view request, Instant now) noexcept {
   if (!idle()) return false;
   say(request, now);
-  return standing_ == Standing::Ready;
+  return standing_ == ConnectionState::Ready;
 }
 
 // Echoes are lower case as we write them; replies are upper case.
@@ -77,7 +77,7 @@ bool EmcSession::isReply(std::string_view line) noexcept {
 }
 
 void EmcSession::watchSilence(Instant now) noexcept {
-  if (standing_ == Standing::Down || !waiting_ || now - asked_ <= kPatience) return;
+  if (standing_ == ConnectionState::Down || !waiting_ || now - asked_ <= kPatience) return;
   close();
   nextTry_ = now + kRetry;
 }
@@ -85,7 +85,7 @@ void EmcSession::watchSilence(Instant now) noexcept {
 void EmcSession::close() noexcept {
   channel_->close();
   splitter_.clear();
-  standing_ = Standing::Down;
+  standing_ = ConnectionState::Down;
   waiting_ = false;
   opening_ = false;
 }

@@ -19,7 +19,7 @@ namespace stillcut::cnc {
 
 class EmcSession {
  public:
-  enum class Standing : std::uint8_t { Down, Greeting, Ready };
+  enum class ConnectionState : std::uint8_t { Down, Greeting, Ready };
 
   // `password`: that of the server's --connectpw, "EMC" unless it was changed.
   EmcSession(std::unique_ptr<ByteChannel> channel, std::string password);
@@ -32,7 +32,7 @@ class EmcSession {
     std::array<char, 1024> bytes;
     while (const std::size_t n = channel_->read(bytes)) {
       splitter_.feed({bytes.data(), n}, [&](std::string_view line) {
-        if (standing_ == Standing::Greeting) {
+        if (standing_ == ConnectionState::Greeting) {
           greeted(line, now);
         } else if (isReply(line)) {
           waiting_ = false;
@@ -46,10 +46,10 @@ class EmcSession {
 
   // Sends a request; only when idle(). False: the wire broke.
   bool ask(std::string_view request, Instant now) noexcept;
-  bool idle() const { return standing_ == Standing::Ready && !waiting_; }
+  bool idle() const { return standing_ == ConnectionState::Ready && !waiting_; }
   // Something was said, greetings included, and not answered yet.
   bool waiting() const { return waiting_; }
-  Standing standing() const { return standing_; }
+  ConnectionState standing() const { return standing_; }
   // Waits for bytes, at most this long.
   void wait(Duration atMost) noexcept { channel_->wait(atMost); }
   void close() noexcept;
@@ -65,7 +65,7 @@ class EmcSession {
   std::unique_ptr<ByteChannel> channel_;
   std::string hello_;
   LineSplitter splitter_;
-  Standing standing_ = Standing::Down;
+  ConnectionState standing_ = ConnectionState::Down;
   bool waiting_ = false;
   bool opening_ = false;
   Instant asked_{}, nextTry_{};

@@ -12,26 +12,26 @@ constexpr double kMostPercent = 1000.0;
 constexpr double kFastestSpindle = 1e6;  // rev/min
 constexpr double kFastestFeed = 1e7;     // units/min
 
-bool percent(std::string_view word, Said<int>& into, Instant now) noexcept {
+bool percent(std::string_view word, TimedValue<int>& into, Instant now) noexcept {
   const auto value = wireNumber(word);
   if (!value || *value < 0.0 || *value > kMostPercent) return false;
   into.set(static_cast<int>(std::lround(*value)), now);
   return true;
 }
 
-bool onOff(std::string_view word, Said<bool>& into, Instant now) noexcept {
+bool onOff(std::string_view word, TimedValue<bool>& into, Instant now) noexcept {
   if (word != "ON" && word != "OFF") return false;
   into.set(word == "ON", now);
   return true;
 }
 
-bool truth(std::string_view word, Said<bool>& into, Instant now) noexcept {
+bool truth(std::string_view word, TimedValue<bool>& into, Instant now) noexcept {
   if (word != "TRUE" && word != "FALSE") return false;
   into.set(word == "TRUE", now);
   return true;
 }
 
-bool speed(std::string_view word, double perUnit, Said<Rpm>& into, Instant now) noexcept {
+bool speed(std::string_view word, double perUnit, TimedValue<Rpm>& into, Instant now) noexcept {
   const auto value = wireNumber(word);
   if (!value || std::abs(*value * perUnit) > kFastestSpindle) return false;
   into.set(Rpm(std::abs(*value * perUnit)), now);  // backwards is a speed too
@@ -41,18 +41,18 @@ bool speed(std::string_view word, double perUnit, Said<Rpm>& into, Instant now) 
 }  // namespace
 
 bool EmcStatus::take(std::string_view line, Instant now) noexcept {
-  const std::string_view word = takeWord(line);
+  const std::string_view word = takeToken(line);
   if (word == "PINVAL") return takePin(line, now);
-  if (word == "FEED_OVERRIDE") return percent(takeWord(line), feedOverride, now);
+  if (word == "FEED_OVERRIDE") return percent(takeToken(line), feedOverride, now);
   if (word == "SPINDLE_OVERRIDE") {
-    if (takeWord(line) != "0") return false;
-    return percent(takeWord(line), spindleOverride, now);
+    if (takeToken(line) != "0") return false;
+    return percent(takeToken(line), spindleOverride, now);
   }
   if (word == "PROGRAM_CODES") return takeCodes(line, now);
-  if (word == "MACHINE") return onOff(takeWord(line), machineOn, now);
-  if (word == "ENABLE") return onOff(takeWord(line), inControl, now);
+  if (word == "MACHINE") return onOff(takeToken(line), machineOn, now);
+  if (word == "ENABLE") return onOff(takeToken(line), inControl, now);
   if (word == "PROGRAM_STATUS") {
-    const std::string_view status = takeWord(line);
+    const std::string_view status = takeToken(line);
     if (status != "IDLE" && status != "RUNNING" && status != "PAUSED") return false;
     program.set(status == "RUNNING"  ? EmcProgram::Running
                 : status == "PAUSED" ? EmcProgram::Paused
@@ -68,7 +68,7 @@ bool EmcStatus::takeCodes(std::string_view words, Instant now) noexcept {
   double unit = 1e-3;
   std::optional<double> f, s;
   while (true) {
-    const std::string_view word = takeWord(words);
+    const std::string_view word = takeToken(words);
     if (word.empty()) break;
     if (word == "G20") unit = kInch;
     if (word == "G21") unit = 1e-3;
@@ -82,8 +82,8 @@ bool EmcStatus::takeCodes(std::string_view words, Instant now) noexcept {
 }
 
 bool EmcStatus::takePin(std::string_view words, Instant now) noexcept {
-  const std::string_view pin = takeWord(words);
-  const std::string_view value = takeWord(words);
+  const std::string_view pin = takeToken(words);
+  const std::string_view value = takeToken(words);
   if (pin == "spindle.0.speed-in") return speed(value, 60.0, actualSpeed, now);
   if (pin == "spindle.0.speed-out") return speed(value, 1.0, commandedSpeed, now);
   if (pin == "spindle.0.at-speed") return truth(value, atSpeed, now);

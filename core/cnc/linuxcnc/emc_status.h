@@ -13,7 +13,7 @@
 namespace stillcut::cnc {
 
 template <class T>
-struct Said {
+struct TimedValue {
   T value{};
   Instant when{};
   bool ever = false;
@@ -29,18 +29,18 @@ enum class EmcProgram : std::uint8_t { Idle, Running, Paused };
 
 struct EmcStatus {
   // linuxcncrsh
-  Said<int> feedOverride, spindleOverride;  // %
-  Said<EmcProgram> program;
-  Said<Rpm> speedWord;             // S
-  Said<MetresPerSecond> feedWord;  // F, by G20 or G21
-  Said<bool> machineOn, inControl;
+  TimedValue<int> feedOverride, spindleOverride;  // %
+  TimedValue<EmcProgram> program;
+  TimedValue<Rpm> speedWord;             // S
+  TimedValue<MetresPerSecond> feedWord;  // F, by G20 or G21
+  TimedValue<bool> machineOn, inControl;
   // halrmt
-  Said<Rpm> actualSpeed;     // spindle.0.speed-in
-  Said<Rpm> commandedSpeed;  // spindle.0.speed-out: S times the override in force, within the spindle's range
-  Said<bool> atSpeed, feedHold;
-  Said<double> adaptiveFeed;          // 1: no change
-  Said<MetresPerSecond> currentFeed;  // motion.current-vel
-  double machineUnit = 1e-3;          // [m], of [TRAJ] LINEAR_UNITS, whatever the program's G20 and G21 say
+  TimedValue<Rpm> actualSpeed;     // spindle.0.speed-in
+  TimedValue<Rpm> commandedSpeed;  // spindle.0.speed-out: S times the override in force, within the spindle's range
+  TimedValue<bool> atSpeed, feedHold;
+  TimedValue<double> adaptiveFeed;          // 1: no change
+  TimedValue<MetresPerSecond> currentFeed;  // motion.current-vel
+  double machineUnit = 1e-3;                // [m], of [TRAJ] LINEAR_UNITS, whatever the program's G20 and G21 say
 
   // One reply line; false: it is none of these.
   bool take(std::string_view line, Instant now) noexcept;

@@ -6,8 +6,8 @@
 #include <initializer_list>
 #include <utility>
 
-#include "core/cnc/linuxcnc/hal_hand.h"
-#include "core/cnc/linuxcnc/rsh_hand.h"
+#include "core/cnc/linuxcnc/hal_backend.h"
+#include "core/cnc/linuxcnc/rsh_backend.h"
 
 namespace stillcut::cnc {
 namespace {
@@ -40,9 +40,10 @@ void goRound(EmcSession& session, const std::array<std::string_view, N>& request
   }
 }
 
-std::unique_ptr<EmcHand> makeHand(const LinuxCncSettings& s, std::unique_ptr<ByteChannel> wire, const Clock& clock) {
-  if (s.component.port > 0) return std::make_unique<HalHand>(std::move(wire), s.adaptiveFeed, clock);
-  return std::make_unique<RshHand>(EmcSession(std::move(wire), s.password), s.controlPassword, clock);
+std::unique_ptr<EmcBackend> makeBackend(const LinuxCncSettings& s, std::unique_ptr<ByteChannel> wire,
+                                        const Clock& clock) {
+  if (s.component.port > 0) return std::make_unique<HalBackend>(std::move(wire), s.adaptiveFeed, clock);
+  return std::make_unique<RshBackend>(EmcSession(std::move(wire), s.password), s.controlPassword, clock);
 }
 
 }  // namespace
@@ -50,11 +51,11 @@ std::unique_ptr<EmcHand> makeHand(const LinuxCncSettings& s, std::unique_ptr<Byt
 LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const Clock& clock)
     : settings_(settings),
       clock_(clock),
-      hand_(makeHand(settings, std::move(wires.control), clock)),
+      backend_(makeBackend(settings, std::move(wires.control), clock)),
       watch_(std::move(wires.watch), settings.password),
       hal_(std::move(wires.hal), settings.password),
-      knobs_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
-      lettingGo_(clock, kReleaseTime) {
+      overrides_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
+      releaseBudget_(clock, kReleaseTime) {
   if (settings.inches) status_.machineUnit = 0.0254;
 }
 
@@ -64,7 +65,7 @@ LinuxCncLink::~LinuxCncLink() {
 
 void LinuxCncLink::close() noexcept {
   release(clock_.now());
-  hand_->close();
+  backend_->close();
   for (EmcSession* session : {&watch_, &hal_}) session->close();
 }
 
@@ -76,7 +77,7 @@ LinkInfo LinuxCncLink::describe() const {
   info.highestSpeed = Ratio(settings_.highestSpeed * 0.01);
   info.lowestFeed = Ratio(settings_.lowestFeed * 0.01);
   info.highestFeed = Ratio(settings_.adaptiveFeed ? 1.0 : settings_.highestFeed * 0.01);
-  info.machineWatchdog = hand_->watchdog();
+  info.machineWatchdog = backend_->watchdog();
   info.period = kPeriod;
   return info;
 }
@@ -89,12 +90,12 @@ Status LinuxCncLink::open() {
   while (true) {
     const Instant now = clock_.now();
     const MachineState seen = read(now);
-    if (seen.valid && (settings_.component.port == 0 || hand_->up())) break;
+    if (seen.valid && (settings_.component.port == 0 || backend_->up())) break;
     if (now - began > kOpenTime) {
-      if (watch_.standing() != EmcSession::Standing::Ready)
+      if (watch_.standing() != EmcSession::ConnectionState::Ready)
         return deaf(watch_, message("is linuxcncrsh running there?"));
-      if (hal_.standing() != EmcSession::Standing::Ready) return deaf(hal_, message("is halrmt running there?"));
-      if (seen.valid) return handFault();
+      if (hal_.standing() != EmcSession::ConnectionState::Ready) return deaf(hal_, message("is halrmt running there?"));
+      if (seen.valid) return backendFault();
       return Error{std::string(watch_.address()), message("the machine's state is incomplete"),
                    message("is spindle 0 configured?")};
     }
@@ -104,38 +105,38 @@ Status LinuxCncLink::open() {
   return Done{};
 }
 
-Error LinuxCncLink::handFault() const {
-  const std::string where(hand_->address());
-  if (!hand_->heard())
+Error LinuxCncLink::backendFault() const {
+  const std::string where(backend_->address());
+  if (!backend_->heard())
     return {where, message("no answer"), message("is stillcut-hal loaded by the machine's HAL file?")};
   return {where, message("the machine's watchdog was not seen to act"), message("is stillcut.hal wired as it came?")};
 }
 
 void LinuxCncLink::watchMachine(Instant now) noexcept {
-  if (!hand_->speaking()) {
+  if (!backend_->speaking()) {
     goRound(watch_, kWatched, nextWatch_, status_, now, kWait, clock_, [&](Seconds s) { look_.take(s); });
     handsTurn_ = true;
   }
   goRound(hal_, kPins, nextHal_, status_, now, kWait, clock_, [](Seconds) {});
-  if (watch_.standing() != EmcSession::Standing::Ready) {
-    knobs_.speed.lost();
-    knobs_.feed.lost();
+  if (watch_.standing() != EmcSession::ConnectionState::Ready) {
+    overrides_.speed.lost();
+    overrides_.feed.lost();
     return;
   }
-  if (status_.spindleOverride.when == now) knobs_.speed.seen(status_.spindleOverride.value, now);
-  if (status_.feedOverride.when == now) knobs_.feed.seen(status_.feedOverride.value, now);
+  if (status_.spindleOverride.when == now) overrides_.speed.seen(status_.spindleOverride.value, now);
+  if (status_.feedOverride.when == now) overrides_.feed.seen(status_.feedOverride.value, now);
 }
 
 void LinuxCncLink::command(Instant now) noexcept {
-  hand_->turn(knobs_, wanted_, watch_.idle() && handsTurn_, status_, now);
-  if (hand_->speaking()) handsTurn_ = false;
+  backend_->turn(overrides_, wanted_, watch_.idle() && handsTurn_, status_, now);
+  if (backend_->speaking()) handsTurn_ = false;
 }
 
 MachineState LinuxCncLink::read(Instant now) noexcept {
   watchMachine(now);
   command(now);
   const MachineState m = state(now);
-  if (m.valid && hand_->up()) lettingGo_.anew();
+  if (m.valid && backend_->up()) releaseBudget_.anew();
   return m;
 }
 
@@ -148,13 +149,14 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   const bool all = s.feedOverride.ever && s.spindleOverride.ever && s.program.ever && s.speedWord.ever &&
                    s.machineOn.ever && s.actualSpeed.ever && s.commandedSpeed.ever && s.atSpeed.ever;
   m.time = std::min(told);
-  m.link.acknowledged = hand_->acknowledged();
+  m.link.acknowledged = backend_->acknowledged();
   m.link.overrides = std::min({s.feedOverride.when, s.spindleOverride.when, s.commandedSpeed.when});
   m.link.speed = std::min(s.actualSpeed.when, s.atSpeed.when);
   m.link.feed = s.currentFeed.when;
   m.link.program = std::min({s.program.when, s.speedWord.when, s.machineOn.when});
-  m.link.roundTrip = hand_->roundTrip().value > 0.0 ? hand_->roundTrip() : look_.typical();
-  m.linkUp = watch_.standing() == EmcSession::Standing::Ready && hal_.standing() == EmcSession::Standing::Ready;
+  m.link.roundTrip = backend_->roundTrip().value > 0.0 ? backend_->roundTrip() : look_.typical();
+  m.linkUp =
+      watch_.standing() == EmcSession::ConnectionState::Ready && hal_.standing() == EmcSession::ConnectionState::Ready;
   m.valid = m.linkUp && all && now - m.time <= kFresh;
   if (!m.valid) return m;
   m.programRunning = s.machineOn.value && s.program.value != EmcProgram::Idle;
@@ -162,72 +164,73 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   m.atSpeed = s.atSpeed.value;
   m.programmedSpeed = s.speedWord.value;
   m.programmedFeed = s.feedWord.value;
-  m.operatorSpeed = knobs_.speed.base();
-  m.operatorFeed = knobs_.feed.base();
+  m.operatorSpeed = overrides_.speed.base();
+  m.operatorFeed = overrides_.feed.base();
   m.actualSpeed = s.actualSpeed.value;
   m.actualFeed = s.currentFeed.value;
   const bool turning = s.speedWord.value.value > 0.0 && s.commandedSpeed.value.value > 0.0;
-  m.speedOverride = turning ? Ratio(s.commandedSpeed.value / s.speedWord.value) : Ratio(knobs_.speed.shown() * 0.01);
-  judgeEffect(m, now);
+  m.speedOverride =
+      turning ? Ratio(s.commandedSpeed.value / s.speedWord.value) : Ratio(overrides_.speed.shown() * 0.01);
+  checkEffect(m, now);
   m.block = block(m, now);
   return m;
 }
 
 // The overrides that are read back against the speed that is commanded and the path's own velocity.
-void LinuxCncLink::judgeEffect(MachineState& m, Instant now) noexcept {
-  const double knob = knobs_.feed.shown() * 0.01;
+void LinuxCncLink::checkEffect(MachineState& m, Instant now) noexcept {
+  const double knob = overrides_.feed.shown() * 0.01;
   const double adaptive = status_.adaptiveFeed.ever ? std::max(0.0, status_.adaptiveFeed.value) : 1.0;
   if (m.programRunning) {
-    speedLock_.look(knobs_.speed.shown() * 0.01, 1.0, m.speedOverride.value, now);
+    speedLock_.look(overrides_.speed.shown() * 0.01, 1.0, m.speedOverride.value, now);
     if (m.programmedFeed.value > 0.0 && !m.feedHold) {
       const double moves = m.actualFeed / m.programmedFeed;
       feedLock_.look(knob * adaptive, adaptive, moves, now);
       adaptiveLock_.look(knob * adaptive, knob, moves, now);
     }
   } else {
-    for (LockJudge* judge : {&speedLock_, &feedLock_, &adaptiveLock_}) judge->reset();
+    for (OverrideLockDetector* judge : {&speedLock_, &feedLock_, &adaptiveLock_}) judge->reset();
   }
   m.feedOverride = Ratio((feedLock_.locked() ? 1.0 : knob) * (adaptiveLock_.locked() ? 1.0 : adaptive));
   const bool feedLocked = feedLock_.locked() || (settings_.adaptiveFeed && adaptiveLock_.locked());
   m.overridesEnabled = !speedLock_.locked() && !feedLocked;
-  m.controlOurs = hand_->block(now) == OrderBlock::None;
+  m.controlOurs = backend_->block(now) == OverrideInhibit::None;
 }
 
-OrderBlock LinuxCncLink::block(const MachineState& m, Instant now) const noexcept {
-  if (!status_.machineOn.value) return OrderBlock::MachineOff;
-  if (!m.controlOurs) return hand_->block(now);
-  if (!m.programRunning) return OrderBlock::NoProgram;
+OverrideInhibit LinuxCncLink::block(const MachineState& m, Instant now) const noexcept {
+  if (!status_.machineOn.value) return OverrideInhibit::MachineOff;
+  if (!m.controlOurs) return backend_->block(now);
+  if (!m.programRunning) return OverrideInhibit::NoProgram;
   const bool both = speedLock_.locked() && feedLock_.locked();
-  if (both && !speedLock_.orLimit() && !feedLock_.orLimit()) return OrderBlock::OverridesLocked;
-  if (speedLock_.locked()) return OrderBlock::SpeedLocked;
-  if (feedLock_.locked()) return OrderBlock::FeedLocked;
-  return m.overridesEnabled ? OrderBlock::None : OrderBlock::AdaptiveLocked;
+  if (both && !speedLock_.orLimit() && !feedLock_.orLimit()) return OverrideInhibit::OverridesLocked;
+  if (speedLock_.locked()) return OverrideInhibit::SpeedLocked;
+  if (feedLock_.locked()) return OverrideInhibit::FeedLocked;
+  return m.overridesEnabled ? OverrideInhibit::None : OverrideInhibit::AdaptiveLocked;
 }
 
 void LinuxCncLink::apply(const OverrideCommand& command, Instant now) noexcept {
   wanted_ = command.kind() == CommandKind::Set;
-  lettingGo_.anew();
-  knobs_.speed.want(wanted_ ? command.speed() : Ratio(1.0), command.engagement());
+  releaseBudget_.anew();
+  overrides_.speed.want(wanted_ ? command.speed() : Ratio(1.0), command.engagement());
   const Ratio feed = wanted_ ? command.feed() : Ratio(1.0);
-  knobs_.feed.want(settings_.adaptiveFeed ? Ratio(1.0) : feed, command.engagement());
-  knobs_.adaptiveFeed = settings_.adaptiveFeed ? feed : Ratio(1.0);
+  overrides_.feed.want(settings_.adaptiveFeed ? Ratio(1.0) : feed, command.engagement());
+  overrides_.adaptiveFeed = settings_.adaptiveFeed ? feed : Ratio(1.0);
   this->command(now);
 }
 
 void LinuxCncLink::release(Instant now) noexcept {
   wanted_ = false;
-  knobs_.speed.letGo();
-  knobs_.feed.letGo();
-  knobs_.adaptiveFeed = Ratio(1.0);
-  const auto up = [this] { return hand_->up() && watch_.standing() == EmcSession::Standing::Ready; };
+  overrides_.speed.relinquish();
+  overrides_.feed.relinquish();
+  overrides_.adaptiveFeed = Ratio(1.0);
+  const auto up = [this] { return backend_->up() && watch_.standing() == EmcSession::ConnectionState::Ready; };
   const bool wasUp = up();
-  lettingGo_.run(
-      now, kWait, [&] { return hand_->done(knobs_); },
+  releaseBudget_.run(
+      now, kWait, [&] { return backend_->done(overrides_); },
       [&](Instant at) {
         watchMachine(at);
         command(at);
-        hand_->wait(kWait);
-        if (wasUp && !up()) lettingGo_.giveUp();
+        backend_->wait(kWait);
+        if (wasUp && !up()) releaseBudget_.giveUp();
       });
 }
 

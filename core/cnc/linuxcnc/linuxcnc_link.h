@@ -2,7 +2,7 @@
 // hand turns the knobs: linuxcncrsh's own, or stillcut-hal beside the machine, which has a watchdog.
 //   watch     overrides, program, S and F words, machine on
 //   hal       spindle.0.speed-in, speed-out, at-speed; motion.current-vel, feed-hold, adaptive-feed
-//   hand      RshHand (an override's ACK takes 100 ms, a get 0.05 ms) or HalHand
+//   hand      RshBackend (an override's ACK takes 100 ms, a get 0.05 ms) or HalBackend
 // At most one request to linuxcncrsh is under way at any time: with two links under load the machine was seen to go
 // down. Not caught in the act; likely, as its sources (emcrsh.cc) split the requests of all clients, each on a thread
 // of its own, with strtok, whose place is shared. Told to end it may hang, as it frees what those threads still read:
@@ -20,12 +20,12 @@
 
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
-#include "core/cnc/letting_go.h"
-#include "core/cnc/linuxcnc/emc_hand.h"
+#include "core/cnc/linuxcnc/emc_backend.h"
 #include "core/cnc/linuxcnc/emc_session.h"
 #include "core/cnc/linuxcnc/emc_status.h"
-#include "core/cnc/linuxcnc/lock_judge.h"
-#include "core/cnc/shared_knob.h"
+#include "core/cnc/linuxcnc/override_lock_detector.h"
+#include "core/cnc/release_budget.h"
+#include "core/cnc/shared_override.h"
 
 namespace stillcut::cnc {
 
@@ -65,24 +65,24 @@ class LinuxCncLink final : public CncLink {
  private:
   void watchMachine(Instant now) noexcept;
   void command(Instant now) noexcept;
-  Error handFault() const;
+  Error backendFault() const;
   MachineState state(Instant now) noexcept;
-  void judgeEffect(MachineState& state, Instant now) noexcept;
-  OrderBlock block(const MachineState& state, Instant now) const noexcept;
+  void checkEffect(MachineState& state, Instant now) noexcept;
+  OverrideInhibit block(const MachineState& state, Instant now) const noexcept;
 
   LinuxCncSettings settings_;
   const Clock& clock_;
-  std::unique_ptr<EmcHand> hand_;
+  std::unique_ptr<EmcBackend> backend_;
   EmcSession watch_, hal_;
   EmcStatus status_;
-  EmcKnobs knobs_;
+  EmcOverrides overrides_;
   bool wanted_ = false;  // commands are to be sent
   // The watch has had its round since the hand spoke: commands that come with every tick must not keep it from looking.
   bool handsTurn_ = false;
   std::size_t nextWatch_ = 0, nextHal_ = 0;
   DelayGauge look_;  // of a get
-  LockJudge speedLock_, feedLock_, adaptiveLock_;
-  LettingGo lettingGo_;
+  OverrideLockDetector speedLock_, feedLock_, adaptiveLock_;
+  ReleaseBudget releaseBudget_;
 };
 
 }  // namespace stillcut::cnc

@@ -19,19 +19,19 @@ constexpr int kMostFailures = 3;
 constexpr double kAtSpeed = 0.02;  // share of the target
 constexpr double kHeartbeatSpan = 32768.0;
 
-constexpr std::array<MachineOrder, 3> kStanding{MachineOrder::Control, MachineOrder::FeedOverride,
-                                                MachineOrder::SpeedOverride};
+constexpr std::array<MachineCommand, 3> kStanding{MachineCommand::Control, MachineCommand::FeedOverride,
+                                                  MachineCommand::SpeedOverride};
 
-bool isFlag(MachineOrder o) {
-  return o == MachineOrder::Control;
+bool isFlag(MachineCommand o) {
+  return o == MachineCommand::Control;
 }
 
 }  // namespace
 
 ModbusLink::ModbusLink(RegisterMap map, std::unique_ptr<RegisterBus> bus, const Clock& clock)
-    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock), lettingGo_(clock, kReleaseTime) {
-  order(MachineOrder::SpeedOverride).wanted = 100.0;
-  order(MachineOrder::FeedOverride).wanted = 100.0;
+    : map_(std::move(map)), bus_(std::move(bus)), clock_(clock), releaseBudget_(clock, kReleaseTime) {
+  order(MachineCommand::SpeedOverride).wanted = 100.0;
+  order(MachineCommand::FeedOverride).wanted = 100.0;
 }
 
 ModbusLink::~ModbusLink() {
@@ -45,14 +45,14 @@ LinkInfo ModbusLink::describe() const {
   info.machineWatchdog = map_.watchdog;
   info.lowestSpeed = map_.lowestSpeed;
   info.highestSpeed = map_.highestSpeed;
-  const bool feed = map_.at(MachineOrder::FeedOverride).has_value();
+  const bool feed = map_.at(MachineCommand::FeedOverride).has_value();
   info.lowestFeed = feed ? map_.lowestFeed : Ratio(1.0);
   info.highestFeed = feed ? map_.highestFeed : Ratio(1.0);
   // The register that is read least often, and its wait behind all the others.
   for (const auto& r : map_.read) {
     if (r) info.period = std::max(info.period, r->period);
   }
-  info.period += toSeconds(kWait) * static_cast<double>(kMachineSignals + kMachineOrders);
+  info.period += toSeconds(kWait) * static_cast<double>(kMachineSignals + kMachineCommands);
   return info;
 }
 
@@ -82,8 +82,8 @@ void ModbusLink::broke(Instant now) noexcept {
   underway_ = Underway::Nothing;
   failures_ = 0;
   nextTry_ = now + kRetry;
-  for (Seen& s : seen_) s = Seen{};
-  for (Order& o : orders_) {
+  for (RegisterReading& s : seen_) s = RegisterReading{};
+  for (RegisterWrite& o : orders_) {
     o.written.reset();
     o.sure = false;
   }
@@ -142,13 +142,13 @@ void ModbusLink::takeReply(Instant now) noexcept {
   } else {
     orders_[which_].written = writing_;
     orders_[which_].sure = true;
-    if (static_cast<MachineOrder>(which_) != MachineOrder::Heartbeat) acknowledged_ = answered;
+    if (static_cast<MachineCommand>(which_) != MachineCommand::Heartbeat) acknowledged_ = answered;
   }
 }
 
-bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
+bool ModbusLink::write(MachineCommand which, Instant now) noexcept {
   const auto& r = map_.at(which);
-  Order& o = order(which);
+  RegisterWrite& o = order(which);
   const auto words = r->encode(o.wanted);
   if (!words) return false;  // outside what the register can hold: nothing is sent
   writing_ = o.wanted;
@@ -165,23 +165,23 @@ bool ModbusLink::write(MachineOrder which, Instant now) noexcept {
 
 bool ModbusLink::writeNext(Instant now) noexcept {
   if (!inCommand_ && !touched_) return false;
-  const Order& feed = order(MachineOrder::FeedOverride);
-  std::array<MachineOrder, 3> sequence = kStanding;
+  const RegisterWrite& feed = order(MachineCommand::FeedOverride);
+  std::array<MachineCommand, 3> sequence = kStanding;
   if (!feedFirst(feed.wanted, feed.written.value_or(feed.wanted))) std::swap(sequence[1], sequence[2]);
-  for (const MachineOrder o : sequence) {
+  for (const MachineCommand o : sequence) {
     if (!map_.at(o) || stands(o, order(o).wanted)) continue;
-    if (isFlag(o) && !inCommand_ && !home()) continue;  // control is given back last
+    if (isFlag(o) && !inCommand_ && !atBase()) continue;  // control is given back last
     if (write(o, now)) return true;
   }
   if (!inCommand_) {
-    touched_ = !home() || (map_.at(MachineOrder::Control) && !stands(MachineOrder::Control, 0.0));
+    touched_ = !atBase() || (map_.at(MachineCommand::Control) && !stands(MachineCommand::Control, 0.0));
     return false;
   }
-  const auto& beat = map_.at(MachineOrder::Heartbeat);
-  Order& heart = order(MachineOrder::Heartbeat);
+  const auto& beat = map_.at(MachineCommand::Heartbeat);
+  RegisterWrite& heart = order(MachineCommand::Heartbeat);
   if (!beat || now - heart.when < toDuration(beat->period)) return false;
   heart.wanted = std::fmod(heart.wanted + 1.0, kHeartbeatSpan);
-  return write(MachineOrder::Heartbeat, now);
+  return write(MachineCommand::Heartbeat, now);
 }
 
 bool ModbusLink::readNext(Instant now) noexcept {
@@ -204,7 +204,7 @@ bool ModbusLink::readNext(Instant now) noexcept {
 MachineState ModbusLink::read(Instant now) noexcept {
   pump(now);
   const MachineState m = state(now);
-  if (m.valid) lettingGo_.anew();
+  if (m.valid) releaseBudget_.anew();
   return m;
 }
 
@@ -242,8 +242,8 @@ MachineState ModbusLink::state(Instant now) const noexcept {
   }
   m.linkUp = any;
   m.link.acknowledged = acknowledged_;
-  const bool believed = (map_.at(MachineOrder::SpeedOverride) && !map_.at(MachineSignal::SpeedOverride)) ||
-                        (map_.at(MachineOrder::FeedOverride) && !map_.at(MachineSignal::FeedOverride));
+  const bool believed = (map_.at(MachineCommand::SpeedOverride) && !map_.at(MachineSignal::SpeedOverride)) ||
+                        (map_.at(MachineCommand::FeedOverride) && !map_.at(MachineSignal::FeedOverride));
   if (!believed) m.link.overrides = readAt({MachineSignal::SpeedOverride, MachineSignal::FeedOverride});
   m.link.speed = readAt({MachineSignal::ActualSpeed, MachineSignal::AtSpeed});
   m.link.feed = readAt({MachineSignal::ActualFeed});
@@ -257,8 +257,8 @@ MachineState ModbusLink::state(Instant now) const noexcept {
   m.actualFeed = fromMmPerMin(number(MachineSignal::ActualFeed, 0.0));
   m.operatorSpeed = Ratio(number(MachineSignal::OperatorSpeed, 100.0) * 0.01);
   m.operatorFeed = Ratio(number(MachineSignal::OperatorFeed, 100.0) * 0.01);
-  const double speed = order(MachineOrder::SpeedOverride).written.value_or(100.0) * m.operatorSpeed.value;
-  const double feed = order(MachineOrder::FeedOverride).written.value_or(100.0) * m.operatorFeed.value;
+  const double speed = order(MachineCommand::SpeedOverride).written.value_or(100.0) * m.operatorSpeed.value;
+  const double feed = order(MachineCommand::FeedOverride).written.value_or(100.0) * m.operatorFeed.value;
   m.speedOverride = Ratio(number(MachineSignal::SpeedOverride, speed) * 0.01);
   m.feedOverride = Ratio(number(MachineSignal::FeedOverride, feed) * 0.01);
   m.programRunning = flag(MachineSignal::Running, m.programmedSpeed.value > 0.0);
@@ -271,19 +271,19 @@ MachineState ModbusLink::state(Instant now) const noexcept {
 
 void ModbusLink::apply(const OverrideCommand& command, Instant now) noexcept {
   inCommand_ = command.kind() == CommandKind::Set;
-  lettingGo_.anew();
-  order(MachineOrder::Control).wanted = inCommand_ ? 1.0 : 0.0;
-  order(MachineOrder::SpeedOverride).wanted = inCommand_ ? 100.0 * command.speed().value : 100.0;
-  order(MachineOrder::FeedOverride).wanted = inCommand_ ? 100.0 * command.feed().value : 100.0;
+  releaseBudget_.anew();
+  order(MachineCommand::Control).wanted = inCommand_ ? 1.0 : 0.0;
+  order(MachineCommand::SpeedOverride).wanted = inCommand_ ? 100.0 * command.speed().value : 100.0;
+  order(MachineCommand::FeedOverride).wanted = inCommand_ ? 100.0 * command.feed().value : 100.0;
   pump(now);
 }
 
-bool ModbusLink::stands(MachineOrder which, double value) const noexcept {
+bool ModbusLink::stands(MachineCommand which, double value) const noexcept {
   return order(which).sure && order(which).written == value;
 }
 
-bool ModbusLink::home() const noexcept {
-  for (const MachineOrder o : {MachineOrder::SpeedOverride, MachineOrder::FeedOverride}) {
+bool ModbusLink::atBase() const noexcept {
+  for (const MachineCommand o : {MachineCommand::SpeedOverride, MachineCommand::FeedOverride}) {
     if (map_.at(o) && !stands(o, 100.0)) return false;
   }
   return true;
@@ -291,9 +291,9 @@ bool ModbusLink::home() const noexcept {
 
 void ModbusLink::release(Instant now) noexcept {
   inCommand_ = false;
-  order(MachineOrder::Control).wanted = 0.0;
-  order(MachineOrder::SpeedOverride).wanted = order(MachineOrder::FeedOverride).wanted = 100.0;
-  lettingGo_.run(
+  order(MachineCommand::Control).wanted = 0.0;
+  order(MachineCommand::SpeedOverride).wanted = order(MachineCommand::FeedOverride).wanted = 100.0;
+  releaseBudget_.run(
       now, kWait, [&] { return !touched_; },
       [&](Instant at) {
         pump(at);

@@ -16,9 +16,9 @@
 
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
-#include "core/cnc/letting_go.h"
 #include "core/cnc/modbus/register_bus.h"
 #include "core/cnc/modbus/register_map.h"
+#include "core/cnc/release_budget.h"
 
 namespace stillcut::cnc {
 
@@ -40,13 +40,13 @@ class ModbusLink final : public CncLink {
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(1000);
 
  private:
-  struct Seen {
+  struct RegisterReading {
     RegisterWords words{};
     Instant when{};
     bool ever = false;
     Instant due{};
   };
-  struct Order {
+  struct RegisterWrite {
     double wanted = 0.0;            // in the map's unit
     std::optional<double> written;  // acknowledged last
     bool sure = false;              // nothing was sent since: a write may act and its reply be lost
@@ -58,23 +58,23 @@ class ModbusLink final : public CncLink {
   void takeReply(Instant now) noexcept;
   bool writeNext(Instant now) noexcept;
   bool readNext(Instant now) noexcept;
-  bool write(MachineOrder which, Instant now) noexcept;
+  bool write(MachineCommand which, Instant now) noexcept;
   void broke(Instant now) noexcept;
-  bool home() const noexcept;
-  bool stands(MachineOrder which, double value) const noexcept;
+  bool atBase() const noexcept;
+  bool stands(MachineCommand which, double value) const noexcept;
   MachineState state(Instant now) const noexcept;
   // When the oldest of these was read; 0: none is in the map, or not all have been.
   Instant readAt(std::initializer_list<MachineSignal> of) const noexcept;
   double number(MachineSignal s, double otherwise) const noexcept;
   bool flag(MachineSignal s, bool otherwise) const noexcept;
-  Order& order(MachineOrder o) { return orders_[static_cast<std::size_t>(o)]; }
-  const Order& order(MachineOrder o) const { return orders_[static_cast<std::size_t>(o)]; }
+  RegisterWrite& order(MachineCommand o) { return orders_[static_cast<std::size_t>(o)]; }
+  const RegisterWrite& order(MachineCommand o) const { return orders_[static_cast<std::size_t>(o)]; }
 
   RegisterMap map_;
   std::unique_ptr<RegisterBus> bus_;
   const Clock& clock_;
-  std::array<Seen, kMachineSignals> seen_{};
-  std::array<Order, kMachineOrders> orders_{};
+  std::array<RegisterReading, kMachineSignals> seen_{};
+  std::array<RegisterWrite, kMachineCommands> orders_{};
   Underway underway_ = Underway::Nothing;
   std::size_t which_ = 0;
   double writing_ = 0.0;
@@ -82,7 +82,7 @@ class ModbusLink final : public CncLink {
   bool touched_ = false;  // something of ours may stand in the machine
   int failures_ = 0;      // in a row
   Instant nextTry_{}, acknowledged_{};
-  LettingGo lettingGo_;
+  ReleaseBudget releaseBudget_;
   Instant askedAt_{};  // by the clock, for the round trip
   DelayGauge roundTrip_;
 };

@@ -16,8 +16,8 @@ constexpr int kVersion = 1;
 constexpr std::array<std::string_view, kMachineSignals> kSignals{
     "programmed_speed", "programmed_feed", "actual_speed", "actual_feed", "speed_override", "feed_override",
     "operator_speed",   "operator_feed",   "running",      "feed_hold",   "at_speed",       "overrides_enabled"};
-constexpr std::array<std::string_view, kMachineOrders> kOrders{"speed_override", "feed_override", "control",
-                                                               "heartbeat"};
+constexpr std::array<std::string_view, kMachineCommands> kOrders{"speed_override", "feed_override", "control",
+                                                                 "heartbeat"};
 
 Register readRegister(const TomlTable& table, std::string_view periodKey, double period) {
   Register r;
@@ -92,14 +92,14 @@ Result<RegisterMap> read(TomlReader in) {
   readGroup(writes, kOrders, "period_ms", 50.0, map.write);
   require(reads, kSignals, static_cast<std::size_t>(MachineSignal::ProgrammedSpeed), map.read);
   require(reads, kSignals, static_cast<std::size_t>(MachineSignal::ActualSpeed), map.read);
-  require(writes, kOrders, static_cast<std::size_t>(MachineOrder::SpeedOverride), map.write);
-  for (std::size_t i = 0; i < kMachineOrders; ++i) {
+  require(writes, kOrders, static_cast<std::size_t>(MachineCommand::SpeedOverride), map.write);
+  for (std::size_t i = 0; i < kMachineCommands; ++i) {
     const auto& r = map.write[i];
     if (r && (r->table == RegisterTable::Discrete || r->table == RegisterTable::Input)) {
       writes.table(kOrders[i]).refuse("table", message("cannot be written"), message("coil or holding"));
     }
   }
-  if (map.watchdog && !map.at(MachineOrder::Heartbeat)) {
+  if (map.watchdog && !map.at(MachineCommand::Heartbeat)) {
     root.refuse("watchdog", message("is true without [write.heartbeat]"), message("what would the machine watch?"));
   }
   if (Status done = in.finish(); !done) return done.error();

@@ -36,13 +36,13 @@ enum class MachineSignal : std::uint8_t {
 };
 inline constexpr std::size_t kMachineSignals = 12;
 
-enum class MachineOrder : std::uint8_t {
+enum class MachineCommand : std::uint8_t {
   SpeedOverride,  // %; required
   FeedOverride,   // %
   Control,        // flag: 1 while we are in command
   Heartbeat,      // counts while we are in command
 };
-inline constexpr std::size_t kMachineOrders = 4;
+inline constexpr std::size_t kMachineCommands = 4;
 
 struct Register {
   RegisterTable table = RegisterTable::Holding;
@@ -66,10 +66,10 @@ struct RegisterMap {
   BusAddress bus;
   Ratio lowestSpeed{1.0}, highestSpeed{1.0}, lowestFeed{1.0}, highestFeed{1.0};
   std::array<std::optional<Register>, kMachineSignals> read;
-  std::array<std::optional<Register>, kMachineOrders> write;
+  std::array<std::optional<Register>, kMachineCommands> write;
 
   const std::optional<Register>& at(MachineSignal s) const { return read[static_cast<std::size_t>(s)]; }
-  const std::optional<Register>& at(MachineOrder o) const { return write[static_cast<std::size_t>(o)]; }
+  const std::optional<Register>& at(MachineCommand o) const { return write[static_cast<std::size_t>(o)]; }
 };
 
 Result<RegisterMap> loadRegisterMap(const std::string& path);

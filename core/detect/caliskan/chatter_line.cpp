@@ -96,7 +96,8 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   spread_ = line.spread.value;
   // A line between the harmonics that is larger than what grows on them is what those orders have caught a part of.
   const double offset = std::abs(dsp::orderOffset(line.frequency, hop.spindle));
-  const bool larger = evidence.changed > kLeastBetween * evidence.severity * TurnDifference::differenceGain(offset);
+  const bool larger =
+      evidence.changed > kLeastBetween * evidence.severity * RevolutionDifference::differenceGain(offset);
   // ... and so is what turns by more than a quarter of a turn a turn: the next order has as much of it.
   const bool caught = std::abs(evidence.onOrder - std::round(evidence.onOrder)) > kMostOffset;
   // ... but one beside an order that doubles and stands still is the doubling's own change of size.
@@ -111,7 +112,7 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
   same_ += (1.0 - std::exp(-turns / kSameTurns)) * (sameAs(line.frequency, hop) - same_);
   // While the speed changes lines are smeared, and what is left when it has arrived rings down at the mode's own
   // frequency: the chatter's is the one from before.
-  if (frequency_.value > 0.0 && (!hop.turnsCompare || evidence.ringing)) return;
+  if (frequency_.value > 0.0 && (!hop.revolutionsComparable || evidence.ringing)) return;
   const Hertz kept =
       frequency_.value > 0.0 ? lines.keep(frequency_, line.frequency, hop.spindle * kLineReach) : line.frequency;
   const bool same = sameAs(kept, hop);

@@ -67,7 +67,7 @@ class EnergyChain {
 
   Size size_;
   Hertz spindle_{};
-  TurningHarmonics harmonics_;  // one of the two is prepared
+  RotatingHarmonicFilter harmonics_;  // one of the two is prepared
   FullHarmonicKalman full_;
   EnergySeparation bands_;
   std::array<std::vector<double>, 3> weights_;  // (n f)^(2 eta) / f^(2 eta), by eta + 1

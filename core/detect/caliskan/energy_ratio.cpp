@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 3> kWhyOnset{kNotLearned, "four times the
                                                     "the smallest onset, as set, which the noise does not reach"};
 constexpr std::array<std::string_view, 2> kWhyFull{"the chatter ratio, as set",
                                                    "four times what the channel has in the calm cut"};
-constexpr std::array<OwnValueDecl, 5> kOwnValues{{
+constexpr std::array<AutoValueDecl, 5> kOwnValues{{
     {"energy-ratio.harmonics", "Harmonics", "", kWhyHarmonics},
     {"energy-ratio.lambda", "Process noise ratio", "", kWhyLambda},
     {"energy-ratio.floor", "Noise floor", "", kWhyFloor},
@@ -121,8 +121,8 @@ void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
     const bool atOnce = !isIntegral(s.quantity);
     const OnsetTest::Limits ofTurns{smallest_, kOfTurns * limits.evidence};
     const double part = hearsTheSlowMost(s.quantity) ? kRisingPartOfSlow : kRisingPart;
-    s.growth.prepare(atOnce ? limits : ofTurns, {TurnDifference::kDifferenceArrival, atOnce, part});
-    s.news.prepare(atOnce ? limits : ofTurns, {TurnDifference::kNewsArrival, atOnce, part});
+    s.growth.prepare(atOnce ? limits : ofTurns, {RevolutionDifference::kDifferenceArrival, atOnce, part});
+    s.news.prepare(atOnce ? limits : ofTurns, {RevolutionDifference::kNewsArrival, atOnce, part});
     s.orders.setEvidence(ofTurns.evidence);
   }
 }
@@ -131,7 +131,7 @@ double EnergyRatioDetector::chosen(const config::ParamDecl& decl) const {
   return decl.key == kErHarmonics.key ? harmonics_ : config::kAutomatic;
 }
 
-OwnValueTable EnergyRatioDetector::ownValues() const {
+AutoValueTable EnergyRatioDetector::autoValues() const {
   return kOwnValues;
 }
 
@@ -162,7 +162,7 @@ void EnergyRatioDetector::tellOwn(double gain) noexcept {
 
 void EnergyRatioDetector::reset() noexcept {
   spindle_ = {};
-  judge_.setState(CutState::Air);
+  judge_.setState(CutState::AirCutting);
   leaveCut();
   restart();
 }
@@ -217,12 +217,12 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
   }
   followBand();
   lines_.setSideLines(sideLines_ ? spindle_ * teeth_ : Hertz(), integrals_);
-  if (!block.speedMoving) turns_.setTurn(spindle_);
-  if (turnsCompare_ && !block.turnsCompare) {
+  if (!block.speedChanging) turns_.setTurn(spindle_);
+  if (turnsCompare_ && !block.revolutionsComparable) {
     relearn();
     judge_.loseFloor();
   }
-  turnsCompare_ = block.turnsCompare;
+  turnsCompare_ = block.revolutionsComparable;
 }
 
 // Noise above the harmonics that are removed only hides what grows among them.
@@ -266,16 +266,16 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     // A load that leaps takes its own pattern of runout along, and so does one that changes within a few turns.
     const bool held = s.growth.turnsSinceLeap() < kSettleTurns || s.load.changesQuickly();
     if (held && judge_.state() == CutState::Stable) s.orders.relearn();
-    if (!block.speedMoving && hopOfTurn_ % (kHopsPerTurn / 2) == 0)
+    if (!block.speedChanging && hopOfTurn_ % (kHopsPerTurn / 2) == 0)
       s.orders.endHalfTurn(newLine_, c, spindle_, test && !held);
     if (test && !held)
       s.orders.test(1.0 / kHopsPerTurn, judge_.state() == CutState::Stable, block.spindleSd / spindle_);
     s.ratio += rate * (chain_.ratio(c, integrationFactor(s.quantity)) - s.ratio);
   }
-  if (judge_.judge(
-          channelStates_, lines_,
-          {phase, length, Hertz(rate_), spindle_, block.spindleSd, teeth_, highest_, steadyTurns_, turnsCompare_,
-           block.levelTrend, &chain_, &newLine_, block.speedMoving ? &marks_ : nullptr, block.loneLine.value > 0.0}))
+  if (judge_.judge(channelStates_, lines_,
+                   {phase, length, Hertz(rate_), spindle_, block.spindleSd, teeth_, highest_, steadyTurns_,
+                    turnsCompare_, block.levelTrend, &chain_, &newLine_, block.speedChanging ? &marks_ : nullptr,
+                    block.isolatedLine.value > 0.0}))
     relearn();
 }
 
@@ -333,12 +333,12 @@ Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
     f += frames;
     if (inHop_ < hopFrames_) continue;
     endHop(block);
-    if (!block.speedMoving) continue;
+    if (!block.speedChanging) continue;
     const double last = marks_.framesAgo(1.0, turn);
     turns_.setTurns(last, marks_.framesAgo(2.0, last + turn));
   }
-  if (block.phase == CutPhase::Air) {
-    judge_.setState(CutState::Air);
+  if (block.phase == CutPhase::AirCutting) {
+    judge_.setState(CutState::AirCutting);
     leaveCut();
   } else if (judge_.alarming()) {
     judge_.addFeed(block.feed.value * block.frames / rate_);

@@ -75,8 +75,8 @@ class EnergyRatioDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
-  OwnValueTable ownValues() const override;
-  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
+  AutoValueTable autoValues() const override;
+  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
@@ -94,7 +94,7 @@ class EnergyRatioDetector final : public Detector {
   Verdict verdict(const ConditionedBlock& block) const noexcept;
   void tellOwn(double gain) noexcept;
 
-  OwnValues own_;
+  AutoValues own_;
   bool harmonicsSet_ = false;
   double rate_ = 0.0;
   int teeth_ = 0;
@@ -104,7 +104,7 @@ class EnergyRatioDetector final : public Detector {
   double fixedGain_ = 0.0;  // 0: from the memory in turns
   dsp::kernels::Kernels kernels_;
   EnergyChain chain_;
-  TurnDifference turns_;
+  RevolutionDifference turns_;
   TurnMarks marks_;
   LineFinder lines_;
   NewLine newLine_;

@@ -37,7 +37,7 @@ void EnergySeparation::prepare(int channels, int bands, Hertz rate, Hertz lowest
   coefficients_.assign(kCoefficientRows * lanes_, 0.0);
   for (auto* v : {&low_, &high_, &scale_}) v->assign(lanes_, 0.0);
   channels_.assign(static_cast<std::size_t>(channels), {});
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     c.state.assign(kStateRows * lanes_, 0.0);
     c.sums.assign(2 * lanes_, 0.0);
     for (auto* v : {&c.power, &c.frequency, &c.valid}) v->assign(lanes_, 0.0);
@@ -77,31 +77,31 @@ void EnergySeparation::tune(Hertz spindle, int bandOrders, int topOrders) noexce
     h.lag = std::clamp<std::size_t>(static_cast<std::size_t>(std::lround(rate_ / (4.0 * middle))), 1, h.before / 4);
     scale_[m] = rate_ / (kTwoPi * static_cast<double>(h.lag));
   }
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     for (std::size_t m = n; m < lanes_; ++m) c.power[m] = c.frequency[m] = c.valid[m] = 0.0;
   }
 }
 
-void EnergySeparation::clear(Channel& c) noexcept {
+void EnergySeparation::clear(BandChannel& c) noexcept {
   for (auto* v : {&c.state, &c.sums, &c.power, &c.frequency, &c.valid, &c.signal}) std::fill(v->begin(), v->end(), 0.0);
 }
 
 void EnergySeparation::reset() noexcept {
   position_ = pending_ = frames_ = 0;
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     clear(c);
     point(c);
   }
 }
 
-void EnergySeparation::point(Channel& c) noexcept {
+void EnergySeparation::point(BandChannel& c) noexcept {
   for (std::size_t m = 0; m < lanes_; ++m) {
     c.newest[m] = c.signal.data() + histories_[m].offset + histories_[m].before + position_;
   }
 }
 
 void EnergySeparation::process(int channel, const double* rest, std::size_t frames) noexcept {
-  Channel& c = channels_[static_cast<std::size_t>(channel)];
+  BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   kernels_.bank({rest, frames, used_, lanes_, coefficients_.data(), c.state.data(), c.newest.data()});
 }
 
@@ -110,13 +110,13 @@ void EnergySeparation::advance(std::size_t frames) noexcept {
   pending_ += frames;
   if (pending_ == kMostFrames) accumulate();
   if (position_ + kMostFrames > capacity_) compact();
-  for (Channel& c : channels_) point(c);
+  for (BandChannel& c : channels_) point(c);
 }
 
 // Stretches are cut by the hops alone, so that sums do not depend on how the stream came in blocks.
 void EnergySeparation::accumulate() noexcept {
   if (pending_ == 0) return;
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     for (std::size_t m = 0; m < static_cast<std::size_t>(active_); ++m) {
       const History& h = histories_[m];
       const double* first = c.signal.data() + h.offset + h.before + position_ - pending_;
@@ -129,7 +129,7 @@ void EnergySeparation::accumulate() noexcept {
 
 // The newest frames become the history of those to come.
 void EnergySeparation::compact() noexcept {
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     for (const History& h : histories_) {
       const auto begin = c.signal.begin() + static_cast<std::ptrdiff_t>(h.offset);
       const auto from = begin + static_cast<std::ptrdiff_t>(position_ - pending_);
@@ -142,7 +142,7 @@ void EnergySeparation::compact() noexcept {
 void EnergySeparation::estimate() noexcept {
   accumulate();
   if (frames_ == 0) return;
-  for (Channel& c : channels_) {
+  for (BandChannel& c : channels_) {
     double all = 0.0;
     for (const double sum : c.sums) all += sum;
     if (!std::isfinite(all)) clear(c);
@@ -153,13 +153,13 @@ void EnergySeparation::estimate() noexcept {
 }
 
 BandEstimate EnergySeparation::band(int channel, int m) const noexcept {
-  const Channel& c = channels_[static_cast<std::size_t>(channel)];
+  const BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   const auto i = static_cast<std::size_t>(m);
   return {c.power[i], Hertz(c.frequency[i]), c.valid[i] != 0.0};
 }
 
 double EnergySeparation::weightedPower(int channel, int eta) const noexcept {
-  const Channel& c = channels_[static_cast<std::size_t>(channel)];
+  const BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   double sum = 0.0;
   for (std::size_t m = 0; m < static_cast<std::size_t>(active_); ++m) {
     const double f2 = c.frequency[m] * c.frequency[m];

@@ -55,15 +55,15 @@ class EnergySeparation {
     std::size_t before = 0;  // frames kept for the lags
     std::size_t lag = 1;
   };
-  struct Channel {
+  struct BandChannel {
     std::vector<double> state, sums, power, frequency, valid;
     std::vector<double> signal;   // of every band, by History
     std::vector<double*> newest;  // where the next frames go
   };
   void accumulate() noexcept;
   void compact() noexcept;
-  void point(Channel& c) noexcept;
-  void clear(Channel& c) noexcept;
+  void point(BandChannel& c) noexcept;
+  void clear(BandChannel& c) noexcept;
 
   dsp::kernels::Kernels kernels_;
   int bands_ = 0;
@@ -79,7 +79,7 @@ class EnergySeparation {
   std::size_t frames_ = 0;    // of this hop, in the sums
   std::vector<History> histories_;
   std::vector<double> coefficients_, low_, high_, scale_;
-  std::vector<Channel> channels_;
+  std::vector<BandChannel> channels_;
 };
 
 }  // namespace stillcut::detect

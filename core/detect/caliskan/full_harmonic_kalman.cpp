@@ -20,7 +20,7 @@ void FullHarmonicKalman::prepare(int channels, int harmonics, const dsp::kernels
   lanes_ = dsp::kernels::wholeLanes(static_cast<std::size_t>(std::max(harmonics, 1)));
   p_.assign(4 * lanes_ * lanes_, 0.0);
   for (auto* v : {&ph_, &h_, &drift_}) v->assign(2 * lanes_, 0.0);
-  for (auto* v : {&turnRe_, &turnIm_}) v->assign(lanes_, 0.0);
+  for (auto* v : {&rotationRe_, &rotationIm_}) v->assign(lanes_, 0.0);
   states_.assign(2 * lanes_ * channels_, 0.0);
   scratch_.assign(4 * lanes_, 0.0);
   active_ = 0;
@@ -44,9 +44,10 @@ void FullHarmonicKalman::setActive(int count) noexcept {
   if (clamped == active_) return;
   active_ = clamped;
   setLambda(lambda_);
-  kernels_.powers(std::cos(step_), std::sin(step_), static_cast<std::size_t>(active_), turnRe_.data(), turnIm_.data());
+  kernels_.powers(std::cos(step_), std::sin(step_), static_cast<std::size_t>(active_), rotationRe_.data(),
+                  rotationIm_.data());
   for (std::size_t i = static_cast<std::size_t>(active_); i < lanes_; ++i) {
-    turnRe_[i] = turnIm_[i] = h_[i] = h_[lanes_ + i] = 0.0;
+    rotationRe_[i] = rotationIm_[i] = h_[i] = h_[lanes_ + i] = 0.0;
   }
   reset();
 }
@@ -67,7 +68,7 @@ void FullHarmonicKalman::align(double angle, double step) noexcept {
   angle_ = angle;
   if (step == step_) return;
   step_ = step;
-  kernels_.powers(std::cos(step), std::sin(step), n, turnRe_.data(), turnIm_.data());
+  kernels_.powers(std::cos(step), std::sin(step), n, rotationRe_.data(), rotationIm_.data());
 }
 
 dsp::kernels::CovarianceRun FullHarmonicKalman::run() noexcept {
@@ -77,21 +78,21 @@ dsp::kernels::CovarianceRun FullHarmonicKalman::run() noexcept {
   run.p = p_.data();
   run.ph = ph_.data();
   run.h = h_.data();
-  run.turnRe = turnRe_.data();
-  run.turnIm = turnIm_.data();
+  run.rotationRe = rotationRe_.data();
+  run.rotationIm = rotationIm_.data();
   run.drift = drift_.data();
   run.states = states_.data();
   run.scratch = scratch_.data();
   return run;
 }
 
-void FullHarmonicKalman::process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride,
-                                 std::size_t frames) noexcept {
+void FullHarmonicKalman::process(const double* x, std::ptrdiff_t stride, double* residual,
+                                 std::ptrdiff_t residualStride, std::size_t frames) noexcept {
   dsp::kernels::CovarianceRun now = run();
   now.x = x;
   now.stride = stride;
-  now.rest = rest;
-  now.restStride = restStride;
+  now.residual = residual;
+  now.residualStride = residualStride;
   now.frames = frames;
   kernels_.covariance(now);
   turned_ += frames;
@@ -99,11 +100,11 @@ void FullHarmonicKalman::process(const double* x, std::ptrdiff_t stride, double*
   if (frames == 0) return;
   double newest = 0.0;
   for (std::size_t c = 0; c < channels_; ++c) {
-    newest += rest[static_cast<std::ptrdiff_t>(c) * restStride + static_cast<std::ptrdiff_t>(frames) - 1];
+    newest += residual[static_cast<std::ptrdiff_t>(c) * residualStride + static_cast<std::ptrdiff_t>(frames) - 1];
   }
   if (std::isfinite(newest)) return;
   for (std::size_t c = 0; c < channels_; ++c)
-    std::fill_n(rest + static_cast<std::ptrdiff_t>(c) * restStride, frames, 0.0);
+    std::fill_n(residual + static_cast<std::ptrdiff_t>(c) * residualStride, frames, 0.0);
   reset();
 }
 

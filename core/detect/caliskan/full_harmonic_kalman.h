@@ -3,7 +3,7 @@
 // Phi of eq. 19 only turns each pair of states, and Q = lambda R I does not notice: in the frame that turns with the
 // spindle P stands still but for eq. 20's Q, and H turns, h = (cos n theta, sin n theta). So the filter costs one pass
 // over half of P per frame, which does eq. 20 and prepares P h for the next frame; all channels share it.
-// Against TurningHarmonics with the settled gain: right from the first turn on, and with harmonics that are close
+// Against RotatingHarmonicFilter with the settled gain: right from the first turn on, and with harmonics that are close
 // against the filter's memory, at some twenty times the cost.
 // Thread: worker; everything but prepare() is real-time.
 #pragma once
@@ -28,9 +28,9 @@ class FullHarmonicKalman {
 
   // Spindle angle of the next frame and turn per frame [rad]; once before the first process().
   void align(double angle, double step) noexcept;
-  // Every channel: x[channel * stride + frame] to the rest after correction (eq. 22), rest[channel * restStride +
+  // Every channel: x[channel * stride + frame] to the rest after correction (eq. 22), rest[channel * residualStride +
   // frame]. Numbers that are not finite start the filter anew and leave silence.
-  void process(const double* x, std::ptrdiff_t stride, double* rest, std::ptrdiff_t restStride,
+  void process(const double* x, std::ptrdiff_t stride, double* residual, std::ptrdiff_t residualStride,
                std::size_t frames) noexcept;
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
@@ -52,7 +52,7 @@ class FullHarmonicKalman {
   double angle_ = 0.0;
   double step_ = 0.0;
   std::size_t turned_ = 0;  // frames since the regressors were made
-  std::vector<double> p_, ph_, h_, turnRe_, turnIm_, drift_, states_, scratch_;
+  std::vector<double> p_, ph_, h_, rotationRe_, rotationIm_, drift_, states_, scratch_;
 };
 
 }  // namespace stillcut::detect

@@ -76,7 +76,7 @@ void LineFinder::prepare(int channels, int window, Hertz rate) {
   window_ = static_cast<std::size_t>(window);
   channels_.clear();
   channels_.resize(static_cast<std::size_t>(channels));
-  for (Channel& c : channels_) {
+  for (SpectrumChannel& c : channels_) {
     c.ring.assign(window_, 0.0);
     c.spectrum.prepare(window, rate, dsp::WindowKind::Recent, dsp::fastFftSize(window + (window + 7) / 8));
   }
@@ -87,7 +87,7 @@ void LineFinder::prepare(int channels, int window, Hertz rate) {
 }
 
 void LineFinder::reset() noexcept {
-  for (Channel& c : channels_) std::fill(c.ring.begin(), c.ring.end(), 0.0);
+  for (SpectrumChannel& c : channels_) std::fill(c.ring.begin(), c.ring.end(), 0.0);
   head_ = seen_ = 0;
   asked_ = false;
 }
@@ -107,7 +107,7 @@ void LineFinder::push(const double* rest, std::ptrdiff_t stride, std::size_t fra
 
 void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
   std::fill(power_.begin(), power_.end(), 0.0);
-  for (Channel& c : channels_) {
+  for (SpectrumChannel& c : channels_) {
     const std::span<const double> ring(c.ring);
     c.spectrum.transform(ring.subspan(head_), ring.first(head_));
     c.spectrum.powers(now_);
@@ -119,7 +119,7 @@ void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
 
 double LineFinder::power(std::size_t place) const noexcept {
   double all = 0.0;
-  for (const Channel& c : channels_) {
+  for (const SpectrumChannel& c : channels_) {
     if (c.share > 0.0) all += c.share * powerAt(c.spectrum.values(), place);
   }
   return all;

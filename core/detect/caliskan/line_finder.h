@@ -52,7 +52,7 @@ class LineFinder {
   int sideLines(Hertz line, Hertz toothPassing) const noexcept;
 
  private:
-  struct Channel {
+  struct SpectrumChannel {
     std::vector<double> ring;
     dsp::Spectrum spectrum;
     double share = 0.0;  // 1 / power of the newest window; 0: silent
@@ -78,7 +78,7 @@ class LineFinder {
   Hertz tooth_{};
   bool integrals_ = false;
   std::size_t lobe_ = 0;  // half width of what counts as the line, in places
-  std::vector<Channel> channels_;
+  std::vector<SpectrumChannel> channels_;
   std::vector<double> power_;  // of every bin, all channels
   std::vector<double> now_;    // of one channel, scratch
 };

@@ -135,12 +135,12 @@ double LoadWatch::mostOfAnOrder() const noexcept {
 // An order that changes by the same c in each turn leaves 1.5 c of itself before the news is scaled.
 bool LoadWatch::explainsNews(double news) const noexcept {
   const double change = 1.5 * mostOfAnOrder();
-  return news < change * change * TurnDifference::kNewsArrival;
+  return news < change * change * RevolutionDifference::kNewsArrival;
 }
 
 bool LoadWatch::explainsDifference(double difference) const noexcept {
   const double bend = kMostAmplified * mostBent();
-  return difference < bend * bend * TurnDifference::kDifferenceArrival;
+  return difference < bend * bend * RevolutionDifference::kDifferenceArrival;
 }
 
 bool LoadWatch::explains(const NewLine& vibration, int channel, double order, Hertz spindle) const noexcept {

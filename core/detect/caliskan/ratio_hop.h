@@ -35,20 +35,20 @@ struct RatioChannel {
 
 // One hop, as the detector saw it.
 struct RatioHop {
-  CutPhase phase = CutPhase::Air;
+  CutPhase phase = CutPhase::AirCutting;
   Seconds length{};
   Hertz rate{};
   Hertz spindle{};
   Hertz spindleSd{};
-  int teeth = 0;             // 0: nobody told
-  Hertz highest{};           // up to which harmonics are removed
-  double steadyTurns = 0.0;  // since the cut became steady
-  bool turnsCompare = true;  // false: the speed changes too fast to compare turns
-  double levelTrend = 1.0;   // of the vibration (conditioned_block.h)
+  int teeth = 0;                      // 0: nobody told
+  Hertz highest{};                    // up to which harmonics are removed
+  double steadyTurns = 0.0;           // since the cut became steady
+  bool revolutionsComparable = true;  // false: the speed changes too fast to compare turns
+  double levelTrend = 1.0;            // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
   const NewLine* newLine = nullptr;  // has heard the vibration
   const TurnMarks* marks = nullptr;  // while a machine tells a change; null: none
-  bool loneLine = false;             // a line that cannot be forced holds most of the vibration
+  bool isolatedLine = false;         // a line that cannot be forced holds most of the vibration
 };
 
 // Does it hear an integral of the spindle's torque?

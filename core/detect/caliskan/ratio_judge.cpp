@@ -23,7 +23,8 @@ bool arrives(const RatioChannel& c) noexcept {
   const auto line = [](const EnergyGrowth& growth, double arrival) {
     return (growth.changed() - growth.onset().floor()) / arrival;
   };
-  return line(c.growth, TurnDifference::kDifferenceArrival) > kLeastNews * line(c.news, TurnDifference::kNewsArrival);
+  return line(c.growth, RevolutionDifference::kDifferenceArrival) >
+         kLeastNews * line(c.news, RevolutionDifference::kNewsArrival);
 }
 
 }  // namespace
@@ -151,7 +152,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   if (!was && hop.steadyTurns >= kSettleTurns && joint_ < entry_.sidedRatio()) {
     for (RatioChannel& c : channels) c.usual.learn(c.ratio, 1.0 / kHopsPerTurn);
   }
-  bool entry = hop.loneLine && high;
+  bool entry = hop.isolatedLine && high;
   if (!was && !entry) {
     entry = entry_.begins(channels, {worst_, joint_}, lines, hop);
     if (entry_.looked()) purity_ = entry_.line().purity;
@@ -161,13 +162,13 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   if (was) {
     over = line_.lost() || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
-    const bool full = (high || lasts) && (hop.turnsCompare || state_ == CutState::Chatter);
+    const bool full = (high || lasts) && (hop.revolutionsComparable || state_ == CutState::Chatter);
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
       calm_.reset();
       entry_.endAlarm();
     }
-  } else if (hop.phase == CutPhase::Steady && hop.turnsCompare &&
+  } else if (hop.phase == CutPhase::Steady && hop.revolutionsComparable &&
              (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))) {
     state_ = high ? CutState::Chatter : CutState::Onset;
   } else {
@@ -185,7 +186,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
 // that grew: what another one is used to proves nothing.
 bool RatioJudge::lineCounts(Hertz line, Hertz spindle) const noexcept {
   const double offset = dsp::orderOffset(line, spindle);
-  return mostGrown_ > kLeastLine * TurnDifference::differenceGain(offset);
+  return mostGrown_ > kLeastLine * RevolutionDifference::differenceGain(offset);
 }
 
 // Of a line near a harmonic the difference passes little and the news much, but news is also what forced vibration
@@ -193,8 +194,8 @@ bool RatioJudge::lineCounts(Hertz line, Hertz spindle) const noexcept {
 // there, and grows as well: where a change of the engagement ends, what the tracked speed took along is new at once.
 bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const noexcept {
   const double offset = dsp::orderOffset(line, spindle);
-  const double gain = TurnDifference::differenceGain(offset);
-  const double passed = gain / TurnDifference::newsGain(offset);
+  const double gain = RevolutionDifference::differenceGain(offset);
+  const double passed = gain / RevolutionDifference::newsGain(offset);
   if (passed > kMostPassed) return false;
   return std::any_of(channels.begin(), channels.end(), [&](const RatioChannel& c) {
     const double news = c.news.changed() - c.news.onset().floor();
@@ -236,7 +237,7 @@ void RatioJudge::follow(LineFinder& lines, const RatioHop& hop) noexcept {
 }
 
 void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
-  v.state = v.phase == CutPhase::Air ? CutState::Air : state_;
+  v.state = v.phase == CutPhase::AirCutting ? CutState::AirCutting : state_;
   v.severity = Ratio(severity_);
   v.frequency = line_.frequency();
   v.frequencySd = line_.sd();

@@ -49,7 +49,7 @@ class RatioJudge {
 
   int teeth_ = 0;
   double chatterRatio_ = 0.2;
-  CutState state_ = CutState::Air;
+  CutState state_ = CutState::AirCutting;
   CalmWatch calm_;
   EntryChatter entry_;
   ChatterLine line_;          // of the alarm

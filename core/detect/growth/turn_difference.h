@@ -22,7 +22,7 @@
 
 namespace stillcut::detect {
 
-class TurnDifference {
+class RevolutionDifference {
  public:
   // slowest: lowest spindle frequency that will be asked for.
   void prepare(int channels, Hertz rate, Hertz slowest);
@@ -32,7 +32,7 @@ class TurnDifference {
   void setTurns(double one, double two) noexcept;
 
   // x[channel * stride + frame] in; out the same with outStride, 0 until two turns are known. news may be null.
-  void process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference, double* news,
+  void process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference, double* innovation,
                std::ptrdiff_t outStride) noexcept;
   // Part of the power of a line `offset` orders from a harmonic that the difference passes.
   static double differenceGain(double offset) noexcept;

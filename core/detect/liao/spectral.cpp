@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 4> kWhyWindow{kSetByHand, "28 turns at th
 constexpr std::array<std::string_view, 3> kWhyThreshold{kNotLearned, kSetByHand,
                                                         "four times the noise floor, or the least growth that counts"};
 constexpr std::array<std::string_view, 3> kWhyFloor{kNotLearned, kMeanOfStable, kHeldInAlarm};
-constexpr std::array<OwnValueDecl, 3> kOwnValues{{
+constexpr std::array<AutoValueDecl, 3> kOwnValues{{
     {"spectral.window", "Window", "s", kWhyWindow},
     {"spectral.threshold", "Line threshold", "", kWhyThreshold},
     {"spectral.floor", "Noise floor", "", kWhyFloor},
@@ -78,7 +78,7 @@ void SpectralDetector::retune(const config::ParamSet& params) noexcept {
   purity_ = params.real(kSpePurity);
   chatterRatio_ = params.real(kSpeChatter);
   judge_.setChatterRatio(chatterRatio_);
-  for (Channel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kSpeEvidence)});
+  for (SpectralChannel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kSpeEvidence)});
 }
 
 double SpectralDetector::chosen(const config::ParamDecl& decl) const {
@@ -93,18 +93,18 @@ void SpectralDetector::reset() noexcept {
 
 void SpectralDetector::restart() noexcept {
   ring_.reset();
-  for (Channel& c : channels_) c.line = {};
+  for (SpectralChannel& c : channels_) c.line = {};
   sinceLook_ = 0;
   steadySeconds_ = 0.0;
 }
 
 void SpectralDetector::leaveCut() noexcept {
-  for (Channel& c : channels_) c.onset.reset();
+  for (SpectralChannel& c : channels_) c.onset.reset();
   highTurns_ = 0.0;
   leading_ = 0;
 }
 
-void SpectralDetector::look(Channel& c, int index) noexcept {
+void SpectralDetector::look(SpectralChannel& c, int index) noexcept {
   spectrum_.transform(ring_.newest(index));
   spectrum_.powers(power_);
   const double norm = std::sqrt(power_[mask_.first()]);
@@ -126,7 +126,7 @@ bool SpectralDetector::fromEntry(const LineOutside& line, double turns) noexcept
 void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   const double step = hop_ / rate_;
   const double turns = block.spindle.value * step;
-  steadySeconds_ = AlarmJudge::steady(block) ? steadySeconds_ + step : 0.0;
+  steadySeconds_ = AlarmStateMachine::steady(block) ? steadySeconds_ + step : 0.0;
   if (judge_.outdated(block)) leaveCut();
   if (!(turns > 0.0) || !ring_.full()) return;
   mask_.update(block.spindle, block.spindleSd, maskBins_, Hertz(kUsableBand * rate_));
@@ -136,7 +136,7 @@ void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   double severity = 0.0;
   leading_ = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    SpectralChannel& c = channels_[i];
     const Hertz before = c.line.frequency;
     look(c, static_cast<int>(i));
     if (settled) c.onset.update(c.line.part, turns, judge_.calm());
@@ -154,12 +154,12 @@ void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
   tellOwn();
 }
 
-OwnValueTable SpectralDetector::ownValues() const {
+AutoValueTable SpectralDetector::autoValues() const {
   return kOwnValues;
 }
 
 void SpectralDetector::tellOwn() noexcept {
-  const Channel& c = channels_[leading_];
+  const SpectralChannel& c = channels_[leading_];
   const bool known = c.onset.learned();
   own_.set(OwnFloor, known ? c.onset.floor() : config::kAutomatic, !known ? 0 : judge_.calm() ? 1 : 2);
   if (threshold_ > 0.0) {
@@ -173,7 +173,7 @@ void SpectralDetector::tellOwn() noexcept {
 
 Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v = judge_.verdict(block);
-  const Channel& c = channels_[leading_];
+  const SpectralChannel& c = channels_[leading_];
   v.indicators = {c.line.amplitude, c.line.frequency.value, c.line.part,
                   c.onset.floor(),  c.onset.evidence(),     c.line.purity};
   if (v.alarming()) {

@@ -19,12 +19,12 @@
 
 #include <vector>
 
-#include "core/detect/alarm_judge.h"
+#include "core/detect/alarm_state_machine.h"
 #include "core/detect/detector.h"
 #include "core/detect/growth/onset_test.h"
 #include "core/dsp/frame_ring.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/line_outside.h"
-#include "core/dsp/spectral_frames.h"
 #include "core/dsp/spectrum.h"
 
 namespace stillcut::detect {
@@ -57,14 +57,14 @@ class SpectralDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
-  OwnValueTable ownValues() const override;
-  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
+  AutoValueTable autoValues() const override;
+  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
   int window() const { return static_cast<int>(ring_.window()); }
 
  private:
-  struct Channel {
+  struct SpectralChannel {
     OnsetTest onset;
     LineOutside line;
     int eta = 0;
@@ -72,19 +72,19 @@ class SpectralDetector final : public Detector {
   void restart() noexcept;
   void leaveCut() noexcept;
   void analyse(const ConditionedBlock& block) noexcept;
-  void look(Channel& c, int index) noexcept;
+  void look(SpectralChannel& c, int index) noexcept;
   bool fromEntry(const LineOutside& line, double turns) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
   void tellOwn() noexcept;
 
-  OwnValues own_;
+  AutoValues own_;
   dsp::kernels::Kernels kernels_;
-  AlarmJudge judge_;
+  AlarmStateMachine judge_;
   FrameRing ring_;
   HarmonicMask mask_;
   dsp::Spectrum spectrum_;
   std::vector<double> power_;
-  std::vector<Channel> channels_;
+  std::vector<SpectralChannel> channels_;
   double rate_ = 0.0;
   int hop_ = 1;
   double maskBins_ = 2.25;

@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 3> kWhyRate{
 constexpr std::array<std::string_view, 3> kWhyVariance{kNotLearned, kSetByHand,
                                                        "four times the noise floor, or the least growth that counts"};
 constexpr std::array<std::string_view, 3> kWhyLearned{kNotLearned, kMeanOfStable, kHeldInAlarm};
-constexpr std::array<OwnValueDecl, 7> kOwnValues{{
+constexpr std::array<AutoValueDecl, 7> kOwnValues{{
     {"parametric.harmonics", "Harmonics", "", kWhyHarmonics},
     {"parametric.mu", "NLMS step", "", kWhyMu},
     {"parametric.lambda", "NLMS leak", "", kWhyLambda},
@@ -98,7 +98,7 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   judge_.prepare(setup.teeth);
   channels_.assign(setup.channels.size(), {});
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    ParametricChannel& c = channels_[i];
     c.eta = integrationFactor(setup.channels[i].quantity);
     c.weights.resize(dsp::kernels::wholeLanes(static_cast<std::size_t>(harmonics_)));
     for (std::size_t l = 0; l < c.weights.size(); ++l) c.weights[l] = weight(static_cast<double>(l + 1), c.eta);
@@ -115,7 +115,7 @@ void ParametricDetector::retune(const config::ParamSet& params) noexcept {
   rootLimit_ = params.real(kParRoot);
   chatterRatio_ = params.real(kParChatter);
   judge_.setChatterRatio(chatterRatio_);
-  for (Channel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
+  for (ParametricChannel& c : channels_) c.onset.prepare({kSmallest * kSmallest, params.real(kParEvidence)});
 }
 
 double ParametricDetector::chosen(const config::ParamDecl& decl) const {
@@ -127,7 +127,7 @@ void ParametricDetector::reset() noexcept {
   judge_.reset();
   leaveCut();
   restart();
-  for (Channel& c : channels_) c.scale = 0.0;
+  for (ParametricChannel& c : channels_) c.scale = 0.0;
 }
 
 void ParametricDetector::restart() noexcept {
@@ -136,7 +136,7 @@ void ParametricDetector::restart() noexcept {
   looks_ = 0.0;
   sinceLook_ = kLookSteps;
   for (dsp::Butterworth& filter : lowPass_) filter.reset();
-  for (Channel& c : channels_) {
+  for (ParametricChannel& c : channels_) {
     c.residualSum = c.inputSum = c.variance = c.power = c.taken = c.root = c.severity = 0.0;
     c.frequency = {};
     c.theta = c.thetaSum = {};
@@ -148,7 +148,7 @@ void ParametricDetector::restart() noexcept {
 }
 
 void ParametricDetector::leaveCut() noexcept {
-  for (Channel& c : channels_) c.onset.reset();
+  for (ParametricChannel& c : channels_) c.onset.reset();
   highTurns_ = clearTurns_ = 0.0;
   leading_ = 0;
 }
@@ -164,7 +164,7 @@ void ParametricDetector::tune(const ConditionedBlock& block) noexcept {
   tellOwn(active, mu, lambda);
 }
 
-OwnValueTable ParametricDetector::ownValues() const {
+AutoValueTable ParametricDetector::autoValues() const {
   return kOwnValues;
 }
 
@@ -174,7 +174,7 @@ void ParametricDetector::tellOwn(int active, double mu, double lambda) noexcept 
   own_.set(OwnLambda, lambda, lambda_ > 0.0 ? 0 : 1);
   own_.set(OwnRate, rate_, rateSet_ ? 0 : factor_ > 1 ? 1 : 2);
   if (channels_.empty()) return;
-  const Channel& c = channels_[leading_];
+  const ParametricChannel& c = channels_[leading_];
   const bool known = c.onset.learned();
   const std::size_t held = judge_.calm() ? 1 : 2;
   own_.set(OwnScale, c.scale > 0.0 ? 1.0 / c.scale : config::kAutomatic, c.scale > 0.0 ? held : 0);
@@ -223,7 +223,7 @@ std::size_t ParametricDetector::stretch(const ConditionedBlock& block, std::size
 
 void ParametricDetector::processFrames(std::size_t from, std::size_t count) noexcept {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    ParametricChannel& c = channels_[i];
     const double* x = thinned_.data() + i * most_ + from;
     double* rest = rest_.data() + i * most_;
     recursions_.process(static_cast<int>(i), x, rest, count, c.scale, c.thetaSum);
@@ -238,7 +238,7 @@ void ParametricDetector::processFrames(std::size_t from, std::size_t count) noex
 }
 
 void ParametricDetector::readModel(std::size_t channel) noexcept {
-  Channel& c = channels_[channel];
+  ParametricChannel& c = channels_[channel];
   if (const ArCoefficients theta = recursions_.theta(static_cast<int>(channel)); unstable(theta)) {
     ArRoots newest = rootsOf(theta);
     if (reflect(newest, delta_)) recursions_.setTheta(static_cast<int>(channel), thetaOf(newest));
@@ -256,7 +256,7 @@ void ParametricDetector::readModel(std::size_t channel) noexcept {
   c.frequency = rootFrequency(dominant, Hertz(rate_));
 }
 
-double ParametricDetector::density(const Channel& c) const noexcept {
+double ParametricDetector::density(const ParametricChannel& c) const noexcept {
   if (!(c.root > 0.0)) return 0.0;  // no model yet
   ArRoots roots = c.roots;
   reflect(roots, delta_);
@@ -265,7 +265,7 @@ double ParametricDetector::density(const Channel& c) const noexcept {
 
 // Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
 double ParametricDetector::severity(std::size_t channel) const noexcept {
-  const Channel& c = channels_[channel];
+  const ParametricChannel& c = channels_[channel];
   if (!(c.frequency.value > 0.0)) return 0.0;
   const double chatter = c.variance * weight(c.frequency.value, c.eta);
   const double forced =
@@ -274,7 +274,7 @@ double ParametricDetector::severity(std::size_t channel) const noexcept {
 }
 
 // What the harmonics leave over what they take. The residual is averaged more shortly: it may be ahead.
-double ParametricDetector::odds(const Channel& c) noexcept {
+double ParametricDetector::odds(const ParametricChannel& c) noexcept {
   return c.power > 0.0 ? c.variance / std::max(c.taken, kLeastTaken * c.power) : 0.0;
 }
 
@@ -283,7 +283,7 @@ double ParametricDetector::shareOf(double odds) noexcept {
 }
 
 void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noexcept {
-  Channel& c = channels_[channel];
+  ParametricChannel& c = channels_[channel];
   const auto n = static_cast<double>(inStep_);
   const double turns = 1.0 / kStepsPerTurn;
   const double input = c.inputSum / n;
@@ -306,7 +306,7 @@ void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noe
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
 // the same root over many turns.
-bool ParametricDetector::fromEntry(const Channel& c) noexcept {
+bool ParametricDetector::fromEntry(const ParametricChannel& c) noexcept {
   const bool same = std::abs(c.frequency.value - highLine_.value) < kSameLine * spindle_.value;
   const bool high = c.severity >= chatterRatio_ && c.root >= rootLimit_ && steadyTurns_ >= kSettleTurns;
   highTurns_ = high && same ? highTurns_ + 1.0 / kStepsPerTurn : 0.0;
@@ -331,14 +331,14 @@ void ParametricDetector::follow(Hertz root) noexcept {
 
 void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
   const double turns = 1.0 / kStepsPerTurn;
-  steadyTurns_ = AlarmJudge::steady(block) ? steadyTurns_ + turns : 0.0;
+  steadyTurns_ = AlarmStateMachine::steady(block) ? steadyTurns_ + turns : 0.0;
   if (judge_.outdated(block)) leaveCut();
   bool grown = false;
   bool begins = false;
   double worst = 0.0;
   leading_ = 0;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    Channel& c = channels_[i];
+    ParametricChannel& c = channels_[i];
     endChannelStep(i, block.phase);
     const bool over = varianceLimit_ > 0.0 ? c.variance > varianceLimit_ : c.onset.alarm();
     grown = grown || over;
@@ -346,7 +346,7 @@ void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
     worst = std::max(worst, c.severity);
     if (odds(c) > odds(channels_[leading_])) leading_ = i;
   }
-  const Channel& lead = channels_[leading_];
+  const ParametricChannel& lead = channels_[leading_];
   const bool entry = varianceLimit_ <= 0.0 && fromEntry(lead);
   const bool something = (grown || worst >= 0.5 * chatterRatio_) && lead.root >= 0.9 * rootLimit_;
   clearTurns_ = something ? 0.0 : clearTurns_ + turns;
@@ -363,7 +363,7 @@ void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
 
 Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
   Verdict v = judge_.verdict(block);
-  const Channel& c = channels_[leading_];
+  const ParametricChannel& c = channels_[leading_];
   v.indicators = {c.variance, density(c), c.root, c.frequency.value, shareOf(odds(c)), shareOf(c.onset.floor())};
   if (v.alarming()) {
     v.reason = {ReasonCode::ResidualGrowing, {shareOf(odds(c)), shareOf(c.onset.floor()), v.frequency.value}};

@@ -31,7 +31,7 @@
 
 #include <vector>
 
-#include "core/detect/alarm_judge.h"
+#include "core/detect/alarm_state_machine.h"
 #include "core/detect/detector.h"
 #include "core/detect/growth/onset_test.h"
 #include "core/detect/van_dijk/parametric_model.h"
@@ -79,14 +79,14 @@ class ParametricDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
-  OwnValueTable ownValues() const override;
-  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
+  AutoValueTable autoValues() const override;
+  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
   static constexpr int kStepsPerTurn = 4;
 
-  struct Channel {
+  struct ParametricChannel {
     OnsetTest onset;
     int eta = 0;
     double residualSum = 0.0;  // this step
@@ -114,21 +114,21 @@ class ParametricDetector final : public Detector {
   void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
   void follow(Hertz root) noexcept;
   void readModel(std::size_t channel) noexcept;
-  static double odds(const Channel& c) noexcept;
+  static double odds(const ParametricChannel& c) noexcept;
   static double shareOf(double odds) noexcept;
-  double density(const Channel& c) const noexcept;
+  double density(const ParametricChannel& c) const noexcept;
   double severity(std::size_t channel) const noexcept;
-  bool fromEntry(const Channel& c) noexcept;
+  bool fromEntry(const ParametricChannel& c) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
   void tellOwn(int active, double mu, double lambda) noexcept;
 
-  OwnValues own_;
+  AutoValues own_;
   bool harmonicsSet_ = false;
   bool rateSet_ = false;
-  AlarmJudge judge_;
+  AlarmStateMachine judge_;
   dsp::kernels::Kernels kernels_;
   ParametricRecursions recursions_;
-  std::vector<Channel> channels_;
+  std::vector<ParametricChannel> channels_;
   std::vector<dsp::Butterworth> lowPass_;  // one a channel, or none: nothing is thinned
   std::size_t most_ = 0;                   // frames of the longest block
   std::vector<double> thinned_, rest_;     // [channel * most + frame]

@@ -48,7 +48,7 @@ class ParametricRecursions {
 
   dsp::kernels::Kernels kernels_;
   Noise noise_;
-  TurningHarmonics harmonics_;
+  RotatingHarmonicFilter harmonics_;
   std::vector<dsp::kernels::ArState> ar_;
 };
 

@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 4> kWhySegment{kSetByHand, "12 turns at t
 constexpr std::array<std::string_view, 3> kWhyEnergyRef{
     kNotLearned, kSetByHand, "of what changes from turn to turn: four times the noise floor, or the least that counts"};
 constexpr std::array<std::string_view, 3> kWhyLearned{kNotLearned, kMeanOfStable, kHeldInAlarm};
-constexpr std::array<OwnValueDecl, 4> kOwnValues{{
+constexpr std::array<AutoValueDecl, 4> kOwnValues{{
     {"coherence.segment", "Segment", "s", kWhySegment},
     {"coherence.energy-ref", "Energy reference", "", kWhyEnergyRef},
     {"coherence.floor", "Noise floor", "", kWhyLearned},
@@ -113,7 +113,7 @@ void CoherenceDetector::restart() noexcept {
   turns_.reset();
   ring_.reset();
   for (CoherenceRatio& pair : pairs_) pair.reset();
-  std::fill(channels_.begin(), channels_.end(), Channel{});
+  std::fill(channels_.begin(), channels_.end(), CoherenceChannel{});
   peak_ = {};
   sinceLook_ = 0;
   settledSeconds_ = energy_ = changedEnergy_ = 0.0;
@@ -129,7 +129,7 @@ void CoherenceDetector::leaveCut() noexcept {
 void CoherenceDetector::takeEnergies() noexcept {
   double all = 0.0;
   double changed = 0.0;
-  for (Channel& c : channels_) {
+  for (CoherenceChannel& c : channels_) {
     const double e = c.sum / hop_;
     const double d = c.changed / hop_;
     all += e * e;
@@ -201,7 +201,7 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
   if (!(turns > 0.0) || !turns_.ready() || !ring_.full()) return;
   mask_.update(block.spindle, Hertz(), kMaskBins, Hertz(kUsableBand * rate_));
   transform();
-  settledSeconds_ = AlarmJudge::steady(block) ? settledSeconds_ + seconds : 0.0;
+  settledSeconds_ = AlarmStateMachine::steady(block) ? settledSeconds_ + seconds : 0.0;
   if (judge_.outdated(block)) onset_.reset();
   const bool settled = settledSeconds_ * rate_ > static_cast<double>(ring_.window());
   const double changed = energy_ > 0.0 ? changedEnergy_ / energy_ : 0.0;
@@ -219,7 +219,7 @@ void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
   judge_.follow(peak_.frequency, Hertz(0.25 * spectrum_.binWidth()));
 }
 
-OwnValueTable CoherenceDetector::ownValues() const {
+AutoValueTable CoherenceDetector::autoValues() const {
   return kOwnValues;
 }
 
@@ -258,7 +258,7 @@ void CoherenceDetector::compare(const ConditionedBlock& block, int first, int fr
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     const double* x = block.samples + static_cast<std::ptrdiff_t>(c) * block.stride + first;
     const double* d = difference_.data() + c * kRow;
-    Channel& channel = channels_[c];
+    CoherenceChannel& channel = channels_[c];
     for (std::size_t f = 0; f < count; ++f) {
       channel.sum += std::abs(x[f]);
       channel.changed += std::abs(d[f]);

@@ -25,13 +25,13 @@
 #include <array>
 #include <vector>
 
-#include "core/detect/alarm_judge.h"
+#include "core/detect/alarm_state_machine.h"
 #include "core/detect/detector.h"
 #include "core/detect/growth/onset_test.h"
 #include "core/detect/growth/turn_difference.h"
 #include "core/detect/xu/coherence_ratio.h"
 #include "core/dsp/frame_ring.h"
-#include "core/dsp/spectral_frames.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/spectrum.h"
 
 namespace stillcut::detect {
@@ -79,8 +79,8 @@ class CoherenceDetector final : public Detector {
   Verdict process(const ConditionedBlock& block) noexcept override;
   void retune(const config::ParamSet& params) noexcept override;
   double chosen(const config::ParamDecl& decl) const override;
-  OwnValueTable ownValues() const override;
-  OwnValue own(std::size_t index) const noexcept override { return own_.read(index); }
+  AutoValueTable autoValues() const override;
+  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
   void reset() noexcept override;
 
  private:
@@ -88,7 +88,7 @@ class CoherenceDetector final : public Detector {
   static constexpr int kRow = 256;  // frames compared at once
 
   void tellOwn() noexcept;
-  struct Channel {
+  struct CoherenceChannel {
     double sum = 0.0;      // of |x| since the last look (eq. 3-7)
     double changed = 0.0;  // of |d|
   };
@@ -109,14 +109,14 @@ class CoherenceDetector final : public Detector {
   bool fromEntry(double severity, double turns) noexcept;
   Verdict verdict(const ConditionedBlock& block) const noexcept;
 
-  AlarmJudge judge_;
-  TurnDifference turns_;
+  AlarmStateMachine judge_;
+  RevolutionDifference turns_;
   FrameRing ring_;
   HarmonicMask mask_;
   OnsetTest onset_;
   dsp::Spectrum spectrum_;
   std::vector<CoherenceRatio> pairs_;
-  std::vector<Channel> channels_;
+  std::vector<CoherenceChannel> channels_;
   std::vector<double> difference_;            // [channel * kRow + frame]
   std::vector<std::complex<double>> before_;  // transform of the pair's first channel
   double rate_ = 0.0;
@@ -132,7 +132,7 @@ class CoherenceDetector final : public Detector {
   double changedEnergy_ = 0.0;  // the same of the turn difference
   CoherencePeak peak_;
   Usual usual_;
-  OwnValues own_;
+  AutoValues own_;
   bool warned_ = false;
   double warnedSeconds_ = 0.0;
   double lead_ = 0.0;

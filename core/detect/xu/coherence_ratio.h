@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/dsp/harmonic_mask.h"
 #include "core/dsp/kernels/kernels.h"
-#include "core/dsp/spectral_frames.h"
 
 namespace stillcut::detect {
 

@@ -75,10 +75,10 @@ void covariance(const CovarianceRun& run) noexcept {
       double* state = run.states + c * n;
       const double e =
           run.x[static_cast<std::ptrdiff_t>(c) * run.stride + static_cast<std::ptrdiff_t>(k)] - dot(run.h, state, n);
-      run.rest[static_cast<std::ptrdiff_t>(c) * run.restStride + static_cast<std::ptrdiff_t>(k)] = e * part;
+      run.residual[static_cast<std::ptrdiff_t>(c) * run.residualStride + static_cast<std::ptrdiff_t>(k)] = e * part;
       for (std::size_t i = 0; i < n; i += kLanes) store(state + i, load(state + i) + load(gain + i) * all(e));
     }
-    turn(run.h, run.h + run.lanes, run.turnRe, run.turnIm, run.lanes);
+    turn(run.h, run.h + run.lanes, run.rotationRe, run.rotationIm, run.lanes);
     times<true>(run, gain, ph);
     for (std::size_t i = 0; i < n; i += kLanes) store(run.ph + i, load(ph + i));
   }

@@ -16,16 +16,16 @@ STILLCUT_INLINE void inRegisters(const HarmonicRun& run, const Then& then) {
   for (std::size_t g = 0; g < kGroups; ++g) {
     re[g] = load(run.re + g * kLanes);
     im[g] = load(run.im + g * kLanes);
-    c[g] = load(run.turnRe + g * kLanes);
-    s[g] = load(run.turnIm + g * kLanes);
+    c[g] = load(run.rotationRe + g * kLanes);
+    s[g] = load(run.rotationIm + g * kLanes);
   }
   for (std::size_t k = 0; k < run.frames; ++k) {
     Lanes sum = re[0];
     for (std::size_t g = 1; g < kGroups; ++g) sum = sum + re[g];
-    const double rest = run.x[k] - total(sum);
-    run.rest[k] = rest * run.after;
-    const Lanes step = all(run.gain * rest);
-    then(rest);
+    const double residual = run.x[k] - total(sum);
+    run.residual[k] = residual * run.after;
+    const Lanes step = all(run.gain * residual);
+    then(residual);
     for (std::size_t g = 0; g < kGroups; ++g) {
       const Lanes r = re[g] + step;
       re[g] = r * c[g] - im[g] * s[g];
@@ -55,13 +55,13 @@ STILLCUT_INLINE void pairInRegisters(const HarmonicRun& first, const HarmonicRun
     for (std::size_t n = 0; n < 2; ++n) {
       Lanes sum = re[n][0];
       for (std::size_t g = 1; g < kGroups; ++g) sum = sum + re[n][g];
-      const double rest = runs[n]->x[k] - total(sum);
-      runs[n]->rest[k] = rest * runs[n]->after;
-      step[n] = all(runs[n]->gain * rest);
+      const double residual = runs[n]->x[k] - total(sum);
+      runs[n]->residual[k] = residual * runs[n]->after;
+      step[n] = all(runs[n]->gain * residual);
     }
     for (std::size_t g = 0; g < kGroups; ++g) {
-      const Lanes c = load(first.turnRe + g * kLanes);
-      const Lanes s = load(first.turnIm + g * kLanes);
+      const Lanes c = load(first.rotationRe + g * kLanes);
+      const Lanes s = load(first.rotationIm + g * kLanes);
       for (std::size_t n = 0; n < 2; ++n) {
         const Lanes r = re[n][g] + step[n];
         re[n][g] = r * c - im[n][g] * s;
@@ -82,15 +82,15 @@ STILLCUT_INLINE void inMemory(const HarmonicRun& run, const Then& then) {
   Lanes sum = load(run.re);
   for (std::size_t n = kLanes; n < run.lanes; n += kLanes) sum = sum + load(run.re + n);
   for (std::size_t k = 0; k < run.frames; ++k) {
-    const double rest = run.x[k] - total(sum);
-    run.rest[k] = rest * run.after;
-    const Lanes step = all(run.gain * rest);
-    then(rest);
+    const double residual = run.x[k] - total(sum);
+    run.residual[k] = residual * run.after;
+    const Lanes step = all(run.gain * residual);
+    then(residual);
     const auto group = [&](std::size_t n) {
       const Lanes r = load(run.re + n) + step;
       const Lanes i = load(run.im + n);
-      const Lanes c = load(run.turnRe + n);
-      const Lanes s = load(run.turnIm + n);
+      const Lanes c = load(run.rotationRe + n);
+      const Lanes s = load(run.rotationIm + n);
       const Lanes re = r * c - i * s;
       store(run.re + n, re);
       store(run.im + n, r * s + i * c);

@@ -14,12 +14,12 @@ void powers(double c, double s, std::size_t n, double* re, double* im) noexcept 
   }
 }
 
-void turn(double* re, double* im, const double* turnRe, const double* turnIm, std::size_t lanes) noexcept {
+void turn(double* re, double* im, const double* rotationRe, const double* rotationIm, std::size_t lanes) noexcept {
   for (std::size_t n = 0; n < lanes; n += kLanes) {
     const Lanes r = load(re + n);
     const Lanes i = load(im + n);
-    const Lanes c = load(turnRe + n);
-    const Lanes s = load(turnIm + n);
+    const Lanes c = load(rotationRe + n);
+    const Lanes s = load(rotationIm + n);
     store(re + n, r * c - i * s);
     store(im + n, r * s + i * c);
   }

@@ -26,13 +26,13 @@ enum class InstructionSet { Baseline, Avx2, Avx512 };
 // eq. 19 with its leak in `turn`): rest = x - sum Re q; q = turn (q + gain rest).
 struct HarmonicRun {
   const double* x = nullptr;
-  double* rest = nullptr;  // before correction, times `after`
+  double* residual = nullptr;  // before correction, times `after`
   std::size_t frames = 0;
   std::size_t lanes = 0;  // harmonics, in whole lanes; turn is 0 in those without a harmonic
   double* re = nullptr;   // state q
   double* im = nullptr;
-  const double* turnRe = nullptr;
-  const double* turnIm = nullptr;
+  const double* rotationRe = nullptr;
+  const double* rotationIm = nullptr;
   double gain = 0.0;
   double after = 1.0;
 };
@@ -52,19 +52,19 @@ struct CascadeRun {
 struct CovarianceRun {
   const double* x = nullptr;  // [channel * stride + frame]
   std::ptrdiff_t stride = 0;
-  double* rest = nullptr;  // after correction, [channel * restStride + frame]
-  std::ptrdiff_t restStride = 0;
+  double* residual = nullptr;  // after correction, [channel * residualStride + frame]
+  std::ptrdiff_t residualStride = 0;
   std::size_t channels = 0;
   std::size_t frames = 0;
-  std::size_t lanes = 0;           // of harmonics, whole; all vectors below are 2 * lanes long: cosines, then sines
-  double* p = nullptr;             // 2 lanes x 2 lanes; blocks of kLanes on and above the diagonal are kept
-  double* ph = nullptr;            // P h of the frame to come
-  double* h = nullptr;             // of the frame to come; 0 where there is no harmonic
-  const double* turnRe = nullptr;  // lanes
-  const double* turnIm = nullptr;  // lanes
-  const double* drift = nullptr;   // Q / R of each state; 0 where there is no harmonic
-  double* states = nullptr;        // [channel * 2 lanes + n]: Re q, -Im q in that frame
-  double* scratch = nullptr;       // 4 lanes
+  std::size_t lanes = 0;               // of harmonics, whole; all vectors below are 2 * lanes long: cosines, then sines
+  double* p = nullptr;                 // 2 lanes x 2 lanes; blocks of kLanes on and above the diagonal are kept
+  double* ph = nullptr;                // P h of the frame to come
+  double* h = nullptr;                 // of the frame to come; 0 where there is no harmonic
+  const double* rotationRe = nullptr;  // lanes
+  const double* rotationIm = nullptr;  // lanes
+  const double* drift = nullptr;       // Q / R of each state; 0 where there is no harmonic
+  double* states = nullptr;            // [channel * 2 lanes + n]: Re q, -Im q in that frame
+  double* scratch = nullptr;           // 4 lanes
 };
 
 // One signal through a bank of filters of two sections each, lanes = bands:
@@ -129,7 +129,7 @@ struct ParametricRun {
 // one = x(t - T), two = x(t - 2T), each read at or before the frame that its pointer names,
 //   difference = (now - 2 one + two) / sqrt(6), news = (now - (one + two) / 2) / sqrt(1.5).
 inline constexpr std::size_t kDelayTaps = 16;
-struct TurnRun {
+struct RevolutionDifferenceRun {
   const double* now = nullptr;  // of the first frame
   const double* one = nullptr;  // newest frame under the taps for the first frame, kDelayTaps - 1 before it are read
   const double* two = nullptr;
@@ -137,15 +137,15 @@ struct TurnRun {
   const double* twoTaps = nullptr;
   std::size_t frames = 0;
   double* difference = nullptr;
-  double* news = nullptr;  // may be null
+  double* innovation = nullptr;  // may be null
 };
 
 // The transform of 2 n real numbers from that of the n complex ones that they make, even ones re and odd ones im:
 // X_k = (Z_k + Z*_(n-k)) / 2 - j e^(-j pi k / n) (Z_k - Z*_(n-k)) / 2. All interleaved.
 struct UnfoldRun {
-  const double* folded = nullptr;  // n
-  const double* turnRe = nullptr;  // e^(-j pi k / n) / 2, k = 0 .. n / 2 and kLanes more
-  const double* turnIm = nullptr;
+  const double* folded = nullptr;      // n
+  const double* rotationRe = nullptr;  // e^(-j pi k / n) / 2, k = 0 .. n / 2 and kLanes more
+  const double* rotationIm = nullptr;
   std::size_t n = 0;
   double* out = nullptr;  // n + 1
 };
@@ -238,8 +238,8 @@ struct LineRun {
   std::size_t lanes = 0;  // lines, in whole lanes
   double* re = nullptr;   // oscillators
   double* im = nullptr;
-  const double* turnRe = nullptr;
-  const double* turnIm = nullptr;
+  const double* rotationRe = nullptr;
+  const double* rotationIm = nullptr;
   double* xRe = nullptr;  // += x times oscillator
   double* xIm = nullptr;
   double* yRe = nullptr;
@@ -263,7 +263,7 @@ struct Kernels {
   // turn^1 .. turn^n of the unit number (c, s).
   void (*powers)(double c, double s, std::size_t n, double* re, double* im) noexcept = nullptr;
   // q *= turn
-  void (*turn)(double* re, double* im, const double* turnRe, const double* turnIm,
+  void (*turn)(double* re, double* im, const double* rotationRe, const double* rotationIm,
                std::size_t lanes) noexcept = nullptr;
   void (*harmonics)(const HarmonicRun&) noexcept = nullptr;
   // The same for two signals whose harmonics turn alike, frame by frame side by side: neither waits for the other.
@@ -273,7 +273,7 @@ struct Kernels {
   // ph = P h from the kept blocks
   void (*covarianceTimes)(const CovarianceRun&) noexcept = nullptr;
   void (*parametric)(const ParametricRun&) noexcept = nullptr;
-  void (*turns)(const TurnRun&) noexcept = nullptr;
+  void (*turns)(const RevolutionDifferenceRun&) noexcept = nullptr;
   // out = a b
   void (*multiply)(const double* a, const double* b, double* out, std::size_t n) noexcept = nullptr;
   double (*sum)(const double* x, std::size_t n) noexcept = nullptr;

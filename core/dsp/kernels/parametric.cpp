@@ -29,8 +29,8 @@ void parametric(const ParametricRun& run) noexcept {
     get(p[i], run.ar->p + 4 * i);
     drift[i][i] = run.rv;
   }
-  harmonicLoop(run.harmonics, [&](double rest) {
-    const double e = run.scale * rest;
+  harmonicLoop(run.harmonics, [&](double residual) {
+    const double e = run.scale * residual;
     const Four t = (p[0] * past[0] + p[1] * past[1]) + (p[2] * past[2] + p[3] * past[3]);
     const Four spread = past * t;
     const Four predicted = past * theta;

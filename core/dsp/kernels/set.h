@@ -6,14 +6,14 @@
 namespace stillcut::dsp::kernels::STILLCUT_SET {
 
 void powers(double c, double s, std::size_t n, double* re, double* im) noexcept;
-void turn(double* re, double* im, const double* turnRe, const double* turnIm, std::size_t lanes) noexcept;
+void turn(double* re, double* im, const double* rotationRe, const double* rotationIm, std::size_t lanes) noexcept;
 void harmonics(const HarmonicRun& run) noexcept;
 void harmonicPair(const HarmonicRun& first, const HarmonicRun& second) noexcept;
 void cascade(const CascadeRun& run) noexcept;
 double weightedPower(const double* re, const double* im, const double* weight, std::size_t lanes) noexcept;
 void covariance(const CovarianceRun& run) noexcept;
 void covarianceTimes(const CovarianceRun& run) noexcept;
-void turns(const TurnRun& run) noexcept;
+void turns(const RevolutionDifferenceRun& run) noexcept;
 void parametric(const ParametricRun& run) noexcept;
 void multiply(const double* a, const double* b, double* out, std::size_t n) noexcept;
 double sum(const double* x, std::size_t n) noexcept;

@@ -158,8 +158,8 @@ void unfold(const UnfoldRun& run) noexcept {
     const ComplexLanes low = loadComplex(z + 2 * k);
     const ComplexLanes up = loadComplex(z + 2 * mirror);
     const ComplexLanes high{reversed(up.re), reversed(up.im)};
-    const Lanes c = load(run.turnRe + k);
-    const Lanes s = load(run.turnIm + k);
+    const Lanes c = load(run.rotationRe + k);
+    const Lanes s = load(run.rotationIm + k);
     const Lanes evenRe = half * (low.re + high.re);
     const Lanes evenIm = half * (low.im - high.im);
     const Lanes oddRe = low.im + high.im;
@@ -176,8 +176,8 @@ void unfold(const UnfoldRun& run) noexcept {
     const double evenIm = 0.5 * (low[1] - high[1]);
     const double oddRe = low[1] + high[1];
     const double oddIm = high[0] - low[0];
-    const double re = run.turnRe[k] * oddRe - run.turnIm[k] * oddIm;
-    const double im = run.turnRe[k] * oddIm + run.turnIm[k] * oddRe;
+    const double re = run.rotationRe[k] * oddRe - run.rotationIm[k] * oddIm;
+    const double im = run.rotationRe[k] * oddIm + run.rotationIm[k] * oddRe;
     run.out[2 * (run.n - k)] = evenRe - re;
     run.out[2 * (run.n - k) + 1] = im - evenIm;
     run.out[2 * k] = evenRe + re;

@@ -78,7 +78,7 @@ void filterPair(PairRun& run) noexcept {
 void lineSums(const LineRun& run) noexcept {
   for (std::size_t l = 0; l < run.lanes; l += kLanes) {
     Lanes re = load(run.re + l), im = load(run.im + l);
-    const Lanes turnRe = load(run.turnRe + l), turnIm = load(run.turnIm + l);
+    const Lanes rotationRe = load(run.rotationRe + l), rotationIm = load(run.rotationIm + l);
     Lanes xRe = load(run.xRe + l), xIm = load(run.xIm + l);
     Lanes yRe = load(run.yRe + l), yIm = load(run.yIm + l);
     for (std::size_t n = 0; n < run.frames; ++n) {
@@ -87,8 +87,8 @@ void lineSums(const LineRun& run) noexcept {
       xIm = xIm + x * im;
       yRe = yRe + y * re;
       yIm = yIm + y * im;
-      const Lanes next = re * turnRe - im * turnIm;
-      im = re * turnIm + im * turnRe;
+      const Lanes next = re * rotationRe - im * rotationIm;
+      im = re * rotationIm + im * rotationRe;
       re = next;
     }
     store(run.re + l, re);
@@ -108,7 +108,7 @@ void demodulate(HannRun& run) noexcept {
   double windowIm[kLanes + 1] = {0.0};
   powers(run.lineRe, run.lineIm, kLanes, lineRe + 1, lineIm + 1);
   powers(run.windowRe, run.windowIm, kLanes, windowRe + 1, windowIm + 1);
-  const Lanes turnRe = all(lineRe[kLanes]), turnIm = all(lineIm[kLanes]);
+  const Lanes rotationRe = all(lineRe[kLanes]), rotationIm = all(lineIm[kLanes]);
   const Lanes stepRe = all(windowRe[kLanes]), stepIm = all(windowIm[kLanes]);
   Lanes re = load(lineRe), im = load(lineIm);
   Lanes rise = load(windowRe), side = load(windowIm);
@@ -117,8 +117,8 @@ void demodulate(HannRun& run) noexcept {
     const Lanes v = load(x) * (all(0.5) - all(0.5) * rise);
     sumRe = sumRe + v * re;
     sumIm = sumIm + v * im;
-    const Lanes nextRe = re * turnRe - im * turnIm;
-    im = re * turnIm + im * turnRe;
+    const Lanes nextRe = re * rotationRe - im * rotationIm;
+    im = re * rotationIm + im * rotationRe;
     re = nextRe;
     const Lanes nextRise = rise * stepRe - side * stepIm;
     side = rise * stepIm + side * stepRe;

@@ -236,7 +236,7 @@ void describeModes(ModalFit& fit, const ModalLines& lines, const Selection& sele
                             " Hz left out: all its damping is the exponential window's");
       continue;
     }
-    m.doubt = doubtAbout(m, fit);
+    m.caveat = doubtAbout(m, fit);
     fit.modes.push_back(std::move(m));
   }
   std::sort(fit.modes.begin(), fit.modes.end(),

@@ -33,7 +33,7 @@ struct IdentifiedMode {
   double share = 0.0;        // part of the response (2-norm, 0..1) that is lost without this mode
   double stability = 0.0;    // share of the orders at which a stable pole was seen within 2 % of it
   double phase = 0.0;        // by which the mode's shape departs from real [rad]
-  std::string doubt;         // one line, empty when there is none
+  std::string caveat;        // one line, empty when there is none
 };
 
 struct ModalFit {

@@ -30,7 +30,7 @@ void describe(config::TomlWriter& out, const IdentifiedMode& m) {
               rounded(m.mode.damping, 3) + " +- " + rounded(m.dampingSd, 2) + ", stiffness " +
               rounded(m.mode.stiffness, 3) + " +- " + rounded(m.stiffnessSd, 2) + " N/m, " + percent(m.share) +
               " of the response");
-  if (!m.doubt.empty()) out.comment("doubt: " + m.doubt);
+  if (!m.caveat.empty()) out.comment("doubt: " + m.caveat);
 }
 
 using Member = std::function<double&(IdentifiedMode&)>;
@@ -74,7 +74,7 @@ void readFit(const TomlTable& t, ModesFile& file) {
     t.refuse("doubt", message("needs one text per mode, %1", std::to_string(file.modes.size())));
     return;
   }
-  for (std::size_t i = 0; i < doubts.size(); ++i) file.modes[i].doubt = doubts[i];
+  for (std::size_t i = 0; i < doubts.size(); ++i) file.modes[i].caveat = doubts[i];
 }
 
 Result<ModesFile> read(const TomlReader& in) {
@@ -123,7 +123,7 @@ std::string modesFileText(const ModesFile& file) {
   }
   // Doubts are our own sentences: nothing in them needs escaping.
   text += "doubt = [";
-  for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", \"" : "\"") + modes[i].doubt + "\"";
+  for (std::size_t i = 0; i < modes.size(); ++i) text += (i > 0 ? ", \"" : "\"") + modes[i].caveat + "\"";
   return text + "]\n";
 }
 

@@ -50,7 +50,7 @@ void readModel(const Json& j, const std::string& where, CutModel& model) {
   model.material.radial = caseNumber(j, "Kn", where);
   model.engagement.radialImmersion = caseNumber(j, "aD", where);
   if (!j.contains("up") || !j.at("up").is_boolean()) throw Error{where + "up", message("true or false is needed")};
-  model.engagement.side = j.at("up").get<bool>() ? Side::Up : Side::Down;
+  model.engagement.side = j.at("up").get<bool>() ? MillingDirection::Up : MillingDirection::Down;
 }
 
 // Leaves of the document as text, but for those that have become part of the scenario.

@@ -81,9 +81,9 @@ RampShape shapeOf(const Json& segment, const std::string& place) {
   return RampShape::Linear;
 }
 
-Profile readSegments(Quantity q, const Json& list, const std::string& where, const Scenario& s) {
+Schedule readSegments(Quantity q, const Json& list, const std::string& where, const Scenario& s) {
   if (!list.is_array()) fail(where, message("a list is needed"));
-  Profile p;
+  Schedule p;
   for (const Json& g : list) {
     const std::string place = where + "[" + std::to_string(p.segments.size()) + "]";
     const std::string unit = unitOf(g, place);
@@ -101,9 +101,9 @@ void readAngles(const Json& process, const std::string& where, Engagement& e) {
   const double start = caseNumber(process, "phi_st_in_cut", where), exit = caseNumber(process, "phi_ex_in_cut", where);
   constexpr double kClose = 1e-9;
   if (std::abs(start) < kClose) {
-    e = {0.5 * (1.0 - std::cos(exit)), Side::Up};
+    e = {0.5 * (1.0 - std::cos(exit)), MillingDirection::Up};
   } else if (std::abs(exit - std::numbers::pi) < kClose) {
-    e = {0.5 * (1.0 + std::cos(start)), Side::Down};
+    e = {0.5 * (1.0 + std::cos(start)), MillingDirection::Down};
   } else {
     fail(where + ".phi_st_in_cut", message("the cut must begin at 0 or end at pi"));
   }
@@ -145,7 +145,7 @@ void readCaseProcess(const Json& process, const std::string& where, Scenario& s)
       if (changesTheCut(item.value())) fail(place, message("this kind of list is not understood"));
       continue;
     }
-    const Profile profile = readSegments(*quantity, item.value(), place, s);
+    const Schedule profile = readSegments(*quantity, item.value(), place, s);
     switch (*quantity) {
       case Quantity::Depth:
         p.depth = profile;

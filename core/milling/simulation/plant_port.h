@@ -14,27 +14,27 @@
 namespace stillcut::milling {
 
 // Everything the machine's side wants, whole each time, so that the newest one is enough.
-struct PlantOrder {
+struct PlantCommand {
   Instant when{};  // of the newest change of the overrides
   Ratio speed{1.0}, feed{1.0};
-  Ratio knobSpeed{1.0}, knobFeed{1.0};
+  Ratio operatorSpeedFactor{1.0}, operatorFeedFactor{1.0};
   bool overridesEnabled = true;
   bool feedHold = false;
-  bool operator==(const PlantOrder&) const = default;
+  bool operator==(const PlantCommand&) const = default;
 };
 
 class PlantPort {
  public:
   // Link thread.
-  void order(const PlantOrder& wanted) noexcept { orders_.post(wanted); }
+  void order(const PlantCommand& wanted) noexcept { orders_.post(wanted); }
   std::optional<MachineState> state() noexcept { return states_.latest(); }
 
   // Driver thread.
   void serve(SimulatedCut& plant) noexcept {
-    const std::optional<PlantOrder> o = orders_.take();
+    const std::optional<PlantCommand> o = orders_.take();
     if (!o) return;
     if (o->speed != served_.speed || o->feed != served_.feed) plant.setOverrides(o->speed, o->feed, o->when);
-    plant.setOperatorKnobs(o->knobSpeed, o->knobFeed);
+    plant.setOperatorOverrides(o->operatorSpeedFactor, o->operatorFeedFactor);
     plant.setOverridesEnabled(o->overridesEnabled);
     plant.setFeedHold(o->feedHold);
     served_ = *o;
@@ -42,9 +42,9 @@ class PlantPort {
   void publish(const SimulatedCut& plant) noexcept { states_.post(plant.machineState()); }
 
  private:
-  rt::Mailbox<PlantOrder> orders_;
+  rt::Mailbox<PlantCommand> orders_;
   rt::Mailbox<MachineState> states_;
-  PlantOrder served_;  // driver thread's
+  PlantCommand served_;  // driver thread's
 };
 
 }  // namespace stillcut::milling

@@ -12,7 +12,7 @@
 #include "core/base/result.h"
 #include "core/milling/cut_model.h"
 #include "core/milling/simulation/override_path.h"
-#include "core/milling/simulation/profile.h"
+#include "core/milling/simulation/schedule.h"
 #include "core/milling/simulation/sensors.h"
 #include "core/milling/simulation/spindle_drive.h"
 #include "core/milling/simulation/work_holder.h"
@@ -35,15 +35,15 @@ struct Programme {
   Rpm speed{};            // S word
   Metres feedPerTooth{};  // the F word is feedPerTooth * teeth * speed
   Seconds duration{};
-  Profile depth;                 // [m]; empty: air
-  Profile immersion;             // a/D; empty: the engagement's
-  Profile speedOverTime;         // S word over time [rev/min]; empty: `speed`
-  Profile feedPerToothOverTime;  // [m]; empty: `feedPerTooth`
-  std::optional<Passage> entry;  // the tool's edge meets the material; it is fully in after one radius of path
-  std::optional<Passage> exit;   // the tool has left; it begins to leave one radius before
-  Seconds feedLag{0.03};         // first-order lag of the feed drives (ours)
-  double randomForce = 0.0;      // white, on the tool tip in x and in y [N/sqrt(Hz)] (floor, coolant, bearings)
-  double unevenness = 0.0;       // white random part of the cutting force, relative [1/sqrt(Hz)] (ours: grain, chips)
+  Schedule depth;                 // [m]; empty: air
+  Schedule immersion;             // a/D; empty: the engagement's
+  Schedule speedOverTime;         // S word over time [rev/min]; empty: `speed`
+  Schedule feedPerToothOverTime;  // [m]; empty: `feedPerTooth`
+  std::optional<Passage> entry;   // the tool's edge meets the material; it is fully in after one radius of path
+  std::optional<Passage> exit;    // the tool has left; it begins to leave one radius before
+  Seconds feedLag{0.03};          // first-order lag of the feed drives (ours)
+  double randomForce = 0.0;       // white, on the tool tip in x and in y [N/sqrt(Hz)] (floor, coolant, bearings)
+  double unevenness = 0.0;        // white random part of the cutting force, relative [1/sqrt(Hz)] (ours: grain, chips)
 };
 
 struct Scenario {

@@ -28,12 +28,12 @@ std::string range(const char* key, double low, double high, double perUnit) {
   return std::string(key) + " = [" + numberText(low, perUnit) + ", " + numberText(high, perUnit) + "]\n";
 }
 
-std::string profileText(const char* table, const Profile& p, double perUnit) {
+std::string profileText(const char* table, const Schedule& p, double perUnit) {
   if (p.empty()) return {};
   const double position = p.along == Along::Time ? 1.0 : kMm;
   const std::string head = std::string("programme.") + table;
   std::string s = "[" + head + "]\nalong = " + (p.along == Along::Time ? "\"time\"\n\n" : "\"path\"\n\n");
-  for (const ProfileSegment& g : p.segments) {
+  for (const ScheduleSegment& g : p.segments) {
     s += "[[" + head + ".segment]]\n" + line("from", g.from, position) + line("to", g.to, position);
     if (g.fromValue == g.toValue) {
       s += line("value", g.fromValue, perUnit);

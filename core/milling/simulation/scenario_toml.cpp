@@ -17,13 +17,13 @@ constexpr double kPercent = 1e2;  // per one
 constexpr double kMs = 1e3;       // per second
 
 // One table for reading and writing where a number stands and in what unit.
-Profile readProfile(const TomlTable& t, double perUnit) {
-  Profile p;
+Schedule readProfile(const TomlTable& t, double perUnit) {
+  Schedule p;
   if (!t.present()) return p;
   p.along = t.choiceOr("along", 0, {"time", "path"}) == 0 ? Along::Time : Along::Path;
   const double position = p.along == Along::Time ? 1.0 : kMm;
   for (const TomlTable& g : t.tables("segment")) {
-    ProfileSegment s;
+    ScheduleSegment s;
     s.from = inSi(g.number("from"), position);
     s.to = inSi(g.number("to"), position);
     if (g.has("value")) {

@@ -168,7 +168,7 @@ void SimulatedCut::updateEngagement() noexcept {
   }
   if (depth != depth_) {
     depth_ = depth;
-    for (RegenerativeCut* c : cuts()) c->setDepth(depth);
+    for (RegenerativeCut* c : cuts()) c->setAxialDepth(depth);
   }
 }
 
@@ -315,7 +315,7 @@ void SimulatedCut::setOverrides(Ratio speed, Ratio feed, Instant when) STILLCUT_
   overrides_.command(speed, feed, std::max(when, start_ + toDuration(time())));
 }
 
-void SimulatedCut::setOperatorKnobs(Ratio speed, Ratio feed) STILLCUT_RT {
+void SimulatedCut::setOperatorOverrides(Ratio speed, Ratio feed) STILLCUT_RT {
   if (isFinite(speed) && speed.value >= 0.0) knobSpeed_ = speed;
   if (isFinite(feed) && feed.value >= 0.0) knobFeed_ = feed;
 }

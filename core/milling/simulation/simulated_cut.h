@@ -40,7 +40,7 @@ class SimulatedCut {
   MachineState machineState() const STILLCUT_RT;
   // Our factors on the programmed values; they act after the override's delay, from `when` or now, whichever is later.
   void setOverrides(Ratio speed, Ratio feed, Instant when) STILLCUT_RT;
-  void setOperatorKnobs(Ratio speed, Ratio feed) STILLCUT_RT;
+  void setOperatorOverrides(Ratio speed, Ratio feed) STILLCUT_RT;
   void setOverridesEnabled(bool enabled) noexcept { overridesEnabled_ = enabled; }  // false: as under M49
   void setFeedHold(bool hold) noexcept { feedHold_ = hold; }
 

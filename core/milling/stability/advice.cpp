@@ -90,12 +90,12 @@ class Adviser {
     return request_.depth.value * width * feed;
   }
 
-  std::optional<DeepestCut> deepest(const LobeSweep& sweep) const {
-    std::optional<DeepestCut> best;
+  std::optional<LargestStableDepth> deepest(const LobeSweep& sweep) const {
+    std::optional<LargestStableDepth> best;
     for (const SpeedLimits& limits : sweep.speeds) {
       if (!limits.hasLimit()) continue;
       const StabilityLimit& l = limits.crossings.front();
-      if (!best || l.depth > best->depth) best = DeepestCut{l.speed, l.depth, l.frequency};
+      if (!best || l.depth > best->depth) best = LargestStableDepth{l.speed, l.depth, l.frequency};
     }
     return best;
   }

@@ -36,16 +36,16 @@ struct SpeedPocket {
   double removal = 0.0;  // at `best`: depth x width of cut x feed [m^3/s]; 0 without a feed
 };
 
-struct DeepestCut {
+struct LargestStableDepth {
   Rpm speed{};
   Metres depth{};
   Hertz frequency{};  // chatter frequency just above it
 };
 
 struct SpeedAdvice {
-  std::vector<SpeedPocket> pockets;   // by speed; empty: no stable speed at this depth
-  std::optional<DeepestCut> deepest;  // where there is no pocket
-  Rpm highest{};                      // of the range after the tool's cutting speed
+  std::vector<SpeedPocket> pockets;           // by speed; empty: no stable speed at this depth
+  std::optional<LargestStableDepth> deepest;  // where there is no pocket
+  Rpm highest{};                              // of the range after the tool's cutting speed
   bool cappedByTool = false;
   std::vector<Message> warnings;  // what the linear cut leaves out
   bool finished = false;          // false: stopped

@@ -66,7 +66,7 @@ Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, c
 
 Result<SpeedLimits> ExactLobes::limits(Rpm speed, const LimitOptions& options, WorkMeter& meter) const {
   if (Status ok = checkSpeed(speed); !ok) return ok.error();
-  if (Status ok = checkDepth(options.maxDepth); !ok) return ok.error();
+  if (Status ok = checkDepth(options.maxAxialDepth); !ok) return ok.error();
   return LimitSearch(system_, speed, options, meter).run();
 }
 

@@ -37,7 +37,7 @@ struct StabilityLimit {
 };
 
 struct LimitOptions {
-  Metres maxDepth{0.010};
+  Metres maxAxialDepth{0.010};
   bool firstOnly = false;   // only crossing 0: several times faster
   bool frequencies = true;  // fill in `frequency`
   Metres hint{};            // firstOnly: where the limit is expected, 0 unknown; affects the time only
@@ -46,7 +46,7 @@ struct LimitOptions {
 struct SpeedLimits {
   Rpm speed{};
   std::vector<StabilityLimit> crossings;  // by depth
-  Metres searchedTo{};                    // below maxDepth where the cut is so unstable that double precision ends
+  Metres searchedTo{};                    // below maxAxialDepth where the cut is so unstable that double precision ends
   bool verified = false;                  // the argument principle counts the same number of multipliers at the top
 
   bool hasLimit() const { return !crossings.empty(); }

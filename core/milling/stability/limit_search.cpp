@@ -52,7 +52,7 @@ Disc enclose(const ThetaDepthBox& box) {
 }  // namespace
 
 LimitSearch::LimitSearch(const RegenerativeSystem& system, Rpm speed, const LimitOptions& options, WorkMeter& meter)
-    : system_(system), options_(options), meter_(meter), cutting_(cuttingShare(system) * system.toothPeriod(speed)) {
+    : system_(system), options_(options), meter_(meter), cutting_(cuttingFraction(system) * system.toothPeriod(speed)) {
   limits_.speed = speed;
   limits_.verified = true;
 }
@@ -74,7 +74,7 @@ std::optional<Characteristic> LimitSearch::expandTo(double depth) {
 }
 
 SpeedLimits LimitSearch::run() {
-  const double top = options_.maxDepth.value;
+  const double top = options_.maxAxialDepth.value;
   double from = 0.0;
   double to = top;
   if (options_.firstOnly) to = options_.hint.value > 0.0 ? std::min(top, 1.2 * options_.hint.value) : top / 8;

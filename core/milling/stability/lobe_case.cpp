@@ -44,8 +44,9 @@ LobeCase caseFrom(const nlohmann::json& j) {
   c.model.tool.teeth = j.at("N").get<int>();
   c.model.material.tangential = j.at("Kt").get<double>();
   c.model.material.radial = j.at("Kn").get<double>();
-  c.model.engagement = {j.at("aD").get<double>(), j.at("up").get<bool>() ? Side::Up : Side::Down};
-  c.maxDepth = Metres(inSi(j.at("wmax_mm").get<double>(), kPerMetreMm));
+  c.model.engagement = {j.at("aD").get<double>(),
+                        j.at("up").get<bool>() ? MillingDirection::Up : MillingDirection::Down};
+  c.maxAxialDepth = Metres(inSi(j.at("wmax_mm").get<double>(), kPerMetreMm));
   flatten(j, "", c.reference);
   c.reference.erase("name");
   return c;
@@ -74,7 +75,7 @@ Result<LobeCase> readLobeCase(const std::string& path, const ModelParts& parts) 
   LobeCase c;
   c.name = root.textOr("name", std::filesystem::path(path).stem().string());
   c.model = readModel(root, parts);
-  c.maxDepth = Metres(inSi(root.tableOr("chart").numberOr("max_depth_mm", 10.0, 1e-6, 1000.0), kPerMetreMm));
+  c.maxAxialDepth = Metres(inSi(root.tableOr("chart").numberOr("max_depth_mm", 10.0, 1e-6, 1000.0), kPerMetreMm));
   const config::TomlTable reference = root.tableOr("reference");
   for (const std::string& key : reference.keys()) c.reference[key] = reference.text(key);
   if (Status ok = reader.finish(); !ok) return ok.error();
@@ -88,7 +89,7 @@ Result<LobeCase> loadLobeCase(const std::string& path, const ModelParts& parts) 
 
 std::string lobeCaseText(const LobeCase& c) {
   std::string s = "name = " + quoted(c.name) + "\n\n" + modelText(c.model);
-  s += "[chart]\nmax_depth_mm = " + numberText(c.maxDepth.value, kPerMetreMm) + "\n";
+  s += "[chart]\nmax_depth_mm = " + numberText(c.maxAxialDepth.value, kPerMetreMm) + "\n";
   if (c.reference.empty()) return s;
   s += "\n[reference]\n";
   for (const auto& [key, text] : c.reference) s += quoted(key) + " = " + quoted(text) + "\n";

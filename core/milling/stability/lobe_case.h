@@ -15,7 +15,7 @@ namespace stillcut::milling {
 struct LobeCase {
   std::string name;
   CutModel model;
-  Metres maxDepth{0.010};
+  Metres maxAxialDepth{0.010};
   // Everything else a JSON case says, as text under its key, nested keys joined by '-' ("sdm1_k40_rel_err-median",
   // "modes-0-m"): kept so that a conversion loses nothing; not read by any method.
   std::map<std::string, std::string> reference;

@@ -46,7 +46,7 @@ std::string lobeJson(const LobeSweep& sweep, const std::string& name) {
   json warnings = json::array();
   for (const Message& warning : sweep.warnings) warnings.push_back(text(warning));
   const json all{{"case", name},
-                 {"max_depth_mm", 1e3 * sweep.maxDepth.value},
+                 {"max_depth_mm", 1e3 * sweep.maxAxialDepth.value},
                  {"warnings", warnings},
                  {"speeds", std::move(speeds)}};
   return all.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
@@ -63,7 +63,7 @@ std::vector<std::string> lobeSummary(const LobeSweep& sweep) {
   }
   char line[240];
   std::snprintf(line, sizeof line, "%zu speeds: %zu with a limit, %zu without one down to %.6g mm", sweep.speeds.size(),
-                limited, free, 1e3 * sweep.maxDepth.value);
+                limited, free, 1e3 * sweep.maxAxialDepth.value);
   std::vector<std::string> lines{line};
   if (cutShort.empty()) return lines;
   const auto [low, high] = std::minmax_element(

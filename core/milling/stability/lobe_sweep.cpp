@@ -35,7 +35,7 @@ class Sweeper {
     if (error_) return *error_;
     LobeSweep sweep;
     sweep.speeds = std::move(results_);
-    sweep.maxDepth = options_.limits.maxDepth;
+    sweep.maxAxialDepth = options_.limits.maxAxialDepth;
     sweep.finished = done_ == speeds_.size() && !stop_.stop_requested();
     return sweep;
   }
@@ -53,7 +53,7 @@ class Sweeper {
           fail(one.error());
           return;
         }
-        hint = one->hasLimit() ? one->crossings.front().depth : options_.limits.maxDepth;
+        hint = one->hasLimit() ? one->crossings.front().depth : options_.limits.maxAxialDepth;
         results_[i] = std::move(one.value());
         report();
       }
@@ -101,7 +101,7 @@ Message neglectedWarning(const CutModel& model) {
 Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds, const SweepOptions& options,
                              const std::string& where, const std::stop_token& stop) {
   if (speeds.empty()) return Error{where, message("no spindle speed is given")};
-  if (Status ok = ExactLobes::checkDepth(options.limits.maxDepth); !ok) return ok.error();
+  if (Status ok = ExactLobes::checkDepth(options.limits.maxAxialDepth); !ok) return ok.error();
   std::vector<Message> warnings;
   if (Message left = neglectedWarning(model); !left.empty()) warnings.push_back(std::move(left));
   switch (options.method) {
@@ -118,7 +118,9 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
     case LobeMethod::SemiDiscretization: {
       const Result<SemiDiscretization> sdm = SemiDiscretization::make(model, options.sdm, where);
       if (!sdm) return sdm.error();
-      const SolveOne solve = [&](Rpm speed, Metres) { return sdm->limit(speed, options.limits.maxDepth, 80, stop); };
+      const SolveOne solve = [&](Rpm speed, Metres) {
+        return sdm->limit(speed, options.limits.maxAxialDepth, 80, stop);
+      };
       return sweepWith(solve, speeds, options, stop, std::move(warnings));
     }
     case LobeMethod::ZerothOrder:
@@ -127,7 +129,7 @@ Result<LobeSweep> sweepLobes(const CutModel& model, std::span<const Rpm> speeds,
   const Result<ZerothOrder> zoa = ZerothOrder::make(model, where);
   if (!zoa) return zoa.error();
   warnings.push_back(zoa->warning());
-  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxDepth, stop); };
+  const SolveOne solve = [&](Rpm speed, Metres) { return zoa->limit(speed, options.limits.maxAxialDepth, stop); };
   return sweepWith(solve, speeds, options, stop, std::move(warnings));
 }
 

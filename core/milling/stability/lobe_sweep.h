@@ -19,7 +19,7 @@ enum class LobeMethod { Exact, SemiDiscretization, ZerothOrder };
 
 struct SweepOptions {
   LobeMethod method = LobeMethod::Exact;
-  LimitOptions limits;  // maxDepth counts for every method
+  LimitOptions limits;  // maxAxialDepth counts for every method
   SdmOptions sdm;
   int threads = 2;
   std::function<void(double)> progress;  // share done, 0..1
@@ -27,12 +27,12 @@ struct SweepOptions {
 
 struct LobeSweep {
   std::vector<SpeedLimits> speeds;  // in the order asked for; entries not reached have searchedTo 0
-  Metres maxDepth{};                // asked for; an entry with less in searchedTo says nothing about what lies deeper
+  Metres maxAxialDepth{};           // asked for; an entry with less in searchedTo says nothing about what lies deeper
   std::vector<Message> warnings;    // of the method and of what the model leaves out
   bool finished = false;            // false: stopped
 
-  // Searched down to maxDepth.
-  bool complete(const SpeedLimits& limits) const { return limits.searchedTo >= (1.0 - 1e-9) * maxDepth; }
+  // Searched down to maxAxialDepth.
+  bool complete(const SpeedLimits& limits) const { return limits.searchedTo >= (1.0 - 1e-9) * maxAxialDepth; }
 };
 
 // Refuses a bad model, no speeds, a bad speed or depth with one line.

@@ -17,7 +17,7 @@ Planar combine(const Planar& steady, const Planar& cosine, const Planar& sine, d
 }
 
 // Adds one tooth that runs `lead` ahead of the reference tooth.
-void addTooth(ForceArc& arc, double kt, double kr, double lead) {
+void addTooth(ForceInterval& arc, double kt, double kr, double lead) {
   const Planar steady{kr / 2, kt / 2, -kt / 2, kr / 2};
   const Planar cosine{-kr / 2, kt / 2, kt / 2, kr / 2};
   const Planar sine{kt / 2, kr / 2, kr / 2, -kt / 2};
@@ -30,17 +30,17 @@ void addTooth(ForceArc& arc, double kt, double kr, double lead) {
   }
 }
 
-std::vector<ForceArc> makeArcs(const CutModel& model, double toothAngle) {
+std::vector<ForceInterval> makeArcs(const CutModel& model, double toothAngle) {
   const double enter = model.engagement.startAngle();
   const double leave = model.engagement.exitAngle();
   std::vector<double> events{0.0, toothAngle};
   for (double e : {enter, leave}) events.push_back(e - toothAngle * std::floor(e / toothAngle));
   std::sort(events.begin(), events.end());
-  std::vector<ForceArc> arcs;
+  std::vector<ForceInterval> intervals;
   for (std::size_t i = 1; i < events.size(); ++i) {
     if (events[i] - events[i - 1] < kSameAngle) continue;
-    ForceArc arc;
-    arc.from = arcs.empty() ? 0.0 : arcs.back().to;
+    ForceInterval arc;
+    arc.from = intervals.empty() ? 0.0 : intervals.back().to;
     arc.to = events[i];
     const double middle = 0.5 * (arc.from + arc.to);
     for (int j = 0; j < model.tool.teeth; ++j) {
@@ -49,10 +49,10 @@ std::vector<ForceArc> makeArcs(const CutModel& model, double toothAngle) {
       addTooth(arc, model.material.tangential, model.material.radial, j * toothAngle);
       arc.cutting = true;
     }
-    arcs.push_back(arc);
+    intervals.push_back(arc);
   }
-  arcs.back().to = toothAngle;
-  return arcs;
+  intervals.back().to = toothAngle;
+  return intervals;
 }
 
 void projectOnOneAxis(RegenerativeSystem& system) {
@@ -65,7 +65,7 @@ void projectOnOneAxis(RegenerativeSystem& system) {
   system.axes = 1;
   system.direction = e;
   for (auto& o : system.oscillators) o.toTip = {o.toTip[0] * e[0] + o.toTip[1] * e[1], 0.0};
-  for (auto& arc : system.arcs) {
+  for (auto& arc : system.intervals) {
     for (Planar* m : {&arc.steady, &arc.cosine, &arc.sine}) {
       const Planar p = *m;
       *m = {e[0] * (p[0] * e[0] + p[1] * e[1]) + e[1] * (p[2] * e[0] + p[3] * e[1]), 0.0, 0.0, 0.0};
@@ -75,11 +75,11 @@ void projectOnOneAxis(RegenerativeSystem& system) {
 
 }  // namespace
 
-Planar ForceArc::at(double angle) const {
+Planar ForceInterval::at(double angle) const {
   return combine(steady, cosine, sine, 1.0, std::cos(2 * angle), std::sin(2 * angle));
 }
 
-Planar ForceArc::integral(double a, double b) const {
+Planar ForceInterval::integral(double a, double b) const {
   return combine(steady, cosine, sine, b - a, 0.5 * (std::sin(2 * b) - std::sin(2 * a)),
                  0.5 * (std::cos(2 * a) - std::cos(2 * b)));
 }
@@ -92,7 +92,7 @@ double RegenerativeSystem::highestOmega() const {
 
 double RegenerativeSystem::stiffening() const {
   double force = 0.0;
-  for (const auto& arc : arcs) {
+  for (const auto& arc : intervals) {
     for (std::size_t i = 0; i < arc.steady.size(); ++i) {
       force = std::max(force, std::abs(arc.steady[i]) + std::hypot(arc.cosine[i], arc.sine[i]));
     }
@@ -106,7 +106,7 @@ double RegenerativeSystem::stiffening() const {
 
 Planar RegenerativeSystem::mean(double a, double b) const {
   Planar sum{};
-  for (const auto& arc : arcs) {
+  for (const auto& arc : intervals) {
     const double from = std::max(a, arc.from);
     const double to = std::min(b, arc.to);
     if (!arc.cutting || to <= from) continue;
@@ -135,14 +135,14 @@ Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const s
   for (const Mode& m : model.modes) {
     system.oscillators.push_back({kTwoPi * m.frequency.value, m.damping, m.mass(), m.direction});
   }
-  system.arcs = makeArcs(model, toothAngle);
+  system.intervals = makeArcs(model, toothAngle);
   projectOnOneAxis(system);
   return system;
 }
 
-double cuttingShare(const RegenerativeSystem& system) {
+double cuttingFraction(const RegenerativeSystem& system) {
   double cutting = 0.0;
-  for (const ForceArc& arc : system.arcs) {
+  for (const ForceInterval& arc : system.intervals) {
     if (arc.cutting) cutting += arc.to - arc.from;
   }
   return cutting / system.toothAngle;

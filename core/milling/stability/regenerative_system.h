@@ -21,7 +21,7 @@ namespace stillcut::milling {
 using Planar = std::array<double, 4>;  // 2x2, row major; with one axis only element 0 is used
 
 // A stretch of the tooth period over which the same teeth are in the cut. Angles are those of the reference tooth.
-struct ForceArc {
+struct ForceInterval {
   double from = 0.0;  // [rad]
   double to = 0.0;    // [rad]
   bool cutting = false;
@@ -42,8 +42,8 @@ struct RegenerativeSystem {
   int axes = 2;                          // 1 or 2
   std::array<double, 2> direction{1.0};  // of the single axis, when axes is 1
   std::vector<Oscillator> oscillators;
-  std::vector<ForceArc> arcs;  // cover [0, toothAngle) in order
-  double toothAngle = 0.0;     // 2 pi / teeth
+  std::vector<ForceInterval> intervals;  // cover [0, toothAngle) in order
+  double toothAngle = 0.0;               // 2 pi / teeth
   int teeth = 0;
 
   int states() const { return 2 * static_cast<int>(oscillators.size()); }
@@ -61,7 +61,7 @@ struct RegenerativeSystem {
 Result<RegenerativeSystem> makeRegenerativeSystem(const CutModel& model, const std::string& where);
 
 // Share of the tooth period during which at least one tooth cuts, 0..1.
-double cuttingShare(const RegenerativeSystem& system);
+double cuttingFraction(const RegenerativeSystem& system);
 
 // What of the model the linear cut leaves out, in words; empty when nothing.
 std::vector<Message> neglectedEffects(const CutModel& model);

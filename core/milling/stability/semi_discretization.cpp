@@ -138,22 +138,23 @@ std::optional<int> SemiDiscretization::outside(Rpm speed, Metres depth, WorkMete
                  [](const auto& map) { return countOutside(map); });
 }
 
-Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, const std::stop_token& stop) const {
+Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, int scan,
+                                              const std::stop_token& stop) const {
   WorkMeter meter(stop);
-  return limit(speed, maxDepth, scan, meter);
+  return limit(speed, maxAxialDepth, scan, meter);
 }
 
-Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxDepth, int scan, WorkMeter& meter) const {
+Result<SpeedLimits> SemiDiscretization::limit(Rpm speed, Metres maxAxialDepth, int scan, WorkMeter& meter) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
-  if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
+  if (Status ok = ExactLobes::checkDepth(maxAxialDepth); !ok) return ok.error();
   SpeedLimits result;
   result.speed = speed;
   for (int i = 1; i <= scan; ++i) {
-    const double depth = i == scan ? maxDepth.value : maxDepth.value * i / scan;
+    const double depth = i == scan ? maxAxialDepth.value : maxAxialDepth.value * i / scan;
     const std::optional<int> count = outside(speed, Metres(depth), meter);
     if (meter.stopped()) return result;
     if (!count || *count != 0) {
-      const double below = maxDepth.value * (i - 1) / scan;
+      const double below = maxAxialDepth.value * (i - 1) / scan;
       const CirclePoint root = SdmRoot(lobes_.system(), speed, options_, meter).find(below, depth);
       if (!meter.stopped()) result.crossings.push_back(limitAt(speed, root.angle, root.depth, meter));
     }

@@ -30,11 +30,11 @@ class SemiDiscretization {
   // Multipliers of the discretized cut outside the unit circle; empty when one sits on it, or when the cut is so
   // unstable that numbers overflow. 0 is stable.
   std::optional<int> outside(Rpm speed, Metres depth) const;
-  // The first depth up to maxDepth at which a multiplier leaves, found on a scan of `scan` depths and refined to
+  // The first depth up to maxAxialDepth at which a multiplier leaves, found on a scan of `scan` depths and refined to
   // 1e-9; an island thinner than a scan step may be stepped over, unlike in ExactLobes. crossings holds 0 or 1 entry;
   // when stopped none, and searchedTo is where the scan was.
-  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, int scan = 80, const std::stop_token& stop = {}) const;
-  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, int scan, WorkMeter& meter) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, int scan = 80, const std::stop_token& stop = {}) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, int scan, WorkMeter& meter) const;
 
  private:
   std::optional<int> outside(Rpm speed, Metres depth, WorkMeter& meter) const;

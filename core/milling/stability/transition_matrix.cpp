@@ -41,7 +41,7 @@ TransitionMatrix::TransitionMatrix(const RegenerativeSystem& system, Rpm speed, 
   spindle_ = kTwoPi * toHertz(speed).value;
   const double omega = system.highestOmega();
   const double fastest = std::sqrt(omega * omega + 0.5 * largestS * system.stiffening());
-  for (const ForceArc& arc : system.arcs) addArc(arc, spindle_, phasePerStep, fastest, meter);
+  for (const ForceInterval& arc : system.intervals) addArc(arc, spindle_, phasePerStep, fastest, meter);
   double damping = 0.0;
   for (const auto& o : system.oscillators) damping += o.zeta * o.omega;
   determinant_ = std::exp(-2.0 * damping * period_);
@@ -63,7 +63,7 @@ std::size_t TransitionMatrix::addDrift(double time) {
   return row;
 }
 
-void TransitionMatrix::addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest,
+void TransitionMatrix::addArc(const ForceInterval& arc, double spindle, double phasePerStep, double fastest,
                               WorkMeter& meter) {
   const double time = (arc.to - arc.from) / spindle;
   if (!arc.cutting) {

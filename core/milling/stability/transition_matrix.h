@@ -52,7 +52,7 @@ class TransitionMatrix {
   };
 
   std::size_t addDrift(double time);
-  void addArc(const ForceArc& arc, double spindle, double phasePerStep, double fastest, WorkMeter& meter);
+  void addArc(const ForceInterval& arc, double spindle, double phasePerStep, double fastest, WorkMeter& meter);
   double stageEffort() const { return states_ * (8.0 * states_ + 16.0); }
   bool run(const Complex* s, std::size_t lanes, std::vector<double>& scratch, Complex* psi, WorkMeter& meter) const;
 

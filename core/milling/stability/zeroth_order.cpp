@@ -57,7 +57,7 @@ Result<ZerothOrder> ZerothOrder::make(const CutModel& model, const std::string& 
 
 ZerothOrder::ZerothOrder(ExactLobes lobes) : lobes_(std::move(lobes)) {
   mean_ = lobes_.system().mean(0.0, lobes_.system().toothAngle);
-  const double share = cuttingShare(lobes_.system());
+  const double share = cuttingFraction(lobes_.system());
   const long percent = std::lround(100.0 * share);
   warning_ = share < 0.75 ? message(
                                 "zeroth order averages the force although a tooth cuts only %1 % of the time: limits "
@@ -99,20 +99,20 @@ std::vector<double> ZerothOrder::frequencies(double period) const {
   return list;
 }
 
-Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth, const std::stop_token& stop) const {
+Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxAxialDepth, const std::stop_token& stop) const {
   WorkMeter meter(stop);
-  return limit(speed, maxDepth, meter);
+  return limit(speed, maxAxialDepth, meter);
 }
 
-Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxDepth, WorkMeter& meter) const {
+Result<SpeedLimits> ZerothOrder::limit(Rpm speed, Metres maxAxialDepth, WorkMeter& meter) const {
   if (Status ok = lobes_.checkSpeed(speed); !ok) return ok.error();
-  if (Status ok = ExactLobes::checkDepth(maxDepth); !ok) return ok.error();
+  if (Status ok = ExactLobes::checkDepth(maxAxialDepth); !ok) return ok.error();
   const double period = lobes_.system().toothPeriod(speed);
   const double effort = 200.0 + 60.0 * static_cast<double>(lobes_.system().oscillators.size());
   SpeedLimits result;
   result.speed = speed;
-  result.searchedTo = maxDepth;
-  double best = maxDepth.value;
+  result.searchedTo = maxAxialDepth;
+  double best = maxAxialDepth.value;
   double bestOmega = 0.0;
   const std::vector<double> omegas = frequencies(period);
   for (int branch = 0; branch < lobes_.system().axes; ++branch) {

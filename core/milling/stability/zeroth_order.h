@@ -20,8 +20,8 @@ class ZerothOrder {
 
   // crossings holds 0 or 1 entry; `frequency` is the chatter frequency, omega/2 pi.
   // When stopped: nothing, searchedTo 0.
-  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, const std::stop_token& stop = {}) const;
-  Result<SpeedLimits> limit(Rpm speed, Metres maxDepth, WorkMeter& meter) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, const std::stop_token& stop = {}) const;
+  Result<SpeedLimits> limit(Rpm speed, Metres maxAxialDepth, WorkMeter& meter) const;
   // One sentence that belongs beside every result; stronger where teeth cut only part of the time.
   const Message& warning() const { return warning_; }
 

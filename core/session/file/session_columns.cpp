@@ -44,7 +44,7 @@ std::span<const RowField> columnsOf<MachineRow>() {
        {"actual_speed_rpm", offsetof(MachineRow, actualSpeed), T::F64},
        {"actual_feed_m_s", offsetof(MachineRow, actualFeed), T::F64},
        {"ended_engagement", offsetof(MachineRow, endedEngagement), T::U64},
-       {"ordered_ns", offsetof(MachineRow, ordered), T::I64, 1, true},
+       {"ordered_ns", offsetof(MachineRow, commanded), T::I64, 1, true},
        {"acknowledged_ns", offsetof(MachineRow, acknowledged), T::I64, 1, true},
        {"overrides_read_ns", offsetof(MachineRow, overridesRead), T::I64, 1, true},
        {"speed_read_ns", offsetof(MachineRow, speedRead), T::I64, 1, true},

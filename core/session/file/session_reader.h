@@ -36,11 +36,11 @@ struct SessionCounts {
 };
 Result<SessionCounts> countSession(const std::string& path);
 
-struct TruthSample {
+struct RecordedTruthSample {
   std::string name;
   Instant time{};
   double value = 0.0;
 };
-Result<std::vector<TruthSample>> readTruthSeries(const std::string& path);
+Result<std::vector<RecordedTruthSample>> readTruthSeries(const std::string& path);
 
 }  // namespace stillcut::record

@@ -115,13 +115,13 @@ Result<SessionCounts> countSession(const std::string& path) {
   return counts;
 }
 
-Result<std::vector<TruthSample>> readTruthSeries(const std::string& path) {
+Result<std::vector<RecordedTruthSample>> readTruthSeries(const std::string& path) {
   const Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
   TableReader<TruthSampleRow> series;
   if (!series.open(opened.value().file.get(), kTruthSeriesPath))
     return Error{path, message("holds no truth"), hdf5Cause()};
-  std::vector<TruthSample> samples;
+  std::vector<RecordedTruthSample> samples;
   bool damaged = false;
   for (std::uint64_t i = 0; const TruthSampleRow* row = series.at(i, damaged); ++i) {
     samples.push_back({textOf(row->name), instantFromNs(row->time), row->value});

@@ -94,7 +94,7 @@ MachineRow toRow(const MachineState& m) {
           byte(m.feedHold),       byte(m.atSpeed),         byte(m.overridesEnabled), byte(m.controlOurs),
           byte(m.block),          m.programmedSpeed.value, m.programmedFeed.value,   m.operatorSpeed.value,
           m.operatorFeed.value,   m.speedOverride.value,   m.feedOverride.value,     m.actualSpeed.value,
-          m.actualFeed.value,     m.endedEngagement,       toNs(m.link.ordered),     toNs(m.link.acknowledged),
+          m.actualFeed.value,     m.endedEngagement,       toNs(m.link.commanded),   toNs(m.link.acknowledged),
           toNs(m.link.overrides), toNs(m.link.speed),      toNs(m.link.feed),        toNs(m.link.program),
           m.link.roundTrip.value, m.link.effect.value};
 }
@@ -108,7 +108,7 @@ void fromRow(const MachineRow& row, MachineState& m) {
   m.atSpeed = row.atSpeed != 0;
   m.overridesEnabled = row.overridesEnabled != 0;
   m.controlOurs = row.controlOurs != 0;
-  m.block = row.block < kOrderBlocks ? static_cast<OrderBlock>(row.block) : OrderBlock::None;
+  m.block = row.block < kOverrideInhibits ? static_cast<OverrideInhibit>(row.block) : OverrideInhibit::None;
   m.programmedSpeed = Rpm(row.programmedSpeed);
   m.programmedFeed = MetresPerSecond(row.programmedFeed);
   m.operatorSpeed = Ratio(row.operatorSpeed);
@@ -118,7 +118,7 @@ void fromRow(const MachineRow& row, MachineState& m) {
   m.actualSpeed = Rpm(row.actualSpeed);
   m.actualFeed = MetresPerSecond(row.actualFeed);
   m.endedEngagement = row.endedEngagement;
-  m.link.ordered = instantFromNs(row.ordered);
+  m.link.commanded = instantFromNs(row.commanded);
   m.link.acknowledged = instantFromNs(row.acknowledged);
   m.link.overrides = instantFromNs(row.overridesRead);
   m.link.speed = instantFromNs(row.speedRead);

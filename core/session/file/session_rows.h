@@ -47,7 +47,7 @@ struct MachineRow {
   double programmedSpeed = 0, programmedFeed = 0, operatorSpeed = 0, operatorFeed = 0, speedOverride = 0,
          feedOverride = 0, actualSpeed = 0, actualFeed = 0;
   std::uint64_t endedEngagement = 0;
-  std::int64_t ordered = 0, acknowledged = 0, overridesRead = 0, speedRead = 0, feedRead = 0, programRead = 0;
+  std::int64_t commanded = 0, acknowledged = 0, overridesRead = 0, speedRead = 0, feedRead = 0, programRead = 0;
   double roundTrip = 0, effectDelay = 0;
 };
 

@@ -53,8 +53,8 @@ const char* labelOf(OperatorAction action) {
       return kLabelTrueAlarm;
     case OperatorAction::FalseAlarm:
       return kLabelFalseAlarm;
-    case OperatorAction::HearChatter:
-      return kLabelHeard;
+    case OperatorAction::ReportChatter:
+      return kLabelOperatorChatter;
     default:
       return nullptr;
   }

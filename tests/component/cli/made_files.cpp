@@ -62,7 +62,7 @@ void writeScenario(const std::string& path) {
   ASSERT_TRUE(scenario.ok()) << scenario.error().line();
   scenario->strategy = kStrategy;
   scenario->programme.duration = Seconds(2.0);
-  scenario->programme.depth = milling::Profile();
+  scenario->programme.depth = milling::Schedule();
   scenario->programme.depth.segments.push_back({.from = 0.0, .to = 2.0, .fromValue = 1.5e-3, .toValue = 1.5e-3});
   scenario->programme.entry = milling::Passage{milling::Along::Time, 0.2};
   scenario->programme.exit = milling::Passage{milling::Along::Time, 1.9};

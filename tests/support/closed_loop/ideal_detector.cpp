@@ -62,8 +62,8 @@ Verdict IdealDetector::process(const detect::ConditionedBlock& block) noexcept {
   v.blockSequence = block.sequence;
   v.valid = true;
   v.spindle = toHertz(plant_.machineState().actualSpeed);
-  v.phase = plant_.cutting() ? CutPhase::Steady : CutPhase::Air;
-  v.state = plant_.cutting() ? CutState::Stable : CutState::Air;
+  v.phase = plant_.cutting() ? CutPhase::Steady : CutPhase::AirCutting;
+  v.state = plant_.cutting() ? CutState::Stable : CutState::AirCutting;
   v.severity = Ratio(ratio * ratio / (1.0 + ratio * ratio));
   v.indicators[0] = ratio / (ratio + 0.25 * kFull);  // 0.8, Xu's reference, at full chatter
   v.indicators[1] = truth.vibration();

@@ -55,7 +55,7 @@ pipeline::ChainParts LoopRun::parts(const LoopOptions& options) {
     parts.detectors.push_back(must(detect::makeDetector(id)));
   }
   parts.strategy = must(control::makeStrategy(options.strategy));
-  const std::string needed(parts.strategy->describe().listensTo);
+  const std::string needed(parts.strategy->describe().requiredDetector);
   if (!options.ideal && !needed.empty() && needed != parts.detectors.front()->describe().id) {
     parts.detectors.push_back(must(detect::makeDetector(needed)));
   }

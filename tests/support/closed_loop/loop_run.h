@@ -13,7 +13,7 @@
 #include "core/milling/simulation/scenario.h"
 #include "core/model/cut_setup.h"
 #include "core/pipeline/link_runner.h"
-#include "core/pipeline/machine_feed.h"
+#include "core/pipeline/machine_state_source.h"
 #include "core/pipeline/serial_run.h"
 #include "core/pipeline/step_loop.h"
 
@@ -53,13 +53,13 @@ class LoopRun {
   void freezeSpeed() { feed_.frozen = input().machine.actualSpeed; }
 
  private:
-  struct Feed final : pipeline::MachineFeed {
+  struct Feed final : pipeline::MachineStateSource {
     Feed(rt::Mailbox<MachineState>& states, rt::SpscRing<OperatorInput>& inputs) : live(states, inputs) {}
     void complete(StepInput& step) noexcept override {
       live.complete(step);
       if (frozen) step.machine.actualSpeed = *frozen;
     }
-    pipeline::LiveMachineFeed live;
+    pipeline::LiveStateSource live;
     std::optional<Rpm> frozen;
   };
   pipeline::ChainParts parts(const LoopOptions& options);

@@ -58,7 +58,7 @@ milling::CutModel randomModel(Dice& dice) {
   m.material.tangential = steel ? dice.uniform(1.8e9, 2.4e9) : dice.uniform(6e8, 9e8);
   m.material.radial = m.material.tangential * dice.uniform(0.25, 0.5);
   m.engagement.radialImmersion = dice.uniform(0.1, 1.0);
-  m.engagement.side = dice.whole(0, 1) == 0 ? milling::Side::Up : milling::Side::Down;
+  m.engagement.side = dice.whole(0, 1) == 0 ? milling::MillingDirection::Up : milling::MillingDirection::Down;
   return m;
 }
 
@@ -110,7 +110,7 @@ std::optional<RandomTool> draw(Dice& dice, const std::string& name) {
   const auto lobes = milling::ExactLobes::make(model, name);
   if (!lobes) throw std::runtime_error(lobes.error().line());
   milling::LimitOptions options;
-  options.maxDepth = Metres(0.05);
+  options.maxAxialDepth = Metres(0.05);
   options.firstOnly = true;
   options.frequencies = false;
   const auto limits = lobes->limits(speed, options);

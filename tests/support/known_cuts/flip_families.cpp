@@ -22,7 +22,8 @@ void eachFlip(std::span<const ToolKind> tools, int seeds, Metres runout, const M
       Scenario s = scattered(tool, 400 + static_cast<std::uint64_t>(seed));
       const bool up = seed % 2 == 0;
       const double arc = kTwoPi / s.model.tool.teeth * (0.13 + 0.02 * (seed % 3));  // how long a tooth cuts
-      s.model.engagement = {0.5 * (1.0 - std::cos(arc)), up ? milling::Side::Up : milling::Side::Down};
+      s.model.engagement = {0.5 * (1.0 - std::cos(arc)),
+                            up ? milling::MillingDirection::Up : milling::MillingDirection::Down};
       s.model.modes[0].damping = 0.012;
       s.model.modes[1].stiffness *= 10.0;
       s.model.modes[0].stiffness = 1.5e6;

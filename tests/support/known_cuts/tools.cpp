@@ -11,7 +11,7 @@ struct Base {
   const char* name;
   int teeth;
   double rpm, immersion;
-  milling::Side side;
+  milling::MillingDirection side;
   double diameter, feedPerTooth;
   std::array<double, 2> frequency, damping, stiffness;
   double tangential, radial, rate;
@@ -22,7 +22,7 @@ constexpr std::array<Base, 4> kBases{{
      2,
      11000.0,
      0.5,
-     milling::Side::Down,
+     milling::MillingDirection::Down,
      0.012,
      1e-4,
      {922.0, 980.0},
@@ -35,7 +35,7 @@ constexpr std::array<Base, 4> kBases{{
      3,
      6300.0,
      0.5,
-     milling::Side::Up,
+     milling::MillingDirection::Up,
      0.012,
      1e-4,
      {780.0, 822.0},
@@ -48,7 +48,7 @@ constexpr std::array<Base, 4> kBases{{
      4,
      8500.0,
      0.7,
-     milling::Side::Down,
+     milling::MillingDirection::Down,
      0.012,
      8e-5,
      {922.0, 980.0},
@@ -61,7 +61,7 @@ constexpr std::array<Base, 4> kBases{{
      4,
      800.0,
      0.5,
-     milling::Side::Down,
+     milling::MillingDirection::Down,
      0.05,
      1e-4,
      {193.0, 208.0},
@@ -72,7 +72,7 @@ constexpr std::array<Base, 4> kBases{{
      4096.0},
 }};
 
-milling::ProfileSegment segment(double from, double to, double a, double b) {
+milling::ScheduleSegment segment(double from, double to, double a, double b) {
   return {from, to, a, b, a == b ? milling::RampShape::Linear : milling::RampShape::Smoothstep};
 }
 
@@ -128,7 +128,7 @@ std::optional<milling::StabilityLimit> limitOf(const milling::Scenario& scenario
   const auto lobes = milling::ExactLobes::make(scenario.model, scenario.name);
   if (!lobes) return std::nullopt;
   milling::LimitOptions options;
-  options.maxDepth = Metres(0.03);
+  options.maxAxialDepth = Metres(0.03);
   options.firstOnly = true;
   const auto limits = lobes->limits(scenario.programme.speed, options);
   if (!limits || !limits->hasLimit()) return std::nullopt;

@@ -103,12 +103,12 @@ TEST_P(DesktopFit, WhatCommandsStaysOnTheScreenBesideAnOpenRecording) {
   ASSERT_TRUE(built->rig->recordTo(file.toStdString(), "").ok());
   built->rig->runToEnd({});
   ASSERT_TRUE(built->rig->recorder()->finish().ok());
-  ui::SessionDesk& desk = *session_->sessions();
-  desk.open(file);
+  ui::SessionController& controller = *session_->sessions();
+  controller.open(file);
   ASSERT_TRUE(QTest::qWaitFor(
       [&] {
         window_->tick(static_cast<qint64>(shown_));
-        return desk.replay().open && desk.summaryWhole() && desk.replayed() != nullptr;
+        return controller.replay().open && controller.summaryWhole() && controller.replayed() != nullptr;
       },
       60'000));
   window_->showPage(QStringLiteral("sessions"));
@@ -134,12 +134,12 @@ TEST_P(DesktopFit, EveryDeviceAndEveryLinkOnSetUp) {
   };
   ASSERT_NE(session_->setup(), nullptr);
   press(QStringLiteral("setup-machine"));
-  for (const ui::PartOption& link : session_->setup()->links()) {
+  for (const ui::ComponentOption& link : session_->setup()->links()) {
     press(QStringLiteral("link-") + link.id);
     keep(QStringLiteral("setup-link-") + link.id);
   }
   press(QStringLiteral("setup-sensors"));
-  for (const ui::PartOption& source : session_->setup()->sources()) {
+  for (const ui::ComponentOption& source : session_->setup()->sources()) {
     press(QStringLiteral("source-") + source.id);
     keep(QStringLiteral("setup-source-") + source.id);
   }

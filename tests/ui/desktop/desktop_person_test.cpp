@@ -152,28 +152,29 @@ class PersonWithRecordings : public Person {
     Person::SetUp();
     session_->keepRecordingsIn(folder_.filePath(QStringLiteral("rec")));
     QTest::keyClick(window_.get(), Qt::Key_5, Qt::ControlModifier);
-    ASSERT_TRUE(waitFor([this] { return desk().entries().size() == 2; }));
+    ASSERT_TRUE(waitFor([this] { return controller().entries().size() == 2; }));
   }
-  ui::SessionDesk& desk() { return *session_->sessions(); }
+  ui::SessionController& controller() { return *session_->sessions(); }
   void open(int row) {
-    const QString before = desk().openedPath();
+    const QString before = controller().openedPath();
     auto* list = find<QListView>(QStringLiteral("session-list"));
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(row, 0)).center());
-    ASSERT_TRUE(
-        waitFor([&] { return desk().openedPath() != before && desk().replay().open && desk().summaryWhole(); }));
+    ASSERT_TRUE(waitFor([&] {
+      return controller().openedPath() != before && controller().replay().open && controller().summaryWhole();
+    }));
   }
 };
 
 TEST_F(PersonWithRecordings, LeadsMarksComparesAndExportsARecording) {
   open(0);
   press("replay-play");
-  EXPECT_TRUE(waitFor([this] { return desk().replay().position.value > 0.3; }));
+  EXPECT_TRUE(waitFor([this] { return controller().replay().position.value > 0.3; }));
   press("replay-play");
-  EXPECT_FALSE(desk().replay().playing);
+  EXPECT_FALSE(controller().replay().playing);
   auto* timeline = find<ui::SessionTimeline>();
   timeline->setFocus();
   QTest::keyClick(timeline, Qt::Key_Home);
-  EXPECT_TRUE(waitFor([this] { return desk().replay().position.value < 0.1; }));
+  EXPECT_TRUE(waitFor([this] { return controller().replay().position.value < 0.1; }));
 
   const QPoint from(timeline->width() / 2, timeline->height() / 3), to = from + QPoint(120, 0);
   QTest::mousePress(timeline, Qt::LeftButton, {}, from);
@@ -182,13 +183,13 @@ TEST_F(PersonWithRecordings, LeadsMarksComparesAndExportsARecording) {
   QTest::mouseRelease(timeline, Qt::LeftButton, {}, to);
   ASSERT_TRUE(timeline->hasSelection());
   QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);  // "I hear it"
-  EXPECT_TRUE(waitFor([this] { return desk().markers().size() == 1 && desk().replay().open; }));
+  EXPECT_TRUE(waitFor([this] { return controller().markers().size() == 1 && controller().replay().open; }));
 
   press("sheet-compare");
   press("session-export");
-  const QString wav = QFileInfo(desk().openedPath()).path() + u'/' + QFileInfo(desk().openedPath()).completeBaseName() +
-                      QStringLiteral(".wav");
-  EXPECT_TRUE(waitFor([&] { return !desk().task().running && QFile::exists(wav); }));
+  const QString wav = QFileInfo(controller().openedPath()).path() + u'/' +
+                      QFileInfo(controller().openedPath()).completeBaseName() + QStringLiteral(".wav");
+  EXPECT_TRUE(waitFor([&] { return !controller().task().running && QFile::exists(wav); }));
   const auto exported = record::openRecording(wav.toStdString());
   ASSERT_TRUE(exported.ok()) << exported.error().line();
   const double seconds = static_cast<double>((*exported)->format().frames) / (*exported)->format().rate.value;
@@ -198,7 +199,7 @@ TEST_F(PersonWithRecordings, LeadsMarksComparesAndExportsARecording) {
   open(1);
   EXPECT_TRUE(timeline->besideShown());
   press("session-run");
-  EXPECT_TRUE(waitFor([this] { return !desk().tracks().empty(); }));
+  EXPECT_TRUE(waitFor([this] { return !controller().tracks().empty(); }));
 }
 
 }  // namespace

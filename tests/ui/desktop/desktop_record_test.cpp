@@ -19,7 +19,7 @@
 #include "tests/support/bounded_wait.h"
 #include "tests/support/child.h"
 #include "tests/support/demo_cut.h"
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 #include "ui/shell/main_window.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
@@ -114,7 +114,7 @@ TEST_F(RecordedDesktop, MarksByKeyDuringTheCutAreFoundInTheFile) {
   const CutSetup& setup = session_->info().setup;
   const double block = setup.blockFrames / setup.rate.value;
   const std::pair<const char*, Instant> struck[] = {
-      {kLabelHeard, heard}, {kLabelTrueAlarm, wasTrue}, {kLabelFalseAlarm, wasFalse}};
+      {kLabelOperatorChatter, heard}, {kLabelTrueAlarm, wasTrue}, {kLabelFalseAlarm, wasFalse}};
   for (std::size_t i = 0; i < 3; ++i) {
     const Marker& marker = markers.value()[i];
     EXPECT_EQ(marker.label, struck[i].first);

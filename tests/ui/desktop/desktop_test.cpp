@@ -80,12 +80,12 @@ TEST_F(Desktop, AQuestionInTheBackgroundCanBeCancelled) {
   question.from = lobes.frame().lowest;
   question.to = lobes.frame().highest;
   question.steps = 5000;
-  question.maxDepth = lobes.frame().maxDepth;
+  question.maxAxialDepth = lobes.frame().maxAxialDepth;
   lobes.ask(question);
   lobes.cancel();
   EXPECT_EQ(lobes.progress().state, ui::LobeProgress::State::Cancelled);
   EXPECT_FALSE(lobes.diagram());
-  question.maxDepth = Metres(-1.0);
+  question.maxAxialDepth = Metres(-1.0);
   lobes.ask(question);
   waitForLobes();
   EXPECT_EQ(lobes.progress().state, ui::LobeProgress::State::Failed);
@@ -110,8 +110,8 @@ TEST_F(Desktop, AnalyseShowsTheCutWithItsChatter) {
 
 TEST_F(Desktop, TheDepthIsTheProgrammesAtThatMoment) {
   run(9.0);
-  EXPECT_NEAR(session_->lobes()->depthAt(instantFromNs(2'000'000'000)).value, 0.7e-3, 1e-6);
-  EXPECT_NEAR(session_->lobes()->depthAt(instantFromNs(9'000'000'000)).value, 1.5e-3, 1e-6);
+  EXPECT_NEAR(session_->lobes()->axialDepthAt(instantFromNs(2'000'000'000)).value, 0.7e-3, 1e-6);
+  EXPECT_NEAR(session_->lobes()->axialDepthAt(instantFromNs(9'000'000'000)).value, 1.5e-3, 1e-6);
 }
 
 // Waits on the real clock, as long as the cut needs; a minute is far more.

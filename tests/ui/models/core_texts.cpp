@@ -9,7 +9,7 @@
 #include <string>
 
 #include "app/io/find_machines.h"
-#include "app/session/machine_desk.h"
+#include "app/session/machine_setup.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
 #include "core/control/registry.h"
@@ -48,17 +48,17 @@ class Lines {
 
 // Names and choices of what a device or a link asks for; some questions follow from the answer to another.
 using Settings = std::map<std::string, std::string>;
-void addSettings(Lines& lines, const std::function<std::vector<config::AskedSetting>(const Settings&)>& ask) {
-  const auto add = [&](const std::vector<config::AskedSetting>& asked) {
-    for (const config::AskedSetting& setting : asked) {
+void addSettings(Lines& lines, const std::function<std::vector<config::SettingDecl>(const Settings&)>& ask) {
+  const auto add = [&](const std::vector<config::SettingDecl>& asked) {
+    for (const config::SettingDecl& setting : asked) {
       lines.add("Core", config::settingName(setting.key).words);
       for (const std::string& word : setting.words) lines.add("Core", word);
     }
   };
   const auto first = ask({});
   add(first);
-  for (const config::AskedSetting& setting : first) {
-    if (setting.kind == config::AskedSetting::Kind::Flag) add(ask({{setting.key, "true"}}));
+  for (const config::SettingDecl& setting : first) {
+    if (setting.kind == config::SettingDecl::Kind::Flag) add(ask({{setting.key, "true"}}));
     for (const std::string& word : setting.words) add(ask({{setting.key, word}}));
   }
 }
@@ -69,13 +69,13 @@ void addPart(Lines& lines, const std::string& link, const std::string& source) {
     profile.link = {link, given};
     profile.source = {source, given};
     profile.cut.channels.resize(1);
-    const app::MachineDesk desk;
-    return link.empty() ? desk.sourceSettings(profile) : desk.linkSettings(profile);
+    const app::MachineSetup controller;
+    return link.empty() ? controller.sourceSettings(profile) : controller.linkSettings(profile);
   });
 }
 
-void addOwnValues(Lines& lines, detect::OwnValueTable table) {
-  for (const detect::OwnValueDecl& decl : table) {
+void addOwnValues(Lines& lines, detect::AutoValueTable table) {
+  for (const detect::AutoValueDecl& decl : table) {
     lines.add("Core", decl.label);
     for (const std::string_view why : decl.whys) lines.add("Core", why);
   }
@@ -91,8 +91,8 @@ std::string fileText() {
   }
   for (const auto& entry : detect::detectorTable())
     lines.add("Core", detect::makeDetector(entry.id).value()->describe().label);
-  addOwnValues(lines, detect::Conditioner::ownValues());
-  for (const auto& entry : detect::detectorTable()) addOwnValues(lines, entry.make()->ownValues());
+  addOwnValues(lines, detect::Conditioner::autoValues());
+  for (const auto& entry : detect::detectorTable()) addOwnValues(lines, entry.make()->autoValues());
   for (const auto& entry : control::strategyTable())
     lines.add("Core", control::makeStrategy(entry.id).value()->describe().label);
   for (const auto& entry : cnc::linkTable()) lines.add("Core", entry.description);

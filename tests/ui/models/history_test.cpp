@@ -298,7 +298,7 @@ TEST(PresetList, KeepsTheUsersOwnAndPassesTheModelTester) {
 
 TEST(Lobes, PocketsAreWhereTheLimitIsDeeperThanTheCut) {
   FakeLobes lobes;
-  lobes.ask({LobeMethod::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxDepth});
+  lobes.ask({LobeMethodChoice::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxAxialDepth});
   lobes.finish();
   const auto pockets = pocketsAt(*lobes.diagram(), lobes.frame(), Metres(2e-3));
   ASSERT_EQ(pockets.size(), 4U);  // 4 500, 7 000, 9 500, 12 000 rpm
@@ -317,7 +317,7 @@ TEST(Lobes, PocketsAreWhereTheLimitIsDeeperThanTheCut) {
 TEST(Lobes, WhatIfSaysStableOrChatterWithItsMargin) {
   FakeLobes lobes;
   EXPECT_FALSE(whatIf(nullptr, lobes.frame(), Rpm(7000), Metres(1e-3), UnitSystem::Metric).known);
-  lobes.ask({LobeMethod::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxDepth});
+  lobes.ask({LobeMethodChoice::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxAxialDepth});
   lobes.finish();
   const auto ask = [&](double rpm, double mm) {
     return whatIf(lobes.diagram().get(), lobes.frame(), Rpm(rpm), Metres(mm * 1e-3), UnitSystem::Metric);
@@ -381,7 +381,7 @@ TEST(Lobes, WhereTheSearchEndedIsNotToldAsALimit) {
 
 TEST(Lobes, PocketTablePassesTheModelTester) {
   FakeLobes lobes;
-  lobes.ask({LobeMethod::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxDepth});
+  lobes.ask({LobeMethodChoice::Exact, lobes.frame().lowest, lobes.frame().highest, 200, lobes.frame().maxAxialDepth});
   lobes.finish();
   PocketTable table;
   const QAbstractItemModelTester tester(&table, QAbstractItemModelTester::FailureReportingMode::Fatal);

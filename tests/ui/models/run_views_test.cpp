@@ -4,7 +4,7 @@
 #include "tests/ui/support/pictures.h"
 #include "ui/base/format.h"
 #include "ui/models/advice_view.h"
-#include "ui/models/standing_text.h"
+#include "ui/models/plot_state_text.h"
 #include "ui/models/strip_view.h"
 #include "ui/models/verdict_view.h"
 
@@ -77,9 +77,9 @@ TEST(Views, ARunThatIsOverSaysWhyAndHowToGoOn) {
   EXPECT_EQ(command.inCommand, "You are in command");
   EXPECT_EQ(command.since, p.link.ended);
   EXPECT_TRUE(command.moved.isEmpty()) << "nobody reads the overrides any more";
-  EXPECT_EQ(standingTitle("SIGNAL", p.standing()), "SIGNAL, ENDED");
+  EXPECT_EQ(plotStateTitle("SIGNAL", p.plotState()), "SIGNAL, ENDED");
   p.link.ended.clear();
-  EXPECT_EQ(p.standing(), Standing::Stale);
+  EXPECT_EQ(p.plotState(), PlotState::Stale);
   EXPECT_EQ(makeCommandView(p).authority, Authority::Auto);
 }
 

@@ -9,7 +9,7 @@
 #include "ui/models/tune/compare_tally.h"
 #include "ui/models/tune/param_model.h"
 #include "ui/models/tune/param_scale.h"
-#include "ui/models/tune/tune_desk.h"
+#include "ui/models/tune/tuning_controller.h"
 
 namespace stillcut::ui {
 namespace {
@@ -20,7 +20,7 @@ using detect::kErHarmonics;
 
 TEST(ParamScale, EveryFractionIsALegalValueAndComesBack) {
   FakeTuning tuning;
-  for (const TunablePart& part : tuning.tunableParts()) {
+  for (const TunableComponent& part : tuning.tunableParts()) {
     for (const config::ParamDecl* decl : part.params) {
       for (int k = 0; k <= 20; ++k) {
         const double value = valueAt(*decl, k / 20.0);
@@ -37,7 +37,7 @@ TEST(ParamScale, EveryFractionIsALegalValueAndComesBack) {
 
 TEST(ParamScale, StepsGoUpAndDownToTheEndsOfEveryRange) {
   FakeTuning tuning;
-  for (const TunablePart& part : tuning.tunableParts()) {
+  for (const TunableComponent& part : tuning.tunableParts()) {
     for (const config::ParamDecl* decl : part.params) {
       for (const int direction : {1, -1}) {
         double value = stepFrom(*decl, decl->fallback, direction);
@@ -64,76 +64,76 @@ TEST(ParamScale, ReadsWhatPeopleType) {
   EXPECT_FALSE(valueFrom(kErChatter, QStringLiteral("auto")).has_value());
 }
 
-TEST(TuneDesk, OneDragIsOneStepOfUndo) {
-  TuneDesk desk;
-  desk.open({});
-  for (const double value : {0.25, 0.3, 0.4}) desk.set(kErChatter, value);
-  desk.settle();
-  desk.set(kErChatter, 0.5);
-  desk.set(kErEvidence, 20.0);
-  EXPECT_EQ(desk.undoStack().count(), 3);
-  desk.undoStack().undo();
-  EXPECT_EQ(desk.value(kErEvidence), kErEvidence.fallback);
-  desk.undoStack().undo();
-  EXPECT_EQ(desk.value(kErChatter), 0.4);
-  desk.undoStack().undo();
-  EXPECT_EQ(desk.value(kErChatter), 0.2);
-  desk.undoStack().redo();
-  EXPECT_EQ(desk.value(kErChatter), 0.4);
+TEST(TuningController, OneDragIsOneStepOfUndo) {
+  TuningController controller;
+  controller.open({});
+  for (const double value : {0.25, 0.3, 0.4}) controller.set(kErChatter, value);
+  controller.settle();
+  controller.set(kErChatter, 0.5);
+  controller.set(kErEvidence, 20.0);
+  EXPECT_EQ(controller.undoStack().count(), 3);
+  controller.undoStack().undo();
+  EXPECT_EQ(controller.value(kErEvidence), kErEvidence.fallback);
+  controller.undoStack().undo();
+  EXPECT_EQ(controller.value(kErChatter), 0.4);
+  controller.undoStack().undo();
+  EXPECT_EQ(controller.value(kErChatter), 0.2);
+  controller.undoStack().redo();
+  EXPECT_EQ(controller.value(kErChatter), 0.4);
 }
 
-TEST(TuneDesk, HandsOutTheNewestValueOfEachParameterOnce) {
-  TuneDesk desk;
-  desk.open({});
-  desk.set(kErChatter, 0.3);
-  desk.set(kErEvidence, 20.0);
-  desk.set(kErChatter, 0.4);
-  const auto first = desk.take(1);
+TEST(TuningController, HandsOutTheNewestValueOfEachParameterOnce) {
+  TuningController controller;
+  controller.open({});
+  controller.set(kErChatter, 0.3);
+  controller.set(kErEvidence, 20.0);
+  controller.set(kErChatter, 0.4);
+  const auto first = controller.take(1);
   ASSERT_EQ(first.size(), 1U);
   EXPECT_EQ(first[0].parameter, config::parameterId(kErEvidence.key));
-  const auto rest = desk.take(4);
+  const auto rest = controller.take(4);
   ASSERT_EQ(rest.size(), 1U);
   EXPECT_EQ(rest[0].action, OperatorAction::SetParameter);
   EXPECT_EQ(rest[0].value, 0.4);
-  EXPECT_TRUE(desk.take(4).empty());
+  EXPECT_TRUE(controller.take(4).empty());
 }
 
-TEST(TuneDesk, TheOtherSideIsPutInForceWhole) {
-  TuneDesk desk;
-  desk.open({});
-  desk.use(TuneDesk::B);
-  desk.set(kErChatter, 0.5);
-  desk.set(kErEvidence, 30.0);
-  desk.take(9);
-  desk.use(TuneDesk::A);
-  EXPECT_EQ(desk.differences().size(), 2U);
-  const auto back = desk.take(9);
+TEST(TuningController, TheOtherSideIsPutInForceWhole) {
+  TuningController controller;
+  controller.open({});
+  controller.use(TuningController::B);
+  controller.set(kErChatter, 0.5);
+  controller.set(kErEvidence, 30.0);
+  controller.take(9);
+  controller.use(TuningController::A);
+  EXPECT_EQ(controller.differences().size(), 2U);
+  const auto back = controller.take(9);
   ASSERT_EQ(back.size(), 2U);
   for (const OperatorInput& input : back) {
     EXPECT_EQ(input.value, input.parameter == config::parameterId(kErChatter.key) ? 0.2 : kErEvidence.fallback);
   }
-  desk.copyToOther();
-  EXPECT_TRUE(desk.differences().empty());
-  EXPECT_EQ(desk.value(kErChatter, TuneDesk::B), 0.2);
+  controller.copyToOther();
+  EXPECT_TRUE(controller.differences().empty());
+  EXPECT_EQ(controller.value(kErChatter, TuningController::B), 0.2);
 }
 
-TEST(TuneDesk, IllegalValuesAreNotTaken) {
-  TuneDesk desk;
-  desk.open({});
-  desk.set(kErChatter, 7.0);
-  desk.set(kErChatter, config::kAutomatic);
-  desk.set(kErChatter, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(desk.value(kErChatter), 0.2);
-  EXPECT_FALSE(desk.undoStack().canUndo());
-  EXPECT_FALSE(desk.pending());
+TEST(TuningController, IllegalValuesAreNotTaken) {
+  TuningController controller;
+  controller.open({});
+  controller.set(kErChatter, 7.0);
+  controller.set(kErChatter, config::kAutomatic);
+  controller.set(kErChatter, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(controller.value(kErChatter), 0.2);
+  EXPECT_FALSE(controller.undoStack().canUndo());
+  EXPECT_FALSE(controller.pending());
 }
 
 TEST(ParamModel, PassesTheModelTester) {
   FakeTuning tuning;
-  TuneDesk desk;
-  desk.open({});
-  ParamModel model(desk);
-  PartModel parts;
+  TuningController controller;
+  controller.open({});
+  ParamModel model(controller);
+  ComponentListModel parts;
   const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
   const QAbstractItemModelTester partTester(&parts, QAbstractItemModelTester::FailureReportingMode::Fatal);
   parts.show(tuning.tunableParts());
@@ -150,9 +150,9 @@ TEST(ParamModel, PassesTheModelTester) {
 
 TEST(ParamModel, LockedParametersSayWhyAndStay) {
   FakeTuning tuning;
-  TuneDesk desk;
-  desk.open({});
-  ParamModel model(desk);
+  TuningController controller;
+  controller.open({});
+  ParamModel model(controller);
   model.show(&tuning.tunableParts().front());
   int locked = -1, open = -1;
   for (int row = 0; row < model.rowCount(); ++row) {
@@ -167,7 +167,7 @@ TEST(ParamModel, LockedParametersSayWhyAndStay) {
   QSignalSpy changed(&model, &QAbstractItemModel::dataChanged);
   EXPECT_TRUE(model.setData(model.index(open, ParamModel::Value), QStringLiteral("0,4")));
   EXPECT_EQ(changed.count(), 1);
-  EXPECT_EQ(desk.value(kErChatter), 0.4);
+  EXPECT_EQ(controller.value(kErChatter), 0.4);
   EXPECT_TRUE(model.view(open).changed);
   model.setRunning(false);
   EXPECT_TRUE(model.setData(model.index(locked, ParamModel::Value), 8.0));

@@ -6,7 +6,7 @@
 #include "ui/base/format.h"
 #include "ui/models/advice_view.h"
 #include "ui/models/freshness.h"
-#include "ui/models/history/column_reader.h"
+#include "ui/models/history/spectrum_column_reader.h"
 #include "ui/models/machine_view.h"
 #include "ui/models/severity_trend.h"
 #include "ui/models/strip_view.h"
@@ -195,9 +195,9 @@ TEST(MachineView, WhatHindersIsToldApart) {
 // Where the link knows the cause it is said; each in other words.
 TEST(MachineView, EveryCauseHasWordsOfItsOwn) {
   QStringList said;
-  for (int k = 1; k < kOrderBlocks; ++k) {
+  for (int k = 1; k < kOverrideInhibits; ++k) {
     Scene s = stableScene();
-    s.snapshot.machine.block = static_cast<OrderBlock>(k);
+    s.snapshot.machine.block = static_cast<OverrideInhibit>(k);
     const MachineView view = makeMachineView(s.picture());
     EXPECT_TRUE(view.warning);
     EXPECT_FALSE(view.note.isEmpty()) << k;
@@ -210,7 +210,7 @@ TEST(MachineView, EveryCauseHasWordsOfItsOwn) {
 TEST(MachineView, AMachineThatIsOffSaysWhatItKeepsOfOurs) {
   Scene s = stableScene();
   MachineState& m = s.snapshot.machine;
-  m.block = OrderBlock::MachineOff;
+  m.block = OverrideInhibit::MachineOff;
   m.programRunning = false;
   EXPECT_EQ(makeMachineView(s.picture()).note, QString("The machine is off"));
   m.speedOverride = Ratio(0.9);
@@ -263,7 +263,7 @@ TEST(Strip, CountersAndLossesStandOut) {
   s.snapshot.health.droppedBlocks = 3;
   s.snapshot.machine.linkUp = false;
   Picture p = s.picture();
-  p.recorder = {RecorderStatus::State::Failed, Seconds(), "disk full"};
+  p.recorder = {RecorderView::State::Failed, Seconds(), "disk full"};
   const std::vector<StripItem> items = makeStrip(p);
   ASSERT_EQ(items.size(), 7U);
   EXPECT_EQ(items[0].tone, Tone::Chatter);
@@ -326,9 +326,9 @@ TEST(Freshness, CountsFromTheLastChange) {
   EXPECT_FALSE(freshness.stale());
 }
 
-TEST(ColumnReader, HandsOnEachColumnOnceAndWhatTheRingStillHas) {
+TEST(SpectrumColumnReader, HandsOnEachColumnOnceAndWhatTheRingStillHas) {
   Snapshot s;
-  ColumnReader reader;
+  SpectrumColumnReader reader;
   std::vector<std::uint64_t> seen;
   const auto make = [&](std::uint64_t upTo) {
     for (; s.columnCount < upTo; ++s.columnCount) s.columns[s.columnCount % kSpectrumColumns].number = s.columnCount;

@@ -4,7 +4,7 @@
 #include "tests/ui/support/fake_active_desk.h"
 #include "tests/ui/support/fake_tuning.h"
 #include "tests/ui/support/page_picture.h"
-#include "ui/models/active_words.h"
+#include "ui/models/active_text.h"
 #include "ui/models/strip_view.h"
 #include "ui/pages/active_view.h"
 #include "ui/plots/path_fit_plot.h"
@@ -38,9 +38,9 @@ TEST(ActiveWords, SayWhyItLetGoAndThatTheStrokeIsShort) {
 
 TEST(ActiveWords, AModelWithLittlePhaseLeftIsNotSound) {
   ActiveSnapshot s = exampleActive();
-  s.paths[0].phaseLeft = 0.3;
+  s.paths[0].phaseMargin = 0.3;
   EXPECT_FALSE(makeActiveAxis(s, 0).modelSound);
-  s.paths[0].promisesStable = false;
+  s.paths[0].predictedStable = false;
   EXPECT_TRUE(makeActiveAxis(s, 0).model.contains(QStringLiteral("identify anew")));
 }
 
@@ -63,7 +63,7 @@ TEST(ActiveWords, EveryPageIsToldWhatTheTableDoes) {
   for (ActiveAxis& axis : s.axes) {
     axis.state = ActuatorState::Off;
     axis.release = ActuatorRelease::Asked;
-    axis.limitedShare = 0.0;
+    axis.limitedFraction = 0.0;
   }
   EXPECT_EQ(makeActiveTable(s).text, QStringLiteral("off"));
   s.identifying = true;
@@ -85,7 +85,7 @@ class ActivePage : public WindowTest, public testing::WithParamInterface<PageLoo
  protected:
   void openActive(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
     session_.setTuning(&tuning_);
-    session_.setActive(&desk_);
+    session_.setActive(&controller_);
     open(width, height, theme);
     window_->showPage(QStringLiteral("tune"));
     auto* list = find<QListView>("tune-parts");
@@ -96,7 +96,7 @@ class ActivePage : public WindowTest, public testing::WithParamInterface<PageLoo
   }
 
   FakeTuning tuning_;
-  FakeActiveDesk desk_;
+  FakeActiveDesk controller_;
 };
 
 TEST_F(ActivePage, IdentifiesStartsWatchesAndStops) {
@@ -113,12 +113,12 @@ TEST_F(ActivePage, IdentifiesStartsWatchesAndStops) {
   };
   EXPECT_TRUE(told(QStringLiteral("identify it first")));
   press("active-identify");
-  EXPECT_EQ(desk_.identifications, 1);
-  desk_.fits = {exampleFit(), std::nullopt};
-  desk_.snapshot = exampleActive();
+  EXPECT_EQ(controller_.identifications, 1);
+  controller_.fits = {exampleFit(), std::nullopt};
+  controller_.snapshot = exampleActive();
   press("active-start");
   tick(40);
-  EXPECT_EQ(desk_.starts, 1);
+  EXPECT_EQ(controller_.starts, 1);
   EXPECT_TRUE(find<PathFitPlot>()->hasFit());
   EXPECT_TRUE(told(QStringLiteral("\u221223.4")));
   EXPECT_TRUE(told(QStringLiteral("y: let go: the loop diverged"))) << "of the other axis too";
@@ -126,12 +126,12 @@ TEST_F(ActivePage, IdentifiesStartsWatchesAndStops) {
   tick(40);
   EXPECT_FALSE(find<PathFitPlot>()->hasFit());
   press("active-stop");
-  EXPECT_EQ(desk_.stops, 1);
+  EXPECT_EQ(controller_.stops, 1);
 }
 
 TEST_P(ActivePage, Fits) {
-  desk_.fits = {exampleFit(), std::nullopt};
-  desk_.snapshot = exampleActive();
+  controller_.fits = {exampleFit(), std::nullopt};
+  controller_.snapshot = exampleActive();
   openActive(GetParam().width, GetParam().height, GetParam().theme);
   savePage(*window_, "tune", GetParam(), "active");
   window_->showPage(QStringLiteral("operate"));

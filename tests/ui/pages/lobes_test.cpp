@@ -52,14 +52,14 @@ class LobesPageTest : public WindowTest {
 TEST_F(LobesPageTest, TheFirstLookComputesAndCanBeCancelled) {
   openPage();
   ASSERT_TRUE(lobes().asked());
-  EXPECT_EQ(lobes().asked()->method, LobeMethod::Exact);
+  EXPECT_EQ(lobes().asked()->method, LobeMethodChoice::Exact);
   EXPECT_EQ(find<TouchButton>("compute")->text(), "CANCEL");
   press("compute");
   EXPECT_EQ(lobes().progress().state, LobeProgress::State::Cancelled);
   tick(40);
   EXPECT_EQ(find<TouchButton>("compute")->text(), "COMPUTE");
   press("method-zoa");
-  EXPECT_EQ(lobes().asked()->method, LobeMethod::ZerothOrder);
+  EXPECT_EQ(lobes().asked()->method, LobeMethodChoice::ZerothOrder);
   EXPECT_EQ(lobes().progress().state, LobeProgress::State::Running);
 }
 

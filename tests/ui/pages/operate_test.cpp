@@ -249,7 +249,7 @@ TEST_F(Operate, ChatterThatNobodyToldOfIsMarkedInOneTouch) {
   EXPECT_FALSE(enabled("hear")) << "nothing is measured yet";
   play(2.0);
   press("hear");
-  EXPECT_EQ(lastSent().action, OperatorAction::HearChatter);
+  EXPECT_EQ(lastSent().action, OperatorAction::ReportChatter);
   EXPECT_TRUE(find<TouchButton>("hear")->isChecked());
   playToChatter();
   EXPECT_FALSE(enabled("hear")) << "it has been told";

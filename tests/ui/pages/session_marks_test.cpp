@@ -11,18 +11,18 @@ namespace {
 TEST_F(SessionsPageTest, IHearItNowIsOneKeyAndMarkersCanBeRemoved) {
   openSessions();
   openFirst();
-  desk_.goTo(Seconds(5.0));
+  controller_.goTo(Seconds(5.0));
   tick(40);
   QTest::keyClick(window_.get(), Qt::Key_3, Qt::AltModifier);
   tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, kLabelHeard);
-  EXPECT_EQ(desk_.marks[0].begin, desk_.marks[0].end);
+  ASSERT_EQ(controller_.marks.size(), 1U);
+  EXPECT_EQ(controller_.marks[0].label, kLabelOperatorChatter);
+  EXPECT_EQ(controller_.marks[0].begin, controller_.marks[0].end);
   auto* list = find<QListView>("marker-list");
   ASSERT_EQ(list->model()->rowCount(), 1);
   list->setCurrentIndex(list->model()->index(0, 0));
   press("mark-remove");
-  EXPECT_TRUE(desk_.marks.empty());
+  EXPECT_TRUE(controller_.marks.empty());
 }
 
 TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
@@ -33,15 +33,15 @@ TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
   auto* label = find<QLineEdit>("mark-label");
   auto* note = find<QLineEdit>("mark-text");
   press("mark-span");
-  EXPECT_TRUE(desk_.marks.empty()) << "a span without a label is none";
+  EXPECT_TRUE(controller_.marks.empty()) << "a span without a label is none";
   label->setFocus();
   QTest::keyClicks(label, QStringLiteral("burr on the edge"));
   press("mark-span");
   tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].begin).value, 8.0, 1e-6);
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].end).value, 9.5, 1e-6);
+  ASSERT_EQ(controller_.marks.size(), 1U);
+  EXPECT_EQ(controller_.marks[0].label, "burr on the edge");
+  EXPECT_NEAR(sinceEpoch(controller_.marks[0].begin).value, 8.0, 1e-6);
+  EXPECT_NEAR(sinceEpoch(controller_.marks[0].end).value, 9.5, 1e-6);
   EXPECT_TRUE(label->text().isEmpty());
 
   auto* list = find<QListView>("marker-list");
@@ -51,23 +51,23 @@ TEST_F(SessionsPageTest, AnEngineerNamesASpanAndAddsItsNoteAfterwards) {
   QTest::keyClicks(note, QStringLiteral("0.2 mm, tool 3"));
   press("mark-change");
   tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, "burr on the edge");
-  EXPECT_EQ(desk_.marks[0].note, "0.2 mm, tool 3");
+  ASSERT_EQ(controller_.marks.size(), 1U);
+  EXPECT_EQ(controller_.marks[0].label, "burr on the edge");
+  EXPECT_EQ(controller_.marks[0].note, "0.2 mm, tool 3");
   EXPECT_TRUE(list->currentIndex().isValid()) << "it stays chosen";
 
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(0, 0)).center());
   press("mark-true");
-  ASSERT_EQ(desk_.marks.size(), 2U);
-  EXPECT_TRUE(desk_.marks[1].note.empty()) << "another marker's note is not this one's";
+  ASSERT_EQ(controller_.marks.size(), 2U);
+  EXPECT_TRUE(controller_.marks[1].note.empty()) << "another marker's note is not this one's";
 }
 
 // CHANGE writes what is in the fields to the marker they were filled from, and to no other.
 TEST_F(SessionsPageTest, ChangeNeverOverwritesAnotherMarker) {
   openSessions();
   openFirst();
-  ASSERT_TRUE(desk_.mark(Seconds(3.0), Seconds(4.0), QStringLiteral("burr"), QStringLiteral("left")).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(8.0), Seconds(9.0), QStringLiteral("scratch"), QStringLiteral("right")).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(3.0), Seconds(4.0), QStringLiteral("burr"), QStringLiteral("left")).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(8.0), Seconds(9.0), QStringLiteral("scratch"), QStringLiteral("right")).ok());
   tick(40);
   auto* list = find<QListView>("marker-list");
   auto* label = find<QLineEdit>("mark-label");
@@ -86,8 +86,8 @@ TEST_F(SessionsPageTest, ChangeNeverOverwritesAnotherMarker) {
   EXPECT_EQ(note->text(), QStringLiteral("right"));
   press("mark-change");
   tick(40);
-  EXPECT_EQ(desk_.marks[1].label, "scratch");
-  EXPECT_EQ(desk_.marks[0].label, "burr");
+  EXPECT_EQ(controller_.marks[1].label, "scratch");
+  EXPECT_EQ(controller_.marks[0].label, "burr");
 
   // Words typed for the one are not the other's.
   note->setFocus();
@@ -102,14 +102,14 @@ TEST_F(SessionsPageTest, ChangeNeverOverwritesAnotherMarker) {
   touch(1);
   press("mark-true");
   tick(40);
-  ASSERT_EQ(desk_.marks.size(), 3U);
+  ASSERT_EQ(controller_.marks.size(), 3U);
   EXPECT_FALSE(change->isEnabled());
-  EXPECT_EQ(desk_.marks[1].note, "right");
+  EXPECT_EQ(controller_.marks[1].note, "right");
 
   // A marker of the same number in another recording is another marker.
   touch(0);
   EXPECT_TRUE(change->isEnabled());
-  desk_.open(QStringLiteral("/rec/Housing/T12/2026-11-19.h5"));
+  controller_.open(QStringLiteral("/rec/Housing/T12/2026-11-19.h5"));
   tick(40);
   EXPECT_TRUE(label->text().isEmpty());
   EXPECT_TRUE(note->text().isEmpty());
@@ -119,33 +119,33 @@ TEST_F(SessionsPageTest, ChangeNeverOverwritesAnotherMarker) {
   press("mark-remove");
   tick(40);
   EXPECT_TRUE(label->text().isEmpty()) << "what is gone is not shown any more";
-  EXPECT_EQ(desk_.marks.size(), 2U);
+  EXPECT_EQ(controller_.marks.size(), 2U);
 }
 
 TEST_F(SessionsPageTest, AMarkedSpanIsRepeatedWithTwoTouches) {
   openSessions();
   openFirst();
-  ASSERT_TRUE(desk_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), {}).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("heard"), {}).ok());
-  ASSERT_TRUE(desk_.mark(Seconds(20.0), Seconds(23.0), QStringLiteral("note"), {}).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), {}).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("heard"), {}).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(20.0), Seconds(23.0), QStringLiteral("note"), {}).ok());
   tick(40);
   auto* list = find<QListView>("marker-list");
   const auto touch = [list](int row) {
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(list->model()->index(row, 0)).center());
   };
   touch(0);
-  EXPECT_EQ(desk_.state.position.value, 8.0);
+  EXPECT_EQ(controller_.state.position.value, 8.0);
   press("replay-loop");
-  EXPECT_TRUE(desk_.state.looping);
-  EXPECT_EQ(desk_.state.loopFrom.value, 8.0);
-  EXPECT_EQ(desk_.state.loopTo.value, 9.5);
+  EXPECT_TRUE(controller_.state.looping);
+  EXPECT_EQ(controller_.state.loopFrom.value, 8.0);
+  EXPECT_EQ(controller_.state.loopTo.value, 9.5);
   touch(1);
-  EXPECT_EQ(desk_.state.loopTo.value, 9.5) << "a moment is no span to repeat";
+  EXPECT_EQ(controller_.state.loopTo.value, 9.5) << "a moment is no span to repeat";
   list->setCurrentIndex(list->model()->index(2, 0));
   list->setFocus();
   QTest::keyClick(list, Qt::Key_Return);
-  EXPECT_EQ(desk_.state.loopFrom.value, 20.0) << "from span to span while it repeats";
-  EXPECT_EQ(desk_.state.loopTo.value, 23.0);
+  EXPECT_EQ(controller_.state.loopFrom.value, 20.0) << "from span to span while it repeats";
+  EXPECT_EQ(controller_.state.loopTo.value, 23.0);
 }
 
 }  // namespace

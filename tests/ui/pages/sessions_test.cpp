@@ -8,7 +8,7 @@
 #include "tests/ui/support/sessions_fixture.h"
 #include "ui/base/format.h"
 #include "ui/models/session_models.h"
-#include "ui/models/session_words.h"
+#include "ui/models/session_text.h"
 #include "ui/pages/sessions_page.h"
 #include "ui/plots/session_timeline.h"
 #include "ui/widgets/transport_bar.h"
@@ -34,7 +34,7 @@ TEST_F(SessionsPageTest, ListIsOrderedFilteredAndOpensByTouchAndKey) {
   list->setFocus();
   list->setCurrentIndex(list->model()->index(0, 0));
   QTest::keyClick(list, Qt::Key_Return);
-  EXPECT_TRUE(desk_.openedPath().contains(QStringLiteral("Housing")));
+  EXPECT_TRUE(controller_.openedPath().contains(QStringLiteral("Housing")));
 }
 
 TEST_F(SessionsPageTest, TransportLeadsTheReplay) {
@@ -42,23 +42,23 @@ TEST_F(SessionsPageTest, TransportLeadsTheReplay) {
   EXPECT_FALSE(find<TouchButton>("replay-play")->isEnabled());
   openFirst();
   press("replay-play");
-  EXPECT_TRUE(desk_.state.playing);
+  EXPECT_TRUE(controller_.state.playing);
   play(1.0);
-  EXPECT_GT(desk_.state.position.value, 0.5);
+  EXPECT_GT(controller_.state.position.value, 0.5);
   press("replay-play");
-  EXPECT_FALSE(desk_.state.playing);
+  EXPECT_FALSE(controller_.state.playing);
   press("replay-step");
   press("replay-step");
   press("replay-back");
-  EXPECT_EQ(desk_.steps, 1);
+  EXPECT_EQ(controller_.steps, 1);
   press("replay-start");
-  EXPECT_EQ(desk_.state.position.value, 0.0);
+  EXPECT_EQ(controller_.state.position.value, 0.0);
   auto* pace = find<ValueSlider>("replay-pace");
   pace->setFocus();
   QTest::keyClick(pace, Qt::Key_Home);
-  EXPECT_DOUBLE_EQ(desk_.state.pace, 0.1);
+  EXPECT_DOUBLE_EQ(controller_.state.pace, 0.1);
   QTest::keyClick(pace, Qt::Key_End);
-  EXPECT_DOUBLE_EQ(desk_.state.pace, 0.0) << "as fast as possible";
+  EXPECT_DOUBLE_EQ(controller_.state.pace, 0.0) << "as fast as possible";
 }
 
 TEST(Transport, EveryPaceOfTheSliderIsInReach) {
@@ -81,12 +81,12 @@ TEST_F(SessionsPageTest, ARecordingStaysBesideTheNextOne) {
   auto* timeline = find<SessionTimeline>();
   press("session-beside");
   EXPECT_FALSE(timeline->besideShown()) << "not beside itself";
-  auto other = std::make_shared<SessionSummary>(*desk_.summary());
+  auto other = std::make_shared<SessionSummary>(*controller_.summary());
   other->file = "/rec/Bracket/T3/2026-11-21.h5";
   other->length = Seconds(20.0);
   for (SummaryPoint& point : other->curve) point.vibration *= 0.5;
-  desk_.showNext(other);
-  desk_.open(QStringLiteral("/rec/Bracket/T3/2026-11-21.h5"));
+  controller_.showNext(other);
+  controller_.open(QStringLiteral("/rec/Bracket/T3/2026-11-21.h5"));
   tick(40);
   EXPECT_TRUE(timeline->besideShown());
   const QImage both = timeline->grab().toImage();
@@ -110,10 +110,10 @@ TEST_F(SessionsPageTest, WhatIsReadMeanwhileLeavesTheSelectedSpan) {
   openFirst();
   auto* timeline = find<SessionTimeline>();
   timeline->select(Seconds(8.0), Seconds(9.5));
-  timeline->setSummary(std::make_shared<SessionSummary>(*desk_.summary()));
+  timeline->setSummary(std::make_shared<SessionSummary>(*controller_.summary()));
   EXPECT_TRUE(timeline->hasSelection());
   EXPECT_EQ(timeline->selectedTo().value, 9.5);
-  auto other = std::make_shared<SessionSummary>(*desk_.summary());
+  auto other = std::make_shared<SessionSummary>(*controller_.summary());
   other->file = "/rec/Bracket/T3/2026-11-21.h5";
   timeline->setSummary(other);
   EXPECT_FALSE(timeline->hasSelection()) << "of another recording";
@@ -125,45 +125,45 @@ TEST_F(SessionsPageTest, ClickGoesThereAndDragSelectsForLoopMarkAndExport) {
   measureAxis();
   auto* timeline = find<SessionTimeline>();
   QTest::mouseClick(timeline, Qt::LeftButton, {}, at(12.0));
-  EXPECT_NEAR(desk_.state.position.value, 12.0, 0.2);
+  EXPECT_NEAR(controller_.state.position.value, 12.0, 0.2);
   press("replay-loop");
-  EXPECT_FALSE(desk_.state.looping) << "there is nothing to repeat yet";
+  EXPECT_FALSE(controller_.state.looping) << "there is nothing to repeat yet";
 
   QTest::mousePress(timeline, Qt::LeftButton, {}, at(8.0));
   QTest::mouseMove(timeline, at(9.0));
   QTest::mouseRelease(timeline, Qt::LeftButton, {}, at(9.5));
   tick(40);
   press("replay-loop");
-  EXPECT_TRUE(desk_.state.looping);
-  EXPECT_NEAR(desk_.state.loopFrom.value, 8.0, 0.2);
-  EXPECT_NEAR(desk_.state.loopTo.value, 9.5, 0.2);
+  EXPECT_TRUE(controller_.state.looping);
+  EXPECT_NEAR(controller_.state.loopFrom.value, 8.0, 0.2);
+  EXPECT_NEAR(controller_.state.loopTo.value, 9.5, 0.2);
 
   auto* note = find<QLineEdit>("mark-text");
   note->setFocus();
   QTest::keyClicks(note, QStringLiteral("corner"));
   press("mark-true");
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, kLabelTrueAlarm);
-  EXPECT_EQ(desk_.marks[0].note, "corner");
-  EXPECT_NEAR(secondsBetween(desk_.marks[0].begin, desk_.marks[0].end).value, 1.5, 0.3);
+  ASSERT_EQ(controller_.marks.size(), 1U);
+  EXPECT_EQ(controller_.marks[0].label, kLabelTrueAlarm);
+  EXPECT_EQ(controller_.marks[0].note, "corner");
+  EXPECT_NEAR(secondsBetween(controller_.marks[0].begin, controller_.marks[0].end).value, 1.5, 0.3);
   EXPECT_TRUE(note->text().isEmpty());
 
   press("sheet-compare");
   press("session-export");
-  EXPECT_TRUE(desk_.exported.endsWith(QStringLiteral(".wav")));
-  EXPECT_NEAR(desk_.exportFrom.value, 8.0, 0.2);
-  EXPECT_NEAR(desk_.exportTo.value, 9.5, 0.2);
+  EXPECT_TRUE(controller_.exported.endsWith(QStringLiteral(".wav")));
+  EXPECT_NEAR(controller_.exportFrom.value, 8.0, 0.2);
+  EXPECT_NEAR(controller_.exportTo.value, 9.5, 0.2);
 }
 
 TEST_F(SessionsPageTest, WhatWasRecordedMeanwhileIsListedWhenSomebodyLooks) {
   openSessions();
-  const int before = desk_.listed;
+  const int before = controller_.listed;
   EXPECT_GT(before, 0);
   window_->showPage(QStringLiteral("operate"));
   play(0.2);
-  EXPECT_EQ(desk_.listed, before);
+  EXPECT_EQ(controller_.listed, before);
   window_->showPage(QStringLiteral("sessions"));
-  EXPECT_EQ(desk_.listed, before + 1);
+  EXPECT_EQ(controller_.listed, before + 1);
 }
 
 TEST_F(SessionsPageTest, ASimulatedCutIsOpenedBesideTheRecordings) {
@@ -173,7 +173,7 @@ TEST_F(SessionsPageTest, ASimulatedCutIsOpenedBesideTheRecordings) {
   press("sessions-simulated");
   ASSERT_EQ(list->model()->rowCount(), 1);
   openFirst();
-  EXPECT_EQ(desk_.openedPath(), QStringLiteral("/scenarios/demo.toml"));
+  EXPECT_EQ(controller_.openedPath(), QStringLiteral("/scenarios/demo.toml"));
   press("sessions-recorded");
   EXPECT_EQ(list->model()->rowCount(), 3);
 }
@@ -185,14 +185,14 @@ TEST_F(SessionsPageTest, WhatIsExportedGoesIntoTheChosenFormat) {
   QStringList suffixes;
   for (int k = 0; k < 7; ++k) {
     press("session-export");
-    suffixes << QFileInfo(desk_.exported).suffix();
+    suffixes << QFileInfo(controller_.exported).suffix();
     press("session-format");
   }
   EXPECT_EQ(suffixes.join(u' '), QStringLiteral("wav flac csv mat uff unv hdf5"));
   EXPECT_EQ(find<TouchButton>("session-format")->text(), QStringLiteral("AS PNG"));
-  desk_.exported.clear();
+  controller_.exported.clear();
   press("session-export");
-  EXPECT_TRUE(desk_.exported.isEmpty()) << "a picture is not made of samples";
+  EXPECT_TRUE(controller_.exported.isEmpty()) << "a picture is not made of samples";
   bool told = false;  // there is no such folder here
   for (const TextLabel* label : window_->findChildren<TextLabel*>())
     told = told || label->text().contains(QStringLiteral(".png: cannot be written"));
@@ -200,10 +200,10 @@ TEST_F(SessionsPageTest, WhatIsExportedGoesIntoTheChosenFormat) {
 }
 
 TEST_F(UiTest, AReportIsWrittenInTheUnitsOfTheScreen) {
-  FakeSessionDesk desk;
-  desk.open(desk.entries().front().path);
+  FakeSessionDesk controller;
+  controller.open(controller.entries().front().path);
   std::vector<UnitSystem> written;
-  SessionsPage page(&desk, [&](const SessionSummary&, const QString&, UnitSystem units) {
+  SessionsPage page(&controller, [&](const SessionSummary&, const QString&, UnitSystem units) {
     written.push_back(units);
     return Status(Done{});
   });
@@ -218,7 +218,7 @@ TEST_F(UiTest, AReportIsWrittenInTheUnitsOfTheScreen) {
 }
 
 TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {
-  desk_.unreadable = {QStringLiteral("/rec/broken.h5: is cut short: its end is missing")};
+  controller_.unreadable = {QStringLiteral("/rec/broken.h5: is cut short: its end is missing")};
   openSessions();
   openFirst();
   press("sheet-compare");
@@ -231,13 +231,13 @@ TEST_F(SessionsPageTest, FilesThatCouldNotBeScoredAreListedWithTheReason) {
 }
 
 TEST_F(SessionsPageTest, DetectorsRunSideBySideWithWhatWasTuned) {
-  desk_.tuned = {QStringLiteral("energy-ratio.chatter=0.3")};
+  controller_.tuned = {QStringLiteral("energy-ratio.chatter=0.3")};
   openSessions();
   openFirst();
   press("sheet-compare");
   press("session-tuned");
   press("session-run");
-  EXPECT_EQ(desk_.asked, desk_.tuned);
+  EXPECT_EQ(controller_.asked, controller_.tuned);
   tick(40);
   bool told = false;
   for (const TextLabel* label : window_->findChildren<TextLabel*>()) {
@@ -246,43 +246,43 @@ TEST_F(SessionsPageTest, DetectorsRunSideBySideWithWhatWasTuned) {
   }
   EXPECT_TRUE(told);
   press("session-score-all");
-  EXPECT_TRUE(desk_.scoredFolder);
+  EXPECT_TRUE(controller_.scoredFolder);
 }
 
 TEST_F(SessionsPageTest, TheReplayTakesThePlaceOfTheCutOnlyWhereItMay) {
   openSessions();
   openFirst();
-  desk_.refuse = true;
+  controller_.refuse = true;
   press("replay-everywhere");
   tick(40);
   EXPECT_FALSE(find<TouchButton>("replay-everywhere")->isChecked());
-  desk_.refuse = false;
+  controller_.refuse = false;
   press("replay-everywhere");
   tick(40);
-  EXPECT_TRUE(desk_.everywhere);
+  EXPECT_TRUE(controller_.everywhere);
 }
 
 TEST(SessionModels, PassTheModelTester) {
-  FakeSessionDesk desk;
+  FakeSessionDesk controller;
   SessionListModel list;
   SessionOrder order;
   MarkerModel markers;
   order.setSourceModel(&list);
   const auto fatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
   const QAbstractItemModelTester a(&list, fatal), b(&order, fatal), c(&markers, fatal);
-  std::vector<SessionEntry> entries = desk.entries();
+  std::vector<SessionEntry> entries = controller.entries();
   entries[0].inside = SessionEntry::Inside::NotYet;
   list.show(entries);
   EXPECT_FALSE(list.index(0).data().toString().contains(QStringLiteral("markers")));
   const QPersistentModelIndex chosen = list.index(0);
-  list.show(desk.entries());
+  list.show(controller.entries());
   ASSERT_TRUE(chosen.isValid()) << "what is found inside a file costs nobody his place in the list";
   EXPECT_TRUE(chosen.data().toString().endsWith(duration(Seconds(754.0)) + QStringLiteral(", markers: 2")));
   order.orderBy(SessionOrder::Job);
   order.setFilterFixedString(QStringLiteral("T3"));
   EXPECT_EQ(order.rowCount(), 1);
-  ASSERT_TRUE(desk.mark(Seconds(61.5), Seconds(63.0), QStringLiteral("heard"), QStringLiteral("loud")).ok());
-  markers.show(desk);
+  ASSERT_TRUE(controller.mark(Seconds(61.5), Seconds(63.0), QStringLiteral("heard"), QStringLiteral("loud")).ok());
+  markers.show(controller);
   EXPECT_EQ(markers.index(0, 0).data().toString(),
             QStringLiteral("1:01.50  heard, %1: loud").arg(duration(Seconds(1.5))));
   list.show({});
@@ -294,9 +294,9 @@ TEST_P(SessionsPictures, EveryStateFits) {
   openSessions(GetParam().width, GetParam().height, GetParam().theme);
   savePage(*window_, "sessions", GetParam(), "closed");
   openFirst();
-  desk_.goTo(Seconds(13.0));
-  (void)desk_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), QStringLiteral("corner"));
-  (void)desk_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("false-alarm"), {});
+  controller_.goTo(Seconds(13.0));
+  (void)controller_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("true-alarm"), QStringLiteral("corner"));
+  (void)controller_.mark(Seconds(14.0), Seconds(14.0), QStringLiteral("false-alarm"), {});
   tick(40);
   find<QLineEdit>("session-settings")->setText(QStringLiteral("energy-ratio.chatter=0.3"));
   savePage(*window_, "sessions", GetParam(), "marked");

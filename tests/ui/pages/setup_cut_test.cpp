@@ -12,7 +12,7 @@ TEST_F(SetupPageTest, TheDepthOfCutIsTypedInItsUnitAndKeptWithTheProfile) {
   press("setup-machine");
   EXPECT_TRUE(told(QStringLiteral("Depth, mm")));
   type(QStringLiteral("machine-depth"), QStringLiteral("1,5"));
-  EXPECT_NEAR(desk_.begun->depth.value, 1.5e-3, 1e-12) << "with a comma as well";
+  EXPECT_NEAR(controller_.begun->depth.value, 1.5e-3, 1e-12) << "with a comma as well";
   press("display");
   press("units-1");
   QCoreApplication::processEvents();
@@ -22,11 +22,12 @@ TEST_F(SetupPageTest, TheDepthOfCutIsTypedInItsUnitAndKeptWithTheProfile) {
   press("setup-profile");
   type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
   press("profile-start");
-  EXPECT_NEAR(desk_.kept.at(QStringLiteral("mill3")).depth.value, 1.5e-3, 1e-12) << "looking at it rounds nothing";
+  EXPECT_NEAR(controller_.kept.at(QStringLiteral("mill3")).depth.value, 1.5e-3, 1e-12)
+      << "looking at it rounds nothing";
   window_->showPage(QStringLiteral("setup"));
   press("setup-machine");
   type(QStringLiteral("machine-depth"), QStringLiteral("0.1"));
-  EXPECT_NEAR(desk_.begun->depth.value, 2.54e-3, 1e-12);
+  EXPECT_NEAR(controller_.begun->depth.value, 2.54e-3, 1e-12);
 }
 
 TEST_F(SetupPageTest, ADepthOutOfRangeIsRefusedInASentenceAndAnEmptyFieldMeansNotKnown) {
@@ -36,7 +37,7 @@ TEST_F(SetupPageTest, ADepthOutOfRangeIsRefusedInASentenceAndAnEmptyFieldMeansNo
   for (const char* const wrong : {"2000", "-1", "0", "deep"}) {
     type(QStringLiteral("machine-depth"), QString::fromUtf8(wrong));
     EXPECT_TRUE(told(QStringLiteral("The depth was not taken"))) << wrong;
-    EXPECT_NEAR(desk_.begun->depth.value, 2e-3, 1e-12) << wrong;
+    EXPECT_NEAR(controller_.begun->depth.value, 2e-3, 1e-12) << wrong;
   }
   auto* edit = find<QLineEdit>("machine-depth");
   edit->setFocus();
@@ -44,7 +45,7 @@ TEST_F(SetupPageTest, ADepthOutOfRangeIsRefusedInASentenceAndAnEmptyFieldMeansNo
   QTest::keyClick(edit, Qt::Key_Delete);
   QTest::keyClick(edit, Qt::Key_Return);
   EXPECT_FALSE(told(QStringLiteral("The depth was not taken")));
-  EXPECT_EQ(desk_.begun->depth.value, 0.0);
+  EXPECT_EQ(controller_.begun->depth.value, 0.0);
 }
 
 TEST(SetupDraft, TheDepthsItTakesAreThoseAProfileHolds) {

@@ -14,13 +14,13 @@ TEST_F(SetupPageTest, MachinesAreFoundWhenAskedChosenTestedAndSaved) {
   EXPECT_TRUE(told(QStringLiteral("Nothing is looked for before you ask")));
   EXPECT_FALSE(find<TouchButton>("link-test")->isEnabled()) << "no link is chosen";
   type(QStringLiteral("find-hosts"), QStringLiteral("mill, 192.168.1.0/28"));
-  EXPECT_TRUE(desk_.lookedAt.isEmpty()) << "typing is not asking";
+  EXPECT_TRUE(controller_.lookedAt.isEmpty()) << "typing is not asking";
   press("find-begin");
-  EXPECT_EQ(desk_.lookedAt, QStringList{QStringLiteral("mill, 192.168.1.0/28")});
+  EXPECT_EQ(controller_.lookedAt, QStringList{QStringLiteral("mill, 192.168.1.0/28")});
   EXPECT_TRUE(told(QStringLiteral("Looking")));
   EXPECT_EQ(find<TouchButton>("find-begin")->text(), QStringLiteral("STOP"));
-  desk_.finding = twoServersOfOneMill();
-  desk_.changed = true;
+  controller_.finding = twoServersOfOneMill();
+  controller_.changed = true;
   tick(40);
   auto* places = find<QListWidget>("found-places");
   ASSERT_EQ(places->count(), 4);
@@ -33,18 +33,18 @@ TEST_F(SetupPageTest, MachinesAreFoundWhenAskedChosenTestedAndSaved) {
   EXPECT_FALSE(find<TouchButton>("link-save")->isEnabled()) << "not tested";
 
   press("link-test");
-  EXPECT_EQ(desk_.tested.id, "linuxcnc");
-  EXPECT_EQ(desk_.tested.settings.at("host"), "mill");
-  EXPECT_EQ(desk_.tested.settings.at("hal_component_port"), "5008") << "found on the same host";
+  EXPECT_EQ(controller_.tested.id, "linuxcnc");
+  EXPECT_EQ(controller_.tested.settings.at("host"), "mill");
+  EXPECT_EQ(controller_.tested.settings.at("hal_component_port"), "5008") << "found on the same host";
   EXPECT_EQ(find<TouchButton>("link-test")->text(), QStringLiteral("STOP")) << "one at a time";
-  desk_.test.steps = {{QStringLiteral("Connect"), QStringLiteral("LinuxCNC answers"), true}};
-  desk_.changed = true;
+  controller_.test.steps = {{QStringLiteral("Connect"), QStringLiteral("LinuxCNC answers"), true}};
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("LinuxCNC answers")));
-  desk_.test.steps.push_back({QStringLiteral("Measure the delay"),
-                              QStringLiteral("a look takes 0.3 ms, and what it shows is 0.3 ms old"), true});
-  desk_.test.state = LinkTest::State::Good;
-  desk_.changed = true;
+  controller_.test.steps.push_back({QStringLiteral("Measure the delay"),
+                                    QStringLiteral("a look takes 0.3 ms, and what it shows is 0.3 ms old"), true});
+  controller_.test.state = LinkTest::State::Good;
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("a look takes 0.3 ms")));
   EXPECT_FALSE(find<TouchButton>("link-save")->isEnabled()) << "the profile has no name yet";
@@ -52,7 +52,7 @@ TEST_F(SetupPageTest, MachinesAreFoundWhenAskedChosenTestedAndSaved) {
   type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
   press("setup-machine");
   press("link-save");
-  EXPECT_EQ(desk_.kept.at(QStringLiteral("mill3")).link.settings.at("host"), "mill");
+  EXPECT_EQ(controller_.kept.at(QStringLiteral("mill3")).link.settings.at("host"), "mill");
   EXPECT_TRUE(told(QStringLiteral("Saved: mill3")));
 }
 
@@ -66,30 +66,30 @@ TEST_F(SetupPageTest, FindingAndTestingCanBeStopped) {
     EXPECT_EQ(find<TouchButton>(begin)->text(), QStringLiteral("STOP"));
     press(begin);
     EXPECT_EQ(find<TouchButton>(begin)->text(), before);
-    EXPECT_FALSE(desk_.finding.runs);
-    EXPECT_EQ(desk_.test.state, LinkTest::State::Off);
+    EXPECT_FALSE(controller_.finding.runs);
+    EXPECT_EQ(controller_.test.state, LinkTest::State::Off);
   }
-  EXPECT_EQ(desk_.lookedAt.size(), 1);
+  EXPECT_EQ(controller_.lookedAt.size(), 1);
 }
 
 TEST_F(SetupPageTest, WhatFindingAndTestingDoNotGiveIsSaid) {
   openSetup();
   press("setup-machine");
   press("find-begin");
-  desk_.finding = {false, true, {}, {}};
-  desk_.changed = true;
+  controller_.finding = {false, true, {}, {}};
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("Nothing answers")));
   press("find-begin");
-  desk_.finding = {false, true, {}, QStringLiteral("10.0.0.0/8: is more than 256 addresses")};
-  desk_.changed = true;
+  controller_.finding = {false, true, {}, QStringLiteral("10.0.0.0/8: is more than 256 addresses")};
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("more than 256 addresses")));
   press("link-linuxcnc");
   press("link-test");
-  desk_.test = {LinkTest::State::Bad,
-                {{QStringLiteral("Connect"), QStringLiteral("127.0.0.1:5007: no answer"), false}}};
-  desk_.changed = true;
+  controller_.test = {LinkTest::State::Bad,
+                      {{QStringLiteral("Connect"), QStringLiteral("127.0.0.1:5007: no answer"), false}}};
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("127.0.0.1:5007: no answer")));
   EXPECT_FALSE(find<TouchButton>("link-save")->isEnabled());

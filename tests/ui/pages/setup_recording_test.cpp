@@ -31,7 +31,7 @@ TEST_F(SetupPageTest, RecordingIsChosenOnTheScreenAndSavedInTheProfile) {
   type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
   press("profile-save");
 
-  const config::Profile& kept = desk_.kept.at(QStringLiteral("mill3"));
+  const config::Profile& kept = controller_.kept.at(QStringLiteral("mill3"));
   EXPECT_EQ(kept.operatorName, "Ada");
   EXPECT_EQ(kept.recording.job, "Housing 7");
   EXPECT_EQ(kept.recording.folder, "/home/mill/recordings");
@@ -51,18 +51,18 @@ TEST_F(SetupPageTest, WhatIsRecordedNowIsToldWithWhatHadToGo) {
   press("setup-recording");
   play(0.1);
   EXPECT_TRUE(told(QStringLiteral("Nothing is recorded")));
-  desk_.recording = {QStringLiteral("/rec/Housing/T12/a.h5"), RecordingNow::State::Waits, 0, {}};
+  controller_.recording = {QStringLiteral("/rec/Housing/T12/a.h5"), RecordingNow::State::Waits, 0, {}};
   play(0.1);
   EXPECT_TRUE(told(QStringLiteral("with the next event")));
-  desk_.recording.state = RecordingNow::State::Writes;
-  desk_.recording.deleted = 3;
-  desk_.recording.lastDeleted = QStringLiteral("/rec/Housing/T12/old.h5");
+  controller_.recording.state = RecordingNow::State::Writes;
+  controller_.recording.deleted = 3;
+  controller_.recording.lastDeleted = QStringLiteral("/rec/Housing/T12/old.h5");
   play(0.1);
   EXPECT_TRUE(told(QStringLiteral("Writes /rec/Housing/T12/a.h5")));
   EXPECT_TRUE(told(QStringLiteral("3, the last one old.h5")));
   EXPECT_FALSE(told(QStringLiteral("could not be deleted")));
   for (const char* const name : {"one", "two", "three", "four"}) {
-    desk_.recording.notDeleted << QStringLiteral("%1.h5 (Permission denied)").arg(QLatin1String(name));
+    controller_.recording.notDeleted << QStringLiteral("%1.h5 (Permission denied)").arg(QLatin1String(name));
   }
   play(0.1);
   EXPECT_TRUE(told(QStringLiteral("could not be deleted: 4.")));

@@ -14,7 +14,7 @@ namespace {
 TEST_F(SetupPageTest, TheGuideEndsInAPictureThatMoves) {
   openSetup();
   press("guide-simulated");
-  EXPECT_EQ(desk_.demonstrations, 1);
+  EXPECT_EQ(controller_.demonstrations, 1);
   EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
 }
 
@@ -48,10 +48,10 @@ TEST_F(SetupPageTest, AMachineIsPutTogetherTriedSavedAndStarted) {
   EXPECT_TRUE(told(QStringLiteral("25600 Hz")));
   EXPECT_TRUE(told(QStringLiteral("connection refused")));
   press("profile-start");
-  EXPECT_EQ(desk_.inForce, QStringLiteral("mill3"));
+  EXPECT_EQ(controller_.inForce, QStringLiteral("mill3"));
   EXPECT_EQ(window_->currentPage(), QStringLiteral("operate"));
 
-  const config::Profile& kept = desk_.kept.at(QStringLiteral("mill3"));
+  const config::Profile& kept = controller_.kept.at(QStringLiteral("mill3"));
   EXPECT_EQ(kept.cut.machine, "Mill 3");
   EXPECT_DOUBLE_EQ(kept.cut.nominalSpeed.value, 8500.0);
   EXPECT_NEAR(kept.cut.nominalFeed.value, 2.72 / 60.0, 1e-9);
@@ -93,8 +93,8 @@ TEST_F(SetupPageTest, FeedAndDiameterAreShownAndTypedInInches) {
   press("setup-profile");
   type(QStringLiteral("profile-name"), QStringLiteral("mill4"));
   press("profile-start");
-  EXPECT_NEAR(desk_.kept.at(QStringLiteral("mill4")).cut.nominalFeed.value, 2.72 / 60.0, 1e-12);
-  EXPECT_NEAR(desk_.kept.at(QStringLiteral("mill4")).cut.toolDiameter.value, 12e-3, 1e-15);
+  EXPECT_NEAR(controller_.kept.at(QStringLiteral("mill4")).cut.nominalFeed.value, 2.72 / 60.0, 1e-12);
+  EXPECT_NEAR(controller_.kept.at(QStringLiteral("mill4")).cut.toolDiameter.value, 12e-3, 1e-15);
 
   window_->showPage(QStringLiteral("setup"));
   press("setup-machine");
@@ -104,13 +104,13 @@ TEST_F(SetupPageTest, FeedAndDiameterAreShownAndTypedInInches) {
   press("tool-use");
   press("setup-profile");
   press("profile-start");
-  EXPECT_NEAR(desk_.kept.at(QStringLiteral("mill4")).cut.nominalFeed.value, 100 * 25.4e-3 / 60.0, 1e-12);
-  EXPECT_NEAR(desk_.kept.at(QStringLiteral("mill4")).cut.toolDiameter.value, 12.7e-3, 1e-12);
+  EXPECT_NEAR(controller_.kept.at(QStringLiteral("mill4")).cut.nominalFeed.value, 100 * 25.4e-3 / 60.0, 1e-12);
+  EXPECT_NEAR(controller_.kept.at(QStringLiteral("mill4")).cut.toolDiameter.value, 12.7e-3, 1e-12);
 }
 
 TEST_F(SetupPageTest, ARefusedStartSaysWhyAndStays) {
   openSetup();
-  desk_.refuse = true;
+  controller_.refuse = true;
   press("setup-profile");
   type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
   press("profile-start");
@@ -161,7 +161,7 @@ TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
   EXPECT_FALSE(find<TouchButton>("device-listen")->isEnabled()) << "no device is chosen";
   press("source-alsa");
   press("device-listen");
-  EXPECT_EQ(desk_.listenedTo, QStringLiteral("alsa"));
+  EXPECT_EQ(controller_.listenedTo, QStringLiteral("alsa"));
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("THE CHOSEN DEVICE")));
   EXPECT_TRUE(told(QStringLiteral("Opening the device")));
@@ -171,33 +171,33 @@ TEST_F(SetupPageTest, TheChosenDeviceIsListenedToBesideTheCutAndLetGo) {
   Snapshot heard = session_.snapshot();
   heard.sensors.channels = 1;
   heard.sensors.channel[0] = {0.5, 2.0, 0.0, {}};
-  desk_.ears = {Heard::State::Running, &info, &heard, {}};
+  controller_.ears = {DevicePreview::State::Running, &info, &heard, {}};
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("mic: 0.50")));
   EXPECT_TRUE(find<LevelSpectrum>()->alive());
   tick(2000);
   EXPECT_TRUE(told(QStringLiteral("No samples come"))) << "a picture that stands still is not shown as live";
 
-  desk_.ears = {Heard::State::Failed, nullptr, nullptr, QStringLiteral("hw:1: busy")};
+  controller_.ears = {DevicePreview::State::Failed, nullptr, nullptr, QStringLiteral("hw:1: busy")};
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("hw:1: busy")));
   press("device-listen");
-  EXPECT_EQ(desk_.listenedTo, QStringLiteral("alsa")) << "tried once more";
+  EXPECT_EQ(controller_.listenedTo, QStringLiteral("alsa")) << "tried once more";
   press("setup-tools");
-  EXPECT_TRUE(desk_.listenedTo.isEmpty()) << "nobody looks: the device is free";
+  EXPECT_TRUE(controller_.listenedTo.isEmpty()) << "nobody looks: the device is free";
 
   press("setup-sensors");
   tick(40);
   press("device-listen");
-  EXPECT_EQ(desk_.listenedTo, QStringLiteral("alsa"));
+  EXPECT_EQ(controller_.listenedTo, QStringLiteral("alsa"));
   press("source-simulated");
-  EXPECT_TRUE(desk_.listenedTo.isEmpty()) << "it is not the chosen device any more";
+  EXPECT_TRUE(controller_.listenedTo.isEmpty()) << "it is not the chosen device any more";
 }
 
 TEST_F(SetupPageTest, JoinedDevicesTellHowWellTheyAreAligned) {
   openSetup();
   press("setup-sensors");
-  desk_.ears.clocks = {{2, Hertz(25598.7), Seconds(4.2e-6)}};
+  controller_.ears.clocks = {{2, Hertz(25598.7), Seconds(4.2e-6)}};
   session_.touch();
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("Joined device, 2 channels")));
@@ -215,21 +215,21 @@ TEST_F(SetupPageTest, ACalibratorSetsTheChosenChannelRight) {
   find<QLineEdit>("calibrator-level")->setText(QStringLiteral("1 g"));
   find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("159,2"));
   press("calibrator-begin");
-  EXPECT_EQ(desk_.calibrated, QStringLiteral("1 1 g 159.2"));
+  EXPECT_EQ(controller_.calibrated, QStringLiteral("1 1 g 159.2"));
   EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "one at a time";
   EXPECT_TRUE(told(QStringLiteral("Listening to the calibrator")));
-  desk_.askedByHand.found.front().second.scale = 98.7;
-  desk_.askedByHand.state = SensorTrial::State::Good;
-  desk_.askedByHand.said = QStringLiteral("y: a tone of 159.2 Hz");
-  desk_.changed = true;
+  controller_.askedByHand.found.front().second.scale = 98.7;
+  controller_.askedByHand.state = SensorTrial::State::Good;
+  controller_.askedByHand.said = QStringLiteral("y: a tone of 159.2 Hz");
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("a tone of 159.2 Hz")));
   press("setup-profile");
   find<QLineEdit>("profile-name")->setText(QStringLiteral("mill"));
   press("profile-save");
-  ASSERT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
-  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[1].scale, 98.7);
-  EXPECT_NE(desk_.kept[QStringLiteral("mill")].cut.channels[0].scale, 98.7);
+  ASSERT_EQ(controller_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
+  EXPECT_EQ(controller_.kept[QStringLiteral("mill")].cut.channels[1].scale, 98.7);
+  EXPECT_NE(controller_.kept[QStringLiteral("mill")].cut.channels[0].scale, 98.7);
 }
 
 TEST_F(SetupPageTest, KnocksExchangeTheAxes) {
@@ -242,23 +242,23 @@ TEST_F(SetupPageTest, KnocksExchangeTheAxes) {
   find<QTableView>("channels")->setCurrentIndex(channels->index(1, 0));
   EXPECT_TRUE(find<TouchButton>("knock-begin")->isEnabled());
   press("knock-begin");
-  EXPECT_EQ(desk_.knockedAlong, 1);
+  EXPECT_EQ(controller_.knockedAlong, 1);
   EXPECT_FALSE(find<TouchButton>("calibrator-begin")->isEnabled()) << "one at a time";
   EXPECT_TRUE(told(QStringLiteral("Knock along")));
-  ChannelInfo first = desk_.askedByHand.found.front().second, second = first;
+  ChannelInfo first = controller_.askedByHand.found.front().second, second = first;
   first.axis = "y";
   second.axis = "x";
-  desk_.askedByHand = {
+  controller_.askedByHand = {
       SensorTrial::State::Good, QStringLiteral("'x' and 'y' are exchanged"), {{0, first}, {1, second}}};
-  desk_.changed = true;
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("are exchanged")));
   press("setup-profile");
   find<QLineEdit>("profile-name")->setText(QStringLiteral("mill"));
   press("profile-save");
-  ASSERT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
-  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[0].axis, "y");
-  EXPECT_EQ(desk_.kept[QStringLiteral("mill")].cut.channels[1].axis, "x");
+  ASSERT_EQ(controller_.kept[QStringLiteral("mill")].cut.channels.size(), 2U);
+  EXPECT_EQ(controller_.kept[QStringLiteral("mill")].cut.channels[0].axis, "y");
+  EXPECT_EQ(controller_.kept[QStringLiteral("mill")].cut.channels[1].axis, "x");
 }
 
 TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
@@ -268,12 +268,12 @@ TEST_F(SetupPageTest, WhatTheCalibratorCannotSayIsASentence) {
   press("channel-add");
   find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("much"));
   press("calibrator-begin");
-  EXPECT_TRUE(desk_.calibrated.isEmpty());
+  EXPECT_TRUE(controller_.calibrated.isEmpty());
   EXPECT_TRUE(told(QStringLiteral("The frequency is no number")));
   find<QLineEdit>("calibrator-frequency")->setText(QStringLiteral("1000"));
   press("calibrator-begin");
-  desk_.askedByHand = {SensorTrial::State::Bad, QStringLiteral("no tone within 5 % of 1000 Hz"), {}};
-  desk_.changed = true;
+  controller_.askedByHand = {SensorTrial::State::Bad, QStringLiteral("no tone within 5 % of 1000 Hz"), {}};
+  controller_.changed = true;
   tick(40);
   EXPECT_TRUE(told(QStringLiteral("no tone within 5 %")));
 }
@@ -315,14 +315,14 @@ TEST_P(SetupPictures, EveryTabFits) {
   tool.teeth = 4;
   tool.diameter_mm = 12.0;
   tool.chattered = {{8800.0, 1.5, 1713.0, QStringLiteral("slot, first pass")}};
-  desk_.shop = {tool};
-  desk_.kept[QStringLiteral("mill3")] = {};
+  controller_.shop = {tool};
+  controller_.kept[QStringLiteral("mill3")] = {};
   openSetup(GetParam().width, GetParam().height, GetParam().theme);
   savePage(*window_, "setup", GetParam(), "guide");
   press("setup-machine");
   press("link-linuxcnc");
-  desk_.finding = twoServersOfOneMill();
-  desk_.test = {
+  controller_.finding = twoServersOfOneMill();
+  controller_.test = {
       LinkTest::State::Good,
       {{QStringLiteral("Connect"), QStringLiteral("LinuxCNC answers"), true},
        {QStringLiteral("Read the machine"),
@@ -334,7 +334,7 @@ TEST_P(SetupPictures, EveryTabFits) {
         QStringLiteral(
             "speed 50 to 150 %, feed 0 to 150 %; the machine goes back by itself when nothing comes from here"),
         true}}};
-  desk_.changed = true;
+  controller_.changed = true;
   play(0.4);
   savePage(*window_, "setup", GetParam(), "machine");
   press("setup-sensors");
@@ -348,8 +348,8 @@ TEST_P(SetupPictures, EveryTabFits) {
   press("setup-recording");
   press("record-every");
   press("record-mode-around-events");
-  desk_.recording = {QStringLiteral("/home/mill/recordings/Housing 7/T12/2026-11-22_08-30-00.h5"),
-                     RecordingNow::State::Writes, 2, QStringLiteral("/rec/2026-08-01_10-00-00.h5")};
+  controller_.recording = {QStringLiteral("/home/mill/recordings/Housing 7/T12/2026-11-22_08-30-00.h5"),
+                           RecordingNow::State::Writes, 2, QStringLiteral("/rec/2026-08-01_10-00-00.h5")};
   play(0.1);
   savePage(*window_, "setup", GetParam(), "recording");
   press("setup-profile");

@@ -18,13 +18,13 @@ TEST_F(SetupPageTest, SpeedPitchAndModesOfAToolGoIntoTheProfileAndLeaveWithIt) {
   measured.highestSpeed_rpm = 8000.0;
   ToolEntry plain;
   plain.name = QStringLiteral("T3 D6 Z2");
-  desk_.shop = {measured, plain};
+  controller_.shop = {measured, plain};
   openSetup();
   const auto saved = [this] {
     press("setup-profile");
     type(QStringLiteral("profile-name"), QStringLiteral("mill3"));
     press("profile-save");
-    return desk_.kept.at(QStringLiteral("mill3"));
+    return controller_.kept.at(QStringLiteral("mill3"));
   };
   press("setup-tools");
   press("tool-use");
@@ -49,20 +49,20 @@ TEST_F(SetupPageTest, APitchThatDoesNotGoOnceAroundIsNotKept) {
   tool.name = QStringLiteral("T12 D12 Z4");
   tool.teeth = 4;
   tool.highestSpeed_rpm = 8000.0;
-  desk_.shop = {tool};
+  controller_.shop = {tool};
   openSetup();
   press("setup-tools");
   for (const char* wrong : {"90 90 90", "90 90 90 80", "90 90 90 x"}) {
     type(QStringLiteral("tool-pitch"), QString::fromLatin1(wrong));
     press("tool-save");
     EXPECT_TRUE(told(QStringLiteral("one angle per tooth"))) << wrong;
-    EXPECT_EQ(desk_.shop[0].pitch, QString());
+    EXPECT_EQ(controller_.shop[0].pitch, QString());
   }
   type(QStringLiteral("tool-pitch"), QStringLiteral("85 95 85 95"));
   type(QStringLiteral("tool-limit"), QStringLiteral("8k"));
   press("tool-save");
-  EXPECT_EQ(desk_.shop[0].pitch, QStringLiteral("85 95 85 95"));
-  EXPECT_EQ(desk_.shop[0].highestSpeed_rpm, 8000.0) << "what is no number takes no limit away";
+  EXPECT_EQ(controller_.shop[0].pitch, QStringLiteral("85 95 85 95"));
+  EXPECT_EQ(controller_.shop[0].highestSpeed_rpm, 8000.0) << "what is no number takes no limit away";
 }
 
 TEST_F(SetupPageTest, ARemovedToolIsPutBackWhereItWas) {
@@ -70,14 +70,14 @@ TEST_F(SetupPageTest, ARemovedToolIsPutBackWhereItWas) {
   first.name = QStringLiteral("T1");
   second.name = QStringLiteral("T2");
   first.highestSpeed_rpm = 9000.0;
-  desk_.shop = {first, second};
+  controller_.shop = {first, second};
   openSetup();
   press("setup-tools");
   EXPECT_FALSE(find<TouchButton>("tool-put-back")->isVisible());
   press("tool-remove");
-  EXPECT_EQ(desk_.shop, std::vector<ToolEntry>{second});
+  EXPECT_EQ(controller_.shop, std::vector<ToolEntry>{second});
   press("tool-put-back");
-  EXPECT_EQ(desk_.shop, (std::vector<ToolEntry>{first, second}));
+  EXPECT_EQ(controller_.shop, (std::vector<ToolEntry>{first, second}));
   EXPECT_EQ(find<QLineEdit>("tool-limit")->text(), QStringLiteral("9000"));
   EXPECT_FALSE(find<TouchButton>("tool-put-back")->isVisible());
 }
@@ -86,7 +86,7 @@ TEST_F(SetupPageTest, WhatWasTypedOfAToolWaitsWhileAnotherIsLookedAt) {
   ToolEntry first, second;
   first.name = QStringLiteral("T1");
   second.name = QStringLiteral("T2");
-  desk_.shop = {first, second};
+  controller_.shop = {first, second};
   openSetup();
   press("setup-tools");
   auto* list = find<QListView>("tools");
@@ -97,24 +97,24 @@ TEST_F(SetupPageTest, WhatWasTypedOfAToolWaitsWhileAnotherIsLookedAt) {
   list->setCurrentIndex(list->model()->index(0, 0));
   EXPECT_EQ(find<QLineEdit>("tool-holder")->text(), QStringLiteral("HSK63"));
   EXPECT_TRUE(told(QStringLiteral("Not kept yet")));
-  EXPECT_EQ(desk_.shop[0].holder, QString()) << "and nothing is kept that nobody asked to keep";
+  EXPECT_EQ(controller_.shop[0].holder, QString()) << "and nothing is kept that nobody asked to keep";
   press("tool-save");
-  EXPECT_EQ(desk_.shop[0].holder, QStringLiteral("HSK63"));
+  EXPECT_EQ(controller_.shop[0].holder, QStringLiteral("HSK63"));
   EXPECT_FALSE(told(QStringLiteral("Not kept yet")));
 }
 
 TEST_F(SetupPageTest, ToolsRememberWhereTheyChattered) {
   ToolEntry tool;
   tool.name = QStringLiteral("T3 D6 Z2");
-  desk_.shop = {tool};
+  controller_.shop = {tool};
   openSetup();
   press("setup-tools");
   EXPECT_FALSE(find<TouchButton>("tool-chattered")->isEnabled());
   while (session_.snapshot().verdicts[0].state != CutState::Chatter) play(0.04);
   press("tool-chattered");
-  ASSERT_EQ(desk_.shop[0].chattered.size(), 1U);
-  EXPECT_NEAR(desk_.shop[0].chattered[0].speed_rpm, 8800.0, 50.0);
-  EXPECT_GT(desk_.shop[0].chattered[0].frequency_hz, 1000.0);
+  ASSERT_EQ(controller_.shop[0].chattered.size(), 1U);
+  EXPECT_NEAR(controller_.shop[0].chattered[0].speed_rpm, 8800.0, 50.0);
+  EXPECT_GT(controller_.shop[0].chattered[0].frequency_hz, 1000.0);
   EXPECT_TRUE(told(QStringLiteral("Chattered at")));
 }
 

@@ -55,7 +55,7 @@ TEST_F(TunePageTest, EveryParameterOfEveryPartHasItsRow) {
   openTune();
   auto* list = find<QListView>("tune-parts");
   ASSERT_GE(list->model()->rowCount(), 8);
-  for (const TunablePart& part : tuning_.tunableParts()) {
+  for (const TunableComponent& part : tuning_.tunableParts()) {
     const std::string_view key = part.params.front()->key;
     choosePart(std::string(key.substr(0, key.find('.'))).c_str());
   }
@@ -259,7 +259,7 @@ TEST_F(TunePageTest, FuzzySetsFollowTheirPeaks) {
   }
   ASSERT_TRUE(plot->isVisible());
   EXPECT_EQ(plot->peaks()[5], 0.25);
-  page->desk().set(*control::fuzzyCentreParams()[0], 0.1);
+  page->controller().set(*control::fuzzyCentreParams()[0], 0.1);
   EXPECT_EQ(plot->peaks()[5], 0.1);
   EXPECT_EQ(plot->peaks()[3], -0.1) << "alike on both sides";
 }
@@ -305,7 +305,7 @@ TEST_F(TunePageTest, AnotherLanguageKeepsWhatRunsUndoAndBothSides) {
   ASSERT_EQ(find<TouchButton>("tune-b")->accessibleName(), QStringLiteral("Werte der Seite B nutzen"));
   EXPECT_EQ(row("energy-ratio.chatter")->view().value, shown) << "what runs, not what it began with";
   EXPECT_TRUE(find<TouchButton>("tune-b")->isChecked());
-  EXPECT_GT(tuning_.desk().tally().side(1).inForce.value, 0.5) << "what B did is still known";
+  EXPECT_GT(tuning_.controller().tally().side(1).inForce.value, 0.5) << "what B did is still known";
   press("tune-a");
   tick(40);
   EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), 0.2);
@@ -345,10 +345,10 @@ TEST_F(TunePageTest, BothSidesAlikeCanBeUndone) {
   press("tune-copy");
   press("tune-b");
   tick(40);
-  EXPECT_DOUBLE_EQ(tuning_.desk().value(kErChatter), 0.2) << "B is like A";
+  EXPECT_DOUBLE_EQ(tuning_.controller().value(kErChatter), 0.2) << "B is like A";
   press("tune-undo");
   tick(40);
-  EXPECT_DOUBLE_EQ(tuning_.desk().value(kErChatter), b);
+  EXPECT_DOUBLE_EQ(tuning_.controller().value(kErChatter), b);
   EXPECT_DOUBLE_EQ(sentValues(kErChatter).back(), b) << "and the run has it";
 }
 
@@ -358,7 +358,7 @@ TEST_F(TunePageTest, AReplayHasADeskOfItsOwnAndTheCutsComesBackAsItWas) {
   tick(40);
   const QString cut = row("energy-ratio.chatter")->view().value;
   choosePart("coherence");
-  auto replay = std::make_unique<TuneDesk>();
+  auto replay = std::make_unique<TuningController>();
   tuning_.show(replay);
   tick(40);
   choosePart("energy-ratio");

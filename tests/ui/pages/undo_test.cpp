@@ -32,21 +32,21 @@ TEST_F(WindowTest, ADeletedPresetComesBackWithTheSameTouch) {
 TEST_F(SessionsPageTest, ARemovedMarkerComesBackWithTheSameTouch) {
   openSessions();
   openFirst();
-  ASSERT_TRUE(desk_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("burr"), QStringLiteral("0.2 mm")).ok());
+  ASSERT_TRUE(controller_.mark(Seconds(8.0), Seconds(9.5), QStringLiteral("burr"), QStringLiteral("0.2 mm")).ok());
   tick(40);
   auto* list = find<QListView>("marker-list");
   list->setCurrentIndex(list->model()->index(0, 0));
   press("mark-remove");
   tick(40);
-  ASSERT_TRUE(desk_.marks.empty());
+  ASSERT_TRUE(controller_.marks.empty());
   EXPECT_EQ(find<TouchButton>("mark-remove")->text(), QStringLiteral("UNDO"));
   press("mark-remove");
   tick(40);
-  ASSERT_EQ(desk_.marks.size(), 1U);
-  EXPECT_EQ(desk_.marks[0].label, "burr");
-  EXPECT_EQ(desk_.marks[0].note, "0.2 mm");
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].begin).value, 8.0, 1e-6);
-  EXPECT_NEAR(sinceEpoch(desk_.marks[0].end).value, 9.5, 1e-6);
+  ASSERT_EQ(controller_.marks.size(), 1U);
+  EXPECT_EQ(controller_.marks[0].label, "burr");
+  EXPECT_EQ(controller_.marks[0].note, "0.2 mm");
+  EXPECT_NEAR(sinceEpoch(controller_.marks[0].begin).value, 8.0, 1e-6);
+  EXPECT_NEAR(sinceEpoch(controller_.marks[0].end).value, 9.5, 1e-6);
   EXPECT_EQ(find<TouchButton>("mark-remove")->text(), QStringLiteral("REMOVE"));
 }
 

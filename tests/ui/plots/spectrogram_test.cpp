@@ -199,7 +199,7 @@ TEST_F(SpectrogramWidgetTest, TheChatterMarkIsDrawnInItsColour) {
   EXPECT_FALSE(hasRed());
   widget.setChatter(Hertz(1713), "1713 Hz", Tone::Chatter);
   EXPECT_TRUE(hasRed());
-  widget.setStanding(Standing::Stale);
+  widget.setPlotState(PlotState::Stale);
   EXPECT_FALSE(hasRed());
 }
 

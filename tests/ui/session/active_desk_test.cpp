@@ -1,5 +1,5 @@
 // The desk of the active work-holder on a simulated cut, as fast as it goes: identify, look, start, watch, stop.
-#include "app/session/active_desk.h"
+#include "app/session/active_loop_controller.h"
 
 #include <gtest/gtest.h>
 
@@ -75,26 +75,26 @@ class OnFord : public testing::Test {
     ASSERT_TRUE(scenario.ok()) << scenario.error().line();
     auto device = std::make_unique<active::SimulatedDuplex>(*scenario, 1, 1);
     simulated_ = device.get();
-    active::EngineOptions options = activeOptions(*scenario->workHolder, {});
+    active::ActiveEngineOptions options = activeOptions(*scenario->workHolder, {});
     options.record.duration = Seconds(2.0);
     auto paced = std::make_unique<BlockTime>(std::move(device), clock_);
     time_ = paced.get();
     seen_ = time_->seen;
-    owned_ = std::make_unique<ActiveDesk>(std::move(paced), options, clock_, simulated_);
-    desk_ = owned_.get();
+    owned_ = std::make_unique<ActiveLoopController>(std::move(paced), options, clock_, simulated_);
+    controller_ = owned_.get();
   }
   void TearDown() override {
-    if (!seen_->closed) letGo();
+    if (!seen_->closed) relinquish();
   }
   // The device's time runs free, to ramp out.
-  void letGo() { time_->allowed = std::numeric_limits<std::int64_t>::max(); }
+  void relinquish() { time_->allowed = std::numeric_limits<std::int64_t>::max(); }
 
   // Until the loop's clock has gone on by so much, or earlier when it is done.
   template <class Done>
   void watch(double seconds, Done done) {
     const Instant end = clock_.now() + toDuration(Seconds(seconds));
     while (clock_.now() < end && !done()) {
-      desk_->poll();
+      controller_->poll();
       // However late this thread is, never longer than the lease without a poll.
       time_->allowed = std::min(toNs(end), toNs(clock_.now() + std::chrono::milliseconds(200)));
       std::this_thread::yield();
@@ -102,16 +102,16 @@ class OnFord : public testing::Test {
     time_->allowed = toNs(clock_.now());
   }
   ActiveSnapshot newest() {
-    const ActiveSnapshot* told = desk_->pull();
+    const ActiveSnapshot* told = controller_->pull();
     return told != nullptr ? *told : ActiveSnapshot{};
   }
 
   // Identifies and starts; the tool enters under control.
   void control() {
-    ASSERT_TRUE(desk_->identify().ok());
-    watch(600.0, [&] { return desk_->fit(1) != nullptr || !desk_->problem().isEmpty(); });
-    ASSERT_TRUE(desk_->problem().isEmpty()) << desk_->problem().toStdString();
-    const Status begun = desk_->start();
+    ASSERT_TRUE(controller_->identify().ok());
+    watch(600.0, [&] { return controller_->fit(1) != nullptr || !controller_->problem().isEmpty(); });
+    ASSERT_TRUE(controller_->problem().isEmpty()) << controller_->problem().toStdString();
+    const Status begun = controller_->start();
     ASSERT_TRUE(begun.ok()) << begun.error().line();
     watch(9.0, [] { return false; });
   }
@@ -120,31 +120,31 @@ class OnFord : public testing::Test {
   active::SimulatedDuplex* simulated_ = nullptr;
   BlockTime* time_ = nullptr;
   std::shared_ptr<TableSeen> seen_;
-  ActiveDesk* desk_ = nullptr;
-  std::unique_ptr<ActiveDesk> owned_;
+  ActiveLoopController* controller_ = nullptr;
+  std::unique_ptr<ActiveLoopController> owned_;
   std::unique_ptr<Session> session_;  // where it is given one
 };
 
 TEST_F(OnFord, TellsWhatItIdentified) {
   openDesk("ford-unstable");
-  EXPECT_EQ(desk_->pull(), nullptr);
-  EXPECT_EQ(desk_->fit(0), nullptr);
-  EXPECT_FALSE(desk_->start().ok());  // without a model
+  EXPECT_EQ(controller_->pull(), nullptr);
+  EXPECT_EQ(controller_->fit(0), nullptr);
+  EXPECT_FALSE(controller_->start().ok());  // without a model
 
-  ASSERT_TRUE(desk_->identify().ok());
-  EXPECT_FALSE(desk_->identify().ok());  // one at a time
-  watch(600.0, [&] { return desk_->fit(1) != nullptr || !desk_->problem().isEmpty(); });
-  ASSERT_TRUE(desk_->problem().isEmpty()) << desk_->problem().toStdString();
+  ASSERT_TRUE(controller_->identify().ok());
+  EXPECT_FALSE(controller_->identify().ok());  // one at a time
+  watch(600.0, [&] { return controller_->fit(1) != nullptr || !controller_->problem().isEmpty(); });
+  ASSERT_TRUE(controller_->problem().isEmpty()) << controller_->problem().toStdString();
   for (const int axis : {0, 1}) {
-    const PathFit* fit = desk_->fit(axis);
+    const PathFit* fit = controller_->fit(axis);
     ASSERT_NE(fit, nullptr);
     EXPECT_EQ(fit->frequency.size(), fit->measured.size());
     EXPECT_EQ(fit->frequency.size(), fit->modelled.size());
     EXPECT_EQ(fit->frequency.size(), fit->coherence.size());
     EXPECT_LT(fit->path.residual, 0.1);
-    EXPECT_TRUE(fit->path.promisesStable);
+    EXPECT_TRUE(fit->path.predictedStable);
   }
-  EXPECT_EQ(desk_->fit(2), nullptr);
+  EXPECT_EQ(controller_->fit(2), nullptr);
 }
 
 TEST_F(OnFord, HoldsTheUnstableCutUntilItIsStopped) {
@@ -157,8 +157,8 @@ TEST_F(OnFord, HoldsTheUnstableCutUntilItIsStopped) {
     EXPECT_LT(axis.strokePeak, 1.0);
     EXPECT_EQ(axis.lineCount, 3);
   }
-  EXPECT_FALSE(desk_->identify().ok());  // while the table moves
-  desk_->stop();
+  EXPECT_FALSE(controller_->identify().ok());  // while the table moves
+  controller_->stop();
   watch(1.0, [] { return false; });
   EXPECT_EQ(newest().axes[0].state, ActuatorState::Off);
   EXPECT_EQ(newest().axes[0].release, ActuatorRelease::Asked);
@@ -200,7 +200,7 @@ TEST_F(OnFordInASession, ClosingTheWindowStopsTheTable) {
 TEST_F(OnFordInASession, AnotherCutInItsPlaceBringsTheTableToRest) {
   controlInASession();
   session_->demonstrateWith(kDemo);
-  letGo();
+  relinquish();
   const Status begun = session_->setup()->startDemonstration();
   ASSERT_TRUE(begun.ok()) << begun.error().line();
   EXPECT_TRUE(seen_->closed);
@@ -217,24 +217,24 @@ TEST_F(OnFord, TellsWhatItEarnsOnTheLineOfTheStableCut) {
   EXPECT_EQ(y.lines[1].frequency, Hertz(1000.0));
   ASSERT_TRUE(y.lines[1].known);
   EXPECT_GT(y.lines[1].gain_dB, 16.0);
-  EXPECT_LT(y.errorRms, y.withoutRms);
-  EXPECT_FALSE(desk_->setStep(2.0).ok());
-  EXPECT_FALSE(desk_->setLeak(0.5).ok());
-  EXPECT_TRUE(desk_->setLeak(0.9999).ok());
+  EXPECT_LT(y.errorRms, y.uncontrolledRms);
+  EXPECT_FALSE(controller_->setStep(2.0).ok());
+  EXPECT_FALSE(controller_->setLeak(0.5).ok());
+  EXPECT_TRUE(controller_->setLeak(0.9999).ok());
 }
 
 TEST_F(OnFord, ADeviceThatIsGoneIsSaidAndMustBeIdentifiedAnew) {
   openDesk("ford-unstable");
-  ASSERT_TRUE(desk_->identify().ok());
-  watch(600.0, [&] { return desk_->fit(0) != nullptr; });
-  ASSERT_NE(desk_->fit(0), nullptr);
+  ASSERT_TRUE(controller_->identify().ok());
+  watch(600.0, [&] { return controller_->fit(0) != nullptr; });
+  ASSERT_NE(controller_->fit(0), nullptr);
   time_->stop();
-  while (!desk_->poll()) std::this_thread::yield();
-  EXPECT_EQ(desk_->fit(0), nullptr);
-  EXPECT_FALSE(desk_->problem().isEmpty());
-  EXPECT_FALSE(desk_->start().ok());
-  EXPECT_TRUE(desk_->identify().ok());
-  EXPECT_TRUE(desk_->problem().isEmpty());
+  while (!controller_->poll()) std::this_thread::yield();
+  EXPECT_EQ(controller_->fit(0), nullptr);
+  EXPECT_FALSE(controller_->problem().isEmpty());
+  EXPECT_FALSE(controller_->start().ok());
+  EXPECT_TRUE(controller_->identify().ok());
+  EXPECT_TRUE(controller_->problem().isEmpty());
 }
 
 // The operator's one way out, on whatever page and in whatever window it is touched.

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "app/io/find_machines.h"
-#include "app/session/machine_desk.h"
+#include "app/session/machine_setup.h"
 #include "tests/support/pty_grbl.h"
 
 namespace stillcut::app {
@@ -18,7 +18,7 @@ using State = ui::LinkTest::State;
 class LinkDeskTest : public testing::Test {
  protected:
   LinkDeskTest() {
-    desk_.keepIn(folder_.path());
+    controller_.keepIn(folder_.path());
     profile_.cut.teeth = 4;
     profile_.cut.nominalSpeed = Rpm(8500.0);
     profile_.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
@@ -27,7 +27,7 @@ class LinkDeskTest : public testing::Test {
   void waitFor(const std::function<bool()>& done) {
     EXPECT_TRUE(QTest::qWaitFor(
         [&] {
-          desk_.poll();
+          controller_.poll();
           return done();
         },
         60000));
@@ -35,52 +35,52 @@ class LinkDeskTest : public testing::Test {
 
   QTemporaryDir folder_;
   std::string path_ = folder_.filePath(QStringLiteral("controller")).toStdString();
-  MachineDesk desk_;
+  MachineSetup controller_;
   config::Profile profile_;
 };
 
 TEST_F(LinkDeskTest, TheLinkIsTestedByItselfAndItsDelaySaved) {
   const cnc::testing::PtyGrbl controller(path_);
-  desk_.testLink(profile_, QStringLiteral("mill"));
-  EXPECT_EQ(desk_.linkTest().state, State::Runs);
+  controller_.testLink(profile_, QStringLiteral("mill"));
+  EXPECT_EQ(controller_.linkTest().state, State::Runs);
   std::size_t seen = 0;
   bool onTheWay = false;  // steps are shown as they come
   waitFor([&] {
-    seen = std::max(seen, desk_.linkTest().steps.size());
-    onTheWay = onTheWay || (seen > 0 && desk_.linkTest().state == State::Runs);
-    return desk_.linkTest().state != State::Runs;
+    seen = std::max(seen, controller_.linkTest().steps.size());
+    onTheWay = onTheWay || (seen > 0 && controller_.linkTest().state == State::Runs);
+    return controller_.linkTest().state != State::Runs;
   });
-  EXPECT_EQ(desk_.linkTest().state, State::Good);
+  EXPECT_EQ(controller_.linkTest().state, State::Good);
   EXPECT_TRUE(onTheWay);
-  ASSERT_EQ(desk_.linkTest().steps.size(), 4U);
-  for (const ui::LinkTest::Step& step : desk_.linkTest().steps) EXPECT_TRUE(step.good) << step.said.toStdString();
-  EXPECT_TRUE(desk_.linkTest().steps[2].said.contains(QStringLiteral("ms")));
-  ASSERT_TRUE(desk_.save(profile_, QStringLiteral("mill")).ok());
-  auto back = desk_.load(QStringLiteral("mill"));
+  ASSERT_EQ(controller_.linkTest().steps.size(), 4U);
+  for (const ui::LinkTest::Step& step : controller_.linkTest().steps) EXPECT_TRUE(step.good) << step.said.toStdString();
+  EXPECT_TRUE(controller_.linkTest().steps[2].said.contains(QStringLiteral("ms")));
+  ASSERT_TRUE(controller_.save(profile_, QStringLiteral("mill")).ok());
+  auto back = controller_.load(QStringLiteral("mill"));
   ASSERT_TRUE(back.ok()) << back.error().line();
   EXPECT_TRUE(back->link.settings.contains("delay_ms"));
 }
 
 TEST_F(LinkDeskTest, WhatIsWrongWithALinkIsTheLastStep) {
-  desk_.testLink(profile_, QStringLiteral("mill"));  // nobody is there
-  waitFor([&] { return desk_.linkTest().state == State::Bad; });
-  ASSERT_EQ(desk_.linkTest().steps.size(), 1U);
-  EXPECT_TRUE(desk_.linkTest().steps[0].said.contains(QStringLiteral("controller"))) << path_;
+  controller_.testLink(profile_, QStringLiteral("mill"));  // nobody is there
+  waitFor([&] { return controller_.linkTest().state == State::Bad; });
+  ASSERT_EQ(controller_.linkTest().steps.size(), 1U);
+  EXPECT_TRUE(controller_.linkTest().steps[0].said.contains(QStringLiteral("controller"))) << path_;
   profile_.link.settings["baud"] = "much";
-  desk_.testLink(profile_, QStringLiteral("mill"));
-  waitFor([&] { return desk_.linkTest().state == State::Bad; });
-  ASSERT_EQ(desk_.linkTest().steps.size(), 1U) << "of this test alone";
-  EXPECT_TRUE(desk_.linkTest().steps[0].said.contains(QStringLiteral("baud")));
+  controller_.testLink(profile_, QStringLiteral("mill"));
+  waitFor([&] { return controller_.linkTest().state == State::Bad; });
+  ASSERT_EQ(controller_.linkTest().steps.size(), 1U) << "of this test alone";
+  EXPECT_TRUE(controller_.linkTest().steps[0].said.contains(QStringLiteral("baud")));
 }
 
 // No failure when it was stopped, and nothing to save.
 TEST_F(LinkDeskTest, ATestThatIsStoppedIsNeitherGoodNorBad) {
   const cnc::testing::PtyGrbl controller(path_);
-  desk_.testLink(profile_, QStringLiteral("mill"));
-  desk_.stopTest();
-  waitFor([&] { return desk_.linkTest().state != State::Runs; });
-  EXPECT_EQ(desk_.linkTest().state, State::Off);
-  EXPECT_LT(desk_.linkTest().steps.size(), 4U);
+  controller_.testLink(profile_, QStringLiteral("mill"));
+  controller_.stopTest();
+  waitFor([&] { return controller_.linkTest().state != State::Runs; });
+  EXPECT_EQ(controller_.linkTest().state, State::Off);
+  EXPECT_LT(controller_.linkTest().steps.size(), 4U);
 }
 
 TEST_F(LinkDeskTest, ASearchThatIsStoppedAsksNobodyElse) {
@@ -90,9 +90,9 @@ TEST_F(LinkDeskTest, ASearchThatIsStoppedAsksNobodyElse) {
   };
   EXPECT_TRUE(named(findMachines(hosts, Seconds(0.2))));
   EXPECT_FALSE(named(findMachines(hosts, Seconds(0.2), [] { return true; })));
-  desk_.findMachines(QStringLiteral("192.0.2.0/24 198.51.100.0/24 203.0.113.0/24"));
-  desk_.stopFinding();
-  waitFor([&] { return !desk_.search().runs; });
+  controller_.findMachines(QStringLiteral("192.0.2.0/24 198.51.100.0/24 203.0.113.0/24"));
+  controller_.stopFinding();
+  waitFor([&] { return !controller_.search().runs; });
 }
 
 // Whatever the work throws: the desk is told on its own thread, and may begin anew.
@@ -111,16 +111,16 @@ TEST(BackgroundTaskTest, WorkThatThrowsIsAFailureThatIsTold) {
 }
 
 TEST_F(LinkDeskTest, FindingEndsAndWhatIsNoHostIsASentence) {
-  EXPECT_FALSE(desk_.search().done);
-  desk_.findMachines(QStringLiteral("10.0.0.0/8"));
-  EXPECT_TRUE(desk_.search().runs);
-  waitFor([&] { return desk_.search().done; });
-  EXPECT_TRUE(desk_.search().problem.contains(QStringLiteral("256")));
-  desk_.findMachines(QStringLiteral("no.such.host.invalid"));
-  waitFor([&] { return desk_.search().done; });
-  EXPECT_TRUE(desk_.search().problem.isEmpty());
+  EXPECT_FALSE(controller_.search().done);
+  controller_.findMachines(QStringLiteral("10.0.0.0/8"));
+  EXPECT_TRUE(controller_.search().runs);
+  waitFor([&] { return controller_.search().done; });
+  EXPECT_TRUE(controller_.search().problem.contains(QStringLiteral("256")));
+  controller_.findMachines(QStringLiteral("no.such.host.invalid"));
+  waitFor([&] { return controller_.search().done; });
+  EXPECT_TRUE(controller_.search().problem.isEmpty());
   bool named = false;
-  for (const auto& place : desk_.search().places) {
+  for (const auto& place : controller_.search().places) {
     named = named || (place.where.startsWith(QStringLiteral("no.such.host")) && place.link.id.empty());
   }
   EXPECT_TRUE(named);

@@ -24,9 +24,9 @@ class ReplayBesideACut : public testing::Test {
     auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
     ASSERT_TRUE(opened.ok()) << opened.error().line();
     session_ = std::move(opened).value();
-    ui::SessionDesk& desk = *session_->sessions();
-    desk.open(QString::fromStdString(path));
-    test::waitFor(desk, [&] { return desk.replay().open && desk.replayed() != nullptr; });
+    ui::SessionController& controller = *session_->sessions();
+    controller.open(QString::fromStdString(path));
+    test::waitFor(controller, [&] { return controller.replay().open && controller.replayed() != nullptr; });
   }
   // Some blocks of the machine's own cut.
   const Snapshot& blocks(int count) {

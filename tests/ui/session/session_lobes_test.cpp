@@ -34,17 +34,17 @@ class RecordedLobes : public testing::Test {
     open(path);
   }
   void open(const std::string& path) {
-    desk().open(QString::fromStdString(path));
-    test::waitFor(desk(), [&] { return desk().replay().open && desk().replayed() != nullptr; });
-    ASSERT_TRUE(desk().showEverywhere(true).ok());
+    controller().open(QString::fromStdString(path));
+    test::waitFor(controller(), [&] { return controller().replay().open && controller().replayed() != nullptr; });
+    ASSERT_TRUE(controller().showEverywhere(true).ok());
   }
-  ui::SessionDesk& desk() { return *session_->sessions(); }
+  ui::SessionController& controller() { return *session_->sessions(); }
   // The picture of that place.
   const Snapshot& at(Seconds time) {
-    desk().goTo(time);
-    test::waitFor(desk(), [&] {
+    controller().goTo(time);
+    test::waitFor(controller(), [&] {
       const Snapshot* s = session_->pull();
-      return s != nullptr && std::abs((desk().replay().position - time).value) < 0.05;
+      return s != nullptr && std::abs((controller().replay().position - time).value) < 0.05;
     });
     return *session_->pull();
   }
@@ -67,9 +67,9 @@ TEST_F(RecordedLobes, AreOfTheScenarioThatWasRecordedWithItsDepthAtEveryPlace) {
   ASSERT_NE(lobes, nullptr);
   EXPECT_NE(lobes, own);
   EXPECT_EQ(lobes->frame().name, QStringLiteral("other-tool"));
-  EXPECT_NEAR(lobes->depthAt(at(Seconds(3.0)).time).value, 1.5e-3, 1e-6) << "beyond the ramp";
-  EXPECT_NEAR(lobes->depthAt(at(Seconds(1.0)).time).value, 0.7e-3, 1e-6) << "and back before it";
-  ASSERT_TRUE(desk().showEverywhere(false).ok());
+  EXPECT_NEAR(lobes->axialDepthAt(at(Seconds(3.0)).time).value, 1.5e-3, 1e-6) << "beyond the ramp";
+  EXPECT_NEAR(lobes->axialDepthAt(at(Seconds(1.0)).time).value, 0.7e-3, 1e-6) << "and back before it";
+  ASSERT_TRUE(controller().showEverywhere(false).ok());
   EXPECT_EQ(session_->lobes(), own);
 }
 

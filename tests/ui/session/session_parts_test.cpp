@@ -42,12 +42,12 @@ TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
   auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
   ASSERT_TRUE(session.ok()) << session.error().line();
   int automatic = 0;
-  for (const ui::TunablePart& part : (*session)->tunableParts()) {
+  for (const ui::TunableComponent& part : (*session)->tunableParts()) {
     for (const config::ParamDecl* decl : part.params) {
       if (!decl->mayBeAutomatic) continue;
       ++automatic;
       EXPECT_NE(decl->meaning.find("auto: "), std::string_view::npos) << decl->key;
-      if (part.running && part.role == ui::TunablePart::Role::Detector) {
+      if (part.running && part.role == ui::TunableComponent::Role::Detector) {
         EXPECT_EQ(part.chosen.count(decl->key), 1U) << decl->key;
       }
     }
@@ -65,15 +65,16 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
   (*session)->start();
   const std::uint32_t before = (*session)->generation();
-  config::ParamSet values = (*session)->desk().values();
+  config::ParamSet values = (*session)->controller().values();
   ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());
   const auto kept = (*session)->saveValues(values);
   ASSERT_TRUE(kept.ok()) << kept.error().line();
   QFile file(kept.value());
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().contains("chatter = 0.35"));
-  (*session)->desk().set(detect::kErChatter, 0.4);
-  EXPECT_TRUE(QTest::qWaitFor([&] { return (*session)->pull() != nullptr && !(*session)->desk().pending(); }, 20000));
+  (*session)->controller().set(detect::kErChatter, 0.4);
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return (*session)->pull() != nullptr && !(*session)->controller().pending(); }, 20000));
   EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
   ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
   EXPECT_GT((*session)->generation(), before);

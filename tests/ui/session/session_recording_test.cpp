@@ -27,9 +27,9 @@ class RecordedByProfile : public testing::Test {
       ASSERT_TRUE(session_->recordAsAsked(asked.toStdString()).ok());
       session_->start();
     }
-    ui::SetupDesk& desk = *session_->setup();
+    ui::SetupController& controller = *session_->setup();
     config::ParamCatalog catalog;
-    catalog.add(desk.recordParams());
+    catalog.add(controller.recordParams());
     config::Profile profile;
     profile.cut.machine = "Simulated mill";
     profile.cut.tool = "T12 D12 Z4";
@@ -40,12 +40,12 @@ class RecordedByProfile : public testing::Test {
     profile.source = {"simulated", {{"scenario", STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml"}}};
     profile.link = {"simulated", {}};
     ASSERT_TRUE(profile.params.set(catalog, "record.mode", mode, "test").ok());
-    const auto saved = desk.save(profile, QStringLiteral("mill"));
+    const auto saved = controller.save(profile, QStringLiteral("mill"));
     ASSERT_TRUE(saved.ok()) << saved.error().line();
-    const auto back = desk.load(QStringLiteral("mill"));
+    const auto back = controller.load(QStringLiteral("mill"));
     ASSERT_TRUE(back.ok()) << back.error().line();
     EXPECT_EQ(back->recording.job, "Housing 7");
-    const Status begun = desk.start(QStringLiteral("mill"));
+    const Status begun = controller.start(QStringLiteral("mill"));
     ASSERT_TRUE(begun.ok()) << begun.error().line();
   }
   QString recordings() const { return folder_.filePath(QStringLiteral("recordings")); }
@@ -74,7 +74,7 @@ class RecordedByProfile : public testing::Test {
 TEST_F(RecordedByProfile, EverythingIsKeptWithWhoAndWhatFor) {
   start("continuous");
   ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
-  EXPECT_EQ(session_->recorder().state, ui::RecorderStatus::State::Recording);
+  EXPECT_EQ(session_->recorder().state, ui::RecorderView::State::Recording);
   EXPECT_EQ(session_->sessions()->folder(), recordings()) << "the Sessions page lists them";
   ASSERT_TRUE(session_->stop().ok());
   const auto summary = evaluate::summarizeRecording(onlyFile());
@@ -115,7 +115,7 @@ TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWas
   start("around-events");
   ASSERT_TRUE(comes(ui::RecordingNow::State::Waits));
   EXPECT_TRUE(session_->recorder().waiting);
-  session_->send({OperatorAction::HearChatter}, session_->generation());
+  session_->send({OperatorAction::ReportChatter}, session_->generation());
   ASSERT_TRUE(comes(ui::RecordingNow::State::Writes));
   EXPECT_FALSE(session_->recorder().waiting);
   ASSERT_TRUE(session_->stop().ok());
@@ -123,7 +123,7 @@ TEST_F(RecordedByProfile, AroundEventsNothingIsWrittenBeforeATouchAndThenWhatWas
   const auto summary = evaluate::summarizeRecording(file);
   ASSERT_TRUE(summary.ok()) << summary.error().line();
   ASSERT_EQ(summary->markers.size(), 1U);
-  EXPECT_EQ(summary->markers[0].label, kLabelHeard);
+  EXPECT_EQ(summary->markers[0].label, kLabelOperatorChatter);
   EXPECT_EQ(summary->markers[0].author, "Ada");
   EXPECT_GT(sinceEpoch(summary->markers[0].begin).value, 0.2) << "what was before it is kept";
 }
@@ -152,18 +152,18 @@ TEST_F(RecordedByProfile, FeaturesAreKeptWithoutSamples) {
   // The screen has counted every block.
   ASSERT_NE(session_->pull(), nullptr);
   EXPECT_NEAR(summary->chatterTime.value, session_->pull()->chatterTime.value, 0.1);
-  ui::SessionDesk& desk = *session_->sessions();
-  desk.open(QString::fromStdString(onlyFile()));
+  ui::SessionController& controller = *session_->sessions();
+  controller.open(QString::fromStdString(onlyFile()));
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        desk.poll();
-        return desk.replay().open && desk.summaryWhole() && !desk.task().running;
+        controller.poll();
+        return controller.replay().open && controller.summaryWhole() && !controller.task().running;
       },
       60'000));
-  EXPECT_TRUE(desk.task().problem.isEmpty()) << desk.task().problem.toStdString();
-  desk.setPace(0.0);
-  desk.play();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return desk.replay().finished; }, 60'000)) << "it comes to its end";
+  EXPECT_TRUE(controller.task().problem.isEmpty()) << controller.task().problem.toStdString();
+  controller.setPace(0.0);
+  controller.play();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return controller.replay().finished; }, 60'000)) << "it comes to its end";
 }
 
 TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {

@@ -64,7 +64,7 @@ SessionSummary example() {
   move.began = at(4.0);
   move.commanded = at(4.2);
   move.finished = move.quiet = true;
-  move.timeToQuiet = Seconds(0.6);
+  move.timeToStable = Seconds(0.6);
   move.frequency = Hertz(1000.0);
   move.speedBefore = Rpm(8500.0);
   move.speedAfter = Rpm(8000.0);

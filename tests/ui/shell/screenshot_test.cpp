@@ -121,7 +121,7 @@ TEST_P(Screenshots, TroubleFits) {
   s.verdicts[0].reason = {ReasonCode::InputGap, {2560}};
   s.eventCount = 1;
   s.events[0] = {s.time, 0, EventLevel::Fault, {ReasonCode::LeaseExpired, {0.25}}};
-  session_.mutableRecorder() = {RecorderStatus::State::Failed, Seconds(), "disk full"};
+  session_.mutableRecorder() = {RecorderView::State::Failed, Seconds(), "disk full"};
   s.spectrumTop = Hertz(12800);
   session_.touch();
   tick(40);

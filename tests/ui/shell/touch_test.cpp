@@ -244,7 +244,8 @@ TEST_F(Touch, SidesAAndBAreInReachOfAGlove) {
     auto* side = find<TouchButton>(QLatin1String(name));
     EXPECT_GE(std::min(side->width(), side->height()), least) << name;
     tap(side, side->rect().center());
-    EXPECT_EQ(tuning_.desk().side(), QLatin1String(name) == QStringLiteral("tune-b") ? TuneDesk::B : TuneDesk::A);
+    EXPECT_EQ(tuning_.controller().side(),
+              QLatin1String(name) == QStringLiteral("tune-b") ? TuningController::B : TuningController::A);
   }
 }
 

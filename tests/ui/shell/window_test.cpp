@@ -91,8 +91,8 @@ TEST_F(WindowTest, EverythingThatTakesTheFocusHasANameForScreenReaders) {
 // Nobody closes the window of a machine whose main switch is turned.
 TEST_F(WindowTest, WhatIsKeptIsOnTheDiskASecondLaterNotOnlyAtTheEnd) {
   const QTemporaryDir folder;
-  FakeSetupDesk desk;
-  session_.setSetup(&desk);
+  FakeSetupDesk controller;
+  session_.setSetup(&controller);
   session_.keepStateIn(folder.path());
   open();
   window_->showPage(QStringLiteral("analyse"));
@@ -267,8 +267,8 @@ TEST_F(WindowTest, EveryLinkOfTheManualOpensTheChapterItNames) {
 
 TEST_F(WindowTest, TheGuideComesByItselfOnceAndNeverOverARunningCut) {
   const QTemporaryDir folder;
-  FakeSetupDesk desk;
-  session_.setSetup(&desk);
+  FakeSetupDesk controller;
+  session_.setSetup(&controller);
   open();
   EXPECT_FALSE(window_->offerGuide()) << "nothing is kept here, so nobody knows whether this is the first start";
 

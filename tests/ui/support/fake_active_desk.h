@@ -3,11 +3,11 @@
 
 #include <optional>
 
-#include "ui/facade/active_desk.h"
+#include "ui/facade/active_controller.h"
 
 namespace stillcut::ui {
 
-class FakeActiveDesk final : public ActiveDesk {
+class FakeActiveDesk final : public ActiveController {
  public:
   bool poll() override { return true; }
   const ActiveSnapshot* pull() override { return snapshot ? &*snapshot : nullptr; }
@@ -66,7 +66,7 @@ inline ActiveSnapshot exampleActive() {
   s.axes[0].lines[2] = {Hertz(100.0), 0.0, false};
   s.axes[1].state = ActuatorState::Off;
   s.axes[1].release = ActuatorRelease::Diverging;
-  s.axes[1].limitedShare = 0.2;
+  s.axes[1].limitedFraction = 0.2;
   s.axes[1].strokePeak = 1.0;
   s.paths[0] = exampleFit().path;
   return s;

@@ -18,13 +18,13 @@ class FakeLobes final : public LobeService {
     frame_.reachLow = Rpm(4400);
     frame_.reachHigh = Rpm(10560);
     frame_.depth = Metres(1.5e-3);
-    frame_.maxDepth = Metres(4e-3);
+    frame_.maxAxialDepth = Metres(4e-3);
     frame_.widthOfCut = Metres(8e-3);
     frame_.feedPerTooth = Metres(40e-6);
     frame_.teeth = 4;
   }
   const LobeFrame& frame() const override { return frame_; }
-  Metres depthAt(Instant) const override { return frame_.depth; }
+  Metres axialDepthAt(Instant) const override { return frame_.depth; }
   void ask(const LobeQuestion& question) override {
     asked_ = question;
     progress_ = {LobeProgress::State::Running, 0.3, {}};

@@ -27,7 +27,7 @@ FakeSession::FakeSession() {
   info_.detectors = {{"energy-ratio", "Energy ratio", {"er"}}, {"coherence", "Coherence", {"gamma_max"}}};
   info_.limits = {0.3, 0.6, 10.0};
   info_.wallMsAtStreamZero = 1'780'000'000'000;
-  recorder_ = {RecorderStatus::State::Recording, Seconds(760), {}};
+  recorder_ = {RecorderView::State::Recording, Seconds(760), {}};
 
   snapshot_.running = true;
   snapshot_.simulated = true;
@@ -39,7 +39,7 @@ FakeSession::FakeSession() {
   Intervention& earlier = snapshot_.interventions[0];
   earlier.began = instantFromNs(-34'000'000'000);
   earlier.finished = earlier.quiet = true;
-  earlier.timeToQuiet = Seconds(0.084);
+  earlier.timeToStable = Seconds(0.084);
   earlier.frequency = Hertz(1698);
   earlier.speedBefore = Rpm(9000);
   earlier.speedAfter = Rpm(kProgrammed);
@@ -55,7 +55,7 @@ FakeSession::FakeSession() {
 
 const Snapshot* FakeSession::pull() {
   if (tuning_ != nullptr && started_) {
-    for (const OperatorInput& input : tuning_->desk().take(4)) send(input, generation_);
+    for (const OperatorInput& input : tuning_->controller().take(4)) send(input, generation_);
   }
   return replay_ ? &*replay_ : live();
 }
@@ -90,7 +90,7 @@ void FakeSession::send(const OperatorInput& input, std::uint32_t seen) {
       break;
     case OperatorAction::TrueAlarm:
     case OperatorAction::FalseAlarm:
-    case OperatorAction::HearChatter:
+    case OperatorAction::ReportChatter:
     case OperatorAction::SetParameter:
       break;
   }
@@ -194,7 +194,7 @@ void FakeSession::finishIntervention() {
   i.number = s.interventionCount;
   i.began = instantFromNs(static_cast<std::int64_t>(onset_ * 1e9));
   i.finished = i.quiet = true;
-  i.timeToQuiet = Seconds(sinceEpoch(s.time).value - onset_);
+  i.timeToStable = Seconds(sinceEpoch(s.time).value - onset_);
   i.frequency = Hertz(kChatter);
   i.speedBefore = Rpm(kProgrammed);
   i.speedAfter = Rpm(kTarget);
@@ -204,7 +204,7 @@ void FakeSession::finishIntervention() {
   i.severityAfter = Ratio(0.01);
   i.vibrationBefore = peak_;
   i.vibrationAfter = s.vibrationRms;
-  i.marked = Metres(fromMmPerMin(kFeed).value * i.timeToQuiet.value);
+  i.marked = Metres(fromMmPerMin(kFeed).value * i.timeToStable.value);
   s.interventions[i.number % kInterventionsShown] = i;
   ++s.interventionCount;
   peak_ = 0.0;

@@ -21,7 +21,7 @@ class FakeSession final : public SessionFacade {
   bool replayShown() const override { return replay_.has_value(); }
   const Snapshot* live() override { return started_ ? &snapshot_ : nullptr; }
   void send(const OperatorInput& input, std::uint32_t seen) override;
-  RecorderStatus recorder() const override { return recorder_; }
+  RecorderView recorder() const override { return recorder_; }
   LinkStatus link() const override { return link_; }
   std::uint32_t generation() const override { return generation_; }
   void readSignal(const std::function<void(const SampleBlock&)>& sink) override;
@@ -32,12 +32,12 @@ class FakeSession final : public SessionFacade {
   Tuning* tuning() override { return tuning_; }
 
   void setTuning(Tuning* tuning) { tuning_ = tuning; }
-  ActiveDesk* active() override { return active_; }
-  void setActive(ActiveDesk* desk) { active_ = desk; }
-  SetupDesk* setup() override { return setup_; }
-  void setSetup(SetupDesk* desk) { setup_ = desk; }
-  SessionDesk* sessions() override { return sessions_; }
-  void setSessions(SessionDesk* desk) { sessions_ = desk; }
+  ActiveController* active() override { return active_; }
+  void setActive(ActiveController* controller) { active_ = controller; }
+  SetupController* setup() override { return setup_; }
+  void setSetup(SetupController* controller) { setup_ = controller; }
+  SessionController* sessions() override { return sessions_; }
+  void setSessions(SessionController* controller) { sessions_ = controller; }
 
   void keepStateIn(const QString& folder) { stateFolder_ = folder; }
   FakeLobes& fakeLobes() { return lobes_; }
@@ -67,7 +67,7 @@ class FakeSession final : public SessionFacade {
 
   Snapshot& snapshot() { return snapshot_; }
   SessionInfo& mutableInfo() { return info_; }
-  RecorderStatus& mutableRecorder() { return recorder_; }
+  RecorderView& mutableRecorder() { return recorder_; }
   LinkStatus& mutableLink() { return link_; }
   const std::vector<OperatorInput>& sent() const { return sent_; }
   const std::vector<std::uint32_t>& seen() const { return seen_; }  // with which generation on the screen
@@ -85,7 +85,7 @@ class FakeSession final : public SessionFacade {
   SessionInfo info_;
   Snapshot snapshot_;
   std::optional<Snapshot> replay_;
-  RecorderStatus recorder_;
+  RecorderView recorder_;
   LinkStatus link_;
   QString stateFolder_;
   FakeLobes lobes_;
@@ -96,9 +96,9 @@ class FakeSession final : public SessionFacade {
   Seconds lost_{};
   std::vector<SampleBlock> signal_;
   Tuning* tuning_ = nullptr;
-  ActiveDesk* active_ = nullptr;
-  SessionDesk* sessions_ = nullptr;
-  SetupDesk* setup_ = nullptr;
+  ActiveController* active_ = nullptr;
+  SessionController* sessions_ = nullptr;
+  SetupController* setup_ = nullptr;
   std::uint32_t generation_ = 0;
   std::vector<OperatorInput> sent_;
   std::vector<std::uint32_t> seen_;

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "ui/facade/session_desk.h"
+#include "ui/facade/session_controller.h"
 
 namespace stillcut::ui {
 
-class FakeSessionDesk final : public SessionDesk {
+class FakeSessionDesk final : public SessionController {
  public:
   FakeSessionDesk() {
     const qint64 day = 86'400'000, november = 20'758 * day;

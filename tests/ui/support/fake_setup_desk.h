@@ -6,19 +6,19 @@
 #include <utility>
 
 #include "core/session/record_params.h"
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 
 namespace stillcut::ui {
 
-class FakeSetupDesk final : public SetupDesk {
+class FakeSetupDesk final : public SetupController {
  public:
   bool poll() override { return std::exchange(changed, false); }
-  std::vector<PartOption> sources() const override {
+  std::vector<ComponentOption> sources() const override {
     return {{QStringLiteral("simulated"),
              QStringLiteral("A simulated cut from a scenario file, in real time or as fast as possible")},
             {QStringLiteral("alsa"), QStringLiteral("A sound card")}};
   }
-  std::vector<PartOption> links() const override {
+  std::vector<ComponentOption> links() const override {
     return {
         {QStringLiteral("simulated"), QStringLiteral("The control of the simulated mill")},
         {QStringLiteral("linuxcnc"), QStringLiteral("LinuxCNC through linuxcncrsh and halrmt: host, port, hal_port")},
@@ -26,23 +26,23 @@ class FakeSetupDesk final : public SetupDesk {
         {QStringLiteral("modbus"), QStringLiteral("Modbus")},
         {QStringLiteral("analog"), QStringLiteral("Analog")}};
   }
-  std::vector<PartOption> detectors() const override {
+  std::vector<ComponentOption> detectors() const override {
     return {{QStringLiteral("energy-ratio"), QStringLiteral("Energy ratio")},
             {QStringLiteral("coherence"), QStringLiteral("Coherence")}};
   }
-  std::vector<PartOption> strategies() const override {
+  std::vector<ComponentOption> strategies() const override {
     return {{QStringLiteral("monitor"), QStringLiteral("Monitoring only")},
             {QStringLiteral("stable-pocket"), QStringLiteral("Next stable pocket, checked")}};
   }
-  std::vector<config::AskedSetting> sourceSettings(const config::Profile& profile) const override {
+  std::vector<config::SettingDecl> sourceSettings(const config::Profile& profile) const override {
     if (profile.source.id != "simulated") return {};
-    return {{"scenario", config::AskedSetting::Kind::Text, "", 0.0, 0.0, {}}};
+    return {{"scenario", config::SettingDecl::Kind::Text, "", 0.0, 0.0, {}}};
   }
   // As the link itself asks: what its settings are hangs on those it has.
-  std::vector<config::AskedSetting> linkSettings(const config::Profile& profile) const override {
-    std::vector<config::AskedSetting> asked;
+  std::vector<config::SettingDecl> linkSettings(const config::Profile& profile) const override {
+    std::vector<config::SettingDecl> asked;
     if (profile.link.id != "linuxcnc") return asked;
-    config::PartSettings settings(profile.link.settings, "link 'linuxcnc'", &asked);
+    config::ComponentSettings settings(profile.link.settings, "link 'linuxcnc'", &asked);
     settings.text("host", "127.0.0.1");
     settings.whole("port", 5007, 1, 65535);
     settings.flag("adaptive_feed", false);
@@ -75,13 +75,13 @@ class FakeSetupDesk final : public SetupDesk {
   std::optional<config::Profile> keptDraft() const override { return begun; }
   void listen(const config::Profile& profile, const QString&) override {
     listenedTo = QString::fromStdString(profile.source.id);
-    ears.state = Heard::State::Opening;
+    ears.state = DevicePreview::State::Opening;
   }
-  void stopListening() override {
+  void stopPreview() override {
     listenedTo.clear();
     ears = {};
   }
-  Heard heard() override { return ears; }
+  DevicePreview heard() override { return ears; }
   void calibrate(const config::Profile& profile, const QString&, int channel, const QString& level,
                  Hertz frequency) override {
     calibrated = QStringLiteral("%1 %2 %3").arg(channel).arg(level).arg(frequency.value);
@@ -137,13 +137,13 @@ class FakeSetupDesk final : public SetupDesk {
   std::vector<ToolEntry> shop;
   std::vector<TrialStep> steps;
   QString inForce, listenedTo, calibrated;
-  Heard ears;
+  DevicePreview ears;
   RecordingNow recording;
   SensorTrial askedByHand;
   int knockedAlong = -1;
   QStringList lookedAt;
   MachineSearch finding;
-  config::PartChoice tested;
+  config::ComponentChoice tested;
   LinkTest test;
   int demonstrations = 0;
   bool changed = false, refuse = false;

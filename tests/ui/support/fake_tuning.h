@@ -17,40 +17,40 @@ namespace stillcut::ui {
 class FakeTuning final : public Tuning {
  public:
   explicit FakeTuning(std::string_view inCharge = "stable-pocket") {
-    add("energy-ratio", "Energy ratio", TunablePart::Role::Detector, detect::energyRatioParams());
-    TunablePart& detector = parts_.back();
+    add("energy-ratio", "Energy ratio", TunableComponent::Role::Detector, detect::energyRatioParams());
+    TunableComponent& detector = parts_.back();
     detector.source = QStringLiteral("Caliskan, Kilic, Altintas 2018");
     detector.running = detector.inCharge = true;
     detector.detector = 0;
     detector.indicators = {QStringLiteral("er"),    QStringLiteral("frequency_hz"), QStringLiteral("changed"),
                            QStringLiteral("floor"), QStringLiteral("evidence"),     QStringLiteral("purity")};
     detector.chosen[detect::kErHarmonics.key] = 48.0;
-    add("coherence", "Coherence", TunablePart::Role::Detector, detect::coherenceParams());
+    add("coherence", "Coherence", TunableComponent::Role::Detector, detect::coherenceParams());
     for (const auto& entry : control::strategyTable()) {
       if (entry.params.empty()) continue;
       const auto info = entry.make()->describe();
-      add(info.id, info.label, TunablePart::Role::Strategy, entry.params);
+      add(info.id, info.label, TunableComponent::Role::Strategy, entry.params);
       parts_.back().running = parts_.back().inCharge = info.id == inCharge;
       if (info.id.starts_with("fuzzy")) giveRules(parts_.back());
     }
-    add("gate", "Limits of the machine", TunablePart::Role::Gate, safety::gateParams());
+    add("gate", "Limits of the machine", TunableComponent::Role::Gate, safety::gateParams());
     parts_.back().running = true;
     static constexpr config::ParamDecl kTaps = config::integerParam("active.taps", "Taps", 35, 1, 512, "Of the filter");
     static constexpr const config::ParamDecl* kActive[] = {&kTaps};
-    add("active", "Active work-holder", TunablePart::Role::Active, kActive);
+    add("active", "Active work-holder", TunableComponent::Role::Active, kActive);
   }
   std::uint32_t tuningRun() const override { return run_; }
-  const std::vector<TunablePart>& tunableParts() const override { return parts_; }
-  TuneDesk& desk() override { return *desk_; }
+  const std::vector<TunableComponent>& tunableParts() const override { return parts_; }
+  TuningController& controller() override { return *controller_; }
   // Another run in the place of this one, with its own values.
   void openOther() {
     ++run_;
-    desk_->open({});
+    controller_->open({});
   }
   // Another one beside it is shown.
-  void show(std::unique_ptr<TuneDesk>& other) {
+  void show(std::unique_ptr<TuningController>& other) {
     ++run_;
-    std::swap(desk_, other);
+    std::swap(controller_, other);
   }
   Result<QString> saveValues(const config::ParamSet& values) override {
     if (refuse) return Error{message("mill3.toml"), message("cannot be written"), message("the disk is full")};
@@ -59,11 +59,11 @@ class FakeTuning final : public Tuning {
   }
 
   const RuleTables* rulesNow() override { return rules ? &*rules : nullptr; }
-  std::vector<OwnReading> ownNow(const TunablePart& part) override {
-    return part.inCharge && part.role == TunablePart::Role::Detector ? own : std::vector<OwnReading>();
+  std::vector<AutoReading> ownNow(const TunableComponent& part) override {
+    return part.inCharge && part.role == TunableComponent::Role::Detector ? own : std::vector<AutoReading>();
   }
 
-  std::vector<OwnReading> own;
+  std::vector<AutoReading> own;
 
   std::optional<RuleTables> rules;
   bool refuse = false;
@@ -71,7 +71,7 @@ class FakeTuning final : public Tuning {
 
  private:
   // As app/session does.
-  static void giveRules(TunablePart& part) {
+  static void giveRules(TunableComponent& part) {
     const config::ParamTable cells = control::fuzzyRuleParams(), centres = control::fuzzyCentreParams();
     const auto first = std::find(part.params.begin(), part.params.end(), cells.front());
     part.params.erase(first, first + static_cast<std::ptrdiff_t>(cells.size()));
@@ -79,8 +79,8 @@ class FakeTuning final : public Tuning {
     part.feedRules.assign(cells.begin() + 81, cells.end());
     part.setCentres.assign(centres.begin(), centres.end());
   }
-  void add(std::string_view id, std::string_view label, TunablePart::Role role, config::ParamTable params) {
-    TunablePart part;
+  void add(std::string_view id, std::string_view label, TunableComponent::Role role, config::ParamTable params) {
+    TunableComponent part;
     part.id = QString::fromUtf8(id.data(), static_cast<qsizetype>(id.size()));
     part.label = QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()));
     part.role = role;
@@ -88,8 +88,8 @@ class FakeTuning final : public Tuning {
     parts_.push_back(std::move(part));
   }
 
-  std::vector<TunablePart> parts_;
-  std::unique_ptr<TuneDesk> desk_ = std::make_unique<TuneDesk>();
+  std::vector<TunableComponent> parts_;
+  std::unique_ptr<TuningController> controller_ = std::make_unique<TuningController>();
   std::uint32_t run_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace stillcut::ui {
 class SessionsPageTest : public WindowTest {
  protected:
   void openSessions(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
-    session_.setSessions(&desk_);
+    session_.setSessions(&controller_);
     open(width, height, theme);
     window_->showPage(QStringLiteral("sessions"));
     play(0.2);
@@ -33,7 +33,7 @@ class SessionsPageTest : public WindowTest {
     auto* timeline = find<SessionTimeline>();
     const auto timeOf = [&](int x) {
       QTest::mouseClick(timeline, Qt::LeftButton, {}, QPoint(x, timeline->height() / 3));
-      return desk_.state.position.value;
+      return controller_.state.position.value;
     };
     const int a = timeline->width() / 3, b = timeline->width() * 2 / 3;
     const double ta = timeOf(a), tb = timeOf(b);
@@ -43,7 +43,7 @@ class SessionsPageTest : public WindowTest {
     right_ = left_ + 30.0 * perSecond;
   }
 
-  FakeSessionDesk desk_;
+  FakeSessionDesk controller_;
   double left_ = 0.0, right_ = 1.0;
 };
 

@@ -27,7 +27,7 @@ inline MachineSearch twoServersOfOneMill() {
 class SetupPageTest : public WindowTest {
  protected:
   void openSetup(int width = 1280, int height = 800, ThemeKind theme = ThemeKind::Light) {
-    session_.setSetup(&desk_);
+    session_.setSetup(&controller_);
     open(width, height, theme);
     window_->showPage(QStringLiteral("setup"));
     play(0.4);
@@ -48,7 +48,7 @@ class SetupPageTest : public WindowTest {
     return false;
   }
 
-  FakeSetupDesk desk_;
+  FakeSetupDesk controller_;
 };
 
 }  // namespace stillcut::ui

@@ -9,11 +9,11 @@
 namespace stillcut::test {
 
 template <class Desk>
-void waitFor(Desk& desk, const std::function<bool()>& done) {
+void waitFor(Desk& controller, const std::function<bool()>& done) {
   constexpr int kLongest_ms = 60'000;
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
-        desk.poll();
+        controller.poll();
         return done();
       },
       kLongest_ms));

@@ -90,7 +90,7 @@ class Engine : public testing::Test {
   Engine() {
     auto device = std::make_unique<PlayedDevice>(clock_);
     device_ = device.get();
-    EngineOptions options;
+    ActiveEngineOptions options;
     options.controller.filter = {.taps = 35, .step = 0.02, .normalised = true};
     options.lines = {Hertz(339.0), Hertz(471.0)};
     options.controller.emphasis.gain = 1.0;
@@ -138,9 +138,9 @@ TEST_F(Engine, IdentifiesWithTheDelayOfItsBlocksThenControls) {
     EXPECT_TRUE(path.known);
     EXPECT_LT(path.residual, 0.1);
     EXPECT_NEAR(path.delay.value, (2.0 + kFrames) / kRate, 1.5 / kRate);  // two samples of the path, and the block
-    EXPECT_TRUE(path.promisesStable);
-    EXPECT_GT(path.delayLeft.value, 0.0);
-    EXPECT_LT(path.delayLeft.value, 0.25 / 339.0);  // a quarter of a period at the most
+    EXPECT_TRUE(path.predictedStable);
+    EXPECT_GT(path.delayMargin.value, 0.0);
+    EXPECT_LT(path.delayMargin.value, 0.25 / 339.0);  // a quarter of a period at the most
   }
   device_->loud = 1.0;
   ASSERT_TRUE(engine_->start().ok());
@@ -307,7 +307,7 @@ TEST_F(Engine, ALostBlockEndsAnIdentification) {
 }
 
 TEST_F(Engine, ASweepIdentifiesTheSamePaths) {
-  EngineOptions options;
+  ActiveEngineOptions options;
   options.lines = {Hertz(339.0), Hertz(471.0)};
   for (safety::ActuatorLimits& l : options.limits) {
     l.amplitude = 10.0;

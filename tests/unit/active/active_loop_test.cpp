@@ -84,7 +84,7 @@ TEST(ActiveLoop, TellsWhatItEarnsLineByLine) {
   std::array<ActiveAxis, kActiveAxes> told;
   world.loop.tell(told);
   const double alone = std::sqrt(0.5 * (1.0 + 0.25));
-  EXPECT_NEAR(told[0].withoutRms, alone, 0.02 * alone);
+  EXPECT_NEAR(told[0].uncontrolledRms, alone, 0.02 * alone);
   EXPECT_LT(told[0].errorRms, 0.05 * alone);
   ASSERT_EQ(told[0].lineCount, 2);  // the third lies above half the rate
   for (const LineAttenuation& line : {told[0].lines[0], told[0].lines[1], told[1].lines[1]}) {
@@ -94,7 +94,7 @@ TEST(ActiveLoop, TellsWhatItEarnsLineByLine) {
   EXPECT_GT(told[0].strokePeak, 0.01);
   EXPECT_LT(told[0].strokePeak, 1.0);
   EXPECT_LT(told[0].strokeRms, told[0].strokePeak);
-  EXPECT_EQ(told[0].limitedShare, 0.0);
+  EXPECT_EQ(told[0].limitedFraction, 0.0);
 }
 
 // The loop without control, with the meter on its own: a tenth of the amplitude is 20 dB.

@@ -12,14 +12,14 @@ TEST(AxisTally, TellsTheLastSecondAndForgetsWhatWasBefore) {
   ActiveAxis told;
   tally.tell(told);
   EXPECT_EQ(told.strokePeak, 0.0);
-  EXPECT_EQ(told.limitedShare, 0.0);
+  EXPECT_EQ(told.limitedFraction, 0.0);
   for (int n = 0; n < 1000; ++n) tally.add(2.0, 4.0, n % 2 == 0 ? 1.0 : -1.0, n % 4 == 0);
   tally.tell(told);
   EXPECT_DOUBLE_EQ(told.strokePeak, 0.5);
   EXPECT_DOUBLE_EQ(told.strokeRms, 0.5);
   EXPECT_DOUBLE_EQ(told.errorRms, 2.0);
-  EXPECT_DOUBLE_EQ(told.withoutRms, 4.0);
-  EXPECT_DOUBLE_EQ(told.limitedShare, 0.25);
+  EXPECT_DOUBLE_EQ(told.uncontrolledRms, 4.0);
+  EXPECT_DOUBLE_EQ(told.limitedFraction, 0.25);
   tally.add(0.0, 0.0, 2.0, true);  // one peak stays for a second, no longer
   for (int n = 0; n < 900; ++n) tally.add(0.0, 0.0, 0.0, false);
   tally.tell(told);

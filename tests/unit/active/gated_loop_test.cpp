@@ -33,7 +33,7 @@ struct Loop {
 struct Course {
   int beyond = -1;  // sample at which the error first was twice the largest of the disturbance
   int atEnd = -1;   // sample at which the output first was cut off, once the ramp was over
-  int letGo = -1;
+  int relinquish = -1;
   int zero = -1;  // after letting go, the output is zero from here on
   ActuatorRelease why = ActuatorRelease::None;
   double leftLast = 0.0;  // rms of the error over the last fifth, over that of the disturbance
@@ -65,9 +65,9 @@ Course run(const Loop& loop, int samples) {
     controller.written(y);
     path.push(y);
     if (course.atEnd < 0 && n > kListens + 1000 && gate.limited()) course.atEnd = n;
-    if (course.letGo < 0 && gate.state() == ActuatorState::RampOut) course.letGo = n;
+    if (course.relinquish < 0 && gate.state() == ActuatorState::RampOut) course.relinquish = n;
     if (y != 0.0) course.zero = -1;
-    if (course.letGo >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
+    if (course.relinquish >= 0 && course.zero < 0 && y == 0.0) course.zero = n;
     if (n > samples * 4 / 5) {
       left += e * e;
       all += d * d;
@@ -79,17 +79,17 @@ Course run(const Loop& loop, int samples) {
 }
 
 void expectCaught(const Course& course, int within = 100) {  // 20 ms
-  ASSERT_GE(course.letGo, 0);
+  ASSERT_GE(course.relinquish, 0);
   if (course.beyond >= 0) {
-    EXPECT_LE(course.letGo - course.beyond, within);
+    EXPECT_LE(course.relinquish - course.beyond, within);
   }
   ASSERT_GE(course.zero, 0);
-  EXPECT_LE(course.zero - course.letGo, 25);  // 5 ms
+  EXPECT_LE(course.zero - course.relinquish, 25);  // 5 ms
 }
 
 TEST(GatedLoop, AGoodModelIsLeftAlone) {
   const Course course = run({}, 20000);
-  EXPECT_EQ(course.letGo, -1);
+  EXPECT_EQ(course.relinquish, -1);
   EXPECT_LT(course.leftLast, 0.02);
 }
 
@@ -104,12 +104,12 @@ void expectNoRunaway(Loop loop) {
       loop.filter.step = step;
       loop.amplitude = amplitude;
       const Course course = run(loop, 60000);
-      if (course.letGo < 0 && course.beyond < 0) {
+      if (course.relinquish < 0 && course.beyond < 0) {
         EXPECT_LT(course.leftLast, 1.25);
-      } else if (course.atEnd >= 0 && course.letGo - course.beyond > 200) {
-        EXPECT_GE(course.letGo, 0);
-        EXPECT_LE(course.letGo - course.atEnd, 3000);  // 0.6 s
-        EXPECT_LE(course.zero - course.letGo, 25);
+      } else if (course.atEnd >= 0 && course.relinquish - course.beyond > 200) {
+        EXPECT_GE(course.relinquish, 0);
+        EXPECT_LE(course.relinquish - course.atEnd, 3000);  // 0.6 s
+        EXPECT_LE(course.zero - course.relinquish, 25);
       } else {
         expectCaught(course, step < 0.02 ? 200 : 100);  // 0.02 is the default
       }
@@ -146,7 +146,7 @@ TEST(GatedLoop, AGoodModelIsKeptWhenTheCutBecomesLouder) {
                 0.3 * std::sin(2.0 * std::numbers::pi * 339.0 / kRate * n));
       };
       const Course course = run(loop, 40000);
-      EXPECT_EQ(course.letGo, -1);
+      EXPECT_EQ(course.relinquish, -1);
       EXPECT_LT(course.leftLast, 1.0);
     }
   }
@@ -157,9 +157,9 @@ TEST(GatedLoop, ADeadSensorIsCaught) {
   loop.sensor = [](int n, double e) { return n < 8000 ? e : 0.25; };
   const Course course = run(loop, 20000);
   EXPECT_EQ(course.why, ActuatorRelease::DeadSensor);
-  EXPECT_GE(course.letGo, 8000);
-  EXPECT_LE(course.letGo, 8000 + 100);
-  EXPECT_LE(course.zero - course.letGo, 25);
+  EXPECT_GE(course.relinquish, 8000);
+  EXPECT_LE(course.relinquish, 8000 + 100);
+  EXPECT_LE(course.zero - course.relinquish, 25);
 }
 
 // A broken cable leaves the converter's noise, which is never still.
@@ -173,9 +173,9 @@ TEST(GatedLoop, ASensorThatBecomesNoiseIsCaught) {
     };
     const Course course = run(loop, 20000);
     EXPECT_EQ(course.why, ActuatorRelease::DeadSensor);
-    ASSERT_GE(course.letGo, 8000);
-    EXPECT_LE(course.letGo, 8000 + 100);
-    EXPECT_LE(course.zero - course.letGo, 25);
+    ASSERT_GE(course.relinquish, 8000);
+    EXPECT_LE(course.relinquish, 8000 + 100);
+    EXPECT_LE(course.zero - course.relinquish, 25);
   }
 }
 
@@ -189,9 +189,9 @@ TEST(GatedLoop, ASaturatedActuatorThatHelpsNoLongerIsCaught) {
   const Course course = run(loop, 20000);
   EXPECT_EQ(course.why, ActuatorRelease::Saturated);
   ASSERT_GE(course.atEnd, 8000);  // until then the loop follows
-  EXPECT_GE(course.letGo, course.atEnd);
-  EXPECT_LE(course.letGo - course.atEnd, 100);  // 20 ms
-  EXPECT_LE(course.zero - course.letGo, 25);
+  EXPECT_GE(course.relinquish, course.atEnd);
+  EXPECT_LE(course.relinquish - course.atEnd, 100);  // 20 ms
+  EXPECT_LE(course.zero - course.relinquish, 25);
 }
 
 // However fast the chatter grows that outgrows the stroke.
@@ -205,9 +205,9 @@ TEST(GatedLoop, ASaturatedActuatorIsCaughtWithinTwentyMillisecondsAtAnyGrowth) {
     };
     const Course course = run(loop, 20000);
     ASSERT_GE(course.atEnd, 8000) << growth;
-    ASSERT_GE(course.letGo, course.atEnd) << growth;
-    EXPECT_LE(course.letGo - course.atEnd, 100) << growth;
-    EXPECT_LE(course.zero - course.letGo, 25) << growth;
+    ASSERT_GE(course.relinquish, course.atEnd) << growth;
+    EXPECT_LE(course.relinquish - course.atEnd, 100) << growth;
+    EXPECT_LE(course.zero - course.relinquish, 25) << growth;
   }
 }
 
@@ -216,7 +216,7 @@ TEST(GatedLoop, ASteadySaturationIsHeld) {
   Loop loop;
   loop.amplitude = 0.3;
   const Course course = run(loop, 20000);
-  EXPECT_EQ(course.letGo, -1);
+  EXPECT_EQ(course.relinquish, -1);
   EXPECT_LT(course.leftLast, 1.1);
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/active/path_promise.h"
+#include "core/active/stability_margin.h"
 #include "tests/unit/active/plain.h"
 
 namespace stillcut::active {
@@ -53,10 +53,10 @@ TEST(IdentifyPath, ALateLoopIsHeardAndPromisesAsMuch) {
     const auto found = identifyPath(y, r, kRate, {}, "test");
     ASSERT_TRUE(found.ok()) << found.error().line();
     const std::array<Hertz, 2> lines{Hertz(339.0), Hertz(1024.0)};
-    const ActivePath promise = promiseOf(*found, lines, kRate);
-    EXPECT_TRUE(promise.promisesStable) << late;
-    EXPECT_GT(promise.phaseLeft, 1.2) << late;
-    EXPECT_NEAR(promise.delay.value * kRate.value, static_cast<double>(late) + 2.0, 1.0);
+    const ActivePath margin = stabilityMarginOf(*found, lines, kRate);
+    EXPECT_TRUE(margin.predictedStable) << late;
+    EXPECT_GT(margin.phaseMargin, 1.2) << late;
+    EXPECT_NEAR(margin.delay.value * kRate.value, static_cast<double>(late) + 2.0, 1.0);
     const PathModel truth{delayed, kBackward};
     const std::size_t k = found->report.frequency.size() / 4;
     const Hertz f(found->report.frequency[k]);
@@ -78,7 +78,7 @@ TEST(IdentifyPath, FindsARingingPathFromWhiteNoise) {
     EXPECT_NEAR(std::abs(found->model.response(Hertz(f), kRate)) / std::abs(truth.response(Hertz(f), kRate)), 1.0, 0.1)
         << f;
   }
-  EXPECT_GT(found->report.phaseLeft, 0.5 * std::numbers::pi - 0.4);
+  EXPECT_GT(found->report.phaseMargin, 0.5 * std::numbers::pi - 0.4);
   ASSERT_FALSE(found->report.coherence.empty());
   for (double c : found->report.coherence) {
     EXPECT_GE(c, 0.0);
@@ -140,7 +140,7 @@ TEST(IdentifyPath, TheReportSeesAPhaseThatIsWrong) {
   const auto found = identifyPath(y, r, kRate, request, "test");
   ASSERT_TRUE(found.ok());
   EXPECT_LT(found->report.worstPhase, 0.2);
-  EXPECT_NEAR(found->report.phaseLeft, 0.5 * std::numbers::pi - found->report.worstPhase, 1e-12);
+  EXPECT_NEAR(found->report.phaseMargin, 0.5 * std::numbers::pi - found->report.worstPhase, 1e-12);
 }
 
 TEST(IdentifyPath, RefusesWhatTeachesNothing) {

@@ -36,7 +36,7 @@ class Drifting {
 };
 
 struct Course {
-  int letGo = -1;
+  int relinquish = -1;
   int renewals = 0;
   double left = 0.0;    // rms of the error at the end, over that of the disturbance
   double turned = 0.0;  // phase of the path at the line at the end against the beginning [rad]
@@ -68,7 +68,7 @@ Course run(double auxiliary, double late, int samples, double wander = 0.02, dou
     loop.begin();
     path.push(loop.step({e, 0.0})[0].value());
     if (n % 500 == 0) loop.renewModels();
-    if (course.letGo < 0 && loop.gate(0).why() != ActuatorRelease::None) course.letGo = n;
+    if (course.relinquish < 0 && loop.gate(0).why() != ActuatorRelease::None) course.relinquish = n;
     if (n < samples * 9 / 10) continue;
     left += e * e;
     alone += d * d;
@@ -82,12 +82,12 @@ Course run(double auxiliary, double late, int samples, double wander = 0.02, dou
 TEST(Online, WithoutItADriftBeyondNinetyDegreesIsLetGo) {
   const Course course = run(0.0, 3.6, 300000);
   EXPECT_GT(course.turned, 0.5 * std::numbers::pi);
-  EXPECT_GE(course.letGo, 0);
+  EXPECT_GE(course.relinquish, 0);
 }
 
 TEST(Online, WithItTheDriftIsFollowed) {
   const Course course = run(0.01, 3.6, 300000);
-  EXPECT_EQ(course.letGo, -1);
+  EXPECT_EQ(course.relinquish, -1);
   EXPECT_GE(course.renewals, 2);
   EXPECT_LT(course.left, 0.3);
 }
@@ -95,13 +95,13 @@ TEST(Online, WithItTheDriftIsFollowed) {
 // In air the noise is louder than all that is heard: it is ours, and no reason to let go.
 TEST(Online, ItsOwnNoiseIsNoFaultOfTheControl) {
   const Course course = run(0.03, 0.0, 30000, 0.02, 0.0);
-  EXPECT_EQ(course.letGo, -1);
+  EXPECT_EQ(course.relinquish, -1);
 }
 
 // Too little noise for good estimates: whatever is taken over, the control stays as good.
 TEST(Online, FaintNoiseDoesNoHarm) {
   const Course course = run(0.003, 0.0, 150000);
-  EXPECT_EQ(course.letGo, -1);
+  EXPECT_EQ(course.relinquish, -1);
   EXPECT_LT(course.left, 0.1);
 }
 

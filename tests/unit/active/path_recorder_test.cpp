@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/active/path_filter.h"
-#include "core/active/path_promise.h"
+#include "core/active/stability_margin.h"
 #include "tests/support/path_counter.h"
 #include "tests/unit/active/plain.h"
 
@@ -159,26 +159,26 @@ IdentifiedPath found(double turned, double coherence = 1.0) {
 
 TEST(PathPromise, WhatIsLeftOfNinetyDegreesIsWhatTheLoopMayBecomeLater) {
   const std::array<Hertz, 2> lines{Hertz(339.0), Hertz(1024.0)};
-  const ActivePath good = promiseOf(found(0.0), lines, kRate);
-  EXPECT_TRUE(good.promisesStable);
-  EXPECT_NEAR(good.phaseLeft, 0.5 * std::numbers::pi, 1e-9);
-  EXPECT_NEAR(good.delayLeft.value, 0.25 / 1030.0, 0.01 / 1030.0);  // a quarter of a period of the highest line
-  const ActivePath turned = promiseOf(found(1.0), lines, kRate);
-  EXPECT_NEAR(turned.phaseLeft, 0.5 * std::numbers::pi - 1.0, 1e-9);
-  EXPECT_LT(turned.delayLeft.value, good.delayLeft.value);
-  const ActivePath wrong = promiseOf(found(-2.0), lines, kRate);
-  EXPECT_FALSE(wrong.promisesStable);
-  EXPECT_EQ(wrong.delayLeft.value, 0.0);
+  const ActivePath good = stabilityMarginOf(found(0.0), lines, kRate);
+  EXPECT_TRUE(good.predictedStable);
+  EXPECT_NEAR(good.phaseMargin, 0.5 * std::numbers::pi, 1e-9);
+  EXPECT_NEAR(good.delayMargin.value, 0.25 / 1030.0, 0.01 / 1030.0);  // a quarter of a period of the highest line
+  const ActivePath turned = stabilityMarginOf(found(1.0), lines, kRate);
+  EXPECT_NEAR(turned.phaseMargin, 0.5 * std::numbers::pi - 1.0, 1e-9);
+  EXPECT_LT(turned.delayMargin.value, good.delayMargin.value);
+  const ActivePath wrong = stabilityMarginOf(found(-2.0), lines, kRate);
+  EXPECT_FALSE(wrong.predictedStable);
+  EXPECT_EQ(wrong.delayMargin.value, 0.0);
 }
 
 TEST(PathPromise, WhatIsNotHeardIsNotPromised) {
   const std::array<Hertz, 1> lines{Hertz(339.0)};
-  EXPECT_FALSE(promiseOf(found(0.0, 0.5), lines, kRate).promisesStable);
-  EXPECT_TRUE(promiseOf(found(0.0), {}, kRate).promisesStable);  // no lines: everything counts
+  EXPECT_FALSE(stabilityMarginOf(found(0.0, 0.5), lines, kRate).predictedStable);
+  EXPECT_TRUE(stabilityMarginOf(found(0.0), {}, kRate).predictedStable);  // no lines: everything counts
   const std::array<Hertz, 2> oneDeaf{Hertz(339.0), Hertz(2300.0)};
-  EXPECT_FALSE(promiseOf(found(0.0), oneDeaf, kRate).promisesStable);  // every line counts
+  EXPECT_FALSE(stabilityMarginOf(found(0.0), oneDeaf, kRate).predictedStable);  // every line counts
   const std::array<Hertz, 1> beyond{Hertz(2300.0)};
-  EXPECT_FALSE(promiseOf(found(0.0), beyond, kRate).promisesStable);
+  EXPECT_FALSE(stabilityMarginOf(found(0.0), beyond, kRate).predictedStable);
 }
 
 TEST(PathPromise, TheDelayIsThatOfTheFirstThatIsHeard) {
@@ -186,7 +186,7 @@ TEST(PathPromise, TheDelayIsThatOfTheFirstThatIsHeard) {
   PathModel late = kPath;
   late.delay = 64;
   EXPECT_EQ(leadingDelay(late), 66);
-  EXPECT_EQ(promiseOf({late, found(0.0).report}, {}, kRate).delay.value, 66.0 / kRate.value);
+  EXPECT_EQ(stabilityMarginOf({late, found(0.0).report}, {}, kRate).delay.value, 66.0 / kRate.value);
 }
 
 }  // namespace

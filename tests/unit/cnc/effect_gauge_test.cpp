@@ -16,7 +16,7 @@ double typicalMs(const EffectGauge& gauge) {
 class EffectGaugeTest : public ::testing::Test {
  protected:
   EffectGaugeTest() { shown(1.0, 1.0, 1.0); }
-  void order(double speed, double feed, double at) { gauge_.ordered(Ratio(speed), Ratio(feed), ms(at)); }
+  void order(double speed, double feed, double at) { gauge_.commanded(Ratio(speed), Ratio(feed), ms(at)); }
   void shown(double speed, double feed, double at) { gauge_.shown(Ratio(speed), Ratio(feed), ms(at)); }
   EffectGauge gauge_;
 };
@@ -79,7 +79,7 @@ TEST_F(EffectGaugeTest, WhatAnEarlierRunMeasuredHoldsUntilAnEffectIsSeen) {
   EffectGauge gauge(Seconds(0.096));
   EXPECT_EQ(typicalMs(gauge), 96.0);
   gauge.shown(Ratio(1.0), Ratio(1.0), ms(1.0));
-  gauge.ordered(Ratio(0.95), Ratio(1.0), ms(10.0));
+  gauge.commanded(Ratio(0.95), Ratio(1.0), ms(10.0));
   EXPECT_EQ(typicalMs(gauge), 96.0);
   gauge.shown(Ratio(0.95), Ratio(1.0), ms(50.0));
   EXPECT_NEAR(typicalMs(gauge), 40.0, 1e-9);

@@ -11,7 +11,7 @@
 
 #include "core/cnc/delay_gauge.h"
 #include "core/cnc/line_splitter.h"
-#include "core/cnc/linuxcnc/hal_words.h"
+#include "core/cnc/linuxcnc/hal_messages.h"
 #include "core/cnc/modbus/register_map.h"
 #include "core/cnc/wire_number.h"
 
@@ -143,8 +143,8 @@ TEST(HalWords, RequestsComeBackAsTheyWent) {
   for (int trial = 0; trial < 5000; ++trial) {
     HalRequest wanted;
     wanted.hold = random() % 3 != 0;
-    wanted.homeSpeed = static_cast<int>(random() % 1001);
-    wanted.homeFeed = static_cast<int>(random() % 1001);
+    wanted.restoreSpeed = static_cast<int>(random() % 1001);
+    wanted.restoreFeed = static_cast<int>(random() % 1001);
     if (wanted.hold) {
       wanted.speed = knob();
       wanted.feed = knob();
@@ -160,13 +160,14 @@ TEST(HalWords, RequestsComeBackAsTheyWent) {
     EXPECT_EQ(got->speed, wanted.speed);
     EXPECT_EQ(got->feed, wanted.feed);
     EXPECT_NEAR(got->adaptiveFeed, wanted.adaptiveFeed, 5e-4);
-    EXPECT_EQ(got->homeSpeed, wanted.homeSpeed);
-    EXPECT_EQ(got->homeFeed, wanted.homeFeed);
+    EXPECT_EQ(got->restoreSpeed, wanted.restoreSpeed);
+    EXPECT_EQ(got->restoreFeed, wanted.restoreFeed);
   }
 }
 
 TEST(HalWords, ReportsComeBackAsTheyWent) {
-  for (HalStanding standing : {HalStanding::Unproven, HalStanding::Home, HalStanding::Held, HalStanding::Fallen}) {
+  for (HalLeaseState standing :
+       {HalLeaseState::Unproven, HalLeaseState::Home, HalLeaseState::Held, HalLeaseState::Fallen}) {
     for (int percent : {0, 1, 99, 100, 250, 1000}) {
       const HalReport wanted{standing, percent, 1000 - percent, percent / 1000.0, percent};
       std::array<char, kHalLine> room{};

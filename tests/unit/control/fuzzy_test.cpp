@@ -226,7 +226,7 @@ TEST_P(FuzzyTest, AHeldFeedComesBackThoughNothingIsCut) {
   run(2.0, 0.01, 2.0);
   const OverrideRequest held = run(1.0, 0.9, 25.0);
   ASSERT_EQ(held.feed.value, 0.0);
-  in_.verdict.phase = CutPhase::Air;
+  in_.verdict.phase = CutPhase::AirCutting;
   const OverrideRequest after = run(10.0, 0.0, 0.1);
   EXPECT_GT(after.feed.value, 0.5 * in_.machine.programmedFeed.value);
   EXPECT_LE(after.feed / in_.machine.programmedFeed, after.speed.value / 800.0 + 1e-9);

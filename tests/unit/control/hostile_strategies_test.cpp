@@ -36,7 +36,7 @@ TEST_P(HostileStrategies, AMillionStepsBehindTheGate) {
       (*strategy)->reset();
     }
     world.advance();
-    if (world.chance(0.001)) (*strategy)->letGo();
+    if (world.chance(0.001)) (*strategy)->relinquish();
     const auto level = [&world](double highest) {
       return world.chance(0.1) ? world.nonsense() : world.uniform(0.0, highest);
     };

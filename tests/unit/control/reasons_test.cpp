@@ -35,8 +35,8 @@ class Reasons : public ::testing::TestWithParam<std::string_view> {
     quiet();
   }
 
-  void quiet() { hear(CutState::Stable, 0.0, 0.02, 1.0); }
-  void chatter(double hertz) { hear(CutState::Chatter, hertz, 0.63, 4.0); }
+  void quiet() { update(CutState::Stable, 0.0, 0.02, 1.0); }
+  void chatter(double hertz) { update(CutState::Chatter, hertz, 0.63, 4.0); }
 
   void run(double seconds) {
     for (double t = 0.0; t < seconds; t += kDt) {
@@ -81,7 +81,7 @@ class Reasons : public ::testing::TestWithParam<std::string_view> {
   std::set<std::string> said_;
 
  private:
-  void hear(CutState state, double hertz, double severity, double vibration) {
+  void update(CutState state, double hertz, double severity, double vibration) {
     in_.verdict.state = state;
     in_.verdict.frequency = Hertz(hertz);
     in_.verdict.severity = Ratio(severity);

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/control/chatter_judge.h"
+#include "core/control/chatter_confirmation.h"
 #include "core/control/pocket_search.h"
 
 namespace stillcut::control {
@@ -88,8 +88,8 @@ StableSpeeds lobesOf(const std::vector<std::pair<double, double>>& ranges) {
     known.ranges.push_back(range);
   }
   known.depth = Metres(2e-3);
-  known.deepestDepth = Metres(1e-3);
-  known.deepestSpeed = Rpm(7000.0);
+  known.largestStableDepth = Metres(1e-3);
+  known.largestDepthSpeed = Rpm(7000.0);
   return known;
 }
 
@@ -222,25 +222,25 @@ class Judge : public testing::Test {
     v.severity = Ratio(severity);
     return v;
   }
-  void hear(const Verdict& v, double seconds, bool moved = false, double vibration = -1.0) {
+  void update(const Verdict& v, double seconds, bool moved = false, double vibration = -1.0) {
     for (int i = 0; i < static_cast<int>(std::lround(seconds * 100.0)); ++i) {
-      judge_.hear(v, Seconds(0.01), {Hertz(140.0), 4, moved}, vibration);
+      judge_.update(v, Seconds(0.01), {Hertz(140.0), 4, moved}, vibration);
     }
   }
-  ChatterJudge judge_;
+  ChatterConfirmation judge_;
 };
 
 TEST_F(Judge, AnAlarmMustStandAtOneFrequencyForAMoment) {
-  hear(alarm(Hertz(937.0), 0.3), 0.04);
+  update(alarm(Hertz(937.0), 0.3), 0.04);
   EXPECT_FALSE(judge_.confirmed());
-  hear(alarm(Hertz(937.0), 0.3), 0.04);
+  update(alarm(Hertz(937.0), 0.3), 0.04);
   EXPECT_TRUE(judge_.confirmed());
   EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
 }
 
 // f + k f_sp is the same chatter: a detector that names another member is not held against it.
 TEST_F(Judge, MembersOfOneFamilyCountAsOneFrequency) {
-  for (int i = 0; i < 20; ++i) hear(alarm(Hertz(937.0 + 140.0 * (i % 3)), 0.3), 0.01);
+  for (int i = 0; i < 20; ++i) update(alarm(Hertz(937.0 + 140.0 * (i % 3)), 0.3), 0.01);
   EXPECT_TRUE(judge_.confirmed());
 }
 
@@ -249,7 +249,7 @@ TEST_F(Judge, AFrequencyThatJumpsAboutIsNoChatter) {
   std::uniform_real_distribution<double> anywhere(300.0, 3000.0);
   int confirmed = 0;
   for (int i = 0; i < 500; ++i) {
-    hear(alarm(Hertz(anywhere(random)), 0.3), 0.01);
+    update(alarm(Hertz(anywhere(random)), 0.3), 0.01);
     confirmed += judge_.confirmed() ? 1 : 0;
   }
   EXPECT_LT(confirmed, 10);
@@ -258,34 +258,34 @@ TEST_F(Judge, AFrequencyThatJumpsAboutIsNoChatter) {
 TEST_F(Judge, InvalidQuietAndStandingSpindleAreNothing) {
   Verdict invalid = alarm(Hertz(937.0), 0.3);
   invalid.valid = false;
-  hear(invalid, 1.0);
+  update(invalid, 1.0);
   EXPECT_FALSE(judge_.confirmed());
-  hear(alarm(Hertz(937.0), 0.3, CutState::Stable), 1.0);
+  update(alarm(Hertz(937.0), 0.3, CutState::Stable), 1.0);
   EXPECT_FALSE(judge_.confirmed());
-  for (int i = 0; i < 100; ++i) judge_.hear(alarm(Hertz(937.0), 0.3), Seconds(0.01), {Hertz(0.0), 4, false});
+  for (int i = 0; i < 100; ++i) judge_.update(alarm(Hertz(937.0), 0.3), Seconds(0.01), {Hertz(0.0), 4, false});
   EXPECT_FALSE(judge_.confirmed());
 }
 
 TEST_F(Judge, AGapEndsItASingleMissedVerdictDoesNot) {
-  hear(alarm(Hertz(937.0), 0.3), 0.1);
-  hear(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.03);
+  update(alarm(Hertz(937.0), 0.3), 0.1);
+  update(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.03);
   EXPECT_GT(judge_.frequency().value, 0.0);
-  hear(alarm(Hertz(937.0), 0.3), 0.02);
+  update(alarm(Hertz(937.0), 0.3), 0.02);
   EXPECT_TRUE(judge_.confirmed());
-  hear(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.08);
+  update(alarm(Hertz(937.0), 0.0, CutState::Stable), 0.08);
   EXPECT_EQ(judge_.frequency().value, 0.0);
   EXPECT_FALSE(judge_.confirmed());
 }
 
 TEST_F(Judge, AfterAMoveWhatRingsDownIsNotChatter) {
-  for (int i = 0; i < 200; ++i) hear(alarm(Hertz(937.0), 0.6 * std::exp(-0.02 * i)), 0.01, true);
+  for (int i = 0; i < 200; ++i) update(alarm(Hertz(937.0), 0.6 * std::exp(-0.02 * i)), 0.01, true);
   EXPECT_FALSE(judge_.confirmed());
 }
 
 TEST_F(Judge, AfterAMoveWhatGrowsIs) {
   bool confirmed = false;
   for (int i = 0; i < 100; ++i) {
-    hear(alarm(Hertz(937.0), 0.02 * std::exp(0.04 * i), CutState::Onset), 0.01, true);
+    update(alarm(Hertz(937.0), 0.02 * std::exp(0.04 * i), CutState::Onset), 0.01, true);
     confirmed = confirmed || judge_.confirmed();
   }
   EXPECT_TRUE(confirmed);
@@ -293,49 +293,49 @@ TEST_F(Judge, AfterAMoveWhatGrowsIs) {
 
 // A move has just put a tooth harmonic where the chatter was: a line on a harmonic is the cut's own.
 TEST_F(Judge, AfterAMoveALineOnAHarmonicIsTheCuts) {
-  hear(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, true);
+  update(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, true);
   EXPECT_FALSE(judge_.confirmed());
   judge_.forget();
-  hear(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, false);
+  update(alarm(Hertz(7.0 * 140.0), 0.5), 2.0, false);
   EXPECT_TRUE(judge_.confirmed());
 }
 
 TEST_F(Judge, StandingStillAsLoudAsBeforeTheMoveIsChatter) {
   const Verdict calm = alarm(Hertz(0.0), 0.0, CutState::Stable);
-  hear(calm, 3.0, false, 1.0);
-  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
-  hear(calm, 0.2, true, 1.0);
-  hear(alarm(Hertz(937.0), 0.5, CutState::Onset), 1.5, true, 20.0);
+  update(calm, 3.0, false, 1.0);
+  update(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
+  update(calm, 0.2, true, 1.0);
+  update(alarm(Hertz(937.0), 0.5, CutState::Onset), 1.5, true, 20.0);
   EXPECT_TRUE(judge_.confirmed());
 }
 
 // Chatter can lock on an order of the spindle that is none of the teeth's.
 TEST_F(Judge, FullChatterLouderThanBeforeOnASpindleOrderIsChatter) {
-  hear(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
-  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 10.0);
-  hear(alarm(Hertz(8.0 * 140.0), 0.9), 2.0, true, 20.0);
+  update(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
+  update(alarm(Hertz(937.0), 0.5), 1.0, false, 10.0);
+  update(alarm(Hertz(8.0 * 140.0), 0.9), 2.0, true, 20.0);
   EXPECT_FALSE(judge_.confirmed());
   judge_.forget();
-  hear(alarm(Hertz(7.0 * 140.0), 0.9), 2.0, true, 20.0);
+  update(alarm(Hertz(7.0 * 140.0), 0.9), 2.0, true, 20.0);
   EXPECT_TRUE(judge_.confirmed());
 }
 
 // A detector that has learned its floor while it chattered calls it stable; what does not repeat tells.
 TEST_F(Judge, ChatterThatNobodyTellsAfterAMoveIsHeardAllTheSame) {
-  hear(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
-  hear(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
-  hear(alarm(Hertz(0.0), 0.01, CutState::Stable), 3.0, true, 20.0);
+  update(alarm(Hertz(0.0), 0.0, CutState::Stable), 3.0, false, 1.0);
+  update(alarm(Hertz(937.0), 0.5), 1.0, false, 20.0);
+  update(alarm(Hertz(0.0), 0.01, CutState::Stable), 3.0, true, 20.0);
   EXPECT_FALSE(judge_.confirmed()) << "a resonance repeats, however loud";
-  hear(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.8, true, 20.0);
+  update(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.8, true, 20.0);
   EXPECT_FALSE(judge_.confirmed()) << "it may be dying";
-  hear(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.4, true, 20.0);
+  update(alarm(Hertz(0.0), 0.5, CutState::Stable), 0.4, true, 20.0);
   EXPECT_TRUE(judge_.confirmed());
   EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
 }
 
 TEST_F(Judge, NumbersThatAreNoneChangeNothing) {
-  hear(alarm(Hertz(937.0), 0.3), 0.2);
-  judge_.hear(alarm(Hertz(937.0), std::nan("")), Seconds(std::nan("")), {Hertz(140.0), 4, false}, std::nan(""));
+  update(alarm(Hertz(937.0), 0.3), 0.2);
+  judge_.update(alarm(Hertz(937.0), std::nan("")), Seconds(std::nan("")), {Hertz(140.0), 4, false}, std::nan(""));
   EXPECT_NEAR(judge_.frequency().value, 937.0, 1e-9);
   EXPECT_TRUE(std::isfinite(judge_.level()));
 }

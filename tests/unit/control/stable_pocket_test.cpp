@@ -236,7 +236,7 @@ TEST_F(StablePocketTest, ATargetDoesNotSurviveTheOperatorTakingTheMachineBack) {
   run(0.3);
   quiet();
   EXPECT_EQ(run(1.0).kind, RequestKind::Set);
-  strategy_.letGo();
+  strategy_.relinquish();
   EXPECT_EQ(run(1.0).kind, RequestKind::None);
   chatter(936.0);  // it chatters again: that is a new decision
   EXPECT_EQ(run(0.3).kind, RequestKind::Set);

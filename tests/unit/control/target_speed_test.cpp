@@ -60,7 +60,7 @@ TEST_F(TargetSpeed, APocketIsInReachOrThereIsNone) {
   int none = 0, moved = 0;
   for (int trial = 0; trial < 20000; ++trial) {
     draw();
-    const Pocket pocket = pocketInReach(chatter_, teeth_, present_, reach_);
+    const LobeTarget pocket = pocketInReach(chatter_, teeth_, present_, reach_);
     const int p = wavesBetweenTeeth(chatter_, teeth_, present_);
     EXPECT_EQ(pocket.firstChoice, speedForWaves(chatter_, teeth_, p));
     if (pocket.waves == 0) {
@@ -92,10 +92,10 @@ TEST_F(TargetSpeed, APocketIsInReachOrThereIsNone) {
 TEST_F(TargetSpeed, InAPocketsCentreTheRuleStays) {
   for (int trial = 0; trial < 2000; ++trial) {
     draw();
-    const Pocket pocket = pocketInReach(chatter_, teeth_, present_, reach_);
+    const LobeTarget pocket = pocketInReach(chatter_, teeth_, present_, reach_);
     if (pocket.waves == 0) continue;
     const config::SpeedRange around{pocket.speed * 0.9, pocket.speed * 1.1};
-    const Pocket again = pocketInReach(chatter_, teeth_, pocket.speed, around);
+    const LobeTarget again = pocketInReach(chatter_, teeth_, pocket.speed, around);
     EXPECT_EQ(again.waves, pocket.waves);
     EXPECT_FALSE(again.moved);
   }

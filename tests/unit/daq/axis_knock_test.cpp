@@ -45,13 +45,13 @@ std::vector<ChannelInfo> named(const char* first, const char* second) {
 }
 
 std::string lineOf(const Samples& samples, const std::vector<ChannelInfo>& channels, std::size_t told = 0) {
-  const auto heard = hearKnocks(samples, Hertz(kRate), channels, told);
+  const auto heard = analyseKnocks(samples, Hertz(kRate), channels, told);
   return heard ? "" : heard.error().line();
 }
 
 TEST(AxisKnock, TheSensorThatMovesFirstLiesAlongTheBlow) {
   const auto channels = named("x", "y");
-  const auto heard = hearKnocks(knocks(4, 0.1), Hertz(kRate), channels, 0);
+  const auto heard = analyseKnocks(knocks(4, 0.1), Hertz(kRate), channels, 0);
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->knocks, 4);
   EXPECT_EQ(heard->loudest, 0U);
@@ -63,7 +63,8 @@ TEST(AxisKnock, TheSensorThatMovesFirstLiesAlongTheBlow) {
 
 TEST(AxisKnock, ExchangedAxesAreFoundAndSetRight) {
   auto channels = named("y", "x");
-  const auto heard = hearKnocks(knocks(3, 0.1), Hertz(kRate), channels, 1);  // the blows are along x: "side", it says
+  const auto heard =
+      analyseKnocks(knocks(3, 0.1), Hertz(kRate), channels, 1);  // the blows are along x: "side", it says
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->loudest, 0U);
   EXPECT_GT(heard->lead, 6.0);
@@ -78,7 +79,7 @@ TEST(AxisKnock, WhatAnInputMakesOfAUnitDoesNotCount) {
   channels[1].scale = 0.02;
   Samples samples = knocks(3, 0.1);
   for (float& v : samples[1]) v = v * 50.0F + 3.0F;  // more sensitive, and off its zero
-  const auto heard = hearKnocks(samples, Hertz(kRate), channels, 0);
+  const auto heard = analyseKnocks(samples, Hertz(kRate), channels, 0);
   ASSERT_TRUE(heard.ok()) << heard.error().line();
   EXPECT_EQ(heard->loudest, 0U);
 }

@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/daq/replay_control.h"
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 namespace {
@@ -29,7 +29,7 @@ class Stamped {
   const SampleBlock& finish(double seen, std::uint64_t lost = 0) {
     stamper_.begin(block_);
     EXPECT_EQ(block_.frames, 0);
-    EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+    EXPECT_EQ(block_.flags & ~kBlockRateUnverified, 0U);
     block_.frames = kFrames;
     block_.lostFrames = lost;
     stamper_.finish(block_, at(seen));

@@ -1,6 +1,6 @@
 // Some seconds of a sensor in one piece: of a device that loses samples, of one that says nothing, of one that knows
 // its own scale.
-#include "core/daq/heard_samples.h"
+#include "core/daq/measured_samples.h"
 
 #include <gtest/gtest.h>
 
@@ -53,8 +53,8 @@ class Counting final : public DaqSource {
   bool stopped_ = false;
 };
 
-HearRequest wanting(double seconds) {
-  HearRequest request;
+MeasureRequest wanting(double seconds) {
+  MeasureRequest request;
   request.length = Seconds(seconds);
   return request;
 }
@@ -62,7 +62,7 @@ HearRequest wanting(double seconds) {
 TEST(Hear, GivesWhatIsInOnePieceAfterAGap) {
   Counting device;
   device.gapEvery = 150;  // 1.5 s
-  const auto heard = hear(device, device.format, wanting(1.5));
+  const auto heard = measure(device, device.format, wanting(1.5));
   ASSERT_TRUE(heard);
   EXPECT_EQ(heard->samples.front().size(), 1500U);
   EXPECT_EQ(heard->samples.front().front(), 0.0F);
@@ -71,7 +71,7 @@ TEST(Hear, GivesWhatIsInOnePieceAfterAGap) {
 TEST(Hear, SamplesLostAgainAndAgainEndInOneLine) {
   Counting device;
   device.gapEvery = 100;  // each second
-  const auto heard = hear(device, device.format, wanting(2.0));
+  const auto heard = measure(device, device.format, wanting(2.0));
   ASSERT_FALSE(heard);
   EXPECT_EQ(heard.error().line(),
             "the device: has not delivered enough in one piece (the longest was 1 s of 2 s: samples are lost again and "
@@ -82,10 +82,10 @@ TEST(Hear, SamplesLostAgainAndAgainEndInOneLine) {
 TEST(Hear, ADeviceThatSaysNothingIsGivenUp) {
   Counting device;
   device.silentFrom = 3;
-  HearRequest request = wanting(0.0);
+  MeasureRequest request = wanting(0.0);
   request.length = Seconds(0.05);
   request.patience = Duration(0);
-  const auto heard = hear(device, device.format, request);
+  const auto heard = measure(device, device.format, request);
   ASSERT_FALSE(heard);
   EXPECT_EQ(text(heard.error().why), "the longest was 0.03 s of 0.05 s");
 }
@@ -94,14 +94,14 @@ TEST(Hear, EndsWhenItIsNotWantedAnyMore) {
   Counting device;
   device.silentFrom = 3;
   const std::atomic<bool> ended{true};
-  HearRequest request = wanting(60.0);
+  MeasureRequest request = wanting(60.0);
   request.ended = &ended;
-  EXPECT_FALSE(hear(device, device.format, request));
+  EXPECT_FALSE(measure(device, device.format, request));
 }
 
 // A device that knows full scale to be 250 SI units, below a profile that makes 0.5 of each of them.
 TEST(Hear, WhatIsSavedInTheProfileLeavesTheDevicesOwnScaleToIt) {
-  HearRequest request = wanting(1.0);
+  MeasureRequest request = wanting(1.0);
   request.told.resize(1);
   request.told[0].scale = 0.5;
   request.told[0].name = "x";
@@ -109,7 +109,7 @@ TEST(Hear, WhatIsSavedInTheProfileLeavesTheDevicesOwnScaleToIt) {
     Counting device;
     device.format.channels = request.told;
     device.format.channels[0].scale *= 250.0;
-    auto heard = hear(device, device.format, request);
+    auto heard = measure(device, device.format, request);
     ASSERT_TRUE(heard);
     EXPECT_EQ(heard->channels[0].scale, request.told[0].scale);
     EXPECT_EQ(heard->samples[0][7], 7.0F * 250.0F);

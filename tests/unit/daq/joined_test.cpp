@@ -9,7 +9,7 @@
 #include "core/daq/clock_aligner.h"
 #include "core/daq/joined_source.h"
 #include "core/daq/registry.h"
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 namespace {
@@ -36,7 +36,7 @@ class Device final : public DaqSource {
       end = static_cast<double>(frame_ + kFrames) / actual_;
       block.flags = kBlockGap;
     }
-    if (end < uncheckedUntil) block.flags |= kBlockUnchecked;
+    if (end < uncheckedUntil) block.flags |= kBlockRateUnverified;
     if (leads_) now_->store(end);
     while (!leads_ && end > now_->load() + 0.05 && !stopped_) std::this_thread::yield();
     if (stopped_) return false;
@@ -202,11 +202,11 @@ TEST_F(Joined, AWrongRateAndRepeatedValuesOfTheOtherAreSaid) {
     int said = 0;
     for (int i = 0; i < 600; ++i) {
       ASSERT_TRUE(source_->read(block_));
-      if (i >= 400) said += block_.has(kBlockOtherRate) ? 1 : 0;
+      if (i >= 400) said += block_.has(kBlockRateMismatch) ? 1 : 0;
     }
     EXPECT_EQ(said, c.said ? 200 : 0) << c.ppm << " " << c.repeated;
     if (c.said) {
-      EXPECT_EQ(otherRateChannel(block_), 1);
+      EXPECT_EQ(rateMismatchChannel(block_), 1);
     }
   }
 }
@@ -220,9 +220,9 @@ TEST_F(Joined, ItsRateIsUncheckedWhileOneOfThemIs) {
     ASSERT_TRUE(source_->read(block_));
     const double t = secondsBetween(Device::toInstant(0.0), block_.firstSample).value;
     if (t < 1.3) {
-      EXPECT_TRUE(block_.has(kBlockUnchecked)) << t;
+      EXPECT_TRUE(block_.has(kBlockRateUnverified)) << t;
     }
-    late += t > 2.8 && block_.has(kBlockUnchecked) ? 1 : 0;
+    late += t > 2.8 && block_.has(kBlockRateUnverified) ? 1 : 0;
   }
   EXPECT_EQ(late, 0);
 }

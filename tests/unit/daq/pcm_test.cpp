@@ -9,7 +9,7 @@
 
 #include "core/daq/pcm_source.h"
 #include "core/daq/registry.h"
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 namespace {
@@ -100,7 +100,7 @@ TEST_F(PcmSourceTest, TwentyFourBitsComeThroughBitByBitFromTheRightInputs) {
         ASSERT_EQ(block_.channel(0)[f], static_cast<float>(frame * 8) / 8388608.0F) << bits << " in " << bytes;
         ASSERT_EQ(block_.channel(1)[f], static_cast<float>(frame * 8 + 2) / 8388608.0F);
       }
-      EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+      EXPECT_EQ(block_.flags & ~kBlockRateUnverified, 0U);
     }
   }
   auto narrow = make(format(16, 2), {1});
@@ -117,7 +117,7 @@ TEST_F(PcmSourceTest, ShortReadsMakeWholeBlocks) {
     ASSERT_TRUE(source->read(block_));
     EXPECT_EQ(block_.frames, 100);
     EXPECT_EQ(block_.channel(0)[99], static_cast<float>((100 * k + 99) * 8) / 8388608.0F);
-    EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+    EXPECT_EQ(block_.flags & ~kBlockRateUnverified, 0U);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "core/daq/sample_clock.h"
 #include "core/daq/stream_source.h"
 #include "core/daq/text_lines.h"
-#include "core/model/device_doubt.h"
+#include "core/model/device_flags.h"
 
 namespace stillcut::daq {
 namespace {
@@ -205,7 +205,7 @@ TEST_F(StreamSourceTest, DeliversEverySampleOnceWithTimesOfTheClock) {
   for (std::uint64_t k = 0; k < 200; ++k) {
     ASSERT_TRUE(source->read(block_));
     EXPECT_EQ(block_.sequence, k);
-    EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+    EXPECT_EQ(block_.flags & ~kBlockRateUnverified, 0U);
     ASSERT_EQ(block_.frames, 40);
     if (k == 0) expected = block_.channel(0)[0];
     for (const float v : block_.channel(0)) ASSERT_EQ(v, expected++);
@@ -231,7 +231,7 @@ TEST_F(StreamSourceTest, WaitsForABoardThatStartsWhenItIsOpened) {
     clock_.set(clock_.now() + std::chrono::milliseconds(300));
     for (int k = 0; k < 50; ++k) {
       ASSERT_TRUE(source->read(block_));
-      EXPECT_EQ(block_.flags & ~kBlockUnchecked, 0U);
+      EXPECT_EQ(block_.flags & ~kBlockRateUnverified, 0U);
     }
     EXPECT_EQ(wire_->connects, 1) << boot;
     EXPECT_NEAR(secondsBetween(block_.end(), clock_.now()).value, 0.0, 1e-3);

@@ -65,7 +65,7 @@ TEST(HarmonicKalman, AgreesWithTheFullCovarianceOnceThatHasSettled) {
   const double step = kTwoPi * 100.0 / 10000.0;
   const double lambda = 1e-5;
   Oracle oracle(kHarmonics, step, lambda);
-  TurningHarmonics kalman;
+  RotatingHarmonicFilter kalman;
   kalman.prepare(1, kHarmonics, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(lambda, kHarmonics));
   kalman.align(0.0, step);
@@ -147,7 +147,7 @@ TEST(FullHarmonicKalman, ComesBackFromAnInfiniteValue) {
 }
 
 TEST(HarmonicKalman, FollowsASpeedChangeWithoutLosingTheHarmonics) {
-  TurningHarmonics kalman;
+  RotatingHarmonicFilter kalman;
   kalman.prepare(1, 16, dsp::kernels::bestKernels());
   kalman.setGain(harmonicGain(1e-6, 16));
   double angle = 0.0;

@@ -56,7 +56,7 @@ Hertz found(const std::vector<double>& x, Hertz rough) {
 }
 
 Hertz topOfTheDifference(const std::vector<double>& x) {
-  TurnDifference turns;
+  RevolutionDifference turns;
   turns.prepare(1, Hertz(kRate), kSpindle * 0.5);
   turns.setTurn(kSpindle);
   std::vector<double> difference(x.size());

@@ -23,7 +23,7 @@ double tone(double hertz, int k) {
 }
 
 double meanSquareOfDifference(double f, double spindle, double growthPerTurn) {
-  TurnDifference turns;
+  RevolutionDifference turns;
   turns.prepare(1, Hertz(kRate), Hertz(50.0));
   turns.setTurn(Hertz(spindle));
   double sum = 0.0;
@@ -38,24 +38,24 @@ double meanSquareOfDifference(double f, double spindle, double growthPerTurn) {
   return sum / count;
 }
 
-TEST(TurnDifference, RemovesEveryOrderAlsoWhileItGrows) {
+TEST(RevolutionDifference, RemovesEveryOrderAlsoWhileItGrows) {
   for (const int order : {1, 2, 7, 32}) {
     EXPECT_LT(meanSquareOfDifference(order * 183.33, 183.33, 0.0), 1e-5) << order;
     EXPECT_LT(meanSquareOfDifference(order * 183.33, 183.33, 0.05), 1e-3) << order;
   }
 }
 
-TEST(TurnDifference, PassesLinesBetweenTheOrdersWithItsStatedGain) {
+TEST(RevolutionDifference, PassesLinesBetweenTheOrdersWithItsStatedGain) {
   for (const double part : {0.1, 0.25, 0.5}) {
     const double gain = std::pow(2.0 * std::sin(0.5 * kTwoPi * part), 2.0) / std::sqrt(6.0);
     EXPECT_NEAR(meanSquareOfDifference((5.0 + part) * 183.33, 183.33, 0.0), 0.5 * gain * gain, 0.02) << part;
   }
 }
 
-TEST(TurnDifference, ItsNewsPassesLinesWithItsStatedGain) {
+TEST(RevolutionDifference, ItsNewsPassesLinesWithItsStatedGain) {
   constexpr double kSpindle = 100.0;
   for (const double part : {0.05, 0.1, 0.25, 0.4, 0.5}) {
-    TurnDifference turns;
+    RevolutionDifference turns;
     turns.prepare(1, Hertz(kRate), Hertz(50.0));
     turns.setTurn(Hertz(kSpindle));
     double sum = 0.0;
@@ -66,7 +66,7 @@ TEST(TurnDifference, ItsNewsPassesLinesWithItsStatedGain) {
       turns.process(&x, 1, 1, &d, &n, 1);
       if (k >= 6400) sum += n * n;
     }
-    EXPECT_NEAR(2.0 * sum / 6400.0, TurnDifference::newsGain(part), 0.02) << part;
+    EXPECT_NEAR(2.0 * sum / 6400.0, RevolutionDifference::newsGain(part), 0.02) << part;
   }
 }
 
@@ -76,7 +76,7 @@ TEST(EnergyGrowth, ALevelThatStandsIsNewsNoLongerGrowthIs) {
   const auto watch = [&](double perTurn) {
     stood = false;
     EnergyGrowth growth;
-    growth.prepare({1e-4, 12.0}, {TurnDifference::kNewsArrival});
+    growth.prepare({1e-4, 12.0}, {RevolutionDifference::kNewsArrival});
     growth.setSpindle(Hertz(100.0));
     for (int hop = 0; hop < 100 * kHopsPerTurn; ++hop) {
       const double turns = static_cast<double>(hop) / kHopsPerTurn - 30.0;
@@ -99,7 +99,7 @@ double turnsToAlarm(unsigned seed, bool atOnce, double uneven, double grown) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
   EnergyGrowth growth;
-  growth.prepare({1e-4, 15.0}, {TurnDifference::kDifferenceArrival, atOnce});
+  growth.prepare({1e-4, 15.0}, {RevolutionDifference::kDifferenceArrival, atOnce});
   growth.setSpindle(Hertz(100.0));
   for (int hop = 0; hop < 80 * kHopsPerTurn; ++hop) {
     const double turns = static_cast<double>(hop) / kHopsPerTurn - 60.0;
@@ -191,7 +191,7 @@ template <class Unrepeated, class Seen>
 void goesOn(const Unrepeated& unrepeated, const Seen& seen) {
   constexpr double kFloor = 2e-4;
   EnergyGrowth growth;
-  growth.prepare({1e-4, 12.0}, {.arrival = TurnDifference::kNewsArrival, .risingPart = kRisingPart});
+  growth.prepare({1e-4, 12.0}, {.arrival = RevolutionDifference::kNewsArrival, .risingPart = kRisingPart});
   growth.setSpindle(Hertz(100.0));
   constexpr int kCalm = 30 * kHopsPerTurn;
   for (int hop = 0; hop < kCalm + 5 * kHopsPerTurn; ++hop) {
@@ -237,8 +237,8 @@ TEST(EnergyGrowth, RisesFromItsPartOfTheEnergyOn) {
          [&](const EnergyGrowth& g, double) {
            if (g.rising()) least = std::min(least, g.changed());
          });
-  EXPECT_GT(least, kRisingPart * TurnDifference::kNewsArrival);
-  EXPECT_LT(least, 2.0 * kRisingPart * TurnDifference::kNewsArrival);
+  EXPECT_GT(least, kRisingPart * RevolutionDifference::kNewsArrival);
+  EXPECT_LT(least, 2.0 * kRisingPart * RevolutionDifference::kNewsArrival);
 }
 
 // A burst of narrow-band noise comes within a turn and stands for some; a line goes on growing, slowly as well.

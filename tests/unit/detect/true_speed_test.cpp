@@ -127,7 +127,7 @@ TEST(TrueSpeed, IsWhatWasToldUntilTheNextCutIsHeard) {
   RunOptions o = told(e, 60.0 * e.spindle * 1.01);
   int heard = 0;
   o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
-    if (b.phase == CutPhase::Air) return;
+    if (b.phase == CutPhase::AirCutting) return;
     ++heard;
     EXPECT_TRUE(v.valid) << sinceEpoch(v.time).value;
     EXPECT_NEAR(b.spindle / Hertz(e.spindle), 1.0, 0.02) << sinceEpoch(v.time).value;

@@ -23,7 +23,7 @@ TEST(Kernels, HarmonicsAreTheRecursionWrittenOut) {
   for (const std::size_t count : {1U, 8U, 12U, 32U, 53U}) {
     const Values x = noise(777, 1);
     const std::size_t lanes = wholeLanes(count);
-    const Values rest = sameWithEverySet([&](const Kernels& k) {
+    const Values residual = sameWithEverySet([&](const Kernels& k) {
       Harmonics h(lanes);
       k.powers(std::cos(kStep), std::sin(kStep), count, h.c.data(), h.s.data());
       Values out(x.size());
@@ -40,11 +40,11 @@ TEST(Kernels, HarmonicsAreTheRecursionWrittenOut) {
       for (std::size_t n = 0; n < count; ++n) {
         q[n] = (q[n] + kGain * e) * std::polar(1.0, kStep * static_cast<double>(n + 1));
       }
-      ASSERT_NEAR(rest[k], 0.9 * e, 1e-11) << k << " of " << count;
+      ASSERT_NEAR(residual[k], 0.9 * e, 1e-11) << k << " of " << count;
     }
     double power = 0.0;
     for (std::size_t n = 0; n < count; ++n) power += std::cos(kStep * static_cast<double>(n + 1)) * std::norm(q[n]);
-    EXPECT_NEAR(rest.back(), power, 1e-11);
+    EXPECT_NEAR(residual.back(), power, 1e-11);
   }
 }
 
@@ -153,16 +153,16 @@ TEST(Kernels, CovarianceIsTheSameWithEverySet) {
     const Values drift(2 * kWide, 1e-5);
     Values states(4 * kWide);
     Values scratch(4 * kWide);
-    Values rest(2 * kFrames);
+    Values residual(2 * kFrames);
     k.powers(std::cos(0.05), std::sin(0.05), kWide, c.data(), s.data());
     k.powers(std::cos(0.4), std::sin(0.4), kWide, h.data(), h.data() + kWide);
-    const CovarianceRun run{x.data(), kFrames,  rest.data(),  kFrames,       2,
-                            kFrames,  kWide,    p.data(),     ph.data(),     h.data(),
-                            c.data(), s.data(), drift.data(), states.data(), scratch.data()};
+    const CovarianceRun run{x.data(), kFrames,  residual.data(), kFrames,       2,
+                            kFrames,  kWide,    p.data(),        ph.data(),     h.data(),
+                            c.data(), s.data(), drift.data(),    states.data(), scratch.data()};
     k.covarianceTimes(run);
     k.covariance(run);
-    rest.insert(rest.end(), p.begin(), p.end());
-    return rest;
+    residual.insert(residual.end(), p.begin(), p.end());
+    return residual;
   });
   for (const double v : all) EXPECT_TRUE(std::isfinite(v));
 }

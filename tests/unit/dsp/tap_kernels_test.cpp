@@ -81,14 +81,14 @@ TEST(Kernels, LinesAreHeardAsTheirFourierSums) {
   constexpr std::size_t kFrames = 100, kLines = 16;
   const Values x = noise(kFrames, 1), y = noise(kFrames, 2);
   const Values all = sameWithEverySet([&](const Kernels& k) {
-    Values re(kLines, 1.0), im(kLines, 0.0), turnRe, turnIm;
+    Values re(kLines, 1.0), im(kLines, 0.0), rotationRe, rotationIm;
     for (std::size_t l = 0; l < kLines; ++l) {
-      turnRe.push_back(std::cos(0.1 * static_cast<double>(l)));
-      turnIm.push_back(std::sin(0.1 * static_cast<double>(l)));
+      rotationRe.push_back(std::cos(0.1 * static_cast<double>(l)));
+      rotationIm.push_back(std::sin(0.1 * static_cast<double>(l)));
     }
     Values sums(4 * kLines, 0.0);
-    k.lineSums({x.data(), y.data(), kFrames, kLines, re.data(), im.data(), turnRe.data(), turnIm.data(), sums.data(),
-                &sums[kLines], &sums[2 * kLines], &sums[3 * kLines]});
+    k.lineSums({x.data(), y.data(), kFrames, kLines, re.data(), im.data(), rotationRe.data(), rotationIm.data(),
+                sums.data(), &sums[kLines], &sums[2 * kLines], &sums[3 * kLines]});
     return sums;
   });
   for (std::size_t l = 0; l < kLines; ++l) {

@@ -13,7 +13,7 @@ namespace stillcut::identify {
 namespace {
 
 using milling::Engagement;
-using milling::Side;
+using milling::MillingDirection;
 
 CuttingCoefficients truth() {
   CuttingCoefficients k;
@@ -76,7 +76,7 @@ void expectTruth(const Result<CuttingCoefficients>& got, double relative) {
 
 TEST(Coefficients, IntegratedForcesGiveThemBackForEveryImmersion) {
   for (const double immersion : {1.0, 0.7, 0.5, 0.2, 0.05}) {
-    for (const Side side : {Side::Up, Side::Down}) {
+    for (const MillingDirection side : {MillingDirection::Up, MillingDirection::Down}) {
       ForceTest test = testOf({immersion, side}, {0.03e-3, 0.09e-3, 0.15e-3}, 1e-6);
       test.axes.signs = {1, 1, 1};
       // Midpoint sums over an entry and exit that fall between steps: parts in 1e4 at the smallest immersion.
@@ -86,7 +86,7 @@ TEST(Coefficients, IntegratedForcesGiveThemBackForEveryImmersion) {
 }
 
 TEST(Coefficients, SignsAreFoundInASlotHoweverTheSensorLies) {
-  const ForceTest onTool = testOf({1.0, Side::Up}, {0.05e-3, 0.1e-3});
+  const ForceTest onTool = testOf({1.0, MillingDirection::Up}, {0.05e-3, 0.1e-3});
   for (int bits = 0; bits < 8; ++bits) {
     const std::array<int, 3> signs{bits & 1 ? -1 : 1, bits & 2 ? -1 : 1, bits & 4 ? -1 : 1};
     ForceTest test = onTool;
@@ -103,7 +103,7 @@ TEST(Coefficients, SignsAreFoundInASlotHoweverTheSensorLies) {
 }
 
 TEST(Coefficients, WrongSignsAreNotSilentlyUsed) {
-  ForceTest test = testOf({1.0, Side::Up}, {0.05e-3, 0.1e-3});
+  ForceTest test = testOf({1.0, MillingDirection::Up}, {0.05e-3, 0.1e-3});
   test.axes.signs = {1, -1, 1};
   const auto got = identifyCoefficients(test);
   ASSERT_FALSE(got.ok());
@@ -111,7 +111,7 @@ TEST(Coefficients, WrongSignsAreNotSilentlyUsed) {
 }
 
 TEST(Coefficients, DeviationsMatchTheScatterOfRepeatedTests) {
-  const ForceTest clean = testOf({1.0, Side::Up}, {0.03e-3, 0.06e-3, 0.09e-3, 0.12e-3});
+  const ForceTest clean = testOf({1.0, MillingDirection::Up}, {0.03e-3, 0.06e-3, 0.09e-3, 0.12e-3});
   std::mt19937 random(11);
   std::normal_distribution<double> gauss(0.0, 2.0);
   double sum = 0.0, square = 0.0, stated = 0.0;
@@ -137,7 +137,7 @@ TEST(Coefficients, DeviationsMatchTheScatterOfRepeatedTests) {
 }
 
 TEST(Coefficients, TwoFeedsAreTheLeast) {
-  ForceTest test = testOf({1.0, Side::Up}, {0.05e-3, 0.1e-3});
+  ForceTest test = testOf({1.0, MillingDirection::Up}, {0.05e-3, 0.1e-3});
   const auto two = identifyCoefficients(test);
   ASSERT_TRUE(two.ok());
   EXPECT_EQ(two->feeds, 2);
@@ -151,7 +151,7 @@ TEST(Coefficients, TwoFeedsAreTheLeast) {
 }
 
 TEST(Coefficients, NonsenseIsRefused) {
-  const ForceTest good = testOf({1.0, Side::Up}, {0.05e-3, 0.1e-3});
+  const ForceTest good = testOf({1.0, MillingDirection::Up}, {0.05e-3, 0.1e-3});
   ForceTest bad = good;
   bad.teeth = 0;
   EXPECT_FALSE(identifyCoefficients(bad).ok());

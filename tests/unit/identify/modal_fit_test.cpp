@@ -72,7 +72,7 @@ TEST(ModalFit, ExactDataGiveExactModes) {
   expectModes(fit, truth, 1e-6, 1e-5, 1e-5);
   EXPECT_LT(fit->misfit, 1e-6);
   EXPECT_LT(fit->realMisfit, 1e-6);
-  for (const IdentifiedMode& m : fit->modes) EXPECT_TRUE(m.doubt.empty()) << m.doubt;
+  for (const IdentifiedMode& m : fit->modes) EXPECT_TRUE(m.caveat.empty()) << m.caveat;
 }
 
 TEST(ModalFit, NoiseIsAveragedOutAndNoModeIsInvented) {
@@ -149,7 +149,7 @@ TEST(ModalFit, AComplexShapeIsDoubted) {
   for (auto& v : frf.value) v *= std::polar(1.0, -0.7);
   const auto fit = fitModes(frf, {});
   ASSERT_TRUE(fit.ok()) << fit.error().line();
-  EXPECT_NE(fit->modes[0].doubt.find("degrees off real"), std::string::npos) << fit->modes[0].doubt;
+  EXPECT_NE(fit->modes[0].caveat.find("degrees off real"), std::string::npos) << fit->modes[0].caveat;
   EXPECT_GT(fit->realMisfit, 0.1);
 }
 

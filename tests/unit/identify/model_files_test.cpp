@@ -29,7 +29,7 @@ ModesFile twoModes() {
     m.phase = -0.2;
     file.modes.push_back(m);
   }
-  file.modes[1].doubt = "lies at the edge of the band";
+  file.modes[1].caveat = "lies at the edge of the band";
   return file;
 }
 
@@ -49,7 +49,7 @@ TEST(ModesFile, ReadsBackWhatItWrote) {
     EXPECT_EQ(back->modes[i].mode.direction, file.modes[i].mode.direction);
     EXPECT_EQ(back->modes[i].stiffnessSd, file.modes[i].stiffnessSd);
     EXPECT_EQ(back->modes[i].phase, file.modes[i].phase);
-    EXPECT_EQ(back->modes[i].doubt, file.modes[i].doubt);
+    EXPECT_EQ(back->modes[i].caveat, file.modes[i].caveat);
   }
 }
 

@@ -142,7 +142,7 @@ TEST(CaseImport, WhatIsSaidBeyondTheCutIsKept) {
 TEST(CaseImport, AnglesInTheCutBecomeAnEngagement) {
   const Scenario s = made(R"({"depth_segments": [)" + depthOf(0.5) +
                           R"(], "phi_st_in_cut": 2.0943951023931953, "phi_ex_in_cut": 3.141592653589793})");
-  EXPECT_EQ(s.model.engagement.side, Side::Down);
+  EXPECT_EQ(s.model.engagement.side, MillingDirection::Down);
   EXPECT_NEAR(s.model.engagement.radialImmersion, 0.25, 1e-12);
 }
 

@@ -26,18 +26,18 @@ CutModel sound() {
 }
 
 TEST(Engagement, SlotAndHalfImmersion) {
-  for (Side side : {Side::Up, Side::Down}) {
+  for (MillingDirection side : {MillingDirection::Up, MillingDirection::Down}) {
     const Engagement slot{1.0, side};
     EXPECT_NEAR(slot.startAngle(), 0.0, 1e-12);
     EXPECT_NEAR(slot.exitAngle(), kPi, 1e-12);
   }
-  EXPECT_NEAR((Engagement{0.5, Side::Up}.exitAngle()), kPi / 2.0, 1e-12);
-  EXPECT_NEAR((Engagement{0.5, Side::Down}.startAngle()), kPi / 2.0, 1e-12);
+  EXPECT_NEAR((Engagement{0.5, MillingDirection::Up}.exitAngle()), kPi / 2.0, 1e-12);
+  EXPECT_NEAR((Engagement{0.5, MillingDirection::Down}.startAngle()), kPi / 2.0, 1e-12);
 }
 
 // The width that a window of angles sweeps is the radial immersion: D/2 (cos phi_in - cos phi_out) = a.
 TEST(Engagement, TheWindowSweepsTheWidthOfCut) {
-  for (Side side : {Side::Up, Side::Down}) {
+  for (MillingDirection side : {MillingDirection::Up, MillingDirection::Down}) {
     for (int i = 1; i <= 100; ++i) {
       const Engagement e{0.01 * i, side};
       EXPECT_LE(0.0, e.startAngle());
@@ -51,8 +51,8 @@ TEST(Engagement, TheWindowSweepsTheWidthOfCut) {
 // Up and down are mirror images about the feed.
 TEST(Engagement, UpAndDownMirror) {
   for (int i = 1; i <= 100; ++i) {
-    const Engagement up{0.01 * i, Side::Up};
-    const Engagement down{0.01 * i, Side::Down};
+    const Engagement up{0.01 * i, MillingDirection::Up};
+    const Engagement down{0.01 * i, MillingDirection::Down};
     EXPECT_NEAR(up.exitAngle(), kPi - down.startAngle(), 1e-12);
   }
 }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/milling/simulation/override_path.h"
-#include "core/milling/simulation/profile.h"
+#include "core/milling/simulation/schedule.h"
 #include "core/milling/simulation/spindle_drive.h"
 
 namespace stillcut::milling {
@@ -161,8 +161,8 @@ TEST(OverridePath, IgnoresWhatIsNoNumberAndRoundsToItsResolution) {
   EXPECT_NEAR(path.speed().value, 0.83, 1e-12);
 }
 
-TEST(Profile, RampsHoldsAndRefusesDisorder) {
-  Profile p;
+TEST(Schedule, RampsHoldsAndRefusesDisorder) {
+  Schedule p;
   p.segments = {{0.0, 1.0, 2.0, 2.0, RampShape::Linear},
                 {2.0, 4.0, 2.0, 6.0, RampShape::Linear},
                 {4.0, 6.0, 6.0, 0.0, RampShape::Smoothstep}};
@@ -171,7 +171,7 @@ TEST(Profile, RampsHoldsAndRefusesDisorder) {
   EXPECT_NEAR(p.at(3.0, 0.0, 9.0), 4.0, 1e-12);
   EXPECT_NEAR(p.at(4.5, 0.0, 9.0), 6.0 * (1.0 - 0.15625), 1e-12);
   EXPECT_EQ(p.at(99.0, 0.0, 9.0), 0.0);
-  EXPECT_EQ(Profile{}.at(0.0, 0.0, 9.0), 9.0);
+  EXPECT_EQ(Schedule{}.at(0.0, 0.0, 9.0), 9.0);
   EXPECT_TRUE(check(p, 0.0, 10.0, "p").ok());
   std::swap(p.segments[0], p.segments[1]);
   EXPECT_FALSE(check(p, 0.0, 10.0, "p").ok());

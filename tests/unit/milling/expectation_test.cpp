@@ -39,7 +39,8 @@ Demand demandOf(const Scenario& s) {
 }
 
 bool stableAt(const ExactLobes& lobes, Rpm speed, Metres depth) {
-  const auto limits = lobes.limits(speed, {.maxDepth = depth, .firstOnly = false, .frequencies = false, .hint = {}});
+  const auto limits =
+      lobes.limits(speed, {.maxAxialDepth = depth, .firstOnly = false, .frequencies = false, .hint = {}});
   return limits.ok() && limits->verified && limits->stableAt(depth);
 }
 
@@ -73,7 +74,7 @@ TEST_P(Expected, IsWhatTheExactLobesSay) {
   // Nothing to be done: stable at every programmed speed; with a helix left out, at twice the depth too.
   const Metres depth(d.depth.value * (helixIsProved(d.model) ? 1.0 : 2.0));
   std::vector<Rpm> speeds{s->programme.speed};
-  for (const ProfileSegment& g : s->programme.speedOverTime.segments) speeds.emplace_back(g.toValue);
+  for (const ScheduleSegment& g : s->programme.speedOverTime.segments) speeds.emplace_back(g.toValue);
   const bool quiet =
       std::all_of(speeds.begin(), speeds.end(), [&](Rpm speed) { return stableAt(*lobes, speed, depth); });
   EXPECT_TRUE(quiet || s->expect != Expectation::Hold) << s->name;

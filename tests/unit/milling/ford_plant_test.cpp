@@ -34,7 +34,7 @@ TEST(FordPlant, FollowsItsRule) {
     const auto lobes = ExactLobes::make(s->model, which);
     ASSERT_TRUE(lobes.ok()) << lobes.error().line();
     const auto limits =
-        lobes->limits(Rpm(kSpeed), {.maxDepth = Metres(4e-3), .firstOnly = true, .frequencies = true, .hint = {}});
+        lobes->limits(Rpm(kSpeed), {.maxAxialDepth = Metres(4e-3), .firstOnly = true, .frequencies = true, .hint = {}});
     ASSERT_TRUE(limits.ok() && limits->hasLimit());
     EXPECT_NEAR(3e-3 / limits->crossings.front().depth.value, 1.3, 1.3e-3);
     // The line the tool tip moves most at; 455 Hz is out of reach (below).

@@ -49,7 +49,7 @@ double multiplier(double depth, int steps) {
   RegenerativeCut cut(model, n);
   cut.setSpeed(5000.0 * kTwoPi / 60.0);
   cut.setWindows({&kSlot, 1});
-  cut.setDepth(depth);
+  cut.setAxialDepth(depth);
   return std::exp(logGrowth(cut, steps / 2, 922.0, 400));
 }
 
@@ -87,7 +87,7 @@ double liaoDecay(double toothHz) {
   RegenerativeCut cut(model, n);
   cut.setSpeed(toothHz / 4.0 * kTwoPi);
   cut.setWindows({&kSlot, 1});
-  cut.setDepth(depth);
+  cut.setAxialDepth(depth);
   return -logGrowth(cut, n.stepsPerRevolution / 4, 30.0, 60) * toothHz;
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/milling/simulation/override_path.h"
-#include "core/milling/simulation/profile.h"
+#include "core/milling/simulation/schedule.h"
 #include "core/milling/simulation/spindle_drive.h"
 
 namespace stillcut::milling {
@@ -116,9 +116,9 @@ TEST(SpindleDrive, ALargerInertiaIsNoFaster) {
 }
 
 // The value of a profile drawn with a ruler: the last segment that has begun, at its end at the latest.
-double drawn(const Profile& profile, double s) {
+double drawn(const Schedule& profile, double s) {
   double value = profile.segments.front().fromValue;
-  for (const ProfileSegment& g : profile.segments) {
+  for (const ScheduleSegment& g : profile.segments) {
     if (s < g.from) return value;
     const double u = std::min(1.0, (s - g.from) / (g.to - g.from));
     const double share = g.shape == RampShape::Linear ? u : 3.0 * u * u - 2.0 * u * u * u;
@@ -131,7 +131,7 @@ TEST(Profiles, AgreeWithTheDrawingAndStayWithinTheirExtremes) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> length(0.1, 2.0), value(-3.0, 3.0);
   for (int trial = 0; trial < 300; ++trial) {
-    Profile profile;
+    Schedule profile;
     profile.along = trial % 2 == 0 ? Along::Time : Along::Path;
     double s = length(random);
     for (auto n = 1 + random() % 6; n > 0; --n) {

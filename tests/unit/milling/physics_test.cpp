@@ -70,7 +70,7 @@ TEST(RegenerativeCut, MeanForceGrowsWithTheFeedPerTooth) {
     cut.setSpeed(speed);
     cut.setFeed(perTooth * 3 * 50.0);
     cut.setWindows({&kSlot, 1});
-    cut.setDepth(depth);
+    cut.setAxialDepth(depth);
     cut.advance(2016);
     double fx = 0.0, fy = 0.0;
     for (int i = 0; i < 2016; ++i) {
@@ -97,7 +97,7 @@ TEST(RegenerativeCut, PowerLawOfTheChip) {
   cut.setSpeed(50.0 * kTwoPi);
   cut.setFeed(1e-4 * 50.0);
   cut.setWindows({&kSlot, 1});
-  cut.setDepth(1e-3);
+  cut.setAxialDepth(1e-3);
   cut.advance(2048 + 512);  // the tooth stands at a right angle to the feed: h is the feed per tooth
   const double h = 1e-4;
   EXPECT_NEAR(cut.force()[1], 1e-3 * 6e8 * std::pow(h, 0.7), 1e-3 * 1e-3 * 6e8 * std::pow(h, 0.7));
@@ -111,7 +111,7 @@ TEST(RegenerativeCut, ToothBehindItsFellowLeavesTheCut) {
   cut.setSpeed(50.0 * kTwoPi);
   cut.setFeed(1e-4 * 2 * 50.0);
   cut.setWindows({&kSlot, 1});
-  cut.setDepth(1e-3);
+  cut.setAxialDepth(1e-3);
   cut.advance(4 * 2048);
   std::array<double, 2> most{};
   for (int half = 0; half < 2; ++half) {
@@ -137,7 +137,7 @@ TEST(RegenerativeCut, VariablePitchSharesTheFeed) {
   const double perRevolution = 2e-4;
   cut.setFeed(perRevolution * 50.0);
   cut.setWindows({&kSlot, 1});
-  cut.setDepth(1e-3);
+  cut.setAxialDepth(1e-3);
   cut.advance(3 * 2048 + 512);  // tooth 0 across the feed; tooth 1 leads it by the first pitch
   EXPECT_NEAR(cut.force()[1], 1e-3 * 6e8 * perRevolution * first / kTwoPi, 2e-4 * 120.0);
 }
@@ -154,7 +154,7 @@ TEST(RegenerativeCut, HelixSmoothsTheForceAndKeepsItsMean) {
     cut.setSpeed(50.0 * kTwoPi);
     cut.setFeed(1e-4 * 2 * 50.0);
     cut.setWindows({&kSlot, 1});
-    cut.setDepth(6e-3);
+    cut.setAxialDepth(6e-3);
     cut.advance(2 * 2048);
     for (int s = 0; s < 2048; ++s) {
       cut.advance(1);
@@ -180,7 +180,7 @@ TEST(RegenerativeCut, ProcessDampingTakesEnergy) {
     RegenerativeCut cut(m, n);
     cut.setSpeed(10.0 * kTwoPi);
     cut.setWindows({&kSlot, 1});
-    cut.setDepth(2e-3);
+    cut.setAxialDepth(2e-3);
     cut.disturb(0, 1e-6, 0.0);
     cut.advance(2048);
     return std::hypot(cut.displacement(0), cut.velocity(0) / (kTwoPi * 200.0));

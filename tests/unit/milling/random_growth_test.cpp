@@ -37,7 +37,7 @@ CutModel randomModel(NoiseSource& random) {
     m.modes.push_back(mode);
   }
   m.tool.teeth = 1 + static_cast<int>(8.0 * random.uniform());
-  m.engagement = {0.1 + 0.9 * random.uniform(), random.uniform() < 0.5 ? Side::Up : Side::Down};
+  m.engagement = {0.1 + 0.9 * random.uniform(), random.uniform() < 0.5 ? MillingDirection::Up : MillingDirection::Down};
   return m;
 }
 
@@ -55,7 +55,7 @@ std::vector<RandomCut> randomCuts(int count) {
     const auto lobes = ExactLobes::make(c.model, "random");
     if (!lobes) continue;
     const auto limits =
-        lobes->limits(c.speed, {.maxDepth = Metres(0.02), .firstOnly = true, .frequencies = false, .hint = {}});
+        lobes->limits(c.speed, {.maxAxialDepth = Metres(0.02), .firstOnly = true, .frequencies = false, .hint = {}});
     if (!limits || !limits->hasLimit()) continue;
     c.depth = Metres(limits->crossings.front().depth.value * (0.9 + 0.3 * random.uniform()));
     const auto mu = test::dominantMultiplier(*lobes, c.speed, c.depth);
@@ -80,7 +80,7 @@ double measured(const RandomCut& c, int steps, int periods) {
   cut.setSpeed(c.speed.value * kTwoPi / 60.0);
   const AngularWindow window{c.model.engagement.startAngle(), c.model.engagement.exitAngle()};
   cut.setWindows({&window, 1});
-  cut.setDepth(c.depth.value);
+  cut.setAxialDepth(c.depth.value);
   for (int i = 0; i < cut.modes(); ++i) cut.disturb(i, 1e-6 * (i + 1), 0.0);
   const int tooth = n.stepsPerRevolution / c.model.tool.teeth;
   double s11 = 0.0, s12 = 0.0, s22 = 0.0, r1 = 0.0, r2 = 0.0;
@@ -137,7 +137,7 @@ TEST(RandomGrowth, TheProbeOfTheTruthAgrees) {
     probe.cut().setSpeed(c.speed.value * kTwoPi / 60.0);
     const AngularWindow window{c.model.engagement.startAngle(), c.model.engagement.exitAngle()};
     probe.cut().setWindows({&window, 1});
-    probe.cut().setDepth(c.depth.value);
+    probe.cut().setAxialDepth(c.depth.value);
     const double perSecond = c.speed.value / 60.0 * c.model.tool.teeth;
     double sum = 0.0;
     const int perRevolution = n.stepsPerRevolution / 8, settle = 400, looks = 200;

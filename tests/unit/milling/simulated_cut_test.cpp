@@ -123,7 +123,7 @@ TEST(SimulatedCut, DisabledOverridesAndKnobs) {
   SimulatedCut cut(shortCut());
   SampleBlock block;
   block.allocate(2, 256);
-  cut.setOperatorKnobs(Ratio(0.8), Ratio(0.5));
+  cut.setOperatorOverrides(Ratio(0.8), Ratio(0.5));
   cut.setOverrides(Ratio(0.9), Ratio(1.0), Instant{});
   for (int i = 0; i < 40; ++i) cut.fill(block);
   EXPECT_NEAR(cut.machineState().speedOverride.value, 0.72, 1e-9);

@@ -16,11 +16,11 @@ inline Scenario smallCut(const char* name, Rpm speed, Seconds duration, double d
   y.direction = {0.0, 1.0};
   s.model.modes = {x, y};
   s.model.tool.teeth = 3;
-  s.model.engagement = {0.5, Side::Down};
+  s.model.engagement = {0.5, MillingDirection::Down};
   s.programme.speed = speed;
   s.programme.feedPerTooth = Metres(1e-4);
   s.programme.duration = duration;
-  s.programme.depth = constantProfile(depth);
+  s.programme.depth = constantSchedule(depth);
   return s;
 }
 

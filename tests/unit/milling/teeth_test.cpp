@@ -42,7 +42,7 @@ TEST(Teeth, ChipsOfARevolutionAddUpToItsFeed) {
     // A sliver around the direction of the feed: one tooth at a time.
     const AngularWindow sliver{0.5 * std::numbers::pi - 1e-2, 0.5 * std::numbers::pi + 1e-2};
     cut.setWindows({&sliver, 1});
-    cut.setDepth(depth);
+    cut.setAxialDepth(depth);
     cut.advance(5 * 2400);
     double chips = 0.0;
     for (int tooth = 0; tooth < 3; ++tooth) {
@@ -72,7 +72,7 @@ double growthOf(const Cut& c) {
   GrowthProbe probe(c.model, n, 8, Metres(1e-4));
   probe.cut().setSpeed(c.rpm * kTwoPi / 60.0);
   probe.cut().setWindows({&c.window, 1});
-  probe.cut().setDepth(c.depth);
+  probe.cut().setAxialDepth(c.depth);
   double sum = 0.0;
   for (int i = 0; i < 256 * 300; ++i) {
     probe.advance();
@@ -141,7 +141,7 @@ TEST(Teeth, ProcessDampingIsTheSlopeOfThePath) {
       cut.setSpeed(rpm * kTwoPi / 60.0);
       cut.setFeed(1e-4 * rpm / 60.0);
       cut.setWindows({&kSlot, 1});
-      cut.setDepth(depth);
+      cut.setAxialDepth(depth);
       cut.advance(2048 + 511);
       cut.disturb(0, 0.0, velocity);
       cut.advance(1);  // the tooth stands at a right angle to the feed: what is radial is along x

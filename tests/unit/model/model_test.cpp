@@ -79,7 +79,7 @@ TEST(SampleBlock, FlagsAreIndependent) {
 
 TEST(Verdict, OnlyAValidOnsetOrChatterAlarms) {
   Verdict verdict;
-  for (const CutState state : {CutState::Air, CutState::Stable, CutState::Onset, CutState::Chatter}) {
+  for (const CutState state : {CutState::AirCutting, CutState::Stable, CutState::Onset, CutState::Chatter}) {
     verdict.state = state;
     verdict.valid = false;
     EXPECT_FALSE(verdict.alarming()) << name(state);

@@ -67,7 +67,7 @@ TEST(InterventionLog, TellsBeforeAndAfterOfOneAlarm) {
   EXPECT_DOUBLE_EQ(card.severityAfter.value, 0.02);
   EXPECT_DOUBLE_EQ(card.vibrationBefore, 9.0);
   EXPECT_DOUBLE_EQ(card.vibrationAfter, 1.1);
-  EXPECT_NEAR(card.timeToQuiet.value, 9 * kBlock, 1e-9);  // from the first to the last alarming block
+  EXPECT_NEAR(card.timeToStable.value, 9 * kBlock, 1e-9);  // from the first to the last alarming block
   EXPECT_NEAR(card.marked.value * 1e3, 9 * kBlock * 10.0, 1e-9) << "the onset marks nothing";
   EXPECT_NEAR(secondsBetween(card.began, card.commanded).value, 2 * kBlock, 1e-9);
   ASSERT_EQ(last.eventCount, 1);
@@ -105,7 +105,7 @@ TEST(InterventionLog, LeavingTheCutEndsItButProvesNothing) {
   for (int i = 0; i < 5; ++i) s.block(CutState::Chatter, 0.5, 8000.0, 5.0);
   for (int i = 0; i < 40; ++i) s.block(CutState::Stable, 0.1, 8000.0, 2.0, false, CutPhase::Exit);
   EXPECT_FALSE(s.log.card(0).finished) << "an exit, or chatter that dies down";
-  const StepOutput last = s.block(CutState::Air, 0.0, 8000.0, 0.1, false, CutPhase::Air);
+  const StepOutput last = s.block(CutState::AirCutting, 0.0, 8000.0, 0.1, false, CutPhase::AirCutting);
   EXPECT_TRUE(s.log.card(0).finished);
   EXPECT_FALSE(s.log.card(0).quiet);
   ASSERT_EQ(last.eventCount, 1);

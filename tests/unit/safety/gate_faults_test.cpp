@@ -193,7 +193,7 @@ TEST(GateFaults, OperatorGrabsTheKnob) {
   h.settleAt(9000, 900);
   h.machine.operatorSpeed = Ratio(0.8);
   h.step();
-  EXPECT_TRUE(h.said(ReasonCode::GateKnobMoved));
+  EXPECT_TRUE(h.said(ReasonCode::GateOperatorOverrideMoved));
   h.verdict.state = CutState::Stable;
   h.run(1.0);
   // The knob scales the product; we do not work against it.
@@ -242,7 +242,7 @@ TEST(GateFaults, TimeThatGoesBackOrStandsStillReleases) {
 
 TEST(GateFaults, AfterAReleaseTheInputMustBeGoodForAWhile) {
   GateLimits limits = promptLimits();
-  limits.restTime = Seconds(1.0);
+  limits.reengageDelay = Seconds(1.0);
   GateHarness h(limits);
   h.settleAt(9000, 900);
   h.run(1.0);
@@ -252,7 +252,7 @@ TEST(GateFaults, AfterAReleaseTheInputMustBeGoodForAWhile) {
   h.machine.linkUp = true;
   h.run(0.9);
   EXPECT_FALSE(h.last.commanding);
-  EXPECT_EQ(h.last.reason.code, ReasonCode::GateResting);
+  EXPECT_EQ(h.last.reason.code, ReasonCode::GateReengageDelay);
   h.run(0.3);
   EXPECT_TRUE(h.last.commanding);
 }

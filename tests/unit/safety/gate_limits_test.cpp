@@ -44,13 +44,13 @@ TEST(GateLimits, DefaultsAreAccepted) {
   EXPECT_EQ(limits->overrides.lowestSpeed.value, 0.5);
   EXPECT_EQ(limits->overrides.highestSpeed.value, 1.2);
   EXPECT_EQ(limits->lease.value, 0.2);
-  EXPECT_LE(limits->recoveryShare, 0.2);
+  EXPECT_LE(limits->recoveryFraction, 0.2);
   // The struct's own defaults are the declared ones.
   const GateLimits plain;
   EXPECT_EQ(limits->speedSlew, plain.speedSlew);
   EXPECT_EQ(limits->feedSlew, plain.feedSlew);
   EXPECT_EQ(limits->holdTime.value, plain.holdTime.value);
-  EXPECT_EQ(limits->restTime.value, plain.restTime.value);
+  EXPECT_EQ(limits->reengageDelay.value, plain.reengageDelay.value);
   EXPECT_EQ(limits->changesPerMinute, plain.changesPerMinute);
   EXPECT_EQ(limits->coolDown.value, plain.coolDown.value);
   EXPECT_EQ(limits->takeTime.value, plain.takeTime.value);

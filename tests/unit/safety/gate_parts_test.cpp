@@ -8,7 +8,7 @@
 
 #include "core/safety/change_budget.h"
 #include "core/safety/divergence_watch.h"
-#include "core/safety/target_keeper.h"
+#include "core/safety/override_setpoint.h"
 
 namespace stillcut::safety {
 namespace {
@@ -72,7 +72,7 @@ class Target : public testing::Test {
     keeper_.prepare(limits_);
   }
   GateLimits limits_;
-  TargetKeeper keeper_;
+  OverrideSetpoint keeper_;
 };
 
 TEST_F(Target, WhatLiesInTheDeadBandIsTheSame) {

@@ -14,7 +14,7 @@ class Watch : public testing::Test {
   Watch() {
     limits_.takeTime = Seconds(1.0);
     limits_.followTime = Seconds(5.0);
-    limits_.knobTime = Seconds(2.0);
+    limits_.operatorPause = Seconds(2.0);
     limits_.speedTolerance = 0.02;
     watch_.prepare(limits_);
     machine_.valid = machine_.linkUp = machine_.atSpeed = true;
@@ -44,7 +44,7 @@ TEST_F(Watch, AMachineThatObeysIsNoTrouble) {
   EXPECT_EQ(watch_.trouble().code, ReasonCode::None);
   EXPECT_TRUE(watch_.atSpeed());
   EXPECT_FALSE(watch_.programChanged());
-  EXPECT_FALSE(watch_.knobTurning());
+  EXPECT_FALSE(watch_.operatorOverrideMoving());
 }
 
 TEST_F(Watch, AnOverrideThatIsNotTakenIsToldAfterItsTime) {
@@ -142,13 +142,13 @@ TEST_F(Watch, AKnobThatIsTurnedCountsForItsTime) {
   machine_.operatorFeed = Ratio(0.9);
   obey(kSlower);
   look(0.01, kSlower);
-  EXPECT_TRUE(watch_.knobJustMoved());
+  EXPECT_TRUE(watch_.operatorOverrideJustMoved());
   look(0.01, kSlower);
-  EXPECT_FALSE(watch_.knobJustMoved());
+  EXPECT_FALSE(watch_.operatorOverrideJustMoved());
   look(1.9, kSlower);
-  EXPECT_TRUE(watch_.knobTurning());
+  EXPECT_TRUE(watch_.operatorOverrideMoving());
   look(0.2, kSlower);
-  EXPECT_FALSE(watch_.knobTurning());
+  EXPECT_FALSE(watch_.operatorOverrideMoving());
 }
 
 TEST_F(Watch, RoundingOfTheReadBackIsNoHand) {
@@ -158,7 +158,7 @@ TEST_F(Watch, RoundingOfTheReadBackIsNoHand) {
   for (int i = 0; i < 2000; ++i) {
     machine_.operatorSpeed = Ratio(1.0 + rounding(random));
     watch_.look(machine_, {}, true, 0.01);
-    ASSERT_FALSE(watch_.knobTurning()) << i;
+    ASSERT_FALSE(watch_.operatorOverrideMoving()) << i;
   }
 }
 
@@ -169,7 +169,7 @@ TEST_F(Watch, ManySmallClicksAreATurn) {
   for (int i = 1; i <= 20; ++i) {
     machine_.operatorSpeed = Ratio(1.0 - 0.002 * i);
     watch_.look(machine_, {}, true, 0.01);
-    seen = seen || watch_.knobJustMoved();
+    seen = seen || watch_.operatorOverrideJustMoved();
   }
   EXPECT_TRUE(seen);
 }
@@ -178,10 +178,10 @@ TEST_F(Watch, TheBaseOfAbsoluteWishesMovesOnlyWhenAsked) {
   look(0.01, {});
   machine_.operatorSpeed = Ratio(0.8);
   look(1.0, {});
-  EXPECT_EQ(watch_.baseSpeedKnob().value, 1.0);
+  EXPECT_EQ(watch_.baseOperatorSpeed().value, 1.0);
   watch_.rebase(machine_);
-  EXPECT_EQ(watch_.baseSpeedKnob().value, 0.8);
-  EXPECT_EQ(watch_.baseFeedKnob().value, 1.0);
+  EXPECT_EQ(watch_.baseOperatorSpeed().value, 0.8);
+  EXPECT_EQ(watch_.baseOperatorFeed().value, 1.0);
 }
 
 }  // namespace

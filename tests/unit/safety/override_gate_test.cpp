@@ -120,7 +120,7 @@ TEST(OverrideGate, WaitsForSpeedCutAndFeedBeforeTakingTheOverrides) {
   };
   EXPECT_EQ(commandsWhen([](GateHarness& h) { h.machine.atSpeed = false; }), 0U);
   EXPECT_EQ(commandsWhen([](GateHarness& h) { h.machine.actualSpeed = Rpm(6000); }), 0U);
-  EXPECT_EQ(commandsWhen([](GateHarness& h) { h.verdict.state = CutState::Air; }), 0U);
+  EXPECT_EQ(commandsWhen([](GateHarness& h) { h.verdict.state = CutState::AirCutting; }), 0U);
   EXPECT_EQ(commandsWhen([](GateHarness& h) { h.machine.programRunning = false; }), 0U);
   EXPECT_EQ(commandsWhen([](GateHarness& h) { h.machine.feedHold = true; }), 0U);
   EXPECT_GT(commandsWhen([](GateHarness&) {}), 0U);

@@ -38,21 +38,21 @@ class CutGateBlocks : public ::testing::TestWithParam<double> {};
 TEST_P(CutGateBlocks, AirEntrySteadyAndAirAgain) {
   Gate g;
   g.run(1.0, 2.0, GetParam());
-  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+  EXPECT_EQ(g.gate.phase(), CutPhase::AirCutting);
   const auto in = g.run(100.0, 2.0, GetParam());
   EXPECT_NE(std::find(in.begin(), in.end(), CutPhase::Entry), in.end());
   EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
   EXPECT_LE(g.gate.airFloor(0), 1.0 + 1e-9);
   EXPECT_GT(g.gate.airFloor(0), 0.7);  // 1.5 dB: the first blocks weigh more
   g.run(1.0, 2.0, GetParam());
-  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+  EXPECT_EQ(g.gate.phase(), CutPhase::AirCutting);
 }
 
 TEST_P(CutGateBlocks, DigitalSilenceIsNoFloorThatAnythingExceeds) {
   Gate g;
   g.run(0.0, 1.0, GetParam());
   g.run(1.0, 2.0, GetParam());
-  EXPECT_EQ(g.gate.phase(), CutPhase::Air);
+  EXPECT_EQ(g.gate.phase(), CutPhase::AirCutting);
   g.run(100.0, 2.0, GetParam());
   EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
 }
@@ -95,7 +95,7 @@ TEST_P(CutGateBlocks, ACutThatNoAirWasHeardBeforeIsNotAirOnceItsChatterIsCured) 
   ASSERT_TRUE(g.gate.inCut());
   g.run(1000.0, 0.5, GetParam());
   const auto cured = g.run(90.0, 2.0, GetParam());
-  EXPECT_EQ(std::find(cured.begin(), cured.end(), CutPhase::Air), cured.end());
+  EXPECT_EQ(std::find(cured.begin(), cured.end(), CutPhase::AirCutting), cured.end());
   EXPECT_EQ(g.gate.phase(), CutPhase::Steady);
 }
 

@@ -81,7 +81,7 @@ TEST(RecordModes, AroundEventsKeepsTheTimeBeforeAndAfterEachAndNothingElse) {
     }
     if (i == 600) {
       step.input.inputCount = 1;
-      step.input.inputs[0] = {OperatorAction::HearChatter, Authority::Off};
+      step.input.inputs[0] = {OperatorAction::ReportChatter, Authority::Off};
     }
     if (i == 800) {  // an event that is none to keep
       addEvent(step, 2, EventLevel::Info, ReasonCode::ChatterEnded);

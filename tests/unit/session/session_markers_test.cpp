@@ -50,7 +50,7 @@ std::string touched(const TempFolder& folder, const std::vector<OperatorAction>&
 TEST(Markers, ATouchDuringTheCutIsKeptWithItsTimeAndItsAuthor) {
   const TempFolder folder;
   const std::string path = touched(folder, {OperatorAction::TrueAlarm, OperatorAction::Hold, OperatorAction::FalseAlarm,
-                                            OperatorAction::HearChatter});
+                                            OperatorAction::ReportChatter});
   const auto markers = readMarkers(path);
   ASSERT_TRUE(markers.ok()) << markers.error().line();
   ASSERT_EQ(markers->size(), 3U) << "holding is no marker";
@@ -80,7 +80,7 @@ TEST(Markers, ALongNameOfTheOperatorIsCutBetweenTwoLettersAndTheRecordingGoesOn)
 
 TEST(Markers, SpansAndNotesAreAddedChangedAndRemovedAfterwards) {
   const TempFolder folder;
-  const std::string path = touched(folder, {OperatorAction::HearChatter});
+  const std::string path = touched(folder, {OperatorAction::ReportChatter});
   const auto before = countSession(path);
   const Marker span{0,    instantFromNs(1'005'000'000), instantFromNs(1'020'000'000), "chatter", "Ada", "wall \xC3\xBC",
                     kMade};

@@ -64,10 +64,11 @@ Heard hear(double hertz, const std::function<double(double angle)>& beats, unsig
     const double t = sinceEpoch(block.end()).value;
     if (!verdict.valid && heard.doubted < 0.0) {
       heard.doubted = t;
-      EXPECT_EQ(verdict.reason.code, ReasonCode::NoAir);
+      EXPECT_EQ(verdict.reason.code, ReasonCode::NoAirCutting);
       EXPECT_NEAR(verdict.reason.n[0], hertz, 5.0);
     }
-    if (verdict.valid && verdict.state == CutState::Air && heard.doubted > 0.0) heard.air += block.frames / kRate;
+    if (verdict.valid && verdict.state == CutState::AirCutting && heard.doubted > 0.0)
+      heard.air += block.frames / kRate;
   };
   heard.alarm = run(tone(hertz, beats, seed), options).firstAlarm;
   return heard;
@@ -106,7 +107,7 @@ TEST(LoneLine, IsNoDoubtAnyMoreOnceItIsGone) {
   const RunResult result = run(r, told(1.0));
   EXPECT_FALSE(result.at(0.45 * kSeconds).valid);
   EXPECT_TRUE(result.at(0.75 * kSeconds).valid);
-  EXPECT_EQ(result.at(0.75 * kSeconds).state, CutState::Air);
+  EXPECT_EQ(result.at(0.75 * kSeconds).state, CutState::AirCutting);
 }
 
 // What was once heard louder than it is now tells air from a cut: the tone is the machine's.
@@ -125,7 +126,7 @@ TEST(LoneLine, IsAirWhereACutWasHeard) {
   EXPECT_TRUE(result.at(0.45 * kSeconds).valid);
   EXPECT_EQ(result.at(0.45 * kSeconds).state, CutState::Stable);
   EXPECT_TRUE(result.at(0.9 * kSeconds).valid);
-  EXPECT_EQ(result.at(0.9 * kSeconds).state, CutState::Air);
+  EXPECT_EQ(result.at(0.9 * kSeconds).state, CutState::AirCutting);
 }
 
 }  // namespace

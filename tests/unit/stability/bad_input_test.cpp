@@ -59,7 +59,7 @@ TEST(StabilityBadInput, AbsurdSpeedsAndDepthsAreRefusedByEveryMethod) {
   }
   for (double depth : {0.0, -1.0, 5.0, std::nan("")}) {
     LimitOptions options;
-    options.maxDepth = Metres(depth);
+    options.maxAxialDepth = Metres(depth);
     EXPECT_FALSE(lobes->limits(Rpm(5000), options).ok()) << depth;
     EXPECT_FALSE(sdm->limit(Rpm(5000), Metres(depth)).ok()) << depth;
     EXPECT_FALSE(zoa->limit(Rpm(5000), Metres(depth)).ok()) << depth;
@@ -91,7 +91,7 @@ TEST(StabilityBadInput, ExtremeModelsGiveFiniteAnswers) {
         const auto lobes = ExactLobes::make(model, "extreme");
         ASSERT_TRUE(lobes.ok());
         LimitOptions options;
-        options.maxDepth = Metres(1.0);
+        options.maxAxialDepth = Metres(1.0);
         const auto limits = lobes->limits(Rpm(rpm), options);
         ASSERT_TRUE(limits.ok());
         for (const StabilityLimit& l : limits->crossings) {

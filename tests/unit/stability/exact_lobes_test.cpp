@@ -13,9 +13,9 @@
 namespace stillcut::milling {
 namespace {
 
-SpeedLimits allLimits(const ExactLobes& lobes, double rpm, double maxDepth) {
+SpeedLimits allLimits(const ExactLobes& lobes, double rpm, double maxAxialDepth) {
   LimitOptions options;
-  options.maxDepth = Metres(maxDepth);
+  options.maxAxialDepth = Metres(maxAxialDepth);
   return lobes.limits(Rpm(rpm), options).value();
 }
 
@@ -86,7 +86,7 @@ void expectIsland(const ExactLobes& lobes, double rpm, const StabilityLimit& flo
 
 TEST(ExactLobes, FlipIslandsAtLowImmersionHaveAStableFloorAndRoof) {
   CutModel model = textbookSlot();
-  model.engagement = {0.1, Side::Down};
+  model.engagement = {0.1, MillingDirection::Down};
   const auto lobes = ExactLobes::make(model, "down");
   int islands = 0;
   for (double rpm : {7500.0, 10600.0, 10700.0, 18000.0, 18200.0}) {
@@ -120,7 +120,7 @@ TEST(ExactLobes, EveryIslandOfTheLowImmersionCaseIsFound) {
   const auto lobes = ExactLobes::make(reference.model, "down");
   int islands = 0;
   for (const auto& [rpm, rows] : reference.rows) {
-    const SpeedLimits limits = allLimits(*lobes, rpm, reference.maxDepth);
+    const SpeedLimits limits = allLimits(*lobes, rpm, reference.maxAxialDepth);
     const auto closes = [](const auto& one) { return one.after == 0; };
     const auto known = std::count_if(rows.begin(), rows.end(), closes);
     EXPECT_EQ(std::count_if(limits.crossings.begin(), limits.crossings.end(), closes), known) << rpm;

@@ -22,7 +22,7 @@ TEST(LobeCase, SharedCasesConvertWithoutLoss) {
     const auto read = loadLobeCase(path);
     ASSERT_TRUE(read.ok()) << read.error().line();
     EXPECT_EQ(read->name, imported->name);
-    EXPECT_EQ(read->maxDepth, imported->maxDepth);
+    EXPECT_EQ(read->maxAxialDepth, imported->maxAxialDepth);
     EXPECT_EQ(read->reference, imported->reference);
     ASSERT_EQ(read->model.modes.size(), imported->model.modes.size());
     for (std::size_t i = 0; i < read->model.modes.size(); ++i) {
@@ -54,12 +54,12 @@ TEST(LobeCase, BadFilesAreRefusedWithOneLine) {
 TEST(LobeCsv, OneRowPerCrossingAndOneForASpeedWithoutLimit) {
   const std::vector<Rpm> speeds{Rpm(5300), Rpm(13800)};
   SweepOptions options;
-  options.limits.maxDepth = Metres(2e-3);
+  options.limits.maxAxialDepth = Metres(2e-3);
   const auto limited = sweepLobes(textbookSlot(), std::span(speeds).first(1), options, "csv");
   const std::string csv = lobeCsv(*limited);
   EXPECT_EQ(csv.rfind("speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz\n5300,0,1.192822", 0), 0u) << csv;
   EXPECT_NE(csv.find(",0,2,hopf,"), std::string::npos);
-  options.limits.maxDepth = Metres(1e-5);
+  options.limits.maxAxialDepth = Metres(1e-5);
   const auto free = sweepLobes(textbookSlot(), speeds, options, "csv");
   EXPECT_EQ(lobeCsv(*free),
             "speed_rpm,crossing,depth_mm,before,after,kind,frequency_hz\n5300,0,,0,0,none,\n13800,0,,0,0,none,\n");

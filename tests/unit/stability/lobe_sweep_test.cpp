@@ -13,7 +13,7 @@ namespace {
 
 SweepOptions sweepTo(double depth, int threads) {
   SweepOptions options;
-  options.limits.maxDepth = Metres(depth);
+  options.limits.maxAxialDepth = Metres(depth);
   options.threads = threads;
   return options;
 }

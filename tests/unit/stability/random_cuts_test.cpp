@@ -21,7 +21,7 @@ CutModel randomCut(std::mt19937& random, int modes) {
   model.tool.teeth = static_cast<int>(between(1.0, 5.99));
   model.material.tangential = between(5e8, 2e9);
   model.material.radial = between(0.1, 0.7) * model.material.tangential;
-  model.engagement = {between(0.05, 1.0), between(0.0, 1.0) < 0.5 ? Side::Up : Side::Down};
+  model.engagement = {between(0.05, 1.0), between(0.0, 1.0) < 0.5 ? MillingDirection::Up : MillingDirection::Down};
   return model;
 }
 
@@ -35,11 +35,11 @@ TEST_P(RandomCuts, FineSemiDiscretizationCountsTheSameMultipliersBetweenTheExact
     const double rpm = std::uniform_real_distribution<double>(4000.0, 20000.0)(random);
     const auto lobes = ExactLobes::make(model, "random");
     LimitOptions options;
-    options.maxDepth = Metres(25e-3);
+    options.maxAxialDepth = Metres(25e-3);
     options.frequencies = false;
     const auto limits = lobes->limits(Rpm(rpm), options);
     ASSERT_TRUE(limits.ok());
-    EXPECT_EQ(limits->verified, limits->searchedTo == options.maxDepth);
+    EXPECT_EQ(limits->verified, limits->searchedTo == options.maxAxialDepth);
     const auto sdm = SemiDiscretization::make(model, {300, 1}, "random");
     double below = 0.0;
     for (const StabilityLimit& l : limits->crossings) {

@@ -54,8 +54,9 @@ ReferenceCase loadReference(const std::string& name) {
   c.model.tool.teeth = j.at("N").get<int>();
   c.model.material.tangential = j.at("Kt").get<double>();
   c.model.material.radial = j.at("Kn").get<double>();
-  c.model.engagement = {j.at("aD").get<double>(), j.at("up").get<bool>() ? Side::Up : Side::Down};
-  c.maxDepth = 1e-3 * j.at("wmax_mm").get<double>();
+  c.model.engagement = {j.at("aD").get<double>(),
+                        j.at("up").get<bool>() ? MillingDirection::Up : MillingDirection::Down};
+  c.maxAxialDepth = 1e-3 * j.at("wmax_mm").get<double>();
   for (const auto& f : readCsv(referenceFile(name + ".csv"))) {
     auto& rows = c.rows[std::stod(f.at(0))];
     if (f.at(2).empty()) continue;
@@ -82,7 +83,7 @@ CutModel textbookSlot() {
   model.tool.teeth = 2;
   model.material.tangential = 6e8;
   model.material.radial = 2e8;
-  model.engagement = {1.0, Side::Up};
+  model.engagement = {1.0, MillingDirection::Up};
   return model;
 }
 
@@ -90,7 +91,7 @@ CutModel textbookHalf() {
   CutModel model = textbookSlot();
   model.modes.push_back(model.modes.front());
   model.modes.back().direction = {0.0, 1.0};
-  model.engagement = {0.5, Side::Up};
+  model.engagement = {0.5, MillingDirection::Up};
   return model;
 }
 

@@ -21,8 +21,8 @@ struct ReferenceRow {
 
 struct ReferenceCase {
   CutModel model;
-  double maxDepth = 0.0;                             // [m]
-  std::map<double, std::vector<ReferenceRow>> rows;  // by speed [rpm]; empty: no limit below maxDepth
+  double maxAxialDepth = 0.0;                        // [m]
+  std::map<double, std::vector<ReferenceRow>> rows;  // by speed [rpm]; empty: no limit below maxAxialDepth
   std::map<double, double> zoa;                      // limit by speed [m]
 };
 

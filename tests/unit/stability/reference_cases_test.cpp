@@ -20,7 +20,7 @@ TEST_P(SharedLobes, EveryExactLimitIsReproducedInOrderWithItsCountsAndKind) {
   ASSERT_GE(reference.rows.size(), 60u);
   for (const auto& [rpm, rows] : reference.rows) {
     LimitOptions options;
-    options.maxDepth = Metres(reference.maxDepth);
+    options.maxAxialDepth = Metres(reference.maxAxialDepth);
     options.frequencies = false;
     const auto limits = lobes->limits(Rpm(rpm), options);
     ASSERT_TRUE(limits.ok());
@@ -45,7 +45,7 @@ TEST_P(SharedLobes, TheFirstLimitAloneIsTheSame) {
   Metres hint{};
   for (const auto& [rpm, rows] : reference.rows) {
     if (rows.empty()) continue;
-    const auto limits = lobes->limits(Rpm(rpm), {Metres(reference.maxDepth), true, false, hint});
+    const auto limits = lobes->limits(Rpm(rpm), {Metres(reference.maxAxialDepth), true, false, hint});
     ASSERT_TRUE(limits.ok());
     ASSERT_EQ(limits->crossings.size(), 1u) << rpm;
     hint = limits->crossings.front().depth;
@@ -60,7 +60,7 @@ TEST_P(SharedLobes, SemiDiscretizationWithFortyCellsIsReproduced) {
   int compared = 0;
   for (const auto& [rpm, rows] : reference.rows) {
     if (rows.empty() || rows.front().sdmDepth == 0.0 || compared++ > 60) continue;
-    const auto limit = sdm->limit(Rpm(rpm), Metres(reference.maxDepth));
+    const auto limit = sdm->limit(Rpm(rpm), Metres(reference.maxAxialDepth));
     ASSERT_TRUE(limit.ok());
     ASSERT_TRUE(limit->hasLimit()) << rpm;
     EXPECT_NEAR(limit->crossings.front().depth.value / rows.front().sdmDepth, 1.0, 1e-6) << rpm;

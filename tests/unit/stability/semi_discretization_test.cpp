@@ -12,7 +12,7 @@ namespace {
 TEST(SemiDiscretization, BothOrdersConvergeToTheExactLimit) {
   const Rpm speed(5000);
   const Metres deepest(2e-3);
-  const auto exact = ExactLobes::make(textbookSlot(), "slot")->limits(speed, {.maxDepth = deepest});
+  const auto exact = ExactLobes::make(textbookSlot(), "slot")->limits(speed, {.maxAxialDepth = deepest});
   ASSERT_TRUE(exact->hasLimit());
   const Metres depth = exact->crossings.front().depth;
   for (int order : {0, 1}) {

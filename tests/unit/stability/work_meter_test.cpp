@@ -58,7 +58,7 @@ TEST(WorkMeter, TheExactSearchWorksInSmallPiecesAndEnds) {
     SCOPED_TRACE(extreme.name);
     const auto lobes = ExactLobes::make(extreme.model, "extreme").value();
     LimitOptions options;
-    options.maxDepth = Metres(extreme.depth);
+    options.maxAxialDepth = Metres(extreme.depth);
     WorkMeter meter;
     const SpeedLimits limits = lobes.limits(Rpm(extreme.rpm), options, meter).value();
     expectSmallPieces(meter);
@@ -106,7 +106,7 @@ TEST(WorkMeter, AfterAStopEveryMethodGivesUp) {
   for (const Extreme& extreme : extremes()) {
     SCOPED_TRACE(extreme.name);
     LimitOptions options;
-    options.maxDepth = Metres(extreme.depth);
+    options.maxAxialDepth = Metres(extreme.depth);
     WorkMeter exact(stop.get_token());
     const auto lobes = ExactLobes::make(extreme.model, "extreme").value();
     const auto limits = lobes.limits(Rpm(extreme.rpm), options, exact);

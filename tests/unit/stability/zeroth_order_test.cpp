@@ -67,7 +67,7 @@ TEST(ZerothOrder, ReproducesTheSharedColumn) {
 TEST(ZerothOrder, SaysWhereItCannotBeTrusted) {
   CutModel model = textbookSlot();
   const std::string mild = text(ZerothOrder::make(model, "slot")->warning());
-  model.engagement = {0.05, Side::Down};
+  model.engagement = {0.05, MillingDirection::Down};
   const auto low = ZerothOrder::make(model, "low");
   EXPECT_NE(text(low->warning()).find("far too high"), std::string::npos);
   EXPECT_EQ(mild.find("far too high"), std::string::npos);

@@ -41,7 +41,7 @@ void RunHistory::see(const Snapshot& snapshot) {
 
 void RunHistory::addPoint(const Snapshot& snapshot) {
   const Verdict& verdict = snapshot.verdicts[static_cast<std::size_t>(snapshot.inCharge)];
-  const bool cutting = verdict.valid && verdict.state != CutState::Air;
+  const bool cutting = verdict.valid && verdict.state != CutState::AirCutting;
   if (!cutting || !(snapshot.machine.actualSpeed.value > 0.0)) return;
   const WorkingPoint now{snapshot.time, snapshot.machine.actualSpeed, verdict.state, true};
   const bool same = !points_.empty() && points_.back().state == now.state &&

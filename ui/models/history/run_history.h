@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "ui/facade/session_info.h"
-#include "ui/models/history/column_reader.h"
+#include "ui/models/history/spectrum_column_reader.h"
 
 namespace stillcut::ui {
 
 // One detector at one display tick.
 struct TrackPoint {
   Instant time{};
-  CutState state = CutState::Air;
+  CutState state = CutState::AirCutting;
   bool valid = false;
   float severity = 0.0F;   // energy ratio, 0..1
   float indicator = 0.0F;  // its first one
@@ -25,7 +25,7 @@ struct TrackPoint {
 struct WorkingPoint {
   Instant time{};
   Rpm speed{};
-  CutState state = CutState::Air;
+  CutState state = CutState::AirCutting;
   bool valid = false;
 };
 
@@ -55,7 +55,7 @@ class RunHistory {
   void addPoint(const Snapshot& snapshot);
   void forget();
 
-  ColumnReader reader_;
+  SpectrumColumnReader reader_;
   std::deque<SpectrumColumn> columns_;
   std::vector<std::deque<TrackPoint>> tracks_;
   std::deque<WorkingPoint> points_;

@@ -13,46 +13,46 @@ namespace {
 using config::ParamDecl;
 using config::ParamKind;
 
-QString roleText(TunablePart::Role role) {
+QString roleText(TunableComponent::Role role) {
   switch (role) {
-    case TunablePart::Role::Conditioner:
+    case TunableComponent::Role::Conditioner:
       return say("before every detector");
-    case TunablePart::Role::Detector:
+    case TunableComponent::Role::Detector:
       return say("detector");
-    case TunablePart::Role::Strategy:
+    case TunableComponent::Role::Strategy:
       return say("strategy");
-    case TunablePart::Role::Gate:
+    case TunableComponent::Role::Gate:
       return say("limits of the machine");
-    case TunablePart::Role::Recording:
+    case TunableComponent::Role::Recording:
       return say("recording");
-    case TunablePart::Role::Active:
+    case TunableComponent::Role::Active:
       return say("a loop of its own");  // which tells its state itself
   }
   return {};
 }
 
 // "detector, in charge"
-QString placeText(const TunablePart& part) {
+QString placeText(const TunableComponent& part) {
   QString role = roleText(part.role);
-  if (part.role == TunablePart::Role::Active) return role;
+  if (part.role == TunableComponent::Role::Active) return role;
   return say("%1, %2").arg(role, part.inCharge ? say("in charge") : part.running ? say("runs") : say("does not run"));
 }
 
 }  // namespace
 
-ParamModel::ParamModel(TuneDesk& desk, QObject* parent) : QAbstractTableModel(parent) {
-  work(desk);
+ParamModel::ParamModel(TuningController& controller, QObject* parent) : QAbstractTableModel(parent) {
+  work(controller);
 }
 
-void ParamModel::work(TuneDesk& desk) {
-  if (desk_ != nullptr) desk_->disconnect(this);
-  desk_ = &desk;
-  connect(&desk, &TuneDesk::changed, this, [this] {
+void ParamModel::work(TuningController& controller) {
+  if (controller_ != nullptr) controller_->disconnect(this);
+  controller_ = &controller;
+  connect(&controller, &TuningController::changed, this, [this] {
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
   });
 }
 
-void ParamModel::show(const TunablePart* part) {
+void ParamModel::show(const TunableComponent* part) {
   beginResetModel();
   part_ = part;
   own_.clear();
@@ -69,29 +69,29 @@ bool ParamModel::setRunning(bool running) {
 QString ParamModel::lockReason(const ParamDecl& decl) const {
   if (!running_ || !decl.lockedWhileRunning) return {};
   switch (part_->role) {
-    case TunablePart::Role::Gate:
+    case TunableComponent::Role::Gate:
       return tr("Locked while the cut runs: the limits of the machine hold for a whole run");
-    case TunablePart::Role::Recording:
+    case TunableComponent::Role::Recording:
       return tr("Locked while the cut runs: a file keeps one way of recording");
     default:
       return tr("Locked while the cut runs: filters and windows are sized for it before the first block");
   }
 }
 
-const OwnReading* ParamModel::reading(const ParamDecl& decl) const {
-  const auto own = std::find_if(own_.begin(), own_.end(), [&](const OwnReading& r) { return r.key == decl.key; });
+const AutoReading* ParamModel::reading(const ParamDecl& decl) const {
+  const auto own = std::find_if(own_.begin(), own_.end(), [&](const AutoReading& r) { return r.key == decl.key; });
   return own != own_.end() ? &*own : nullptr;
 }
 
 double ParamModel::ownValue(const ParamDecl& decl) const {
-  if (const OwnReading* own = reading(decl)) return own->value;
+  if (const AutoReading* own = reading(decl)) return own->value;
   const auto found = part_->chosen.find(decl.key);
   return found != part_->chosen.end() ? found->second : config::kAutomatic;
 }
 
 QString ParamModel::otherOwnText() const {
   QStringList lines;
-  for (const OwnReading& own : own_) {
+  for (const AutoReading& own : own_) {
     const auto isParam = [&](const ParamDecl* d) { return d->key == own.key; };
     if (std::any_of(part_->params.begin(), part_->params.end(), isParam)) continue;
     const QString label = sayCore(own.label.toStdString()), why = sayCore(own.why.toStdString());
@@ -102,23 +102,24 @@ QString ParamModel::otherOwnText() const {
 }
 
 QString ParamModel::automaticText(const ParamDecl& decl) const {
-  if (!decl.mayBeAutomatic || std::isfinite(desk_->value(decl))) return {};
-  if (const OwnReading* own = reading(decl)) {
+  if (!decl.mayBeAutomatic || std::isfinite(controller_->value(decl))) return {};
+  if (const AutoReading* own = reading(decl)) {
     const QString why = sayCore(own->why.toStdString());
     if (!std::isfinite(own->value)) return why;
     return tr("chose %1 (%2)").arg(join(significant(own->value, 3), sayCore(std::string(decl.unit))), why);
   }
   const auto found = part_->chosen.find(decl.key);
   if (found == part_->chosen.end() || !std::isfinite(found->second)) {
-    return part_->running && part_->role == TunablePart::Role::Detector ? tr("follows what is learned from the cut")
-                                                                        : QString();
+    return part_->running && part_->role == TunableComponent::Role::Detector
+               ? tr("follows what is learned from the cut")
+               : QString();
   }
   return tr("chose %1").arg(join(valueText(decl, found->second), sayCore(std::string(decl.unit))));
 }
 
 ParamView ParamModel::view(int row) const {
   const ParamDecl& d = decl(row);
-  const double value = desk_->value(d);
+  const double value = controller_->value(d);
   ParamView view;
   view.label = sayCore(std::string(d.label));
   view.meaning = sayCore(std::string(d.meaning));
@@ -133,7 +134,8 @@ ParamView ParamModel::view(int row) const {
   view.mayBeAutomatic = d.mayBeAutomatic;
   view.isAutomatic = d.mayBeAutomatic && std::isnan(value);
   view.changed = view.value != view.fallback;
-  view.otherSide = valueText(d, desk_->value(d, TuneDesk::A)) != valueText(d, desk_->value(d, TuneDesk::B));
+  view.otherSide = valueText(d, controller_->value(d, TuningController::A)) !=
+                   valueText(d, controller_->value(d, TuningController::B));
   if (d.kind == ParamKind::Boolean) view.choices = {tr("off"), tr("on")};
   if (d.kind == ParamKind::Choice) {
     for (const std::string_view word : d.choices) view.choices.push_back(sayCore(std::string(word)));
@@ -154,7 +156,7 @@ QVariant ParamModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const ParamView shown = view(index.row());
   if (role == Qt::ToolTipRole) return shown.locked.isEmpty() ? shown.meaning : shown.locked;
-  if (role == Qt::EditRole && index.column() == Value) return desk_->value(decl(index.row()));
+  if (role == Qt::EditRole && index.column() == Value) return controller_->value(decl(index.row()));
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case Name:
@@ -176,7 +178,7 @@ bool ParamModel::setData(const QModelIndex& index, const QVariant& value, int ro
   const std::optional<double> wanted =
       value.metaType().id() == QMetaType::Double ? std::optional(value.toDouble()) : valueFrom(d, value.toString());
   if (!wanted || !config::isLegal(d, *wanted)) return false;
-  desk_->set(d, *wanted);
+  controller_->set(d, *wanted);
   return true;
 }
 
@@ -194,33 +196,33 @@ QVariant ParamModel::headerData(int section, Qt::Orientation orientation, int ro
   return section >= 0 && section < ColumnCount ? QVariant(titles[section]) : QVariant();
 }
 
-void PartModel::show(const std::vector<TunablePart>& parts) {
+void ComponentListModel::show(const std::vector<TunableComponent>& parts) {
   beginResetModel();
   parts_.clear();
-  for (const TunablePart& part : parts) {
+  for (const TunableComponent& part : parts) {
     if (!part.params.empty()) parts_.push_back(&part);
   }
-  const auto rank = [](const TunablePart* p) { return p->inCharge ? 0 : p->running ? 1 : 2; };
+  const auto rank = [](const TunableComponent* p) { return p->inCharge ? 0 : p->running ? 1 : 2; };
   std::stable_sort(parts_.begin(), parts_.end(), [&](const auto* a, const auto* b) { return rank(a) < rank(b); });
   endResetModel();
 }
 
-const TunablePart* PartModel::part(int row) const {
+const TunableComponent* ComponentListModel::part(int row) const {
   return row >= 0 && row < rowCount() ? parts_[static_cast<std::size_t>(row)] : nullptr;
 }
 
-int PartModel::rowOf(const QString& id) const {
-  const auto found = std::find_if(parts_.begin(), parts_.end(), [&](const TunablePart* p) { return p->id == id; });
+int ComponentListModel::rowOf(const QString& id) const {
+  const auto found = std::find_if(parts_.begin(), parts_.end(), [&](const TunableComponent* p) { return p->id == id; });
   return found == parts_.end() ? -1 : static_cast<int>(found - parts_.begin());
 }
 
-int PartModel::rowCount(const QModelIndex& parent) const {
+int ComponentListModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(parts_.size());
 }
 
-QVariant PartModel::data(const QModelIndex& index, int role) const {
+QVariant ComponentListModel::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-  const TunablePart& part = *parts_[static_cast<std::size_t>(index.row())];
+  const TunableComponent& part = *parts_[static_cast<std::size_t>(index.row())];
   const QString name = sayCore(part.label.toStdString());
   switch (role) {
     case Qt::DisplayRole:

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/models/tune/tune_desk.h"
 #include "ui/models/tune/tuning.h"
+#include "ui/models/tune/tuning_controller.h"
 
 namespace stillcut::ui {
 
@@ -30,23 +30,23 @@ class ParamModel : public QAbstractTableModel {
   Q_OBJECT
  public:
   enum Column { Name, Value, Unit, Default, ColumnCount };
-  explicit ParamModel(TuneDesk& desk, QObject* parent = nullptr);
-  void work(TuneDesk& desk);
+  explicit ParamModel(TuningController& controller, QObject* parent = nullptr);
+  void work(TuningController& controller);
 
   // Null: none. The part must live as long as it is shown.
-  void show(const TunablePart* part);
+  void show(const TunableComponent* part);
   // Whether blocks are being worked on: locked parameters may be set only between runs.
   // True: that has changed.
   bool setRunning(bool running);
 
   // What the part has set itself, now.
-  void tell(std::vector<OwnReading> own) { own_ = std::move(own); }
+  void tell(std::vector<AutoReading> own) { own_ = std::move(own); }
   // Not a number: it has set nothing for this parameter.
   double ownValue(const config::ParamDecl& decl) const;
   // Of those that are no parameter: a line each, with the reason.
   QString otherOwnText() const;
 
-  const TunablePart* part() const { return part_; }
+  const TunableComponent* part() const { return part_; }
   const config::ParamDecl& decl(int row) const { return *part_->params[static_cast<std::size_t>(row)]; }
   ParamView view(int row) const;
 
@@ -60,28 +60,28 @@ class ParamModel : public QAbstractTableModel {
  private:
   QString lockReason(const config::ParamDecl& decl) const;
   QString automaticText(const config::ParamDecl& decl) const;
-  const OwnReading* reading(const config::ParamDecl& decl) const;  // null: the part tells none of it
+  const AutoReading* reading(const config::ParamDecl& decl) const;  // null: the part tells none of it
 
-  TuneDesk* desk_ = nullptr;
-  const TunablePart* part_ = nullptr;
+  TuningController* controller_ = nullptr;
+  const TunableComponent* part_ = nullptr;
   bool running_ = false;
-  std::vector<OwnReading> own_;
+  std::vector<AutoReading> own_;
 };
 
 // The parts of a run as a list: those that run first.
-class PartModel : public QAbstractListModel {
+class ComponentListModel : public QAbstractListModel {
   Q_OBJECT
  public:
   using QAbstractListModel::QAbstractListModel;
-  void show(const std::vector<TunablePart>& parts);
-  const TunablePart* part(int row) const;
+  void show(const std::vector<TunableComponent>& parts);
+  const TunableComponent* part(int row) const;
   int rowOf(const QString& id) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
 
  private:
-  std::vector<const TunablePart*> parts_;
+  std::vector<const TunableComponent*> parts_;
 };
 
 }  // namespace stillcut::ui

@@ -11,11 +11,11 @@
 #include "core/base/result.h"
 #include "core/config/param_set.h"
 #include "core/model/rule_tables.h"
-#include "ui/models/tune/tune_desk.h"
+#include "ui/models/tune/tuning_controller.h"
 
 namespace stillcut::ui {
 
-struct TunablePart {
+struct TunableComponent {
   enum class Role { Conditioner, Detector, Strategy, Gate, Recording, Active };
   QString id;      // "energy-ratio"
   QString label;   // "Energy ratio", in English; shown by sayCore()
@@ -33,7 +33,7 @@ struct TunablePart {
 };
 
 // What a part has set itself, now: of an automatic parameter, or of a key of its own ("energy-ratio.floor").
-struct OwnReading {
+struct AutoReading {
   std::string_view key;
   QString label, unit, why;  // in English; shown by sayCore()
   double value = 0.0;        // not a number: not known yet
@@ -45,14 +45,14 @@ class Tuning {
 
   // Another number: another run, with other parts and values.
   virtual std::uint32_t tuningRun() const = 0;
-  virtual const std::vector<TunablePart>& tunableParts() const = 0;
+  virtual const std::vector<TunableComponent>& tunableParts() const = 0;
   // The rules of the fuzzy strategy that runs, as they are at this moment, what it has learned included; null: no such
   // strategy runs. Valid until the next call.
   virtual const RuleTables* rulesNow() { return nullptr; }
   // What a part of the run has set itself at this moment; empty where it sets nothing or does not run.
-  virtual std::vector<OwnReading> ownNow(const TunablePart& /*part*/) { return {}; }
+  virtual std::vector<AutoReading> ownNow(const TunableComponent& /*part*/) { return {}; }
   // Of the run that is shown. It is the run's, not the page's: pages come and go, what was set stays.
-  virtual TuneDesk& desk() = 0;
+  virtual TuningController& controller() = 0;
   // Keeps these values: in the profile the run was made from, else in a parameter file of its own. Gives the file.
   virtual Result<QString> saveValues(const config::ParamSet& values) = 0;
 };

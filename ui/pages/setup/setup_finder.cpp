@@ -12,8 +12,8 @@
 
 namespace stillcut::ui {
 
-SetupFinder::SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupFinder::SetupFinder(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       hosts_(makeEdit(tr("Hosts to look at besides this computer"), QStringLiteral("find-hosts"))),
       find_(makeButton(tr("FIND"), tr("Look for serial ports and machines, once"), QStringLiteral("find-begin"))),
       use_(makeButton(tr("USE"), tr("Take the chosen one as the link"), QStringLiteral("find-use"))),
@@ -54,19 +54,19 @@ void SetupFinder::layOut() {
 
 void SetupFinder::connectAll() {
   connect(find_, &TouchButton::clicked, this, [this] {
-    if (desk_.search().runs) {
-      desk_.stopFinding();
+    if (controller_.search().runs) {
+      controller_.stopFinding();
     } else {
-      desk_.findMachines(hosts_->text().trimmed());
+      controller_.findMachines(hosts_->text().trimmed());
     }
     refresh();
   });
   connect(use_, &TouchButton::clicked, this, &SetupFinder::use);
   connect(test_, &TouchButton::clicked, this, [this] {
-    if (desk_.linkTest().state == LinkTest::State::Runs) {
-      desk_.stopTest();
+    if (controller_.linkTest().state == LinkTest::State::Runs) {
+      controller_.stopTest();
     } else {
-      desk_.testLink(draft_.profile(), draft_.name());
+      controller_.testLink(draft_.profile(), draft_.name());
     }
     refresh();
   });
@@ -76,12 +76,12 @@ void SetupFinder::connectAll() {
 
 // The servers of one machine are found one by one, and are one link.
 void SetupFinder::use() {
-  const auto& places = desk_.search().places;
+  const auto& places = controller_.search().places;
   const int row = places_->currentRow();
   if (row < 0 || row >= static_cast<int>(places.size())) return;
-  config::PartChoice chosen = places[static_cast<std::size_t>(row)].link;
+  config::ComponentChoice chosen = places[static_cast<std::size_t>(row)].link;
   if (chosen.id.empty()) return;
-  const auto host = [](const config::PartChoice& link) {
+  const auto host = [](const config::ComponentChoice& link) {
     const auto found = link.settings.find("host");
     return found == link.settings.end() ? std::string() : found->second;
   };
@@ -96,21 +96,21 @@ void SetupFinder::use() {
 }
 
 void SetupFinder::save() {
-  const auto saved = desk_.save(draft_.profile(), draft_.name());
+  const auto saved = controller_.save(draft_.profile(), draft_.name());
   note_->setTone(saved ? Tone::Normal : Tone::Onset);
   note_->setText(saved ? tr("Saved: %1").arg(saved.value()) : sayError(saved.error()));
   note_->setVisible(true);
 }
 
 void SetupFinder::showFound() {
-  const MachineSearch& search = desk_.search();
+  const MachineSearch& search = controller_.search();
   const int row = places_->currentRow();
   const bool chosen = row >= 0 && row < static_cast<int>(search.places.size());
   use_->setEnabled(chosen && !search.places[static_cast<std::size_t>(row)].link.id.empty());
 }
 
 void SetupFinder::showTest() {
-  const LinkTest& test = desk_.linkTest();
+  const LinkTest& test = controller_.linkTest();
   std::vector<StepLine> lines;
   for (const LinkTest::Step& step : test.steps) {
     lines.push_back(
@@ -123,13 +123,13 @@ void SetupFinder::showTest() {
 }
 
 void SetupFinder::refresh() {
-  const MachineSearch& search = desk_.search();
+  const MachineSearch& search = controller_.search();
   const std::string& link = draft_.profile().link.id;
-  const bool tests = desk_.linkTest().state == LinkTest::State::Runs;
+  const bool tests = controller_.linkTest().state == LinkTest::State::Runs;
   find_->setText(search.runs ? tr("STOP") : tr("FIND"));
   test_->setText(tests ? tr("STOP") : tr("TEST THE LINK"));
   test_->setEnabled(tests || (!link.empty() && link != "simulated"));
-  save_->setEnabled(desk_.linkTest().state == LinkTest::State::Good && !draft_.name().isEmpty());
+  save_->setEnabled(controller_.linkTest().state == LinkTest::State::Good && !draft_.name().isEmpty());
   QStringList rows;
   for (const MachineSearch::Place& place : search.places) {
     rows << QStringLiteral("%1   %2").arg(place.where, sayCore(place.what.toStdString()));

@@ -13,7 +13,7 @@ class StepList;
 class SetupFinder : public SetupTab {
   Q_OBJECT
  public:
-  SetupFinder(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupFinder(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void applyTheme(const Theme& theme) override;
 

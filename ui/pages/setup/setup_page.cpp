@@ -15,19 +15,21 @@
 
 namespace stillcut::ui {
 
-SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(desk), stack_(new QStackedWidget) {
+SetupPage::SetupPage(SetupController* controller, QWidget* parent)
+    : Page(parent), controller_(controller), stack_(new QStackedWidget) {
   auto* line = new QHBoxLayout(this);
-  if (desk == nullptr) {
+  if (controller == nullptr) {
     line->addWidget(new TextLabel({type_size::kValue, false, true, true}, tr("There is nothing to set up here.")));
     return;
   }
-  if (const auto begun = desk->keptDraft()) {
+  if (const auto begun = controller->keptDraft()) {
     draft_.open(*begun, {});
   } else {
-    draft_.open(desk->draft(), desk->profileInForce());
+    draft_.open(controller->draft(), controller->profileInForce());
   }
-  tabs_ = {new SetupGuide(*desk, draft_), new SetupMachine(*desk, draft_),   new SetupSensors(*desk, draft_),
-           new SetupTools(*desk, draft_), new SetupRecording(*desk, draft_), new SetupProfile(*desk, draft_)};
+  tabs_ = {new SetupGuide(*controller, draft_),     new SetupMachine(*controller, draft_),
+           new SetupSensors(*controller, draft_),   new SetupTools(*controller, draft_),
+           new SetupRecording(*controller, draft_), new SetupProfile(*controller, draft_)};
   const struct {
     QString caption;
     const char* name;
@@ -52,7 +54,7 @@ SetupPage::SetupPage(SetupDesk* desk, QWidget* parent) : Page(parent), desk_(des
   line->addWidget(stack_, 1);
   connect(&draft_, &SetupDraft::changed, this, [this] {
     for (SetupTab* tab : tabs_) tab->refresh();
-    desk_->keepDraft(draft_.profile());
+    controller_->keepDraft(draft_.profile());
     emit stateChanged();
   });
   showTab(0);
@@ -65,12 +67,12 @@ void SetupPage::showTab(int tab) {
 }
 
 void SetupPage::see(const Picture&) {
-  if (desk_ == nullptr || !desk_->poll()) return;
+  if (controller_ == nullptr || !controller_->poll()) return;
   for (SetupTab* tab : tabs_) tab->refresh();
 }
 
 void SetupPage::display(const Picture& picture) {
-  if (desk_ == nullptr) return;
+  if (controller_ == nullptr) return;
   draft_.setUnits(picture.units);
   tabs_[static_cast<std::size_t>(stack_->currentIndex())]->display(picture);
 }
@@ -83,7 +85,8 @@ void SetupPage::keep(QSettings& settings) const {
 void SetupPage::restore(const QSettings& settings) {
   const int tab = settings.value(QStringLiteral("tab"), 0).toInt();
   if (tab >= 0 && tab < static_cast<int>(tabs_.size())) showTab(tab);
-  if (desk_ != nullptr && desk_->keptDraft()) draft_.setName(settings.value(QStringLiteral("draft")).toString());
+  if (controller_ != nullptr && controller_->keptDraft())
+    draft_.setName(settings.value(QStringLiteral("draft")).toString());
 }
 
 void SetupPage::applyTheme(const Theme& theme) {

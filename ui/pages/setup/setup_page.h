@@ -19,7 +19,7 @@ class SetupPage : public Page {
   Q_OBJECT
  public:
   // `desk` may be null: there is nothing to set up here, the page says so. It outlives the page.
-  explicit SetupPage(SetupDesk* desk, QWidget* parent = nullptr);
+  explicit SetupPage(SetupController* controller, QWidget* parent = nullptr);
 
   void see(const Picture& picture) override;
   void display(const Picture& picture) override;
@@ -30,7 +30,7 @@ class SetupPage : public Page {
   void showTab(int tab);
 
  private:
-  SetupDesk* desk_;
+  SetupController* controller_;
   SetupDraft draft_;
   QStackedWidget* stack_;
   QVBoxLayout* choices_ = nullptr;

@@ -22,8 +22,8 @@
 namespace stillcut::ui {
 namespace {
 
-QString described(const std::vector<PartOption>& options, const std::string& id) {
-  for (const PartOption& option : options) {
+QString described(const std::vector<ComponentOption>& options, const std::string& id) {
+  for (const ComponentOption& option : options) {
     if (option.id.toStdString() == id) return sayCore(option.description.toStdString());
   }
   return {};
@@ -63,8 +63,8 @@ double typed(const QLineEdit* edit) {
 
 }  // namespace
 
-SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupMachine::SetupMachine(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       about_(new TextLabel({type_size::kBody, false, true, true})),
       form_(new SettingsForm),
       name_(makeEdit(tr("Name of the machine"), QStringLiteral("machine-name"))),
@@ -74,7 +74,7 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       feedLabel_(new TextLabel({type_size::kBody})),
       depthLabel_(new TextLabel({type_size::kBody})),
       problem_(new TextLabel({type_size::kBody, false, false, true})),
-      finder_(new SetupFinder(desk, draft)),
+      finder_(new SetupFinder(controller, draft)),
       allowAuto_(makeButton(tr("AUTO MAY BE CHOSEN"), tr("Auto may be chosen on this machine"),
                             QStringLiteral("machine-auto"))) {
   auto* whole = new QVBoxLayout(this);
@@ -100,7 +100,7 @@ SetupMachine::SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   column->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("LINK TO THE CONTROL")));
   auto* choices = new QGridLayout;
   constexpr int kInARow = 3;
-  for (const PartOption& option : desk.links()) {
+  for (const ComponentOption& option : controller.links()) {
     TouchButton* button =
         makeButton(option.id.toUpper(), sayCore(option.description.toStdString()), QStringLiteral("link-") + option.id);
     button->setCheckable(true);
@@ -159,8 +159,8 @@ void SetupMachine::refresh() {
     button->setChecked(button->objectName() == QStringLiteral("link-") + QString::fromStdString(profile.link.id));
   }
   about_->setText(profile.link.id.empty() ? draft_.missing(SetupDraft::Part::Machine)
-                                          : described(desk_.links(), profile.link.id));
-  form_->show(desk_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
+                                          : described(controller_.links(), profile.link.id));
+  form_->show(controller_.linkSettings(profile), profile.link.settings, QStringLiteral("link-setting-"));
   finder_->refresh();
   allowAuto_->setChecked(profile.allowAuto);
   const auto put = [](QLineEdit* edit, const QString& text) {
@@ -181,8 +181,8 @@ void SetupMachine::refresh() {
                          .arg(depthText(kShallowestCut, units), depthText(kDeepestCut, units)));
 }
 
-SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupSensors::SetupSensors(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       about_(new TextLabel({type_size::kBody, false, true, true})),
       whose_(new TextLabel({type_size::kLabel, true, true})),
       state_(new TextLabel({type_size::kBody, true, false, true})),
@@ -192,14 +192,14 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
       form_(new SettingsForm),
       channels_(draft),
       table_(new QTableView),
-      trial_(new SetupSensorTrial(desk, draft, [this] { return table_->currentIndex().row(); })),
+      trial_(new SetupSensorTrial(controller, draft, [this] { return table_->currentIndex().row(); })),
       live_(new LevelSpectrum) {
   auto* columns = new QHBoxLayout(this);
   auto* left = new QVBoxLayout;
   left->addWidget(new TextLabel({type_size::kLabel, true, true}, tr("DEVICE")));
   auto* choices = new QGridLayout;
   constexpr int kInARow = 4;
-  for (const PartOption& option : desk.sources()) {
+  for (const ComponentOption& option : controller.sources()) {
     TouchButton* button = makeButton(option.id.toUpper(), sayCore(option.description.toStdString()),
                                      QStringLiteral("source-") + option.id);
     button->setCheckable(true);
@@ -248,9 +248,9 @@ SetupSensors::SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     heardFresh_ = {};
     if (listen_->isChecked()) {
       listened_ = draft_.profile().source;
-      desk_.listen(draft_.profile(), draft_.name());
+      controller_.listen(draft_.profile(), draft_.name());
     } else {
-      desk_.stopListening();
+      controller_.stopPreview();
     }
   });
   columns->addLayout(left, 58);
@@ -265,17 +265,17 @@ void SetupSensors::refresh() {
   }
   listen_->setEnabled(!profile.source.id.empty());
   const bool another = profile.source.id != listened_.id || profile.source.settings != listened_.settings;
-  if (another && desk_.heard().state != Heard::State::Off) desk_.stopListening();
+  if (another && controller_.heard().state != DevicePreview::State::Off) controller_.stopPreview();
   about_->setText(profile.source.id.empty() ? draft_.missing(SetupDraft::Part::Sensors)
-                                            : described(desk_.sources(), profile.source.id));
-  form_->show(desk_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
+                                            : described(controller_.sources(), profile.source.id));
+  form_->show(controller_.sourceSettings(profile), profile.source.settings, QStringLiteral("source-setting-"));
   trial_->refresh();
 }
 
 // The chosen device while it is listened to, else what runs.
-Picture SetupSensors::shown(const Picture& picture, const Heard& heard) {
-  listen_->setChecked(heard.state == Heard::State::Opening || heard.state == Heard::State::Running);
-  if (heard.state == Heard::State::Off) {
+Picture SetupSensors::shown(const Picture& picture, const DevicePreview& heard) {
+  listen_->setChecked(heard.state == DevicePreview::State::Opening || heard.state == DevicePreview::State::Running);
+  if (heard.state == DevicePreview::State::Off) {
     whose_->setText(tr("WHAT RUNS NOW"));
     return picture;
   }
@@ -289,22 +289,22 @@ Picture SetupSensors::shown(const Picture& picture, const Heard& heard) {
 }
 
 void SetupSensors::display(const Picture& picture) {
-  const Heard heard = desk_.heard();
+  const DevicePreview heard = controller_.heard();
   const Picture device = shown(picture, heard);
   const SensorView view = makeSensorView(device);
   const bool failed = !heard.problem.isEmpty();
   live_->display(device);
   state_->setTone(view.sick || failed ? Tone::Onset : Tone::Normal);
-  state_->setText(failed                                 ? heard.problem
-                  : heard.state == Heard::State::Opening ? tr("Opening the device")
-                                                         : view.headline);
+  state_->setText(failed                                         ? heard.problem
+                  : heard.state == DevicePreview::State::Opening ? tr("Opening the device")
+                                                                 : view.headline);
   findings_->setText(view.findings.join(u'\n'));
   findings_->setVisible(!view.findings.isEmpty());
   levels_->setText((view.channels + QStringList{view.rate} + clockLines(heard.clocks)).join(u'\n').trimmed());
 }
 
 void SetupSensors::hideEvent(QHideEvent* event) {
-  if (desk_.heard().state != Heard::State::Off) desk_.stopListening();
+  if (controller_.heard().state != DevicePreview::State::Off) controller_.stopPreview();
   SetupTab::hideEvent(event);
 }
 

@@ -18,7 +18,7 @@ class SetupSensorTrial;
 class SetupMachine : public SetupTab {
   Q_OBJECT
  public:
-  SetupMachine(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupMachine(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
 
  private:
@@ -36,7 +36,7 @@ class SetupMachine : public SetupTab {
 class SetupSensors : public SetupTab {
   Q_OBJECT
  public:
-  SetupSensors(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupSensors(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void display(const Picture& picture) override;
   void applyTheme(const Theme& theme) override;
@@ -45,12 +45,12 @@ class SetupSensors : public SetupTab {
   void hideEvent(QHideEvent* event) override;  // nobody looks: the device is let go
 
  private:
-  Picture shown(const Picture& picture, const Heard& heard);
+  Picture shown(const Picture& picture, const DevicePreview& heard);
 
   std::vector<TouchButton*> sources_;
   TextLabel *about_, *whose_, *state_, *findings_, *levels_;
   TouchButton* listen_;
-  config::PartChoice listened_;  // what was chosen then
+  config::ComponentChoice listened_;  // what was chosen then
   Freshness heardFresh_;
   SettingsForm* form_;
   ChannelModel channels_;

@@ -31,8 +31,8 @@ StepLine lineOf(const TrialStep& step) {
 
 }  // namespace
 
-SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupProfile::SetupProfile(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       name_(makeEdit(tr("Name of the profile"), QStringLiteral("profile-name"))),
       known_(new QListWidget),
       trial_(new StepList),
@@ -50,9 +50,9 @@ SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   left->addWidget(known_, 1);
   left->addWidget(load_);
   auto* right = new QVBoxLayout;
-  addChoices(right, tr("DETECTOR IN CHARGE"), desk.detectors(), detectors_, QStringLiteral("detector-"),
+  addChoices(right, tr("DETECTOR IN CHARGE"), controller.detectors(), detectors_, QStringLiteral("detector-"),
              &config::Profile::detector);
-  addChoices(right, tr("STRATEGY"), desk.strategies(), strategies_, QStringLiteral("strategy-"),
+  addChoices(right, tr("STRATEGY"), controller.strategies(), strategies_, QStringLiteral("strategy-"),
              &config::Profile::strategy);
   auto* line = new QHBoxLayout;
   start_->setObjectName(QStringLiteral("profile-start"));
@@ -70,19 +70,19 @@ SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   columns->addLayout(right, 74);
   connect(name_, &QLineEdit::editingFinished, this, [this] { draft_.setName(name_->text().trimmed()); });
   connect(try_, &TouchButton::clicked, this, [this] {
-    desk_.tryOut(draft_.profile(), draft_.name());
+    controller_.tryOut(draft_.profile(), draft_.name());
     showTrial();
   });
   connect(save_, &TouchButton::clicked, this, [this] {
     draft_.setName(name_->text().trimmed());
-    const auto saved = desk_.save(draft_.profile(), draft_.name());
+    const auto saved = controller_.save(draft_.profile(), draft_.name());
     tell(saved ? Status(Done{}) : Status(saved.error()), saved ? tr("Saved: %1").arg(saved.value()) : QString());
     refresh();
   });
   connect(start_, &TouchButton::clicked, this, [this] {
     draft_.setName(name_->text().trimmed());
-    const auto saved = desk_.save(draft_.profile(), draft_.name());
-    const Status begun = saved ? desk_.start(draft_.name()) : Status(saved.error());
+    const auto saved = controller_.save(draft_.profile(), draft_.name());
+    const Status begun = saved ? controller_.start(draft_.name()) : Status(saved.error());
     tell(begun, tr("It runs. Authority is Off."));
     refresh();
     if (begun) emit started();
@@ -90,20 +90,20 @@ SetupProfile::SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   connect(load_, &TouchButton::clicked, this, [this] {
     if (known_->currentItem() == nullptr) return;
     const QString name = known_->currentItem()->text();
-    auto profile = desk_.load(name);
+    auto profile = controller_.load(name);
     if (profile) draft_.open(*profile, name);
     tell(profile ? Status(Done{}) : Status(profile.error()), tr("Loaded: %1").arg(name));
   });
   SetupProfile::refresh();
 }
 
-void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const std::vector<PartOption>& options,
+void SetupProfile::addChoices(QBoxLayout* column, const QString& title, const std::vector<ComponentOption>& options,
                               std::vector<TouchButton*>& buttons, const QString& prefix,
                               std::string config::Profile::*field) {
   column->addWidget(new TextLabel({type_size::kLabel, true, true}, title));
   auto* grid = new QGridLayout;
   constexpr int kColumns = 3;
-  for (const PartOption& option : options) {
+  for (const ComponentOption& option : options) {
     TouchButton* button = makeButton(sayCore(option.description.toStdString()),
                                      sayCore(option.description.toStdString()), prefix + option.id);
     button->setCheckable(true);
@@ -130,20 +130,20 @@ void SetupProfile::refresh() {
   check(detectors_, QStringLiteral("detector-") + QString::fromStdString(profile.detector));
   check(strategies_, QStringLiteral("strategy-") + QString::fromStdString(profile.strategy));
   if (!name_->hasFocus()) name_->setText(draft_.name());
-  const QStringList names = desk_.profiles();
+  const QStringList names = controller_.profiles();
   if (known_->count() != names.size()) {
     known_->clear();
     known_->addItems(names);
   }
   load_->setEnabled(!names.isEmpty());
-  const QString force = desk_.profileInForce();
+  const QString force = controller_.profileInForce();
   force_->setText(force.isEmpty() ? tr("A demonstration runs, no profile.") : tr("In force: %1").arg(force));
   showTrial();
 }
 
 void SetupProfile::showTrial() {
   std::vector<StepLine> lines;
-  for (const TrialStep& step : desk_.trial()) lines.push_back(lineOf(step));
+  for (const TrialStep& step : controller_.trial()) lines.push_back(lineOf(step));
   if (lines.empty()) lines.push_back({tr("Try it out first: each step says what was found. Nothing is commanded.")});
   trial_->display(lines);
 }

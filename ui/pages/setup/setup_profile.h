@@ -13,12 +13,12 @@ class StepList;
 class SetupProfile : public SetupTab {
   Q_OBJECT
  public:
-  SetupProfile(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupProfile(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void applyTheme(const Theme& theme) override;
 
  private:
-  void addChoices(QBoxLayout* column, const QString& title, const std::vector<PartOption>& options,
+  void addChoices(QBoxLayout* column, const QString& title, const std::vector<ComponentOption>& options,
                   std::vector<TouchButton*>& buttons, const QString& prefix, std::string config::Profile::*field);
   void tell(const Status& status, const QString& done);
   void showTrial();

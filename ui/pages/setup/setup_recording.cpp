@@ -32,8 +32,8 @@ QString shown(std::string_view text) {
 
 }  // namespace
 
-SetupRecording::SetupRecording(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupRecording::SetupRecording(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       operator_(makeEdit(tr("Who is at the machine"), QStringLiteral("record-operator"))),
       job_(makeEdit(tr("Job: what is being made"), QStringLiteral("record-job"))),
       folder_(makeEdit(tr("Folder of the recordings"), QStringLiteral("record-folder"))),
@@ -43,7 +43,7 @@ SetupRecording::SetupRecording(SetupDesk& desk, SetupDraft& draft, QWidget* pare
       names_(new TextLabel({type_size::kBody, false, true, true})),
       problem_(new TextLabel({type_size::kBody, true, false, true})),
       now_(new TextLabel({type_size::kBody, false, false, true})) {
-  catalog_.add(desk.recordParams());
+  catalog_.add(controller.recordParams());
   mode_ = catalog_.find(kMode);
   auto* column = new QVBoxLayout(this);
   addNames(column);
@@ -79,7 +79,7 @@ void SetupRecording::addNames(QVBoxLayout* column) {
     draft_.edit([this](config::Profile& p) { p.recording.folder = folder_->text().trimmed().toStdString(); });
   });
   connect(record_, &TouchButton::clicked, this, [this] {
-    const QString folder = record_->isChecked() ? desk_.usualRecordings() : QString();
+    const QString folder = record_->isChecked() ? controller_.usualRecordings() : QString();
     draft_.edit([&folder](config::Profile& p) { p.recording.folder = folder.toStdString(); });
   });
 }
@@ -167,7 +167,7 @@ void SetupRecording::refresh() {
 }
 
 void SetupRecording::display(const Picture&) {
-  const RecordingNow now = desk_.recordingNow();
+  const RecordingNow now = controller_.recordingNow();
   QStringList lines;
   switch (now.state) {
     case RecordingNow::State::Off:

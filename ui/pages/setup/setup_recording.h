@@ -12,7 +12,7 @@ namespace stillcut::ui {
 class SetupRecording final : public SetupTab {
   Q_OBJECT
  public:
-  SetupRecording(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupRecording(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void display(const Picture& picture) override;
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/facade/setup_desk.h"
+#include "ui/facade/setup_controller.h"
 #include "ui/widgets/text_label.h"
 #include "ui/widgets/touch_button.h"
 
@@ -14,8 +14,9 @@ namespace stillcut::ui {
 
 using State = SensorTrial::State;
 
-SetupSensorTrial::SetupSensorTrial(SetupDesk& desk, SetupDraft& draft, std::function<int()> chosen, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupSensorTrial::SetupSensorTrial(SetupController& controller, SetupDraft& draft, std::function<int()> chosen,
+                                   QWidget* parent)
+    : SetupTab(controller, draft, parent),
       chosen_(std::move(chosen)),
       level_(makeEdit(tr("Level of the calibrator, as 94 dB, 1 g or 10"), QStringLiteral("calibrator-level"))),
       frequency_(makeEdit(tr("Frequency of the calibrator in Hz"), QStringLiteral("calibrator-frequency"))),
@@ -60,7 +61,7 @@ void SetupSensorTrial::calibrate() {
     return;
   }
   meanwhile_ = tr("Listening to the calibrator");
-  desk_.calibrate(draft_.profile(), draft_.name(), channel(), level_->text().trimmed(), Hertz(hertz));
+  controller_.calibrate(draft_.profile(), draft_.name(), channel(), level_->text().trimmed(), Hertz(hertz));
   refresh();
 }
 
@@ -70,7 +71,7 @@ void SetupSensorTrial::knock() {
   const QString axis = at < channels.size() ? QString::fromStdString(channels[at].axis) : QString();
   meanwhile_ = axis.isEmpty() ? tr("Knock along the axis now, a few times")
                               : tr("Knock along %1 now, a few times, near the sensor").arg(axis);
-  desk_.knock(draft_.profile(), draft_.name(), channel());
+  controller_.knock(draft_.profile(), draft_.name(), channel());
   refresh();
 }
 
@@ -85,7 +86,7 @@ void SetupSensorTrial::take(const SensorTrial& trial) {
 }
 
 void SetupSensorTrial::refresh() {
-  const SensorTrial& trial = desk_.sensorTrial();
+  const SensorTrial& trial = controller_.sensorTrial();
   const bool news = std::exchange(seen_, trial.state) != trial.state;
   const bool free = !draft_.profile().source.id.empty() && trial.state != State::Runs;
   calibrate_->setEnabled(free);

@@ -12,7 +12,8 @@ class SetupSensorTrial : public SetupTab {
   Q_OBJECT
  public:
   // `chosen`: row of the channel, below 0 where none is.
-  SetupSensorTrial(SetupDesk& desk, SetupDraft& draft, std::function<int()> chosen, QWidget* parent = nullptr);
+  SetupSensorTrial(SetupController& controller, SetupDraft& draft, std::function<int()> chosen,
+                   QWidget* parent = nullptr);
   void refresh() override;
   void applyTheme(const Theme& theme) override;
 

@@ -11,8 +11,8 @@
 
 namespace stillcut::ui {
 
-SetupTab::SetupTab(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : Panel(parent), desk_(desk), draft_(draft), theme_(makeTheme(ThemeKind::Light, 1.0)) {}
+SetupTab::SetupTab(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : Panel(parent), controller_(controller), draft_(draft), theme_(makeTheme(ThemeKind::Light, 1.0)) {}
 
 TouchButton* SetupTab::makeButton(const QString& caption, const QString& spoken, const QString& name) {
   return makeToolButton(caption, spoken, name);
@@ -38,8 +38,8 @@ void SetupTab::applyTheme(const Theme& theme) {
   layout()->setSpacing(std::max(theme.px(12), pixelsFor(kTouchGapMm, this)));
 }
 
-SetupGuide::SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent), note_(new TextLabel({type_size::kBody, false, false, true})) {
+SetupGuide::SetupGuide(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent), note_(new TextLabel({type_size::kBody, false, false, true})) {
   auto* column = new QVBoxLayout(this);
   column->addWidget(new TextLabel({type_size::kTarget, true}, tr("Two ways to begin")));
   column->addWidget(new TextLabel({type_size::kBody, false, true, true},
@@ -73,7 +73,7 @@ SetupGuide::SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
   column->addWidget(note_);
   column->addStretch(1);
   connect(show, &TouchButton::clicked, this, [this] {
-    const Status begun = desk_.startDemonstration();
+    const Status begun = controller_.startDemonstration();
     note_->setTone(begun ? Tone::Normal : Tone::Onset);
     note_->setText(begun ? QString() : sayError(begun.error()));
     if (begun) emit started();
@@ -89,7 +89,7 @@ void SetupGuide::refresh() {
     steps_[k]->setToolTip(missing);
     steps_[k]->setAccessibleDescription(missing.isEmpty() ? tr("ready") : missing);
   }
-  steps_[3]->setHint(desk_.profileInForce().isEmpty() ? tr("still open") : tr("in force"));
+  steps_[3]->setHint(controller_.profileInForce().isEmpty() ? tr("still open") : tr("in force"));
 }
 
 }  // namespace stillcut::ui

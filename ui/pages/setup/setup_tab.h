@@ -17,7 +17,7 @@ class TouchButton;
 class SetupTab : public Panel {
   Q_OBJECT
  public:
-  SetupTab(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupTab(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
 
   // The draft or what the desk knows has changed.
   virtual void refresh() = 0;
@@ -33,7 +33,7 @@ class SetupTab : public Panel {
   QLineEdit* makeEdit(const QString& spoken, const QString& name);
   const Theme& theme() const { return theme_; }
 
-  SetupDesk& desk_;
+  SetupController& controller_;
   SetupDraft& draft_;
 
  private:
@@ -45,7 +45,7 @@ class SetupTab : public Panel {
 class SetupGuide : public SetupTab {
   Q_OBJECT
  public:
-  SetupGuide(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupGuide(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
 
  private:

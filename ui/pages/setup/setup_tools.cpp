@@ -29,8 +29,8 @@ double numberIn(const QLineEdit* edit, double otherwise) {
 
 }  // namespace
 
-SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
-    : SetupTab(desk, draft, parent),
+SetupTools::SetupTools(SetupController& controller, SetupDraft& draft, QWidget* parent)
+    : SetupTab(controller, draft, parent),
       list_(new QListView),
       name_(makeEdit(tr("Tool"), QStringLiteral("tool-name"))),
       holder_(makeEdit(tr("Holder and stick-out"), QStringLiteral("tool-holder"))),
@@ -130,7 +130,7 @@ SetupTools::SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent)
     keep(tr("It is back"));
   });
   connect(here_, &TouchButton::clicked, this, &SetupTools::noteChatter);
-  if (auto known = desk_.tools(); known) {
+  if (auto known = controller_.tools(); known) {
     tools_.show(std::move(known).value());
   } else {
     note_->setTone(Tone::Onset);
@@ -236,7 +236,7 @@ void SetupTools::showTool(int row) {
 }
 
 void SetupTools::keep(const QString& done) {
-  const Status saved = desk_.saveTools(tools_.tools());
+  const Status saved = controller_.saveTools(tools_.tools());
   showTool(list_->currentIndex().row());
   note_->setTone(saved ? Tone::Normal : Tone::Onset);
   if (!saved || !tools_.tools().empty()) note_->setText(saved ? done : sayError(saved.error()));

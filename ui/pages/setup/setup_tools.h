@@ -14,7 +14,7 @@ namespace stillcut::ui {
 class SetupTools : public SetupTab {
   Q_OBJECT
  public:
-  SetupTools(SetupDesk& desk, SetupDraft& draft, QWidget* parent = nullptr);
+  SetupTools(SetupController& controller, SetupDraft& draft, QWidget* parent = nullptr);
   void refresh() override;
   void display(const Picture& picture) override;
   void applyTheme(const Theme& theme) override;

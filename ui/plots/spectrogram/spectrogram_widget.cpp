@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "ui/base/format.h"
-#include "ui/models/standing_text.h"
+#include "ui/models/plot_state_text.h"
 #include "ui/plots/nice_ticks.h"
 #include "ui/plots/spectrogram/level_key.h"
 #include "ui/plots/touch_input.h"
@@ -64,9 +64,9 @@ void SpectrogramWidget::setChatter(Hertz frequency, const QString& label, Tone t
   update();
 }
 
-void SpectrogramWidget::setStanding(Standing standing) {
-  if (standing == standing_) return;
-  standing_ = standing;
+void SpectrogramWidget::setPlotState(PlotState plotState) {
+  if (plotState == plotState_) return;
+  plotState_ = plotState;
   update();
 }
 
@@ -162,7 +162,7 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
   p.setFont(theme_.font(type_size::kLabel, true));
   p.setPen(theme_.colors.secondary);
   const QString name = tr("SPECTROGRAM");
-  const QString title = standingTitle(name, standing_);
+  const QString title = plotStateTitle(name, plotState_);
   p.drawText(QRect(theme_.px(16), 0, plot.right(), line.height()), Qt::AlignVCenter | Qt::AlignLeft, title);
   const int titleEnd = theme_.px(16) + p.fontMetrics().horizontalAdvance(title) + theme_.px(14);
   p.setFont(theme_.font(type_size::kLabel));
@@ -179,7 +179,7 @@ void SpectrogramWidget::drawHeader(QPainter& p, const QRect& plot) const {
 }
 
 void SpectrogramWidget::drawColumns(QPainter& p, const QRect& plot) const {
-  const bool stale = standing_ == Standing::Stale;
+  const bool stale = plotState_ == PlotState::Stale;
   p.fillRect(plot, theme_.colors.track);
   if (!image_.image().isNull()) {
     p.save();
@@ -263,7 +263,7 @@ void SpectrogramWidget::drawTeeth(QPainter& p, const QRect& plot) const {
 
 void SpectrogramWidget::drawChatter(QPainter& p, const QRect& plot) const {
   if (!(chatter_.value > 0) || chatter_ > visibleTop()) return;
-  if (standing_ == Standing::Stale || standing_ == Standing::Ended) return;
+  if (plotState_ == PlotState::Stale || plotState_ == PlotState::Ended) return;
   p.setFont(theme_.font(type_size::kLabel, true));
   const QFontMetrics metrics = p.fontMetrics();
   const double y = yOf(chatter_);

@@ -26,7 +26,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   void append(const SpectrumColumn& column, Tone alarm);
   // The newest chatter frequency with its label; 0: no mark.
   void setChatter(Hertz frequency, const QString& label, Tone tone);
-  void setStanding(Standing standing);
+  void setPlotState(PlotState plotState);
   void clear();
 
   Axis axis() const { return axis_; }
@@ -63,7 +63,7 @@ class SpectrogramWidget : public QWidget, public Themed {
   Hertz top_{}, wantedTop_, spindle_{}, chatter_{};
   Axis axis_ = Axis::Hertz;
   Tone chatterTone_ = Tone::Normal;
-  Standing standing_ = Standing::Moves;
+  PlotState plotState_ = PlotState::Moves;
 };
 
 }  // namespace stillcut::ui

@@ -1,0 +1,32 @@
+// What a law takes from the machine's state: whether there is anything to multiply, and how fast the spindle turns.
+// Thread: any; pure and real-time.
+#pragma once
+
+#include <cmath>
+
+#include "core/model/machine_state.h"
+
+namespace stillcut::control {
+
+inline bool positive(double v) noexcept {
+  return std::isfinite(v) && v > 0.0;
+}
+
+// Measured where the machine measures, else what it was told.
+inline Rpm actualOrCommandedSpeed(const MachineState& m) noexcept {
+  return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
+}
+
+// False: hold, whatever the verdict.
+inline bool usable(const MachineState& m) noexcept {
+  return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
+         positive(actualOrCommandedSpeed(m).value);
+}
+
+// Another S word is another cut: what was found for the one before says nothing.
+inline bool programmedSpeedChanged(const MachineState& m, Rpm before) noexcept {
+  constexpr double kShare = 1e-3;
+  return std::abs((m.programmedSpeed - before).value) > kShare * m.programmedSpeed.value;
+}
+
+}  // namespace stillcut::control

@@ -1,0 +1,215 @@
+// The override register that we share with the operator: whose value stands in it, and that the operator always wins.
+#include "core/cnc/shared_override.h"
+
+#include <gtest/gtest.h>
+
+#include <deque>
+#include <limits>
+#include <random>
+
+namespace stillcut::cnc {
+namespace {
+
+Instant at(double seconds) {
+  return Instant{} + toDuration(Seconds(seconds));
+}
+
+SharedOverride seenAt100() {
+  SharedOverride knob(0, 200);
+  knob.seen(100, at(0.0));
+  return knob;
+}
+
+TEST(SharedOverride, SendsNothingBeforeTheRegisterHasBeenSeen) {
+  SharedOverride knob(0, 200);
+  knob.want(Ratio(0.8), 1);
+  EXPECT_FALSE(knob.known());
+  EXPECT_FALSE(knob.due().has_value());
+  knob.seen(100, at(0.0));
+  EXPECT_EQ(knob.due(), 80);
+}
+
+TEST(SharedOverride, OursMultipliesWhatTheOperatorLeftThere) {
+  SharedOverride knob(0, 200);
+  knob.seen(90, at(0.0));
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.9);
+  knob.want(Ratio(0.8), 1);
+  EXPECT_EQ(knob.due(), 72);
+  knob.sent(72, at(0.1));
+  EXPECT_FALSE(knob.due().has_value());  // under way
+  knob.seen(72, at(0.2));
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.9);
+  knob.relinquish();
+  EXPECT_EQ(knob.due(), 90);
+}
+
+TEST(SharedOverride, StaysWithinTheRegistersRange) {
+  SharedOverride knob(50, 120);
+  knob.seen(100, at(0.0));
+  knob.want(Ratio(3.0), 1);
+  EXPECT_EQ(knob.due(), 120);
+  knob.want(Ratio(0.0), 1);
+  EXPECT_EQ(knob.due(), 50);
+}
+
+TEST(SharedOverride, IgnoresFactorsThatAreNone) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  for (double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -0.5}) {
+    knob.want(Ratio(bad), 1);
+    EXPECT_EQ(knob.target(), 90);
+  }
+}
+
+TEST(SharedOverride, AForeignValueIsTheOperatorsHandUntilTheEngagementEnds) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.1));
+  knob.seen(80, at(0.2));
+  knob.seen(60, at(1.0));  // nobody here sent this
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.6);
+  knob.want(Ratio(0.8), 1);
+  EXPECT_FALSE(knob.due().has_value());
+  knob.want(Ratio(0.5), 2);  // the next engagement works on the operator's value
+  EXPECT_FALSE(knob.grabbed());
+  EXPECT_EQ(knob.due(), 30);
+}
+
+// After a hand our own values are no longer ours: turned back to one of them, it is still the operator's.
+TEST(SharedOverride, AHandThatTurnsToWhatWeSentOnceIsAHand) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.1));
+  knob.seen(80, at(0.2));
+  knob.seen(60, at(1.0));
+  knob.seen(80, at(2.0));
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.8);
+  EXPECT_FALSE(knob.due().has_value());
+}
+
+TEST(SharedOverride, ALateEchoOfOursIsNobodysHand) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.2));
+  knob.seen(90, at(2.0));  // in order, late
+  EXPECT_FALSE(knob.grabbed());
+  knob.seen(80, at(2.1));
+  EXPECT_FALSE(knob.grabbed());
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.0);
+  knob.seen(90, at(20.0));  // after all that time it is somebody's
+  EXPECT_TRUE(knob.grabbed());
+}
+
+TEST(SharedOverride, WhatWasRefusedIsSentAgain) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.1));
+  EXPECT_FALSE(knob.due().has_value());
+  knob.refused();
+  EXPECT_EQ(knob.due(), 80);
+}
+
+TEST(SharedOverride, AfterALostConnectionItIsSeenAnew) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.1));
+  knob.seen(80, at(0.2));
+  knob.lost();
+  EXPECT_FALSE(knob.known());
+  EXPECT_FALSE(knob.due().has_value());
+  knob.relinquish();
+  knob.seen(80, at(1.0));
+  EXPECT_EQ(knob.due(), 100);
+  EXPECT_FALSE(knob.atBase());
+}
+
+// However long it stood: a hand that chose the same while the wire was down cannot be told apart.
+TEST(SharedOverride, WhatWeLeftThereIsOursAfterAnyBreak) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.seen(90, at(60.0));
+  knob.lost();
+  knob.lost();  // the first try to come back failed
+  knob.relinquish();
+  knob.seen(90, at(100.0));
+  EXPECT_FALSE(knob.atBase());
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.0);
+  EXPECT_EQ(knob.due(), 100);
+}
+
+TEST(SharedOverride, AnotherValueAfterABreakIsAHand) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.lost();
+  knob.seen(70, at(100.0));
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_FALSE(knob.due().has_value());
+}
+
+TEST(SharedOverride, WhatAPeerShowsThatBeganAnewIsItsOwn) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.9), 1);
+  knob.sent(90, at(0.1));
+  knob.seen(90, at(0.2));
+  knob.restarted();
+  knob.want(Ratio(0.8), 1);
+  knob.seen(90, at(100.0));
+  EXPECT_TRUE(knob.grabbed());
+}
+
+// A register behind a wire that takes its time, an operator who turns whenever he likes, and factors that change. When
+// all is quiet again the register holds what the operator chose last, whoever wrote before.
+TEST(SharedOverride, InTheEndTheRegisterIsTheOperators) {
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    std::mt19937 random(seed);
+    const auto chance = [&](int oneIn) { return random() % static_cast<unsigned>(oneIn) == 0; };
+    SharedOverride knob(0, 200);
+    int registered = 100;  // what the machine holds
+    int operators = 100;   // what a person chose last
+    std::deque<std::pair<double, int>> wire;
+    std::uint64_t engagement = 1;
+    double now = 0.0;
+    for (int step = 0; step < 400; ++step) {
+      now += 0.05;
+      while (!wire.empty() && wire.front().first <= now) {
+        registered = wire.front().second;
+        wire.pop_front();
+      }
+      const bool quiet = step >= 200;  // from here on nobody does anything new
+      // A person turns by hand what stands there while nothing of ours is on its way.
+      if (!quiet && chance(40) && wire.empty()) {
+        operators = registered = 40 + static_cast<int>(random() % 17) * 10;
+      }
+      knob.seen(registered, at(now));
+      if (!quiet && chance(25)) ++engagement;
+      if (quiet) {
+        knob.relinquish();
+      } else if (chance(4)) {
+        knob.want(Ratio(0.5 + 0.01 * static_cast<double>(random() % 71)), engagement);
+      }
+      if (const auto due = knob.due()) {
+        knob.sent(*due, at(now));
+        const double begin = wire.empty() ? now : wire.back().first;
+        wire.emplace_back(std::max(now, begin) + 0.001 * static_cast<double>(random() % 200), *due);
+      }
+      EXPECT_GE(knob.target(), 0);
+      EXPECT_LE(knob.target(), 200);
+    }
+    EXPECT_TRUE(knob.atBase()) << seed;
+    EXPECT_EQ(registered, static_cast<int>(std::lround(knob.base().value * 100.0))) << seed;
+    // What a hand turned to what we had just sent looks like ours: the one case that cannot be told apart.
+    if (registered != operators) {
+      EXPECT_EQ(operators % 10, 0) << seed;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stillcut::cnc
