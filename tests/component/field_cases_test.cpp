@@ -193,7 +193,7 @@ TEST_P(FieldSignals, AlarmInChatterAndNowhereElse) {
 std::string foundIn(const FileCase& file, const std::string& path) {
   auto reader = record::openRecording(path);
   if (!reader) return reader.error().line();
-  if (const std::string misread = misreading(**reader, file.cut.signal); !misread.empty()) return misread;
+  if (std::string misread = misreading(**reader, file.cut.signal); !misread.empty()) return misread;
   reader = record::openRecording(path);
   return shortfall(file.cut.truth, alarmCourse(**reader, file.cut.teeth, file.cut.speed));
 }
