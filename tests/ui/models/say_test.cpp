@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <fstream>
+#include <sstream>
 
 #include "core/config/profile.h"
 #include "core/milling/simulation/scenario.h"
@@ -119,8 +120,10 @@ TEST(CoreSentence, KeepsTheNamesOfFilesAndThePlacesInThem) {
 // A key that the format knows by its English name alone is not asked for in German.
 TEST(CoreSentence, AsksForAKeyAsTheFormatSpellsIt) {
   const Speaker speaker(Language::German);
-  const auto profile =
-      config::parseProfile("version = 1\n[sourse]\nid = \"simulated\"", "profile.toml", pipeline::fullCatalog());
+  std::stringstream shipped;
+  shipped << std::ifstream(STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml").rdbuf();
+  const std::string slip = shipped.str() + "\n[sourse]\nid = \"simulated\"\n";
+  const auto profile = config::parseProfile(slip, "profile.toml", pipeline::fullCatalog());
   ASSERT_FALSE(profile.ok());
   const std::string said = sayError(profile.error()).toStdString();
   EXPECT_THAT(said, testing::HasSubstr("sourse"));
