@@ -6,7 +6,7 @@
 
 namespace stillcut::field {
 
-// `gain`: 4 clips a tenth of the chatter's samples, 6 a half.
+// `gain`: 4 clips 5 % of the samples in chatter, 6 clips 45 %.
 FieldCase overloadedSensor(const FourFluteSound& s, double gain);
 
 }  // namespace stillcut::field
