@@ -11,7 +11,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/base/sanitized.h"
 #include "core/session/file/session_reader.h"
 #include "core/session/file/session_rows.h"
 #include "core/session/file/session_writer.h"
@@ -19,16 +18,6 @@
 #include "core/storage/hdf5_file.h"
 #include "tests/support/step_samples.h"
 #include "tests/support/temp_folder.h"
-
-#if defined(STILLCUT_SANITIZED_ADDRESSES)
-// HDF5 itself forgets some memory when it refuses a damaged file. The name is the sanitizer's.
-// NOLINTNEXTLINE(readability-identifier-naming,bugprone-reserved-identifier)
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char*
-__lsan_default_suppressions() {  // NOLINT(readability-identifier-naming,bugprone-reserved-identifier)
-  return "leak:libhdf5";
-}
-#endif
 
 namespace stillcut::record {
 namespace {
