@@ -4515,6 +4515,10 @@
         <source>use .h5</source>
         <translation>.h5 verwenden</translation>
     </message>
+    <message>
+        <source>the log cannot be written there</source>
+        <translation>das Protokoll kann dort nicht geschrieben werden</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>
@@ -6535,6 +6539,13 @@
     </message>
 </context>
 <context>
+    <name>stillcut::ui::ComponentListModel</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>stillcut::ui::DisplayPanel</name>
     <message>
         <source>Display</source>
@@ -7009,13 +7020,6 @@
     <message>
         <source>Default: %1</source>
         <translation>Vorgabe: %1</translation>
-    </message>
-</context>
-<context>
-    <name>stillcut::ui::ComponentListModel</name>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -8322,21 +8326,6 @@
     </message>
 </context>
 <context>
-    <name>stillcut::ui::TuningController</name>
-    <message>
-        <source>to the defaults</source>
-        <translation>auf die Vorgaben</translation>
-    </message>
-    <message>
-        <source>as the run began</source>
-        <translation>wie zu Beginn</translation>
-    </message>
-    <message>
-        <source>both sides alike</source>
-        <translation>beide Seiten gleich</translation>
-    </message>
-</context>
-<context>
     <name>stillcut::ui::TunePage</name>
     <message>
         <source>Methods</source>
@@ -8429,6 +8418,21 @@
     <message>
         <source>Learned by itself</source>
         <translation>Selbst gelernt</translation>
+    </message>
+</context>
+<context>
+    <name>stillcut::ui::TuningController</name>
+    <message>
+        <source>to the defaults</source>
+        <translation>auf die Vorgaben</translation>
+    </message>
+    <message>
+        <source>as the run began</source>
+        <translation>wie zu Beginn</translation>
+    </message>
+    <message>
+        <source>both sides alike</source>
+        <translation>beide Seiten gleich</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,6 @@
-// stillcut-cli run --profile P.toml [--record FILE.h5] [--flights DIR] [--seconds N]: the monitor without a
-// screen. Prints what happens, one line an event, until the source ends or somebody interrupts; then the machine has
-// its programmed values back.
+// stillcut-cli run --profile P.toml [--record FILE.h5] [--flights DIR] [--seconds N] [--log-level L]: the
+// monitor without a screen. Prints what happens, one line an event, until the source ends or somebody interrupts; then
+// the machine has its programmed values back.
 
 #include <algorithm>
 #include <cmath>
@@ -14,12 +14,14 @@
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/wires.h"
+#include "app/log/run_log.h"
 #include "core/pipeline/catalog.h"
 #include "core/pipeline/engine.h"
 #include "core/rt/deadline_stats.h"
 #include "core/rt/realtime_thread.h"
 #include "core/rt/wakeup.h"
 #include "core/session/session_folder.h"
+#include "generated/version.h"
 
 namespace stillcut::app {
 namespace {
@@ -27,18 +29,19 @@ namespace {
 constexpr Seconds kLook{0.05};
 
 struct RunOptions {
-  std::string profile, record, job, flights, operatorName;
+  std::string profile, record, job, flights, operatorName, logLevel = "info";
   double seconds = 0.0;
 };
 
 // What a screen would show, as lines.
 class Console {
  public:
-  explicit Console(Rig& rig) : rig_(rig) {}
+  Console(Rig& rig, RunLog& log) : rig_(rig), log_(log) {}
 
   // Prints what has happened since the last look. Gives the length of the run so far.
   Seconds look() {
     const Snapshot* snapshot = rig_.read();
+    log_.look(rig_, snapshot);
     if (snapshot == nullptr) return {};
     if (!begun_) {
       const double heard_s = static_cast<double>(snapshot->health.blocks) * snapshot->health.blockLength.value;
@@ -66,6 +69,7 @@ class Console {
 
  private:
   Rig& rig_;
+  RunLog& log_;
   std::uint64_t printed_ = 0;
   bool begun_ = false;
   Instant begin_{};  // of the first block, as a recording counts
@@ -100,18 +104,20 @@ void tellLateness(const pipeline::Engine& engine) {
 
 // Until the source ends, the time is over or somebody interrupts.
 // replayed: times are the recording's.
-int watch(Rig& rig, const RunOptions& options, bool replayed) {
+int watch(Rig& rig, const RunOptions& options, const ProgramLog& log, bool replayed) {
   FlightLog flights(rig.flights(),
                     options.flights.empty() ? defaultFlightsFolder() : std::filesystem::path(options.flights));
   flights.start();
   // A page that has to come back from the disk would keep the worker waiting.
   if (!rt::lockMemory())
     std::printf("memory is not locked: not permitted (the package's limits allow it to the group stillcut)\n");
+  RunLog runLog(log);
+  runLog.begin(rig, options.profile);
   rig.start({});
   if (rig.device().live() && rig.engine()->workerScheduling() != rt::Scheduling::Fifo) {
     std::puts("at ordinary priority: real-time priority is for members of the group stillcut");
   }
-  Console console(rig);
+  Console console(rig, runLog);
   rt::Wakeup never;  // only its time-out is used
   while (!interrupted() && !rig.finished()) {
     never.waitFor(kLook);
@@ -121,6 +127,7 @@ int watch(Rig& rig, const RunOptions& options, bool replayed) {
   }
   const Status recorded = rig.stop();
   console.look();
+  runLog.end(rig, recorded);
   if (!replayed) tellLateness(*rig.engine());
   for (const daq::AlignedClock& clock : rig.device().clocks()) {
     std::printf("device of %d more channels: %.3f Hz by this computer's clock, times steady within %.1f us\n",
@@ -162,12 +169,18 @@ int run(const RunOptions& options) {
   if (!options.job.empty()) profile->recording.job = options.job;
   const auto events = wireEvents();  // outlives the rig and its wires
   SetUpFault fault = SetUpFault::Input;
+  const auto level = logLevelFrom(options.logLevel);
+  auto log = ProgramLog::open(defaultLogFile(), level.value_or(LogLevel::Info));
+  if (!log) fail(log.error());
+  const ProgramLog into = log ? std::move(log).value() : ProgramLog();
+  into.write(LogLevel::Info, "stillcut-cli " STILLCUT_VERSION " run starts");
   auto rig = buildProfileRig(*profile, options.profile, &fault);
+  if (!rig) into.write(LogLevel::Error, "not started: " + rig.error().line());
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
   if (const Status recording = record(**rig, *profile, options); !recording) return fail(recording.error());
   mindInterruption();
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
-  return watch(**rig, options, profile->source.id == "replay");
+  return watch(**rig, options, into, profile->source.id == "replay");
 }
 
 }  // namespace
@@ -183,6 +196,9 @@ void addRun(CLI::App& app, int& exitCode) {
                       "Name of the job, kept in recordings and in their names; left out: as the profile says");
   command->add_option("--operator", o->operatorName, "Who signs markers; left out: as the profile says");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
+  command->add_option("--log-level", o->logLevel, "What the log keeps")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
   command->callback([o, &exitCode] {
     o->profile = foundFile(o->profile);

@@ -5,6 +5,7 @@
 #include <hdf5.h>
 #include <matio.h>
 #include <sndfile.h>
+#include <spdlog/version.h>
 #include <toml++/toml.h>
 #include <zlib.h>
 
@@ -60,6 +61,7 @@ std::string versionText(std::string_view program, std::string_view more) {
       "matio " + matioVersion(),
       std::string("zlib ") + zlibVersion(),
       "Eigen " + dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION),
+      "spdlog " + dotted(SPDLOG_VER_MAJOR, SPDLOG_VER_MINOR, SPDLOG_VER_PATCH),
       "toml++ " + dotted(TOML_LIB_MAJOR, TOML_LIB_MINOR, TOML_LIB_PATCH),
       "JSON for Modern C++ " +
           dotted(NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH)};

@@ -1,6 +1,6 @@
 // stillcut: the desktop program.
 //   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5|FOLDER] [--theme light|dark|contrast] [--size WxH]
-//            [--language en|de|zh] [--page ID]
+//            [--language en|de|zh] [--page ID] [--log-level debug|info|warning|error|off]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 //   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
@@ -24,6 +24,7 @@
 #include "app/compose/interruption.h"
 #include "app/compose/resource_folder.h"
 #include "app/desktop/report_mode.h"
+#include "app/log/program_log.h"
 #include "app/session/session.h"
 #include "generated/version.h"
 #include "ui/shell/main_window.h"
@@ -50,6 +51,7 @@ struct Options {
   std::optional<ui::ThemeKind> theme;
   std::optional<ui::Language> language;
   QString page;
+  LogLevel logLevel = LogLevel::Info;
 };
 
 int fail(const std::string& line) {
@@ -95,7 +97,11 @@ Result<Options> parse(const QStringList& arguments) {
   const QCommandLineOption sheet(QStringLiteral("sheet"),
                                  QStringLiteral("Write the machinist's sheet, one page to print, and end."),
                                  QStringLiteral("FILE.pdf"));
-  parser.addOptions({scenario, profile, record, screenshot, report, sheet, after, size, theme, page, language});
+  const QCommandLineOption logLevel(QStringLiteral("log-level"),
+                                    QStringLiteral("What the log keeps: debug, info, warning, error or off."),
+                                    QStringLiteral("LEVEL"));
+  parser.addOptions(
+      {scenario, profile, record, screenshot, report, sheet, after, size, theme, page, language, logLevel});
   parser.addPositionalArgument(QStringLiteral("files"),
                                QStringLiteral("With --report: the recording and the file to write."),
                                QStringLiteral("[RECORDING OUT]"));
@@ -142,6 +148,14 @@ Result<Options> parse(const QStringList& arguments) {
     options.theme = static_cast<ui::ThemeKind>(index);
   }
   options.page = parser.value(page);
+  if (parser.isSet(logLevel)) {
+    const auto level = logLevelFrom(parser.value(logLevel).toStdString());
+    if (!level) {
+      return Error{"--log-level", message("'%1' is no level", parser.value(logLevel).toStdString()),
+                   message("debug, info, warning, error or off")};
+    }
+    options.logLevel = *level;
+  }
   if (parser.isSet(language)) {
     options.language = ui::languageFrom(parser.value(language));
     if (!options.language) {
@@ -201,6 +215,15 @@ bool needsNoDisplay(int argc, char** argv) {
   return std::any_of(argv + 1, argv + argc, [](const char* word) { return std::ranges::count(kQuiet, word) > 0; });
 }
 
+// Where the log cannot be written, the program says so and goes on without.
+ProgramLog openLog(const Options& options) {
+  auto log = ProgramLog::open(defaultLogFile(), options.logLevel);
+  if (!log) fail(log.error().line());
+  ProgramLog opened = log ? std::move(log).value() : ProgramLog();
+  opened.write(LogLevel::Info, "stillcut " STILLCUT_VERSION " starts");
+  return opened;
+}
+
 // Longer than a screen: the order in which the program comes up and goes down
 int run(int argc, char** argv) {
   if (needsNoDisplay(argc, argv)) qputenv("QT_QPA_PLATFORM", "offscreen");
@@ -227,14 +250,20 @@ int run(int argc, char** argv) {
   }
   const bool live = options->screenshot.isEmpty();
   if (live) mindInterruption();
+  const ProgramLog log = live ? openLog(*options) : ProgramLog();
   auto session = options->profile.isEmpty()
                      ? openScenarioSession(options->scenario.toStdString(), live)
                      : openProfileSession(options->profile.toStdString(),
                                           options->record.isEmpty() ? Recorded::AsProfileSays : Recorded::Otherwise);
-  if (!session) return fail(session.error().line());
+  const auto refuse = [&log](const Error& error) {
+    log.write(LogLevel::Error, "not started: " + error.line());
+    return fail(error.line());
+  };
+  if (!session) return refuse(session.error());
+  (*session)->logTo(log);
   if (!options->record.isEmpty()) {
     const Status recording = (*session)->recordAsAsked(options->record.toStdString());
-    if (!recording) return fail(recording.error().line());
+    if (!recording) return refuse(recording.error());
   }
 
   // Pictures are made of what the command line says alone.

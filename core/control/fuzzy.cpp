@@ -70,7 +70,7 @@ void Fuzzy::showRules() noexcept {
   shownLessons_.store(lessons_, std::memory_order_relaxed);
 }
 
-void Fuzzy::tellRules(RuleTables& into) const noexcept {
+bool Fuzzy::readRules(RuleTables& into) const noexcept {
   for (std::size_t k = 0; k < kCells; ++k) {
     const std::size_t row = k / kCoherenceSets, column = k % kCoherenceSets;
     into.speed[row][column] = shownRules_[k].load(std::memory_order_relaxed);
@@ -78,6 +78,7 @@ void Fuzzy::tellRules(RuleTables& into) const noexcept {
   }
   into.lessons = shownLessons_.load(std::memory_order_relaxed);
   into.refused = shownRefused_.load(std::memory_order_relaxed);
+  return true;
 }
 
 void Fuzzy::relinquish() noexcept {

@@ -44,7 +44,6 @@
 #include "core/control/fuzzy_params.h"
 #include "core/control/fuzzy_rules.h"
 #include "core/control/strategy.h"
-#include "core/model/rule_tables.h"
 
 namespace stillcut::control {
 
@@ -57,8 +56,7 @@ class Fuzzy : public Strategy {
   OverrideRequest decide(const StrategyInput& input) noexcept override;
   void reset() noexcept override;
   void relinquish() noexcept override;
-  // The rules as of the last cycle, what was learned included. Any thread, for a screen: each cell is true by itself.
-  void tellRules(RuleTables& into) const noexcept;
+  bool readRules(RuleTables& into) const noexcept override;
 
  protected:
   // What learning and direct tuning add. Real-time.
@@ -70,7 +68,7 @@ class Fuzzy : public Strategy {
   RuleTable feedRules_ = kFeedRules;
   std::uint32_t lessons_ = 0;
 
-  // For tellRules(). Real-time.
+  // For readRules(). Real-time.
   void showRules() noexcept;
 
  private:

@@ -9,6 +9,7 @@
 #include "core/model/cut_setup.h"
 #include "core/model/machine_state.h"
 #include "core/model/override_request.h"
+#include "core/model/rule_tables.h"
 #include "core/model/verdict.h"
 
 namespace stillcut::control {
@@ -58,6 +59,9 @@ class Strategy {
   // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not
   // come back with the next grant. What was learned of the cut may stay. Real-time.
   virtual void relinquish() noexcept { reset(); }
+  // Of a fuzzy strategy: its rules as of the last cycle, what was learned included. False, and `into` left alone: it
+  // has none. Any thread, for a screen: each cell is true by itself.
+  virtual bool readRules(RuleTables& /*into*/) const noexcept { return false; }
 };
 
 }  // namespace stillcut::control

@@ -63,11 +63,12 @@ inline const std::vector<Room>& roomTable() {
       {"app/hal", {"core/base", "core/cnc"}},
       {"app/reader", {"core/session"}},
       {"app/compose", {"core/*", "app/io"}},
-      {"app/cli", {"core/*", "app/compose", "app/io"}},
-      {"app/session", {"core/*", "ui/base", "ui/facade", "ui/models", "ui/shell", "app/compose", "app/io"}},
+      {"app/log", {"core/*", "app/compose"}},
+      {"app/cli", {"core/*", "app/compose", "app/io", "app/log"}},
+      {"app/session", {"core/*", "ui/base", "ui/facade", "ui/models", "ui/shell", "app/compose", "app/io", "app/log"}},
       {"app/desktop",
        {"core/*", "ui/base", "ui/facade", "ui/models", "ui/pages", "ui/report", "ui/shell", "app/compose", "app/io",
-        "app/session"}},
+        "app/log", "app/session"}},
   };
   return kRooms;
 }

@@ -96,7 +96,7 @@ class RecordedDesktop : public testing::Test {
 };
 
 TEST_F(RecordedDesktop, MarksByKeyDuringTheCutAreFoundInTheFile) {
-  open([](Session& session, const std::string& path) { return session.recordTo(path); }, {});
+  open([](Session& session, const std::string& path) { return session.run().recordTo(path); }, {});
   ASSERT_TRUE(runUntil([](const Snapshot& s) { return s.time >= instantFromNs(1'500'000'000); }));
   const Instant heard = strike(Qt::Key_F8);
   ASSERT_TRUE(runUntil([](const Snapshot& s) { return s.interventionCount > 0; }))

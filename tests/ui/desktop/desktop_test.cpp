@@ -163,7 +163,7 @@ TEST(Closing, MidCutReturnsTheMachineToItsProgrammedValues) {
   auto rig = Rig::build(std::move(spec));
   ASSERT_TRUE(rig) << rig.error().line();
   ui::SessionInfo info = sessionInfo(**rig);
-  Session session(std::move(rig).value(), std::move(info), "");
+  Session session(std::make_unique<CutRun>(std::move(rig).value(), std::move(info), ""));
   session.keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
   session.send({OperatorAction::GrantBySimulation, Authority::Auto}, session.generation());
 

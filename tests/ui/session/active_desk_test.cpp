@@ -175,7 +175,7 @@ class OnFordInASession : public OnFord {
     ASSERT_TRUE(opened.ok()) << opened.error().line();
     session_ = std::move(opened).value();
     session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
-    session_->setActive(std::move(owned_));
+    session_->run().setActive(std::move(owned_));
   }
   static constexpr const char* kDemo = STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml";
   const QTemporaryDir folder_;
@@ -245,7 +245,7 @@ TEST_F(OnFord, BackToProgrammedLetsTheTableGo) {
   auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/ford-unstable.toml", false);
   ASSERT_TRUE(session.ok()) << session.error().line();
   session_ = std::move(session).value();
-  session_->setActive(std::move(owned_));
+  session_->run().setActive(std::move(owned_));
   session_->send({OperatorAction::Hold}, session_->generation());
   watch(0.5, [] { return false; });
   EXPECT_EQ(newest().axes[0].state, ActuatorState::On) << "a hold is of the overrides";

@@ -11,7 +11,7 @@
 #include <semaphore>
 #include <vector>
 
-#include "app/session/stoppable_reader.h"
+#include "app/session/replay/stoppable_reader.h"
 
 namespace stillcut::app {
 namespace {

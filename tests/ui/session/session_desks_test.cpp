@@ -11,7 +11,7 @@
 
 #include "app/compose/scenario_rig.h"
 #include "app/session/lobe_worker.h"
-#include "app/session/replay_controller.h"
+#include "app/session/replay/replay_controller.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "core/session/file/session_markers.h"
 #include "tests/support/demo_cut.h"

@@ -42,7 +42,7 @@ TEST(Session, EveryAutomaticParameterSaysHowItIsChosenAndWhatRunsWhatItChose) {
   auto session = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", false);
   ASSERT_TRUE(session.ok()) << session.error().line();
   int automatic = 0;
-  for (const ui::TunableComponent& part : (*session)->tunableParts()) {
+  for (const ui::TunableComponent& part : (*session)->tuning()->tunableParts()) {
     for (const config::ParamDecl* decl : part.params) {
       if (!decl->mayBeAutomatic) continue;
       ++automatic;
@@ -65,16 +65,16 @@ TEST(Session, TakesAnotherRunsPlaceAndKeepsTunedValues) {
   (*session)->keepFlightsIn(folder.filePath(QStringLiteral("flights")).toStdString());
   (*session)->start();
   const std::uint32_t before = (*session)->generation();
-  config::ParamSet values = (*session)->controller().values();
+  config::ParamSet values = (*session)->tuning()->controller().values();
   ASSERT_TRUE(values.set(detect::kErChatter, 0.35, "test").ok());
-  const auto kept = (*session)->saveValues(values);
+  const auto kept = (*session)->tuning()->saveValues(values);
   ASSERT_TRUE(kept.ok()) << kept.error().line();
   QFile file(kept.value());
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   EXPECT_TRUE(file.readAll().contains("chatter = 0.35"));
-  (*session)->controller().set(detect::kErChatter, 0.4);
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return (*session)->pull() != nullptr && !(*session)->controller().pending(); }, 20000));
+  (*session)->tuning()->controller().set(detect::kErChatter, 0.4);
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return (*session)->pull() != nullptr && !(*session)->tuning()->controller().pending(); }, 20000));
   EXPECT_EQ((*session)->sessions()->tunedSettings(), QStringList{QStringLiteral("energy-ratio.chatter=0.4")});
   ASSERT_TRUE((*session)->setup()->startDemonstration().ok());
   EXPECT_GT((*session)->generation(), before);

@@ -172,7 +172,7 @@ TEST_F(RecordedByProfile, AFolderThatCannotBeMadeIsSaidBeforeTheCut) {
   inTheWay.close();
   auto opened = openScenarioSession(STILLCUT_SOURCE_DIR "/resources/scenarios/demo.toml", true);
   ASSERT_TRUE(opened.ok());
-  const Status recording = (*opened)->recordInto(recordings().toStdString());
+  const Status recording = (*opened)->run().recordInto(recordings().toStdString());
   ASSERT_FALSE(recording.ok());
   EXPECT_NE(recording.error().line().find("cannot be made"), std::string::npos) << recording.error().line();
 }

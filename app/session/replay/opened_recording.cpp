@@ -1,9 +1,9 @@
-#include "app/session/opened_recording.h"
+#include "app/session/replay/opened_recording.h"
 
 #include <utility>
 
 #include "app/compose/recording_rig.h"
-#include "app/session/recorded_lobes.h"
+#include "app/session/replay/recorded_lobes.h"
 #include "core/detect/registry.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "core/session/file/session_markers.h"

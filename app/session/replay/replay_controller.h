@@ -11,10 +11,10 @@
 
 #include "app/compose/replay_run.h"
 #include "app/session/background_task.h"
-#include "app/session/file_changes.h"
 #include "app/session/lobe_worker.h"
-#include "app/session/opened_recording.h"
-#include "app/session/session_lister.h"
+#include "app/session/replay/file_changes.h"
+#include "app/session/replay/opened_recording.h"
+#include "app/session/replay/session_lister.h"
 #include "ui/facade/session_controller.h"
 #include "ui/facade/session_info.h"
 

@@ -1,13 +1,13 @@
-#include "app/session/replay_controller.h"
+#include "app/session/replay/replay_controller.h"
 
 #include <QFileInfo>
 #include <algorithm>
 #include <utility>
 
-#include "app/session/detector_runs.h"
-#include "app/session/scenario_list.h"
+#include "app/session/replay/detector_runs.h"
+#include "app/session/replay/scenario_list.h"
+#include "app/session/replay/stoppable_reader.h"
 #include "app/session/session_view.h"
-#include "app/session/stoppable_reader.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "core/session/convert_recording.h"
 #include "core/session/file/session_markers.h"

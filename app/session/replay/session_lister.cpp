@@ -1,4 +1,4 @@
-#include "app/session/session_lister.h"
+#include "app/session/replay/session_lister.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -1,4 +1,4 @@
-#include "app/session/scenario_list.h"
+#include "app/session/replay/scenario_list.h"
 
 #include <QDateTime>
 #include <QDirIterator>

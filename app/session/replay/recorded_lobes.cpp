@@ -1,4 +1,4 @@
-#include "app/session/recorded_lobes.h"
+#include "app/session/replay/recorded_lobes.h"
 
 #include <QByteArray>
 #include <QString>

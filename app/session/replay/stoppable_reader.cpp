@@ -1,4 +1,4 @@
-#include "app/session/stoppable_reader.h"
+#include "app/session/replay/stoppable_reader.h"
 
 #include <algorithm>
 #include <memory>

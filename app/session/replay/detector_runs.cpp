@@ -1,4 +1,4 @@
-#include "app/session/detector_runs.h"
+#include "app/session/replay/detector_runs.h"
 
 #include <map>
 #include <utility>

@@ -1,0 +1,172 @@
+#include "app/session/cut_run.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QFileInfo>
+#include <cstdio>
+#include <utility>
+
+#include "app/compose/active_setup.h"
+#include "app/compose/profile_rig.h"
+#include "app/compose/scenario_rig.h"
+#include "app/session/session_view.h"
+#include "core/milling/simulation/scenario.h"
+#include "core/pipeline/catalog.h"
+#include "core/rt/realtime_thread.h"
+#include "core/session/session_folder.h"
+#include "ui/base/say.h"
+
+namespace stillcut::app {
+namespace {
+
+// Live stream time is the steady clock's.
+qint64 wallAtLiveZero() {
+  return QDateTime::currentMSecsSinceEpoch() - toNs(SteadyClock().now()) / 1'000'000;
+}
+
+}  // namespace
+
+CutRun::CutRun(std::unique_ptr<Rig> rig, ui::SessionInfo info, std::string configuration)
+    : rig_(std::move(rig)), info_(std::move(info)), configuration_(std::move(configuration)) {}
+
+Status CutRun::recordInto(const std::string& folder) {
+  recordings_ = QString::fromStdString(folder);
+  return rig_->recordInto(folder, configuration_, deletions_.teller());
+}
+
+Status CutRun::recordAt(const std::string& fileOrFolder) {
+  const bool folder = QFileInfo(QString::fromStdString(fileOrFolder)).isDir();
+  return folder ? recordInto(fileOrFolder) : recordTo(record::freeSessionPath(fileOrFolder));
+}
+
+Status CutRun::recordAsSaid(const config::Profile& profile, const std::string& path) {
+  recordings_ = QString::fromStdString(app::recordingFolder(profile, path));
+  return recordAsProfileSays(*rig_, profile, path, deletions_.teller());
+}
+
+void CutRun::start(const std::filesystem::path& flights, const ProgramLog& log) {
+  flightLog_.emplace(rig_->flights(), flights);
+  flightLog_->start();
+  // With a real sensor, a page that has to come back from the disk would keep the worker waiting. Where it is not
+  // permitted the cut is watched all the same.
+  if (rig_->device().live() && !rt::lockMemory()) {
+    std::fputs("stillcut: memory is not locked: not permitted (the package's limits allow it to the group stillcut)\n",
+               stderr);
+    log.write(LogLevel::Warning, "memory is not locked: not permitted");
+  }
+  runLog_.emplace(log).begin(*rig_, origin_);
+  rig_->start({});
+}
+
+Status CutRun::stop() {
+  if (active_) active_->stop();  // its ramp is over long before the disk is
+  const Status recorded = rig_->stop();
+  const Status flown = flightLog_ ? flightLog_->finish() : Status(Done{});
+  if (runLog_) runLog_->end(*rig_, recorded ? flown : recorded);
+  runLog_.reset();
+  return recorded ? flown : recorded;
+}
+
+const Snapshot* CutRun::read() {
+  live_ = rig_->read();
+  if (runLog_) runLog_->look(*rig_, live_);
+  if (live_ == nullptr) return nullptr;
+  authority_ = live_->authority;
+  if (live_->machine.link.effect.value > 0.0) effect_ = live_->machine.link.effect;
+  if (lobes_ && !lobes_->started()) {
+    const PathHealth& health = live_->health;
+    lobes_->setStart(live_->time - toDuration(health.blockLength * static_cast<double>(health.blocks)));
+  }
+  return live_;
+}
+
+void CutRun::send(const OperatorInput& input) {
+  if (input.action == OperatorAction::SetAuthority && input.authority != Authority::Off) authority_ = input.authority;
+  rig_->send(input);
+  // Back to what was programmed is: nothing of Stillcut acts, also not through the table.
+  if (input.action == OperatorAction::BackToProgrammed && active_) active_->stop();
+}
+
+bool CutRun::commandsMachine() const {
+  return rig_->hasLink() && !rig_->linkInfo().simulated && authority_ != Authority::Off;
+}
+
+config::Profile CutRun::asProfile() const {
+  if (!profile_.empty()) {
+    if (auto loaded = config::loadProfile(profile_, pipeline::fullCatalog(), knownIds()); loaded)
+      return std::move(*loaded);
+  }
+  config::Profile profile;
+  profile.cut = rig_->setup();
+  profile.strategy = rig_->chain().parts().strategy->describe().id;
+  profile.allowAuto = false;
+  return profile;
+}
+
+ui::LinkStatus CutRun::link() const {
+  if (!rig_->finished()) return {{}, ui::sayCore(rig_->device().trouble())};
+  const Message fault = rig_->device().fault();
+  return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault)};
+}
+
+ui::RecorderView CutRun::recorder() const {
+  const record::Recorder* recorder = rig_->recorder();
+  const Message flightProblem = flightLog_ ? flightLog_->problem() : Message();
+  if (recorder == nullptr && flightProblem.empty()) return {};
+  if (recorder == nullptr) return {ui::RecorderView::State::Failed, {}, ui::sayCore(flightProblem)};
+  const record::RecorderStatus status = recorder->status();
+  ui::RecorderView shown;
+  shown.state = status.recording ? ui::RecorderView::State::Recording : ui::RecorderView::State::Failed;
+  shown.length = Seconds(static_cast<double>(status.written) * info_.setup.blockFrames / info_.setup.rate.value);
+  shown.problem = ui::sayCore(status.fault);
+  shown.waiting = status.recording && status.written > 0 && !status.writing;
+  return shown;
+}
+
+Result<std::unique_ptr<CutRun>> openScenarioRun(const std::string& path, bool live) {
+  const auto scenario = milling::loadScenario(path);
+  if (!scenario) return scenario.error();
+  ScenarioOptions options;
+  // A work-holder is no strategy of the machine's: beside its loop the cut is watched.
+  options.methods.strategy = scenario->strategy == "active" ? "monitor" : scenario->strategy;
+  options.live = live;
+  options.watched = true;
+  auto built = buildScenarioRig(*scenario, options);
+  if (!built) return built.error();
+
+  const config::ParamSet params = built->rig->params();
+  ui::SessionInfo info = sessionInfo(*built->rig);
+  info.wallMsAtStreamZero = live ? wallAtLiveZero() : QDateTime::currentMSecsSinceEpoch();
+  auto run = std::make_unique<CutRun>(std::move(built->rig), std::move(info), milling::scenarioText(*scenario));
+  run->simulates(path);
+  run->setLobes(std::make_unique<LobeWorker>(*scenario));
+  if (active::SimulatedDuplex::check(*scenario)) run->setActive(makeSimulatedActiveLoopController(*scenario, params));
+  if (scenario->grantsAuto) run->send({OperatorAction::GrantBySimulation, Authority::Auto});
+  return run;
+}
+
+Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded recorded) {
+  const config::ParamCatalog catalog = pipeline::fullCatalog();
+  const auto profile = config::loadProfile(path, catalog, knownIds());
+  if (!profile) return profile.error();
+  auto rig = buildProfileRig(*profile, path);
+  if (!rig) return rig.error();
+  ui::SessionInfo info = sessionInfo(**rig);
+  info.wallMsAtStreamZero = wallAtLiveZero();
+  auto run = std::make_unique<CutRun>(std::move(rig).value(), std::move(info), profileOrigin(*profile, path));
+  if (!profile->active.id.empty()) {
+    auto parts = makeActiveParts(*profile);
+    if (!parts) return parts.error();
+    run->setActive(std::make_unique<ActiveLoopController>(std::move(parts->device), parts->options, activeClock()));
+  }
+  run->madeFrom(path);
+  if (recorded == Recorded::AsProfileSays) {
+    if (const Status recording = run->recordAsSaid(*profile, path); !recording) return recording.error();
+  }
+  auto lobes = LobeWorker::ofProfile(*profile, path);
+  if (!lobes) return lobes.error();
+  run->setLobes(std::move(lobes).value());
+  return run;
+}
+
+}  // namespace stillcut::app
