@@ -53,3 +53,17 @@ configure() {
   [ ${#options[@]} -eq 0 ] && [ -f "build/$preset/build.ninja" ] && return 0
   cmake --preset "$preset" "${options[@]}" >/dev/null
 }
+
+# build PRESET TARGET... : two jobs at a time (what 4 GiB of memory bear), said in steps: "building 210 of 480".
+build() {
+  local preset=$1
+  shift
+  NINJA_STATUS='@%f %t@' ninja -C "build/$preset" -j2 "$@" | awk '
+    /^@[0-9]+ [0-9]+@/ {
+      split(substr($0, 2), step, /[ @]/)
+      if (step[1] % 20 == 0 || step[1] == step[2]) { print "stillcut: building " step[1] " of " step[2]; fflush() }
+      next
+    }
+    /^ninja: (no work|Entering)/ { next }
+    { print; fflush() }'
+}

@@ -8,15 +8,16 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/conversions.h"
+
 namespace stillcut::daq {
 namespace {
 
-constexpr double kShortest = 2.0;  // s
-constexpr double kPiece = 0.25;    // s
-constexpr double kReach = 0.05;    // of the frequency: calibrators keep 2 %, a device's clock far less
-constexpr double kPure = 0.9;      // of the power: 10 dB above all else
-constexpr double kSteady = 0.05;   // standard deviation of the pieces' levels
-constexpr double kGravity = 9.80665;
+constexpr double kShortest = 2.0;    // s
+constexpr double kPiece = 0.25;      // s
+constexpr double kReach = 0.05;      // of the frequency: calibrators keep 2 %, a device's clock far less
+constexpr double kPure = 0.9;        // of the power: 10 dB above all else
+constexpr double kSteady = 0.05;     // standard deviation of the pieces' levels
 constexpr double kQuietest = 20e-6;  // Pa, 0 dB
 constexpr double kBeyond = 1.015;    // amplitude over reach; half a step of a coarse converter stays below
 
@@ -104,7 +105,7 @@ Result<double> levelFrom(const std::string& text, SensorQuantity quantity) {
     return kQuietest * std::pow(10.0, value / 20.0);
   }
   if (problem == std::errc() && value > 0.0 && std::isfinite(value)) {
-    if (unit == "g" && acceleration) return value * kGravity;
+    if (unit == "g" && acceleration) return value * kStandardGravity;
     if (unit.empty() || unit == siUnit(quantity) || (acceleration && unit == "m/s2")) return value;
   }
   return Error{message("the calibrator's level"), message("'%1' is none", text),

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/conversions.h"
 #include "core/model/channel.h"
 #include "core/model/machine_state.h"
 #include "core/model/operator_input.h"
@@ -48,8 +49,7 @@ std::string_view siUnit(SensorQuantity q) {
 }
 
 double scaleOf(SensorQuantity q, double sensitivity, double volts) {
-  constexpr double kGravity = 9.80665;  // data sheets of accelerometers say mV/g
-  return volts * 1e3 / sensitivity * (q == SensorQuantity::Acceleration ? kGravity : 1.0);
+  return volts * 1e3 / sensitivity * (q == SensorQuantity::Acceleration ? kStandardGravity : 1.0);
 }
 
 int integrationFactor(SensorQuantity q) {

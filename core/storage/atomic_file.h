@@ -1,4 +1,4 @@
-// Text files appear whole or not at all: written beside their place, synced, then renamed over it.
+// A text as a file that appears whole or not at all (PartFile).
 // Thread: set-up and end of a run; never the sample path.
 #pragma once
 

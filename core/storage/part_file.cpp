@@ -1,13 +1,22 @@
 #include "core/storage/part_file.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
-namespace stillcut::record {
+namespace stillcut {
 
-PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".part") {
-  file_ = std::fopen(part_.c_str(), "wb");
+// A name of its own: two programs may write the same file at once, and the last one to finish is what stays.
+PartFile::PartFile(std::string path) : path_(std::move(path)), part_(path_ + ".XXXXXX") {
+  const int fd = ::mkstemp(part_.data());
+  if (fd >= 0) {
+    ::fchmod(fd, 0644);
+    file_ = ::fdopen(fd, "wb");
+  }
   if (file_ == nullptr) problem_ = errno;
 }
 
@@ -30,6 +39,7 @@ Error PartFile::failure() const {
 }
 
 Status PartFile::finish() {
+  if (std::fflush(file_) != 0 || ::fsync(::fileno(file_)) != 0) problem_ = problem_ != 0 ? problem_ : errno;
   const bool written = std::ferror(file_) == 0 && problem_ == 0;
   const bool closed = std::fclose(std::exchange(file_, nullptr)) == 0;
   if (problem_ == 0 && !closed) problem_ = errno;
@@ -39,4 +49,4 @@ Status PartFile::finish() {
   return failure();
 }
 
-}  // namespace stillcut::record
+}  // namespace stillcut

@@ -1,5 +1,5 @@
-// PartFile: a binary file written beside its name and renamed to it when it is complete; gone otherwise.
-// Thread: its owner's; not real-time.
+// PartFile: the one way a file appears whole or not at all: written beside its name, synced, renamed to it when it is
+// complete; gone otherwise. Thread: its owner's; not real-time.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "core/base/result.h"
 
-namespace stillcut::record {
+namespace stillcut {
 
 class PartFile {
  public:
@@ -34,4 +34,4 @@ class PartFile {
   int problem_ = 0;
 };
 
-}  // namespace stillcut::record
+}  // namespace stillcut

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 
+#include "core/base/conversions.h"
+
 namespace stillcut::record {
 namespace {
 
@@ -16,22 +18,21 @@ struct UnitRow {
 
 using Q = SensorQuantity;
 using K = UnitKind;
-constexpr double kGravity = 9.80665;
-constexpr double kInch = 0.0254;
 
 constexpr auto kUnits = std::to_array<UnitRow>({
     {"m/s2", K::Sensor, Q::Acceleration, 1.0},
     {"m/s/s", K::Sensor, Q::Acceleration, 1.0},
     {"ms-2", K::Sensor, Q::Acceleration, 1.0},
     {"mm/s2", K::Sensor, Q::Acceleration, 1e-3},
-    {"g", K::Sensor, Q::Acceleration, kGravity},
-    {"G", K::Sensor, Q::Acceleration, kGravity},
-    {"gn", K::Sensor, Q::Acceleration, kGravity},
-    {"mg", K::Sensor, Q::Acceleration, 1e-3 * kGravity},
+    {"g", K::Sensor, Q::Acceleration, kStandardGravity},
+    {"G", K::Sensor, Q::Acceleration, kStandardGravity},
+    {"gn", K::Sensor, Q::Acceleration, kStandardGravity},
+    {"mg", K::Sensor, Q::Acceleration, 1e-3 * kStandardGravity},
     {"m/s", K::Sensor, Q::Velocity, 1.0},
     {"mm/s", K::Sensor, Q::Velocity, 1e-3},
     {"um/s", K::Sensor, Q::Velocity, 1e-6},
     {"in/s", K::Sensor, Q::Velocity, kInch},
+    {"in/s2", K::Sensor, Q::Acceleration, kInch},
     {"m", K::Sensor, Q::Displacement, 1.0},
     {"mm", K::Sensor, Q::Displacement, 1e-3},
     {"um", K::Sensor, Q::Displacement, 1e-6},
@@ -44,7 +45,8 @@ constexpr auto kUnits = std::to_array<UnitRow>({
     {"N", K::Sensor, Q::Force, 1.0},
     {"kN", K::Sensor, Q::Force, 1e3},
     {"mN", K::Sensor, Q::Force, 1e-3},
-    {"lbf", K::Sensor, Q::Force, 4.4482216152605},
+    {"lbf", K::Sensor, Q::Force, kPoundForce},
+    {"lb", K::Sensor, Q::Force, kPoundForce},
     {"A", K::Sensor, Q::Current, 1.0},
     {"mA", K::Sensor, Q::Current, 1e-3},
     {"rpm", K::Sensor, Q::SpindleSpeed, 1.0},

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/conversions.h"
 #include "ui/base/say.h"
 
 namespace stillcut::ui {
 namespace {
 
-constexpr double kInch = 0.0254;  // [m]
 constexpr QChar kNoBreakSpace(0x00a0);
 constexpr QChar kMinus(0x2212);
 constexpr QChar kUnknown(0x2013);

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/conversions.h"
 #include "ui/base/format.h"
 #include "ui/base/say.h"
 #include "ui/plots/lobe_chart.h"
@@ -23,8 +24,6 @@
 
 namespace stillcut::ui {
 namespace {
-
-constexpr double kInch = 0.0254;
 
 double unitLength(UnitSystem units) {
   return units == UnitSystem::Inch ? kInch : 1e-3;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/conversions.h"
 #include "ui/base/format.h"
 #include "ui/plots/lobe_marks.h"
 #include "ui/plots/nice_ticks.h"
@@ -21,7 +22,6 @@
 namespace stillcut::ui {
 namespace {
 
-constexpr double kInch = 0.0254;
 constexpr double kWheelStep = 0.8;
 constexpr double kClosest = 0.02;  // of the whole that can be told apart
 

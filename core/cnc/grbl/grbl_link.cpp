@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/conversions.h"
 #include "core/cnc/move_order.h"
 
 namespace stillcut::cnc {
@@ -20,7 +21,6 @@ constexpr Duration kFresh = std::chrono::milliseconds(500);
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 // "Ov:" comes right after a change, and every 10 to 20 reports; a step that has not shown by then was lost.
 constexpr Duration kShowsWithin = std::chrono::milliseconds(700);
-constexpr double kInch = 0.0254;
 
 }  // namespace
 

@@ -2,12 +2,12 @@
 
 #include <cmath>
 
+#include "core/base/conversions.h"
 #include "core/cnc/wire_number.h"
 
 namespace stillcut::cnc {
 namespace {
 
-constexpr double kInch = 0.0254;
 constexpr double kMostPercent = 1000.0;
 constexpr double kFastestSpindle = 1e6;  // rev/min
 constexpr double kFastestFeed = 1e7;     // units/min

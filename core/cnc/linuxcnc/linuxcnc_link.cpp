@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "core/base/conversions.h"
 #include "core/cnc/linuxcnc/hal_backend.h"
 #include "core/cnc/linuxcnc/rsh_backend.h"
 
@@ -56,7 +57,7 @@ LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const 
       hal_(std::move(wires.hal), settings.password),
       overrides_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
       releaseBudget_(clock, kReleaseTime) {
-  if (settings.inches) status_.machineUnit = 0.0254;
+  if (settings.inches) status_.machineUnit = kInch;
 }
 
 LinuxCncLink::~LinuxCncLink() {

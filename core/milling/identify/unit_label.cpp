@@ -1,75 +1,53 @@
 #include "core/milling/identify/unit_label.h"
 
-#include <array>
+#include <algorithm>
 #include <string>
-#include <utility>
+
+#include "core/units/unit_names.h"
 
 namespace stillcut::identify {
 namespace {
 
-constexpr double kGravity = 9.80665;     // [m/s^2]
-constexpr double kInch = 0.0254;         // [m]
-constexpr double kPound = 4.4482216153;  // [N]
-
-void replaceAll(std::string& s, std::string_view from, std::string_view to) {
-  for (std::size_t at = s.find(from); at != std::string::npos; at = s.find(from, at + to.size())) {
-    s.replace(at, from.size(), to);
+// Universal files write labels in capitals, and brackets and blanks anywhere: "MM", "(m/s^2) / N".
+std::optional<record::UnitMeaning> sensorUnit(std::string_view label) {
+  std::string name;
+  for (const char c : label) {
+    if (std::string_view(" \t()[]").find(c) == std::string_view::npos) name += c;
   }
-}
-
-// Lower case, without brackets and blanks, squares as a plain 2, micro as u.
-std::string normal(std::string_view label) {
-  std::string s(label);
-  replaceAll(s, "\xC2\xB2", "2");  // superscript two
-  replaceAll(s, "\xC2\xB5", "u");  // micro sign
-  replaceAll(s, "\xCE\xBC", "u");  // Greek mu
-  replaceAll(s, "**", "^");
-  std::string out;
-  for (const char c : s) {
-    if (std::string_view(" \t()[]^").find(c) != std::string_view::npos) continue;
-    out += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  auto unit = record::unitFromText(name);
+  if (!unit) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    unit = record::unitFromText(name == "n" ? "N" : name == "kn" ? "kN" : name);
   }
-  replaceAll(out, "/s/s", "/s2");
-  replaceAll(out, "sec", "s");
-  return out;
+  return unit && unit->quantity ? unit : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<ResponseUnit> responseUnit(std::string_view label) {
-  using enum FrfQuantity;
-  static constexpr std::array<std::pair<std::string_view, ResponseUnit>, 13> kKnown = {{
-      {"m", {Compliance, 1.0}},
-      {"mm", {Compliance, 1e-3}},
-      {"um", {Compliance, 1e-6}},
-      {"in", {Compliance, kInch}},
-      {"m/s", {Mobility, 1.0}},
-      {"mm/s", {Mobility, 1e-3}},
-      {"in/s", {Mobility, kInch}},
-      {"m/s2", {Accelerance, 1.0}},
-      {"mm/s2", {Accelerance, 1e-3}},
-      {"in/s2", {Accelerance, kInch}},
-      {"g", {Accelerance, kGravity}},
-      {"gn", {Accelerance, kGravity}},
-      {"mg", {Accelerance, 1e-3 * kGravity}},
-  }};
-  const std::string name = normal(label);
-  for (const auto& [known, unit] : kKnown) {
-    if (name == known) return unit;
+  const auto unit = sensorUnit(label);
+  if (!unit) return std::nullopt;
+  switch (*unit->quantity) {
+    case SensorQuantity::Displacement:
+      return ResponseUnit{FrfQuantity::Compliance, unit->toSi};
+    case SensorQuantity::Velocity:
+      return ResponseUnit{FrfQuantity::Mobility, unit->toSi};
+    case SensorQuantity::Acceleration:
+      return ResponseUnit{FrfQuantity::Accelerance, unit->toSi};
+    default:
+      return std::nullopt;
   }
-  return std::nullopt;
 }
 
 std::optional<double> forceUnit(std::string_view label) {
-  const std::string name = normal(label);
-  if (name == "n") return 1.0;
-  if (name == "kn") return 1e3;
-  if (name == "lbf" || name == "lb") return kPound;
-  return std::nullopt;
+  const auto unit = sensorUnit(label);
+  if (!unit || *unit->quantity != SensorQuantity::Force) return std::nullopt;
+  return unit->toSi;
 }
 
 std::optional<ResponseUnit> frfUnit(std::string_view label) {
-  std::string name = normal(label);
+  std::string name(label);
   if (name.starts_with("1/")) {  // "1/N*(m/s2)"
     const std::size_t star = name.find('*');
     if (star == std::string::npos) return std::nullopt;

@@ -28,6 +28,8 @@ TEST(UnitLabel, KnowsTheUsualSpellings) {
   EXPECT_EQ(frfUnit("m/s/N")->quantity, FrfQuantity::Mobility);
   EXPECT_NEAR(frfUnit("g/lbf")->factor, 9.80665 / 4.4482216, 1e-6);
   EXPECT_DOUBLE_EQ(responseUnit("\xC2\xB5m")->factor, 1e-6);
+  EXPECT_DOUBLE_EQ(frfUnit("MM/N")->factor, 1e-3) << "universal files write capitals";
+  EXPECT_DOUBLE_EQ(frfUnit("( g ) / ( lb )")->factor, frfUnit("g/lbf")->factor);
   EXPECT_FALSE(frfUnit("V/Pa"));
   EXPECT_FALSE(frfUnit("m"));
 }
