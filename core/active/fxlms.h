@@ -1,19 +1,6 @@
-// The adaptive controller of one axis (Ford 2013 section "Adaptive control theory"; Kuo and Morgan 1996): leaky FXLMS.
-//   y(n) = sum w_k x(n-k),  e(n) = d(n) - (s * y)(n),  x' = s^ * x,  w <- leak w + 2 mu e(n) x'(n-k)      (eq. 2, 3a)
-// s is the path from output to sensor (path_model.h), s^ its model. Eq. 2 prints a minus; see lms.h. The reference x is
-//   Feedforward:     a signal of its own (a tooth-passing tone, a sensor near the cutter)
-//   ErrorFeedback:   the error itself (Hakansson; Stothers): x = e
-//   InternalModel:   the disturbance as the model sees it: x = d^ = e + s^ * y, the error with the model's part taken
-//   out
-//                    (Morari and Zafiriou)
-// The error and x' pass a weighting first that says which lines count most (error_weighting.h); none: the plain law.
-// The automatic step is a share of 1/(P (L + D)): P the mean square of x', L the taps, D the samples that path and
-// weighting delay by
-// (Elliott, Signal Processing for Active Control, 2001, section 3.4).
-// With it the error counts up to thrice its usual size, which keeps the first instants of a cut from throwing the
-// weights. What leaves the output limited (written()) is what went through the path: the model is fed with it, and
-// while it was limited the weights only leak, so that nothing winds up. Thread: one; everything but prepare() is
-// real-time.
+// The adaptive controller of one axis (Ford 2013 section "Adaptive control theory"; Kuo and Morgan 1996): leaky
+// filtered-x LMS with three choices of the reference. Equations and the automatic step:
+// resources/manual/developers/laws.md#fxlms. Thread: one; everything but prepare() is real-time.
 #pragma once
 
 #include <vector>

@@ -1,31 +1,6 @@
-// extremum-paper and extremum-seek: van Dijk 2010, section 4.2.
-//   Omega_new = Omega_0 (1 + theta_c)                                                                        (eq. 31)
-//   theta_c(k+1) = theta_c(k) + 2 mu_c sqrt(H) / gamma * sign(Delta f) * unit                                (eq. 32)
-//   gamma(k) = (1 - lambda_c) gamma(k-1) + lambda_c sqrt(H)                                                  (eq. 33)
-// with Delta f = f_c - p f_tp. Departures, with their reasons, each tested:
-// - Eq. 32's minus sign drives the speed away from the lobe's centre (in the paper's own example Delta f < 0 and the
-//   speed must fall), so it is a plus.
-// - Eq. 33 averages H where the text says sqrt(H), which alone makes the step a pure number.
-// - The step is in percent of Omega_0 per control period (`unit`): a full step per sample would leave the override's
-//   range at once. No step follows before the machine has shown the one before (section 4.3 leaves that to mu_c).
-// - theta_c(0) is where the spindle is when chatter begins: 0, but for moves of before.
-// - Nearer to Delta f = 0 than 0.1 % of f_c its sign is noise, and the speed stays; so it does while nothing is marked.
-//
-// sign(Delta f) alone settles where Delta f = 0 and not where H is least (figure 7: 33 000 against 33 600 rpm).
-// extremum-paper stops where the mark stops, at Delta f = 0 at the latest: where the speed then passed puts the chatter
-// onto a harmonic of the spindle, which no detector of one turn tells from the cut, it rests in chatter (demo.toml with
-// 20 ms of delay: 7922 rev/min, 7th harmonic). By the truth it ends stable for every delay from 0 to 120 ms.
-// extremum-seek goes on once the cut is quiet: first to where the law would settle for the last frequency heard,
-// because the edge of the pocket is no place to stay (the speed that Delta f = 0 asks for changes with the frequency;
-// near its end the law's own steps are slow). From there it compares the vibration at neighbouring speeds, brackets the
-// least, and ends at the vertex of the parabola through the bracket; a speed at which chatter returns is left again and
-// bounds the search, as does every other that has chattered, and nothing is judged in air. Past Delta f = 0, seen from
-// where chatter was heard, it tries one speed only: the paper's least vibration lies on the hither side, and beyond
-// begins the next lobe, which nobody has heard yet. On the ramp the vibration falls right up to that lobe's edge:
-// searched without this bound, 7 of 10 seeds met its chatter and ended louder (0.08 to 0.25 of the cut left alone) than
-// lobe-center (0.043). A fixed number of trials: it does not hunt. The vibration itself, where it is known, as figure
-// 12 compares it: H of a quiet cut is that of its noise (11 to 90 within a second at one speed of the simulated ramp)
-// and has its least where no chatter would come first, not where the cut is quietest. Thread: as Strategy.
+// extremum-paper and extremum-seek: van Dijk 2010, section 4.2: steps toward the speed of least perturbation by the
+// sign of f_c - p f_tp; the second goes on to the least vibration once the cut is quiet.
+// Equations and departures: resources/manual/developers/laws.md#extremum. Thread: as Strategy.
 #pragma once
 
 #include <array>

@@ -1,18 +1,5 @@
-// quarter-phase: Liao 1996, eq. 3 with the phase factor nu = 0.25:
-//   Z N / 60 = f_c / (n + nu), n = 0, 1, 2, ... chosen for the speed closest to the present one.
-// Departures, with their reasons:
-// - Eq. 3 prints Z N = 1 / T with N in revolutions per second; here N is in rev/min, hence the 60.
-// - nu is a parameter, because figure 4 compares several; 0.25 is the default, as section 2 derives it (eq. 8: the work
-//   per cycle is least at sin(phi) = 1).
-// - n = 0 is allowed where nu lets it; a target out of the override's reach is not asked for, and said.
-// - The paper decides once per 512-point spectrum (1.2 s); here the rule is recomputed while chatter is marked, with
-//   the frequency low-passed (frequency_rule.h).
-// - No quarter wave is promised to be stable: eq. 8 counts the energy of a vibration that is there, not the lobes. On
-//   van Dijk's ramp its target lies outside the stable pocket (tests/component/control_loop_test.cpp).
-//
-// A quarter wave between two cuts takes the most energy out of the vibration in each period. The paper's machine could
-// only go slower, so the direction is an option: nearest, down, up. "Slower" includes what the rule already reached:
-// a target that the frequency's noise puts a hair above the present speed is not a reason to jump a whole pocket.
+// quarter-phase: Liao 1996, eq. 3 with the phase factor nu = 0.25: n + 1/4 waves between two cuts, at the speed closest
+// to the present one. Equations and departures: resources/manual/developers/laws.md#quarter-phase. Thread: as Strategy.
 #pragma once
 
 #include "core/control/frequency_rule.h"

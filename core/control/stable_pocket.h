@@ -1,18 +1,5 @@
-// stable-pocket: the default strategy. van Dijk 2010, section 4.1 chooses where to go (eq. 29, 30); this is what it
-// takes to leave the rule on without watching it:
-//   watch   the cut; an alarm must stand for a moment at one frequency (chatter_confirmation.h)
-//   move    once, to a target that no longer changes; where modes are known it is checked against the lobes
-//   settle  until the spindle is there and what chattered has had time to ring down. There is also where it stands
-//           although the order is in force: slip under load is not waited for. A target that a turned knob has put out
-//           of reach is given up
-//   judge   with fresh verdicts: quiet, or an onset that does not grow: stay. Chatter again: the next pocket
-//           The gate has let go of the speed while it chattered (a sensor at its limit): that speed is not gone to
-//           again
-//   resign  after a few speeds, or where none is left: back to the programmed values, saying which depth would do: the
-//           lobes' where they are known. Without them no depth can be worked out (chatter's frequencies give the shape
-//           of the lobes, never their scale); what was seen bounds it: less than where the chatter began
-// Ours are the waiting, the memory of speeds that chattered, the lobes and the resigning; the paper recomputes its
-// target while chatter is marked, which on a spindle that takes longer to move than the chatter to change hunts.
+// stable-pocket: the default strategy: goes once to the pocket that van Dijk 2010, section 4.1 chooses, waits, judges,
+// and resigns after a few speeds. Its states and what is ours in it: resources/manual/developers/laws.md#stable-pocket.
 // Thread: as Strategy.
 #pragma once
 

@@ -103,7 +103,7 @@ struct JoinedSource::Follower {
   int stretch = 0, looked = 0;  // frames in which repeats are counted
   bool clipped = false;
   bool unchecked = false;  // its newest block
-  int otherRate = -1;      // ... and which of its channels
+  int otherRate = -1;      // the channel of another rate; -1: none
   Instant clippedFrom{}, clippedTo{};
   std::unique_ptr<rt::SpscRing<SampleBlock>> ring;
   SampleBlock spare;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr Duration kRetry = std::chrono::milliseconds(500);
 constexpr Duration kSilence = std::chrono::seconds(2);   // a device that streams is never silent for so long
-constexpr Duration kBoot = std::chrono::seconds(6);      // ... but when it starts first
+constexpr Duration kBoot = std::chrono::seconds(6);      // silence of a device that is starting
 constexpr Duration kOpenTime = std::chrono::seconds(3);  // of a wire, and from its first byte to the first sample
 constexpr Duration kWait = std::chrono::milliseconds(20);
 

@@ -13,8 +13,8 @@ inline constexpr int kMaxChannels = 32;
 
 struct ChannelStatus {
   double rms = 0.0;     // over about a tenth of a second, without offset [SI]
-  double peak = 0.0;    // ... largest magnitude
-  double offset = 0.0;  // ... mean of what the device delivers [SI]
+  double peak = 0.0;    // largest magnitude over the same time [SI]
+  double offset = 0.0;  // mean of what the device delivers [SI]
   Reason fault;         // None: can be believed
 };
 

@@ -1,23 +1,5 @@
 // DivergenceWatch: tells when an adaptive loop runs away or is at its end, from what goes out and what comes back.
-// Energies are summed over windows of 4 ms. Given up when
-//   Diverging:  error and output both grew by 30 % in each of four windows in a row, the error is twice (in amplitude)
-//               what it was in any window of the quarter second before, and the output is above a tenth of its limit:
-//               growth from outside has no reason to follow the output, but for a while, through what was learned, it
-//               does; so it does when a tool enters at once, at the beginning of the stroke
-//   Saturated:  more than half of the last three windows' samples were cut off at a limit, and the error is twice that
-//               too: the output is at its end and nothing gets better. Or more than half of a quarter second's were,
-//               and the error of late is twice the quietest of the last half minute, or has half as much power again
-//               as before the output began: the end of a runaway that was too slow to be seen from window to window,
-//               as with a wrong sign and a small step, or whose stroke is too short to make the error twice as loud
-//   Worse:      now, and in more than half of a quarter second, the error had twice the power of what the controller's
-//               own model says it would be without output. Not sooner: in air the loop learns from the sensor's noise,
-//               and when the tool enters it takes some 50 ms to learn the cut instead; what grows is caught by the
-//               rules above. Not while the output is below a hundredth of its limit: nothing is at stake.
-//   DeadSensor: the reading has not changed at all for 5 ms while something goes out
-//   Silenced:   it went on steadily and then fell by 20 dB at once for three windows, while the output went on as it
-//               was: no control does that, but a cable that breaks leaves the converter's noise
-// so that at the latest 16 ms of growth, 12 ms of saturation or 16 ms of silence pass, 132 ms of a steady vibration
-// that is worse than without, and 250 ms at the end of a stroke. Thread: one, real-time.
+// Its five rules: resources/manual/developers/laws.md#divergence-watch. Thread: one, real-time.
 #pragma once
 
 #include <array>

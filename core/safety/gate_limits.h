@@ -18,7 +18,7 @@ struct GateLimits {
   bool autoAllowed = false;
 
   double speedStep = 0.05;        // largest change of our speed factor per step
-  double speedSlew = 1.0;         // ... per second
+  double speedSlew = 1.0;         // largest change of our speed factor per second
   double feedStep = 0.05;         // the same for feed
   double feedSlew = 2.0;          //
   double recoveryFraction = 0.2;  // of step and slew, back toward 100 % when nothing chatters

@@ -1,20 +1,6 @@
-// Cutting coefficients from mean forces at several feeds (mechanistic identification).
-//
-// In the axes of core/milling/cut_model.h a tooth at phi feels, from the workpiece, F_t against its motion
-// (cos phi, -sin phi), F_r inward against (sin phi, cos phi), F_a along +z (up, out of the workpiece):
-//   F_x = -F_t cos phi - F_r sin phi,  F_y = F_t sin phi - F_r cos phi,  F_z = F_a,
-// with F_q = a_p (K_q f_z sin phi + K_qe), q = t, r, a. The mean over a revolution of Z teeth, engaged st .. ex, is
-// linear in the feed, mean F = f_z (slope) + (edge), P = Z a_p / (2 pi), integrals over st .. ex:
-//   slope x = P (-K_t SC - K_r SS)     edge x = P (-K_te C - K_re S)      SC = int sin cos, SS = int sin^2
-//   slope y = P ( K_t SS - K_r SC)     edge y = P ( K_te S - K_re C)      S = int sin, C = int cos
-//   slope z = P K_a S                  edge z = P K_ae (ex - st)
-// For a slot: slope x = -Z a_p K_r / 4, slope y = Z a_p K_t / 4, edge x = -Z a_p K_re / pi, edge y = Z a_p K_te / pi,
-// slope z = Z a_p K_a / pi, edge z = Z a_p K_ae / 2 (Altintas, Manufacturing Automation, 2nd ed., eq. 2.92).
-// Helix and runout leave the mean over whole revolutions as it is. The force is taken linear in the chip thickness.
-//
-// Signs: a dynamometer measures the force on the workpiece (the negative of the above), and its axes may point
-// anywhere. Each measured axis is multiplied by its sign to become the force on the tool. Left open, the signs are
-// found from what must hold: K_t, K_r and K_a are positive. Thread: any, set-up path.
+// Cutting coefficients from mean forces at several feeds (mechanistic identification; Altintas, Manufacturing
+// Automation, 2nd ed., eq. 2.92). Equations, axes and signs: resources/manual/developers/laws.md#cutting-coefficients.
+// Thread: any, set-up path.
 #pragma once
 
 #include <array>

@@ -1,24 +1,7 @@
 // ChatterTruth: what really goes on in a simulated cut, to judge detectors and controllers by. It looks at the tip of
-// the tool itself; sensors and their noise do not come into it.
-//
-// The chatter part of the tip's acceleration is its second difference over the period T in which the forced vibration
-// repeats, a(t) - 2 a(t-T) + a(t-2T): the forced vibration falls out, slow growth of it too. T is the spindle's
-// revolution; the tooth period where pitch and runout are the same for all teeth, so that period doubling shows with
-// any number of teeth. Divided by |1 - exp(-2 pi i f_c T)|^2 (kept above 0.3) it has the chatter's amplitude. Samples
-// come at equal angles, so T is exact at any speed. ratio = rms of the chatter part / rms of the rest (x and y
-// together), over the longer of one revolution and 8 ms; times are those of the middle of that window.
-// Onset at 1, 20, 50 % means this amplitude ratio; an energy ratio of 20 % is an amplitude ratio of 50 %.
-//
-// Two companions of the cut that know neither noise nor sensors go with it: one linearised, for its growth
-// (growth_probe.h), one whose vibration leaves no marks, for the forced vibration alone.
-// What does not repeat is chatter only where the cut excites itself: random forces shake a stable cut too. So the ratio
-// counts while the linearised cut is unstable, as far as it exceeds what it was when stable; from where it became
-// stable it counts at most as what was there then and dies at the rate of the linearised cut. While the forced
-// vibration itself settles after entry, exit and steps of the engagement nothing is called chatter for `settle`.
-// Chatter may repeat as the forced vibration does: a flip of an even number of teeth with runout, and large chatter
-// locks to a spindle harmonic near by. Where the linearised cut says so (gain below 0.3), and once chatter has begun in
-// a cut that stays unstable, its part is the departure from the forced companion, less what that was when stable
-// (Hopf). Thread: one. add() is real-time safe; the questions about the past are not.
+// the tool itself; sensors and their noise do not come into it. Definition:
+// resources/manual/developers/laws.md#chatter-truth. Thread: one. add() is real-time safe; the questions about the past
+// are not.
 #pragma once
 
 #include <array>
