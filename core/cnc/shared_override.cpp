@@ -8,45 +8,79 @@
 namespace stillcut::cnc {
 namespace {
 
-// LinuxCNC was seen to take up to 4.7 s until a set shows. What has not shown by then is lost and sent again.
-constexpr Duration kLatestEcho = std::chrono::seconds(6);
+// A reading that lies for longer is believed.
+constexpr Duration kLongestLie = std::chrono::seconds(6);
 
 }  // namespace
 
 int SharedOverride::target() const noexcept {
-  const double wanted = std::round(base_ * factor_);
-  return static_cast<int>(std::clamp(wanted, static_cast<double>(lowest_), static_cast<double>(highest_)));
+  if (factor_ == 1.0) return base_;
+  const int lowest = std::min(lowest_, base_), highest = std::max(highest_, base_);
+  return static_cast<int>(
+      std::clamp(std::round(base_ * factor_), static_cast<double>(lowest), static_cast<double>(highest)));
 }
 
-bool SharedOverride::mayBeOurs(int percent, Instant now) const noexcept {
-  const std::uint64_t kept = std::min<std::uint64_t>(sentCount_, sent_.size());
-  for (std::uint64_t i = 0; i < kept; ++i) {
-    const Sent& s = sent_[(sentCount_ - 1 - i) % sent_.size()];
-    if (now - s.when > kLatestEcho) return false;
-    if (s.percent == percent) return true;
+// Whether `percent` is what was sent and may show now. In order: the ones before it never will.
+bool SharedOverride::takeEcho(int percent, Instant now) noexcept {
+  const std::uint64_t kept = sentCount_ - std::min<std::uint64_t>(sentCount_, sent_.size());
+  for (std::uint64_t i = std::max(manners_.inOrder ? unseen_ : firstOnBase_, kept); i < sentCount_; ++i) {
+    const Sent& s = sent_[i % sent_.size()];
+    if (s.percent != percent || now - s.when > manners_.latestEcho) continue;
+    unseen_ = std::max(unseen_, i + 1);
+    lateEchoShown_ = lateEchoShown_ || i < firstOnBase_;
+    return true;
   }
   return false;
 }
 
-bool SharedOverride::everSent(int percent) const noexcept {
-  const std::uint64_t kept = std::min<std::uint64_t>(sentCount_, sent_.size());
-  return std::any_of(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(kept),
-                     [percent](const Sent& s) { return s.percent == percent; });
+bool SharedOverride::sentOnBase(int percent) const noexcept {
+  const std::uint64_t kept = sentCount_ - std::min<std::uint64_t>(sentCount_, sent_.size());
+  for (std::uint64_t i = std::max(firstOnBase_, kept); i < sentCount_; ++i) {
+    if (sent_[i % sent_.size()].percent == percent) return true;
+  }
+  return false;
 }
 
 void SharedOverride::seen(int percent, Instant now) noexcept {
-  const bool stoodThere = std::exchange(rejoining_, false) && everSent(percent);
-  if (underway_ && (*underway_ == percent || !mayBeOurs(*underway_, now))) underway_.reset();
-  if (shown_ == percent) return;
-  const bool first = !shown_ && sentCount_ == 0;
-  shown_ = percent;
+  const bool stoodThere = std::exchange(rejoining_, false) && sentOnBase(percent);
+  if (underway_ && (*underway_ == percent || now - sent_[(sentCount_ - 1) % sent_.size()].when > manners_.latestEcho)) {
+    underway_.reset();
+  }
+  const bool echo = shown_ != percent && takeEcho(percent, now);  // unchanged it is no answer yet
+  const bool first = !shown_ && nothingSent();
   if (first) base_ = percent;
-  if (first || percent == target() || stoodThere || mayBeOurs(percent, now)) return;
-  // Nobody here sent this: the operator's hand.
+  const bool ours = first || shown_ == percent || percent == target() || stoodThere || echo;
+  if (!ours && std::exchange(doubted_, percent) != percent) timesDoubted_ = 0;
+  if (!ours && ++timesDoubted_ < manners_.sightings) return;
+  doubted_.reset();
+  timesDoubted_ = 0;
+  const int stood = shown_.value_or(percent);
+  shown_ = percent;
+  if (ours || undoHand(percent, now)) return;
+  if (manners_.sightings > 1 && !nothingSent()) beforeHand_ = BeforeHand{stood, base_, factor_, firstOnBase_, now};
+  takeHand(percent);
+}
+
+bool SharedOverride::undoHand(int percent, Instant now) noexcept {
+  if (!beforeHand_ || beforeHand_->shown != percent || now - beforeHand_->taken > kLongestLie) return false;
+  base_ = beforeHand_->base;
+  firstOnBase_ = beforeHand_->firstOnBase;
+  if (grabbed_) factor_ = beforeHand_->factor;
+  beforeHand_.reset();
+  grabbed_ = false;
+  return true;
+}
+
+// Nobody here sent this: the operator's hand. What is still on its way may show up after it; then it is sent home to
+// what the hand chose.
+void SharedOverride::takeHand(int percent) noexcept {
   grabbed_ = factor_ != 1.0;
   base_ = percent;
   factor_ = 1.0;
-  sentCount_ = 0;
+  firstOnBase_ = sentCount_;
+  // A reading that may lie is no reason to send anything over what stands.
+  if (!underway_ || manners_.sightings > 1) unseen_ = sentCount_;
+  lateEchoShown_ = false;
   underway_.reset();
 }
 
@@ -57,14 +91,16 @@ void SharedOverride::want(Ratio factor, std::uint64_t engagement) noexcept {
     grabbed_ = false;
   }
   if (!grabbed_) factor_ = factor.value;
+  if (beforeHand_) beforeHand_->factor = factor.value;
 }
 
 void SharedOverride::relinquish() noexcept {
   factor_ = 1.0;
+  if (beforeHand_) beforeHand_->factor = 1.0;
 }
 
 std::optional<int> SharedOverride::due() const noexcept {
-  if (!shown_) return std::nullopt;
+  if (!shown_ || doubted_) return std::nullopt;
   const int wanted = target();
   return underway_.value_or(*shown_) == wanted ? std::nullopt : std::optional(wanted);
 }
@@ -87,7 +123,9 @@ void SharedOverride::lost() noexcept {
 void SharedOverride::restarted() noexcept {
   shown_.reset();
   underway_.reset();
+  doubted_.reset();
   rejoining_ = false;
+  unseen_ = sentCount_;
 }
 
 }  // namespace stillcut::cnc

@@ -2,10 +2,13 @@
 // percentage, so our factor must be told apart from the operator's: the base is what stood there before us, ours
 // multiplies it, and any value that shows up without our having sent it is the operator's hand. Then ours is over: the
 // new value is the base, and nothing is sent until the engagement that was running has ended. LinuxCNC's feed and
-// spindle override work so, and GRBL's. Thread: link thread. Real-time safe.
+// spindle override work so, and GRBL's.
+// The limits bound what we ask for, never what the operator chose: a base beyond a limit stays where it is.
+// Thread: link thread. Real-time safe.
 #pragma once
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <optional>
 
@@ -16,8 +19,19 @@ namespace stillcut::cnc {
 
 class SharedOverride {
  public:
-  // Percentages this register can hold.
-  SharedOverride(int lowest, int highest) : lowest_(lowest), highest_(highest) {}
+  struct Manners {
+    // How often on end a foreign value must be read to be a hand: 2 where a report has no checksum. While one is
+    // doubted nothing is sent, and a hand that gives way within seconds to the value of ours that stood there was none.
+    int sightings = 1;
+    // What was sent shows in the order in which it was sent: a value older than one that has shown is a hand.
+    bool inOrder = true;
+    // Until a value that was sent shows; what has not shown by then is lost. LinuxCNC was seen to take up to 4.7 s.
+    Duration latestEcho = std::chrono::seconds(6);
+  };
+  // Percentages that we may ask for.
+  SharedOverride(int lowest, int highest) : SharedOverride(lowest, highest, Manners()) {}
+  SharedOverride(int lowest, int highest, const Manners& manners)
+      : lowest_(lowest), highest_(highest), manners_(manners) {}
 
   // The register was read: `percent`. Values we sent within the last `settle` may show up late and in order.
   void seen(int percent, Instant now) noexcept;
@@ -38,14 +52,14 @@ class SharedOverride {
   void restarted() noexcept;
 
   // Nothing of ours stands in the register, or all that is left is on its way out.
-  bool atBase() const { return sentCount_ == 0 || (shown_ && underway_.value_or(*shown_) == base_); }
+  bool atBase() const { return nothingSent() || (shown_ && underway_.value_or(*shown_) == base_); }
   // The base itself was seen, and nothing is on its way.
-  bool baseConfirmed() const { return sentCount_ == 0 || (shown_ == base_ && !underway_); }
+  bool baseConfirmed() const { return nothingSent() || (shown_ == base_ && !underway_ && !doubted_); }
   // All that was sent has been seen, or was given up.
   bool settled() const { return !underway_; }
   bool known() const { return shown_.has_value(); }
   int shown() const { return shown_.value_or(100); }
-  // Where it should stand: the base times our factor, within the register's range.
+  // Where it should stand: the base times our factor, within the limits, and not beyond the base the other way.
   int target() const noexcept;
   // The operator's hand has ended the engagement that is running.
   bool grabbed() const { return grabbed_; }
@@ -57,19 +71,35 @@ class SharedOverride {
     int percent = 0;
     Instant when{};
   };
-  bool mayBeOurs(int percent, Instant now) const noexcept;
-  bool everSent(int percent) const noexcept;
+  bool nothingSent() const { return sentCount_ == firstOnBase_ && !lateEchoShown_; }
+  bool takeEcho(int percent, Instant now) noexcept;
+  bool sentOnBase(int percent) const noexcept;
+  void takeHand(int percent) noexcept;
+  bool undoHand(int percent, Instant now) noexcept;
 
   int lowest_, highest_;
+  Manners manners_;
   std::optional<int> shown_;
+  std::optional<int> doubted_;  // a foreign value that has been read, but not often enough
+  int timesDoubted_ = 0;
   std::optional<int> underway_;  // sent, not seen yet
   int base_ = 100;
   double factor_ = 1.0;
   std::uint64_t engagement_ = 0;
   bool grabbed_ = false;
-  bool rejoining_ = false;       // lost, and not seen since
-  std::array<Sent, 64> sent_{};  // a ring
-  std::uint64_t sentCount_ = 0;
+  bool rejoining_ = false;         // lost, and not seen since
+  std::array<Sent, 64> sent_{};    // a ring
+  std::uint64_t sentCount_ = 0;    // ever
+  std::uint64_t firstOnBase_ = 0;  // number of the first that was sent on this base
+  std::uint64_t unseen_ = 0;       // number of the first that has not shown yet
+  struct BeforeHand {
+    int shown = 0, base = 0;
+    double factor = 1.0;  // wanted then, or since
+    std::uint64_t firstOnBase = 0;
+    Instant taken{};
+  };
+  std::optional<BeforeHand> beforeHand_;  // where a reading may lie
+  bool lateEchoShown_ = false;            // of ours, sent before the hand that chose this base
 };
 
 }  // namespace stillcut::cnc

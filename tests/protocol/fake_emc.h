@@ -19,12 +19,14 @@ struct FakeMill {
   double s = 8000.0, f = 600.0;
   bool inches = false;
   bool machineOn = true, running = true, paused = false;
-  bool speedLocked = false, feedLocked = false;  // M51 P0, M50 P0; both: M49
-  bool refusesControl = false;                   // "set enable" is not acknowledged
-  double moves = 1.0;                            // of the path's velocity: rapid moves, corners
-  double adaptive = 1.0;                         // motion.adaptive-feed
-  bool adaptiveHeeded = true;                    // M52 P1
-  double highest = 1e9, fastest = 1e9;           // the spindle's and the path's own limit, rev/min and units/min
+  bool speedLocked = false, feedLocked = false;    // M51 P0, M50 P0; both: M49
+  bool refusesControl = false;                     // "set enable" is not acknowledged
+  bool refusesSpeed = false, refusesFeed = false;  // an override alone is not taken
+  int questions = 0;                               // to linuxcncrsh
+  double moves = 1.0;                              // of the path's velocity: rapid moves, corners
+  double adaptive = 1.0;                           // motion.adaptive-feed
+  bool adaptiveHeeded = true;                      // M52 P1
+  double highest = 1e9, fastest = 1e9;             // the spindle's and the path's own limit, rev/min and units/min
   const void* owner = nullptr;
   bool crashed = false;
   int sets = 0;
@@ -92,7 +94,8 @@ class FakeEmcClient final : public Peer {
     }
   }
   void set(const std::string& value, const std::string& what, int& inForce, int& shown, const Answer& answer) {
-    if (mill_.owner != this || !mill_.machineOn) {
+    const bool refused = what == "FEED_OVERRIDE" ? mill_.refusesFeed : mill_.refusesSpeed;
+    if (mill_.owner != this || !mill_.machineOn || refused) {
       ack(what, false, 0.0, answer);
       return;
     }
@@ -102,6 +105,7 @@ class FakeEmcClient final : public Peer {
   }
   void get(const std::string& line, const Answer& answer) const {
     const std::string nl = "\r\n";
+    mill_.questions += line.starts_with("get pinval ") ? 0 : 1;
     if (line == "get enable") answer(std::string("ENABLE ") + (mill_.owner == this ? "ON" : "OFF") + nl, 0.0);
     if (line == "get feed_override") answer("FEED_OVERRIDE " + std::to_string(mill_.shownFeed) + nl, 0.0);
     if (line == "get spindle_override 0") {

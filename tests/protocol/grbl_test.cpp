@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tests/protocol/commands.h"
@@ -71,6 +72,9 @@ TEST(GrblSteps, ReachEveryPercentageFromEveryOther) {
         ASSERT_TRUE(s.coarse != 0 || s.fine != 0) << from << " to " << to << " stuck at " << at;
         ASSERT_GE(s.percent, kGrblLowest);
         ASSERT_LE(s.percent, kGrblHighest);
+        for (const int part : {s.percent, s.coarseAlone, s.fineAlone}) {
+          ASSERT_TRUE(part >= std::min(at, to) && part <= std::max(at, to)) << from << " to " << to << " by " << part;
+        }
         at = s.percent;
         ++rounds;
       }
@@ -169,12 +173,70 @@ TEST(Grbl, AReportOlderThanTheStepIsNoLostStep) {
     while (b.grbl.reports < until) b.run(0.005);
     b.link->apply(b.gate.set(91.0), b.clock.now());
     const MachineState m = b.run(1.0);
-    EXPECT_EQ(b.grbl.moved.size(), 4U) << reports;  // ten down and one up, of speed and feed
+    EXPECT_EQ(b.grbl.moved.size(), 18U) << reports;  // nine times one down, of speed and feed
     EXPECT_EQ(b.grbl.spindle, 91) << reports;
     EXPECT_EQ(m.operatorSpeed.value, 1.0) << reports;
     b.link->release(b.clock.now());
     EXPECT_EQ(b.grbl.spindle, 100) << reports;
     EXPECT_EQ(b.grbl.feed, 100) << reports;
+  }
+}
+
+// The line has no checksum: one flipped bit is no hand, moves nothing and ends nothing. One that is shown for long is
+// taken for a hand until the truth comes back, and the machine is brought home to what it was.
+TEST(Grbl, AFalseReportMovesNothing) {
+  for (const int lie : {93, 19, 183}) {
+    for (const int times : {1, 2, 30}) {
+      Bench b;
+      b.run(0.5);
+      b.link->apply(b.gate.set(90.0), b.clock.now());
+      b.run(1.0);
+      ASSERT_EQ(b.grbl.feed, 90);
+      const std::size_t moved = b.grbl.moved.size();
+      b.grbl.lies = times;
+      b.grbl.liedFeed = lie;
+      b.run(5.0);
+      EXPECT_EQ(b.grbl.moved.size(), moved) << lie << " said " << times << " times";
+      b.link->release(b.clock.now());
+      EXPECT_EQ(b.grbl.feed, 100) << lie << " said " << times << " times";
+      EXPECT_EQ(b.grbl.spindle, 100);
+    }
+  }
+}
+
+// Let go of before the first step went out: it must not go out after all.
+TEST(Grbl, AReleaseBeforeTheFirstStepIsObeyed) {
+  Bench b;
+  b.run(0.5);
+  b.grbl.ignores = true;
+  b.link->apply(b.gate.set(90.0), b.clock.now());
+  b.link->release(b.clock.now());
+  b.grbl.ignores = false;
+  b.run(3.0);
+  EXPECT_EQ(b.grbl.feed, 100);
+  EXPECT_EQ(b.grbl.spindle, 100);
+}
+
+// Never more than the operator chose, not for one step of ten.
+TEST(Grbl, TheWayHomeLeadsNowhereBeyond) {
+  for (const int operators : {40, 66, 97, 116, 135}) {
+    Bench b;
+    b.grbl.feed = b.grbl.spindle = operators;
+    b.run(0.5);
+    b.link->apply(b.gate.set(90.0), b.clock.now());
+    int highest = 0;
+    for (int k = 0; k < 200; ++k) {
+      b.run(0.01);
+      highest = std::max({highest, b.grbl.feed, b.grbl.spindle});
+    }
+    b.link->apply(b.gate.relinquish(), b.clock.now());
+    for (int k = 0; k < 200; ++k) {
+      b.run(0.01);
+      highest = std::max({highest, b.grbl.feed, b.grbl.spindle});
+    }
+    EXPECT_EQ(highest, operators);
+    EXPECT_EQ(b.grbl.feed, operators);
+    EXPECT_EQ(b.grbl.spindle, operators);
   }
 }
 

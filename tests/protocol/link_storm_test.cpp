@@ -171,6 +171,7 @@ class WiredWorld : public World {
 class LinuxCncWorld : public WiredWorld {
  public:
   LinuxCncWorld(unsigned seed, bool component) : WiredWorld(seed), component_(component) {
+    onePlace_ = true;  // TCP: what one server says on one connection comes in order
     LinuxCncLink::Wires wires;
     wires.control = component ? wire(hal_) : wire(control_);
     wires.watch = wire(watch_);

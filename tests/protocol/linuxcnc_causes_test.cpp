@@ -27,6 +27,33 @@ TEST(LinuxCnc, OperatorsHandEndsOursAndIsNotFoughtOver) {
   EXPECT_EQ(b.mill.feed, 100);
 }
 
+// Whatever the hand chose, also beyond our limits: it stands at every later moment, and after we have gone.
+TEST(LinuxCnc, NoHandIsEverSentOver) {
+  for (const int hand : {0, 20, 40, 49, 70, 95, 101, 120, 151, 180}) {
+    for (const bool ofSpeed : {true, false}) {
+      Bench b;
+      b.run(0.3);
+      double t = 0.0;
+      const auto engaged = [&](double seconds) {
+        for (double end = t + seconds; t < end; t += 0.005) {
+          b.link->apply(b.gate.set(90.0), b.clock.now());
+          b.run(0.005);
+        }
+      };
+      engaged(1.5);
+      ASSERT_EQ(b.mill.spindle, 90);
+      (ofSpeed ? b.mill.spindle : b.mill.feed) = (ofSpeed ? b.mill.shownSpindle : b.mill.shownFeed) = hand;
+      for (int k = 0; k < 20; ++k) {
+        engaged(0.1);
+        ASSERT_EQ(ofSpeed ? b.mill.spindle : b.mill.feed, hand) << ofSpeed;
+      }
+      b.link->release(b.clock.now());
+      EXPECT_EQ(ofSpeed ? b.mill.spindle : b.mill.feed, hand) << ofSpeed;
+      EXPECT_EQ(ofSpeed ? b.mill.feed : b.mill.spindle, 100) << "the other goes home";
+    }
+  }
+}
+
 TEST(LinuxCnc, AcknowledgedWithoutEffectIsALockNotASuccess) {
   Bench b;
   b.run(0.2);
@@ -145,7 +172,7 @@ TEST(LinuxCnc, MachineOffIsNotReadyAndNotLostControl) {
   EXPECT_EQ(b.mill.owner, nullptr);  // nothing could be done with it
   b.mill.machineOn = true;
   b.mill.running = false;
-  EXPECT_EQ(b.run(0.3).block, OverrideInhibit::NoProgram);
+  EXPECT_EQ(b.run(0.6).block, OverrideInhibit::NoProgram);
 }
 
 }  // namespace

@@ -159,7 +159,7 @@ TEST(LinuxCncHal, AbortedProgramIsNotRunningAndTheReleaseBringsBack) {
   Bench b;
   b.engage(90.0);
   b.mill.running = false;
-  EXPECT_FALSE(b.run(0.1).programRunning);
+  EXPECT_FALSE(b.run(0.6).programRunning);
   b.link->release(b.clock.now());
   b.leave(0.19);
   EXPECT_EQ(b.mill.spindle, 100);
@@ -174,7 +174,7 @@ TEST(LinuxCncHal, RestartedMachineIsHomeAndItsWatchdogProvenAnew) {
   b.component->hangUp();
   b.mill = {};
   b.hal.keeper = {};
-  b.run(0.1);
+  b.run(0.4);
   b.faults.refuse(false);
   b.link->apply(b.gate.relinquish(), b.clock.now());  // the lease ran out meanwhile
   const OverrideCommand command = b.gate.set(91.0);

@@ -22,7 +22,7 @@ TEST(LinuxCnc, ReadsTheMachineAndTakesNoControlUnasked) {
   EXPECT_NEAR(toMmPerMin(m.programmedFeed), 600.0, 1e-6);
   EXPECT_NEAR(m.actualSpeed.value, 8000.0, 1.0);
   EXPECT_NEAR(toMmPerMin(m.actualFeed), 600.0, 1e-3);
-  EXPECT_LT(secondsBetween(m.time, b.clock.now()).value, 0.03);
+  EXPECT_LT(secondsBetween(m.time, b.clock.now()).value, 0.25);
   EXPECT_EQ(b.mill.owner, nullptr);
   EXPECT_EQ(b.mill.sets, 0);
   EXPECT_FALSE(b.link->describe().machineWatchdog);  // the overrides stay when we die
@@ -66,7 +66,7 @@ TEST(LinuxCnc, QuittingWhileTheMachineIsOffIsAtOnceAndTheOverrideGoesHomeWhenItI
   b.link->apply(b.gate.set(90.0), b.clock.now());
   b.run(1.0);
   b.mill.machineOn = b.mill.running = false;
-  b.run(0.2);
+  b.run(0.6);
   const Instant began = b.clock.now();
   b.link->release(began);
   EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.3);  // control is given back
@@ -78,6 +78,61 @@ TEST(LinuxCnc, QuittingWhileTheMachineIsOffIsAtOnceAndTheOverrideGoesHomeWhenItI
   b.run(1.0);
   EXPECT_EQ(b.mill.spindle, 100);
   EXPECT_EQ(b.mill.feed, 100);
+}
+
+// Off is obeyed however slow the answers are: what the hand has to say goes before any question.
+TEST(LinuxCnc, AReleaseReachesAMachineWhoseAnswersAreSlow) {
+  for (const double delay : {0.0005, 0.003, 0.005, 0.02, 0.1}) {
+    Bench b;
+    b.faults.delay(delay);
+    b.run(3.0);
+    for (int i = 0; i < 600; ++i) {
+      b.link->apply(b.gate.set(90.0), b.clock.now());
+      b.run(0.005);
+    }
+    ASSERT_EQ(b.mill.spindle, 90) << delay;
+    ASSERT_EQ(b.mill.feed, 90) << delay;
+    const Instant began = b.clock.now();
+    b.link->release(began);
+    EXPECT_EQ(b.mill.spindle, 100) << delay;
+    EXPECT_EQ(b.mill.feed, 100) << delay;
+    EXPECT_EQ(b.mill.owner, nullptr) << delay;
+    EXPECT_LT(secondsBetween(began, b.clock.now()).value, 0.4 + 8.0 * delay) << "two sets of 100 ms, read back";
+  }
+}
+
+// Each override goes home by itself.
+TEST(LinuxCnc, ARefusedOverrideKeepsTheOtherFromNothing) {
+  for (const bool feedRefused : {true, false}) {
+    Bench b;
+    b.run(0.3);
+    b.link->apply(b.gate.set(90.0), b.clock.now());
+    b.run(1.0);
+    (feedRefused ? b.mill.refusesFeed : b.mill.refusesSpeed) = true;
+    b.link->release(b.clock.now());
+    b.run(1.0);
+    EXPECT_EQ(feedRefused ? b.mill.spindle : b.mill.feed, 100);
+    (feedRefused ? b.mill.refusesFeed : b.mill.refusesSpeed) = false;
+    b.run(1.5);
+    EXPECT_EQ(b.mill.spindle, 100);
+    EXPECT_EQ(b.mill.feed, 100);
+  }
+}
+
+// Its words are split with one strtok for all: the less is asked, the longer it lives.
+TEST(LinuxCnc, AsksTwentyTimesASecondAtMost) {
+  Bench b;
+  b.run(1.0);
+  b.mill.questions = 0;
+  b.run(10.0);
+  EXPECT_LE(b.mill.questions, 200);
+  EXPECT_GE(b.mill.questions, 100);
+  b.mill.questions = 0;
+  for (int i = 0; i < 2000; ++i) {
+    b.link->apply(b.gate.set(i % 100 < 50 ? 90.0 : 95.0), b.clock.now());
+    b.run(0.005);
+  }
+  EXPECT_LE(b.mill.questions, 230) << "commands as well, and whether control is ours";
 }
 
 // The end of a run lets go three times (release, close, the destructor); a server that hangs is waited for once.
@@ -132,7 +187,7 @@ TEST(LinuxCnc, CommandsWithEveryTickDoNotKeepTheWatchFromLooking) {
     if (i > 20) oldest = std::max(oldest, m.valid ? secondsBetween(m.time, b.clock.now()).value : 1.0);
   }
   EXPECT_EQ(b.mill.spindle, 90);
-  EXPECT_LT(oldest, 0.25);  // two ACKs of 100 ms, one after the other
+  EXPECT_LT(oldest, 0.5);  // two ACKs of 100 ms, one after the other, and as often as it may be asked
 }
 
 TEST(LinuxCnc, LatestWinsAndNothingQueuesUp) {

@@ -19,7 +19,8 @@ class FakeGrbl final : public Peer {
   bool ignores = false;  // real-time bytes are lost on the way
   int loses = 0;         // so many of the next real-time bytes
   int reports = 0;
-  std::string moved;  // 'f' or 's' for each step that was taken
+  int lies = 0, liedFeed = 0;  // so many of the next "Ov:" say this feed
+  std::string moved;           // 'f' or 's' for each step that was taken
 
   void take(std::string_view bytes, Instant now, const Answer& answer) override {
     // Everything of one write falls into one loop of the controller: equal bytes count once.
@@ -55,8 +56,8 @@ class FakeGrbl final : public Peer {
     std::string r = "<" + state + "|MPos:1.000,2.000,0.000|FS:" + std::to_string(static_cast<int>(f * feed / 100)) +
                     "," + std::to_string(static_cast<int>(s * spindle / 100)) + extra;
     if ((changed_ && !sameLoop) || reports % 10 == 0) {
-      r += "|Ov:" + std::to_string(sameLoop ? feedBefore_ : feed) + ",100," +
-           std::to_string(sameLoop ? spindleBefore_ : spindle) + "|A:S";
+      const int said = lies > 0 && lies-- > 0 ? liedFeed : sameLoop ? feedBefore_ : feed;
+      r += "|Ov:" + std::to_string(said) + ",100," + std::to_string(sameLoop ? spindleBefore_ : spindle) + "|A:S";
     }
     changed_ = changed_ && sameLoop;
     answer(r + ">\r\n", 0.005);

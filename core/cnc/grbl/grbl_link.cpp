@@ -122,6 +122,7 @@ void GrblLink::takeReport(const GrblReport& report, Instant now) noexcept {
   report_ = report;
   if (!report.speedOverride) return;
   shownAt_ = now;
+  if (sure) speed_.adrift = feed_.adrift = false;
   speed_.seen(*report.speedOverride, now);
   feed_.seen(*report.feedOverride, now);
   settled_ = settled_ || (speed_.settled() && feed_.settled());
@@ -162,6 +163,9 @@ void GrblLink::resynchronise() noexcept {
 void GrblLink::move(Axis& knob, unsigned char firstByte, Instant now) noexcept {
   const auto target = knob.due();
   if (!target && !knob.adrift) return;
+  // From an unknown place 100 % is the only one that can be gone to, and no way to an operator who is below it: then
+  // the next "Ov:" is waited for.
+  if (knob.adrift && knob.base().value < 1.0) return;
   GrblSteps steps = stepToward(target.value_or(100), knob.shown(), firstByte);
   if (knob.adrift) steps = {firstByte, 0, 100, 100, 100};
   std::array<char, 2> bytes{};
@@ -240,16 +244,24 @@ void GrblLink::apply(const OverrideCommand& command, Instant now) noexcept {
 }
 
 void GrblLink::release(Instant now) noexcept {
-  if (speed_.atBase() && feed_.atBase()) return;
+  // First: what is wanted and has not been sent yet would be sent after all.
   speed_.relinquish();
   feed_.relinquish();
+  if (speed_.atBase() && feed_.atBase()) return;
   releaseBudget_.run(
       now, kWait, [&] { return speed_.baseConfirmed() && feed_.baseConfirmed(); }, [&](Instant at) { tick(at); });
-  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left.
-  const std::array<char, 2> programmed{static_cast<char>(kGrblFeedBytes), static_cast<char>(kGrblSpindleBytes)};
-  const bool atBase = speed_.baseConfirmed() && feed_.baseConfirmed();
-  if (atBase || wire_->state() != WireState::Open || !wire_->write({programmed.data(), programmed.size()})) return;
-  for (Axis* axis : {&speed_, &feed_}) axis->sent(100, now);
+  // Without any "Ov:" to go by, the bytes that mean 100 % are all that is left; not over an operator who chose less.
+  if (wire_->state() != WireState::Open) return;
+  const auto toProgrammed = [&](Axis& axis, unsigned char byte) {
+    if (axis.baseConfirmed() || axis.base().value < 1.0) return false;
+    const char c = static_cast<char>(byte);
+    if (!wire_->write({&c, 1})) return false;
+    axis.sent(100, now);
+    return true;
+  };
+  const bool feedSent = toProgrammed(feed_, kGrblFeedBytes);
+  const bool speedSent = toProgrammed(speed_, kGrblSpindleBytes);
+  if (!feedSent && !speedSent) return;
   settled_ = false;
   answersSinceMove_ = 0;
   moved_ = now;

@@ -53,8 +53,10 @@ class GrblLink final : public CncLink {
   void ask(Instant now) noexcept;
   void moveOverrides(Instant now) noexcept;
   struct Axis : SharedOverride {
-    Axis() : SharedOverride(kGrblLowest, kGrblHighest) {}
-    bool adrift = false;  // a step of ours was taken or lost
+    Axis()
+        : SharedOverride(kGrblLowest, kGrblHighest,
+                         {.sightings = 2, .inOrder = false, .latestEcho = std::chrono::seconds(1)}) {}
+    bool adrift = false;  // a step of ours was taken or lost, and no report has told since
   };
   void resynchronise() noexcept;
   void move(Axis& knob, unsigned char firstByte, Instant now) noexcept;

@@ -88,20 +88,17 @@ GrblSteps stepToward(int target, int present, unsigned char firstByte) noexcept 
     steps.percent = steps.coarseAlone = 100;
     return steps;
   }
-  // 7 down is 10 down and then 3 up: fewer rounds than seven single steps.
-  const int tens = std::abs(away) >= 6 ? (away > 0 ? 10 : -10) : 0;
-  // Beyond the range the controller clips, and the step would be another than what is reckoned here.
-  if (tens != 0 && present + tens >= kGrblLowest && present + tens <= kGrblHighest) {
-    steps.coarse = static_cast<unsigned char>(firstByte + (tens > 0 ? 1 : 2));
-    steps.percent += tens;
+  // Never beyond the target, not for one round: what the operator or the gate's limits allow ends there.
+  const int sign = away > 0 ? 1 : -1;
+  if (std::abs(away) >= 10) {
+    steps.coarse = static_cast<unsigned char>(firstByte + (sign > 0 ? 1 : 2));
+    steps.percent += 10 * sign;
   }
   steps.coarseAlone = steps.percent;
-  const int rest = target - steps.percent;
-  const bool roomForOne = rest > 0 ? steps.percent < kGrblHighest : steps.percent > kGrblLowest;
-  if (rest != 0 && roomForOne && std::abs(rest) % 10 != 0) {
-    steps.fine = static_cast<unsigned char>(firstByte + (rest > 0 ? 3 : 4));
-    steps.percent += rest > 0 ? 1 : -1;
-    steps.fineAlone = present + (rest > 0 ? 1 : -1);
+  if (std::abs(away) % 10 != 0) {
+    steps.fine = static_cast<unsigned char>(firstByte + (sign > 0 ? 3 : 4));
+    steps.percent += sign;
+    steps.fineAlone = present + sign;
   }
   return steps;
 }

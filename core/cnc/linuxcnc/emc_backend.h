@@ -21,12 +21,15 @@ struct EmcOverrides {
 class EmcBackend {
  public:
   virtual ~EmcBackend() = default;
+  // Something has to be said to linuxcncrsh before anything is asked: a value that is due, control to take or to give
+  // back.
+  virtual bool hasWord(const EmcOverrides& knobs, bool wanted, Instant now) const noexcept = 0;
   // One tick: brings the knobs nearer to what they want. `wanted`: commands are being given; without it all goes home
   // and control is given back. `maySpeak`: no other request to linuxcncrsh is under way.
   virtual void turn(EmcOverrides& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept = 0;
   // A request to linuxcncrsh is under way: the watch has to wait.
   virtual bool speaking() const noexcept = 0;
-  // Nothing of ours is left, nor on its way.
+  // Nothing of ours is left, nor on its way, as far as was read back.
   virtual bool done(const EmcOverrides& knobs) const noexcept = 0;
   // Why the knobs are not ours to turn; None: they are.
   virtual OverrideInhibit block(Instant now) const noexcept = 0;

@@ -20,6 +20,7 @@ class HalBackend final : public EmcBackend {
   // `adaptiveFeed`: the feed goes through the factor, not through the override.
   HalBackend(std::unique_ptr<ByteChannel> channel, bool adaptiveFeed, const Clock& clock);
 
+  bool hasWord(const EmcOverrides&, bool, Instant) const noexcept override { return false; }  // a wire of its own
   void turn(EmcOverrides& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept override;
   bool speaking() const noexcept override { return false; }
   bool done(const EmcOverrides& knobs) const noexcept override;

@@ -13,32 +13,34 @@
 namespace stillcut::cnc {
 namespace {
 
-// Nothing is asked while an override's ACK is waited for, which takes 100 ms; a round of questions is a few ticks.
-constexpr Seconds kPeriod{0.1};
-constexpr Duration kFresh = std::chrono::milliseconds(500);
+constexpr Seconds kPeriod{0.2};  // of what moves: overrides and speeds
+constexpr Duration kFresh = std::chrono::milliseconds(750);
+constexpr Duration kWordsFresh = std::chrono::milliseconds(1500);  // program, S and F, machine on
 constexpr Duration kOpenTime = std::chrono::seconds(3);
 
-// Always with the spindle's number: without it these requests crash the server, and the machine with it.
-constexpr std::array<std::string_view, 5> kWatched{"get feed_override", "get spindle_override 0", "get program_status",
-                                                   "get program_codes", "get machine"};
+// linuxcncrsh splits the words of all its clients with one shared strtok: the less is asked, the longer it lives.
+constexpr double kQuestionsPerSecond = 20.0;
+constexpr double kMostAtOnce = 6.0;  // all five and one
+constexpr Duration kOverridesEvery = std::chrono::milliseconds(200);
+constexpr Duration kOthersEvery = std::chrono::milliseconds(500);
+constexpr Duration kPinsEvery = std::chrono::milliseconds(25);  // halrmt, another server
+
 constexpr std::array<std::string_view, 6> kPins{"get pinval spindle.0.speed-in", "get pinval spindle.0.speed-out",
                                                 "get pinval spindle.0.at-speed", "get pinval motion.feed-hold",
                                                 "get pinval motion.current-vel", "get pinval motion.adaptive-feed"};
 
-// Asks each request once, as far as the answers come within `wait` each.
-template <std::size_t N, class Answered>
+// Asks each request once, as far as the answers come within `wait` each; `next` is 0 after the last.
+template <std::size_t N>
 void goRound(EmcSession& session, const std::array<std::string_view, N>& requests, std::size_t& next, EmcStatus& status,
-             Instant now, Duration wait, const Clock& clock, Answered&& answered) noexcept {
+             Instant now, Duration wait) noexcept {
   const auto take = [&](std::string_view line) { status.take(line, now); };
   session.pump(now, take);
-  for (std::size_t i = 0; i < N && session.idle(); ++i) {
-    const Instant asked = clock.now();
-    if (!session.ask(requests[next], now)) return;
+  do {
+    if (!session.idle() || !session.ask(requests[next], now)) return;
     next = (next + 1) % N;
     session.wait(wait);
     session.pump(now, take);
-    if (session.idle()) answered(secondsBetween(asked, clock.now()));
-  }
+  } while (next != 0);
 }
 
 std::unique_ptr<EmcBackend> makeBackend(const LinuxCncSettings& s, std::unique_ptr<ByteChannel> wire,
@@ -56,6 +58,12 @@ LinuxCncLink::LinuxCncLink(const LinuxCncSettings& settings, Wires wires, const 
       watch_(std::move(wires.watch), settings.password),
       hal_(std::move(wires.hal), settings.password),
       overrides_{{settings.lowestSpeed, settings.highestSpeed}, {settings.lowestFeed, settings.highestFeed}},
+      // Always with the spindle's number: without it these requests crash the server, and the machine with it.
+      questions_{{{"get feed_override", kOverridesEvery},
+                  {"get spindle_override 0", kOverridesEvery},
+                  {"get program_status", kOthersEvery},
+                  {"get program_codes", kOthersEvery},
+                  {"get machine", kOthersEvery}}},
       releaseBudget_(clock, kReleaseTime) {
   if (settings.inches) status_.machineUnit = kInch;
 }
@@ -113,24 +121,70 @@ Error LinuxCncLink::backendFault() const {
   return {where, message("the machine's watchdog was not seen to act"), message("is stillcut.hal wired as it came?")};
 }
 
+bool LinuxCncLink::mayAsk(Instant now) noexcept {
+  if (tokensAt_ == Instant{}) tokens_ = kMostAtOnce;
+  tokens_ = std::min(kMostAtOnce, tokens_ + kQuestionsPerSecond * secondsBetween(tokensAt_, now).value);
+  tokensAt_ = now;
+  return tokens_ >= 1.0;
+}
+
+// The question that has waited longest for its turn, as a part of how often it is asked.
+void LinuxCncLink::askOne(Instant now) noexcept {
+  const auto lateness = [&](const Question& q) {
+    return q.asked ? secondsBetween(*q.asked, now).value / toSeconds(q.every).value : 1e9;
+  };
+  const auto next = std::max_element(questions_.begin(), questions_.end(),
+                                     [&](const Question& a, const Question& b) { return lateness(a) < lateness(b); });
+  if (lateness(*next) < 1.0 || !mayAsk(now)) return;
+  const Instant began = clock_.now();
+  if (!watch_.ask(next->text, now)) return;
+  tokens_ -= 1.0;
+  next->asked = now;
+  watch_.wait(kWait);
+  watch_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+  if (watch_.idle()) look_.take(secondsBetween(began, clock_.now()));
+}
+
 void LinuxCncLink::watchMachine(Instant now) noexcept {
-  if (!backend_->speaking()) {
-    goRound(watch_, kWatched, nextWatch_, status_, now, kWait, clock_, [&](Seconds s) { look_.take(s); });
-    handsTurn_ = true;
+  watch_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+  // A hand without a connection connects in every other pause of the watch.
+  yielded_ = !backend_->up() && watch_.idle() && !yielded_;
+  const bool handFirst = yielded_ || (backend_->hasWord(overrides_, wanted_, now) && (!wanted_ || handsTurn_));
+  if (!backend_->speaking() && !handFirst) {
+    for (std::size_t i = 0; i < questions_.size() && watch_.idle(); ++i) {
+      const double before = tokens_;
+      askOne(now);
+      if (tokens_ >= before) break;
+    }
   }
-  goRound(hal_, kPins, nextHal_, status_, now, kWait, clock_, [](Seconds) {});
+  if (!halRound_ || nextHal_ != 0 || now - *halRound_ >= kPinsEvery) {
+    if (nextHal_ == 0) halRound_ = now;
+    goRound(hal_, kPins, nextHal_, status_, now, kWait);
+  } else {
+    hal_.pump(now, [&](std::string_view line) { status_.take(line, now); });
+  }
   if (watch_.standing() != EmcSession::ConnectionState::Ready) {
     overrides_.speed.lost();
     overrides_.feed.lost();
+    for (Question& q : questions_) q.asked.reset();
     return;
   }
   if (status_.spindleOverride.when == now) overrides_.speed.seen(status_.spindleOverride.value, now);
   if (status_.feedOverride.when == now) overrides_.feed.seen(status_.feedOverride.value, now);
+  readSinceHand_ += (status_.spindleOverride.when == now ? 1 : 0) + (status_.feedOverride.when == now ? 1 : 0);
+  handsTurn_ = handsTurn_ || readSinceHand_ >= 2;
 }
 
 void LinuxCncLink::command(Instant now) noexcept {
-  backend_->turn(overrides_, wanted_, watch_.idle() && handsTurn_, status_, now);
-  if (backend_->speaking()) handsTurn_ = false;
+  const bool wasSpeaking = backend_->speaking();
+  backend_->turn(overrides_, wanted_, watch_.idle() && (!wanted_ || handsTurn_), status_, now);
+  if (backend_->speaking()) {
+    handsTurn_ = false;
+    readSinceHand_ = 0;
+  } else if (wasSpeaking) {  // what it did is looked at first
+    questions_[0].asked.reset();
+    questions_[1].asked.reset();
+  }
 }
 
 MachineState LinuxCncLink::read(Instant now) noexcept {
@@ -144,12 +198,11 @@ MachineState LinuxCncLink::read(Instant now) noexcept {
 MachineState LinuxCncLink::state(Instant now) noexcept {
   MachineState m;
   const EmcStatus& s = status_;
-  const std::initializer_list<Instant> told{s.feedOverride.when,   s.spindleOverride.when, s.program.when,
-                                            s.speedWord.when,      s.machineOn.when,       s.actualSpeed.when,
-                                            s.commandedSpeed.when, s.atSpeed.when};
+  const std::initializer_list<Instant> moving{s.feedOverride.when, s.spindleOverride.when, s.actualSpeed.when,
+                                              s.commandedSpeed.when, s.atSpeed.when};
   const bool all = s.feedOverride.ever && s.spindleOverride.ever && s.program.ever && s.speedWord.ever &&
                    s.machineOn.ever && s.actualSpeed.ever && s.commandedSpeed.ever && s.atSpeed.ever;
-  m.time = std::min(told);
+  m.time = std::min(moving);
   m.link.acknowledged = backend_->acknowledged();
   m.link.overrides = std::min({s.feedOverride.when, s.spindleOverride.when, s.commandedSpeed.when});
   m.link.speed = std::min(s.actualSpeed.when, s.atSpeed.when);
@@ -158,7 +211,7 @@ MachineState LinuxCncLink::state(Instant now) noexcept {
   m.link.roundTrip = backend_->roundTrip().value > 0.0 ? backend_->roundTrip() : look_.typical();
   m.linkUp =
       watch_.standing() == EmcSession::ConnectionState::Ready && hal_.standing() == EmcSession::ConnectionState::Ready;
-  m.valid = m.linkUp && all && now - m.time <= kFresh;
+  m.valid = m.linkUp && all && now - m.time <= kFresh && now - m.link.program <= kWordsFresh;
   if (!m.valid) return m;
   m.programRunning = s.machineOn.value && s.program.value != EmcProgram::Idle;
   m.feedHold = s.feedHold.value || s.program.value == EmcProgram::Paused;
@@ -230,7 +283,11 @@ void LinuxCncLink::release(Instant now) noexcept {
       [&](Instant at) {
         watchMachine(at);
         command(at);
-        backend_->wait(kWait);
+        if (watch_.waiting()) {
+          watch_.wait(kWait);
+        } else {
+          backend_->wait(kWait);
+        }
         if (wasUp && !up()) releaseBudget_.giveUp();
       });
 }

@@ -7,16 +7,21 @@
 // down. Not caught in the act; likely, as its sources (emcrsh.cc) split the requests of all clients, each on a thread
 // of its own, with strtok, whose place is shared. Told to end it may hang, as it frees what those threads still read:
 // nothing here waits for it longer than kReleaseTime.
+// It is asked kQuestionsPerSecond times a second at most, and whatever the hand has to say goes before any question
+// while commands end: a question that is slow to be answered must not keep a release from the machine.
 // An ACK is not believed: under M49, M50 P0 and M51 P0 a set is acknowledged and even read back, and only speed-out and
 // current-vel tell; under M52 P0 adaptive-feed has no effect.
 // Thread: as CncLink says. A tick waits for replies at most kWait; all of letting go takes at most kReleaseTime, and
 // ends earlier where a server that was up falls silent.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/cnc/cnc_link.h"
 #include "core/cnc/delay_gauge.h"
@@ -63,7 +68,14 @@ class LinuxCncLink final : public CncLink {
   static constexpr Duration kReleaseTime = std::chrono::milliseconds(1500);
 
  private:
+  struct Question {
+    std::string_view text;
+    Duration every{};
+    std::optional<Instant> asked{};  // none: at once
+  };
   void watchMachine(Instant now) noexcept;
+  void askOne(Instant now) noexcept;
+  bool mayAsk(Instant now) noexcept;
   void command(Instant now) noexcept;
   Error backendFault() const;
   MachineState state(Instant now) noexcept;
@@ -77,9 +89,16 @@ class LinuxCncLink final : public CncLink {
   EmcStatus status_;
   EmcOverrides overrides_;
   bool wanted_ = false;  // commands are to be sent
-  // The watch has had its round since the hand spoke: commands that come with every tick must not keep it from looking.
+  // The two overrides have been read since the hand spoke: commands that come with every tick must not keep the watch
+  // from looking. On the way home the hand does not wait for it.
   bool handsTurn_ = false;
-  std::size_t nextWatch_ = 0, nextHal_ = 0;
+  int readSinceHand_ = 0;
+  bool yielded_ = false;  // the watch, to a hand that is not connected
+  std::array<Question, 5> questions_;
+  double tokens_ = 0.0;  // questions that may be asked now
+  Instant tokensAt_{};
+  std::optional<Instant> halRound_;
+  std::size_t nextHal_ = 0;
   DelayGauge look_;  // of a get
   OverrideLockDetector speedLock_, feedLock_, adaptiveLock_;
   ReleaseBudget releaseBudget_;

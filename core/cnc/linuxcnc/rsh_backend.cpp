@@ -13,6 +13,10 @@ namespace {
 
 // Another client took control: it keeps it at least this long, so that two programs do not fight over a machine.
 constexpr Duration kLeaveIt = std::chrono::seconds(10);
+// A refused override is tried again after so long.
+constexpr Duration kRefusedFor = std::chrono::milliseconds(500);
+// Whether control is still ours is asked so often while commands are given.
+constexpr Duration kStandingEvery = std::chrono::milliseconds(500);
 
 }  // namespace
 
@@ -20,7 +24,7 @@ RshBackend::RshBackend(EmcSession session, const std::string& controlPassword, c
     : session_(std::move(session)), enable_("set enable " + controlPassword), clock_(clock) {}
 
 bool RshBackend::done(const EmcOverrides& knobs) const noexcept {
-  const bool nothingToDo = machineOff_ || (knobs.speed.atBase() && knobs.feed.atBase());
+  const bool nothingToDo = machineOff_ || (knobs.speed.baseConfirmed() && knobs.feed.baseConfirmed());
   return nothingToDo && asked_ == Asked::Nothing && !inControl_;
 }
 
@@ -66,26 +70,51 @@ void RshBackend::turn(EmcOverrides& knobs, bool wanted, bool maySpeak, EmcStatus
   if (!answering && session_.idle()) next(knobs, wanted, now);  // after an answer it is the watch's turn
 }
 
+bool RshBackend::Refusal::holds(Instant now) const {
+  return at && now - *at < kRefusedFor;
+}
+
+bool RshBackend::dueNow(const SharedOverride& knob, const Refusal& refusal, Instant now) const noexcept {
+  return knob.due().has_value() && !refusal.holds(now);
+}
+
+bool RshBackend::needed(const EmcOverrides& knobs, bool wanted) const noexcept {
+  return !machineOff_ && (wanted || !knobs.speed.baseConfirmed() || !knobs.feed.baseConfirmed());
+}
+
+bool RshBackend::leavesIt(Instant now) const noexcept {
+  return lostAt_ && now - *lostAt_ < kLeaveIt;
+}
+
+bool RshBackend::hasWord(const EmcOverrides& knobs, bool wanted, Instant now) const noexcept {
+  if (!up()) return false;
+  if (!needed(knobs, wanted)) return inControl_;
+  const bool due = dueNow(knobs.speed, speedRefused_, now) || dueNow(knobs.feed, feedRefused_, now);
+  return !leavesIt(now) && (due || (wanted && !(inControl_ && waitModeSet_)));
+}
+
 void RshBackend::next(EmcOverrides& knobs, bool wanted, Instant now) noexcept {
-  const bool needed = !machineOff_ && (wanted || !knobs.speed.atBase() || !knobs.feed.atBase());
-  if (!needed) {
+  if (!needed(knobs, wanted)) {
     if (inControl_) ask(Asked::GiveBack, "set enable off", now);
     return;
   }
-  if (lostAt_ && now - *lostAt_ < kLeaveIt) return;
+  if (leavesIt(now)) return;
   lostAt_.reset();
   if (!inControl_) return ask(Asked::Enable, enable_, now);
   if (!waitModeSet_) return ask(Asked::WaitMode, "set set_wait received", now);
-  const auto speed = knobs.speed.due();
-  const auto feed = knobs.feed.due();
-  if (feed && (!speed || feedFirst(*feed, knobs.feed.shown()))) return set(Asked::Feed, knobs.feed, now);
+  const bool speed = dueNow(knobs.speed, speedRefused_, now);
+  const bool feed = dueNow(knobs.feed, feedRefused_, now);
+  if (feed && (!speed || feedFirst(*knobs.feed.due(), knobs.feed.shown()))) return set(Asked::Feed, knobs.feed, now);
   if (speed) return set(Asked::Speed, knobs.speed, now);
+  if (now - standingAsked_ < kStandingEvery) return;
+  standingAsked_ = now;
   ask(Asked::Standing, "get enable", now);
 }
 
 void RshBackend::reply(std::string_view line, EmcOverrides& knobs, EmcStatus& status, Instant now) noexcept {
   const bool no = line.find("NAK") != std::string_view::npos;
-  switch (std::exchange(asked_, Asked::Nothing)) {
+  const Asked answered = std::exchange(asked_, Asked::Nothing);
+  switch (answered) {
     case Asked::Enable:
       inControl_ = !no;
       if (no) lose(OverrideInhibit::ControlRefused, now);
@@ -99,9 +128,9 @@ void RshBackend::reply(std::string_view line, EmcOverrides& knobs, EmcStatus& st
         acknowledged_ = std::max(now, clock_.now());
         roundTrip_.take(secondsBetween(setAt_, acknowledged_));
       } else {
-        // Not in control, or the machine is off: "get enable" tells which before anything is sent again.
-        knobs.speed.refused();
-        knobs.feed.refused();
+        // Not in control, the machine is off, or just this one is not taken: "get enable" tells before more is sent.
+        (answered == Asked::Speed ? knobs.speed : knobs.feed).refused();
+        (answered == Asked::Speed ? speedRefused_ : feedRefused_).at = now;
         ask(Asked::Standing, "get enable", now);
       }
       break;

@@ -19,6 +19,7 @@ class RshBackend final : public EmcBackend {
   // `controlPassword`: that of "set enable".
   RshBackend(EmcSession session, const std::string& controlPassword, const Clock& clock);
 
+  bool hasWord(const EmcOverrides& knobs, bool wanted, Instant now) const noexcept override;
   void turn(EmcOverrides& knobs, bool wanted, bool maySpeak, EmcStatus& status, Instant now) noexcept override;
   bool speaking() const noexcept override { return session_.waiting(); }
   bool done(const EmcOverrides& knobs) const noexcept override;
@@ -35,6 +36,14 @@ class RshBackend final : public EmcBackend {
  private:
   enum class Asked : std::uint8_t { Nothing, Enable, WaitMode, Speed, Feed, GiveBack, Standing };
 
+  // One of the two overrides, where the machine refused it: left alone for a while, so that the other goes its way.
+  struct Refusal {
+    std::optional<Instant> at{};
+    bool holds(Instant now) const;
+  };
+  bool dueNow(const SharedOverride& knob, const Refusal& refusal, Instant now) const noexcept;
+  bool needed(const EmcOverrides& knobs, bool wanted) const noexcept;
+  bool leavesIt(Instant now) const noexcept;
   void next(EmcOverrides& knobs, bool wanted, Instant now) noexcept;
   void reply(std::string_view line, EmcOverrides& knobs, EmcStatus& status, Instant now) noexcept;
   void ask(Asked what, std::string_view request, Instant now) noexcept;
@@ -49,6 +58,8 @@ class RshBackend final : public EmcBackend {
   bool inControl_ = false;  // as far as we know
   bool waitModeSet_ = false;
   bool machineOff_ = false;  // it takes no override then
+  Refusal speedRefused_, feedRefused_;
+  Instant standingAsked_{};
   std::optional<Instant> lostAt_;
   OverrideInhibit lostTo_ = OverrideInhibit::None;
   Asked asked_ = Asked::Nothing;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <limits>
 #include <random>
@@ -162,6 +163,97 @@ TEST(SharedOverride, WhatAPeerShowsThatBeganAnewIsItsOwn) {
   knob.want(Ratio(0.8), 1);
   knob.seen(90, at(100.0));
   EXPECT_TRUE(knob.grabbed());
+}
+
+// Limits bound what we ask for: what the operator chose beyond them stands, 0 included.
+TEST(SharedOverride, AHandBeyondTheLimitsIsNeverSentOver) {
+  for (const int hand : {0, 20, 40, 49, 151, 180, 200}) {
+    SharedOverride knob(50, 150);
+    knob.seen(100, at(0.0));
+    knob.want(Ratio(0.83), 1);
+    knob.sent(83, at(0.1));
+    knob.seen(83, at(0.2));
+    knob.seen(hand, at(1.0));
+    EXPECT_TRUE(knob.grabbed()) << hand;
+    EXPECT_FALSE(knob.due().has_value()) << hand;
+    knob.relinquish();
+    EXPECT_FALSE(knob.due().has_value()) << hand;
+    knob.want(Ratio(0.83), 2);
+    EXPECT_LE(knob.target(), hand) << "slower is asked for, and never faster comes of it";
+    EXPECT_GE(knob.target(), std::min(hand, 50)) << hand;
+    knob.want(Ratio(1.2), 2);
+    EXPECT_GE(knob.target(), hand);
+    EXPECT_LE(knob.target(), std::max(hand, 150)) << hand;
+  }
+}
+
+// Our own ramp leads through values that a hand may choose a moment later.
+TEST(SharedOverride, AValueOlderThanOneThatHasShownIsAHand) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.83), 1);
+  double t = 0.1;
+  for (const int step : {95, 90, 83}) {
+    knob.sent(step, at(t));
+    knob.seen(step, at(t + 0.05));
+    t += 0.1;
+  }
+  knob.seen(90, at(0.6));
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.9);
+  EXPECT_FALSE(knob.due().has_value());
+}
+
+TEST(SharedOverride, WhatWasOnItsWayWhenAHandTurnedGoesHomeToTheHand) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.83), 1);
+  knob.sent(83, at(0.1));
+  knob.seen(60, at(0.12));
+  EXPECT_TRUE(knob.grabbed());
+  EXPECT_FALSE(knob.due().has_value()) << "a hand that still turns is not sent over";
+  knob.seen(83, at(0.2));  // ours, sent before
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.6);
+  EXPECT_FALSE(knob.atBase());
+  EXPECT_EQ(knob.due(), 60);
+  knob.sent(60, at(0.25));
+  knob.seen(60, at(0.3));
+  EXPECT_TRUE(knob.baseConfirmed());
+}
+
+// A report without a checksum: one flipped bit is no hand.
+TEST(SharedOverride, AForeignValueReadOnceIsDoubtedAndNothingIsSentMeanwhile) {
+  SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false});
+  knob.seen(100, at(0.0));
+  knob.want(Ratio(0.83), 1);
+  knob.sent(83, at(0.1));
+  knob.seen(83, at(0.2));
+  knob.seen(93, at(0.4));
+  EXPECT_FALSE(knob.grabbed());
+  EXPECT_EQ(knob.shown(), 83) << "a step from there would lead astray";
+  knob.relinquish();
+  EXPECT_FALSE(knob.due().has_value());
+  EXPECT_FALSE(knob.baseConfirmed());
+  knob.seen(83, at(0.6));
+  EXPECT_EQ(knob.due(), 100);
+  knob.seen(93, at(0.8));
+  knob.seen(39, at(1.0));
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.0) << "two different lies are no hand";
+  knob.seen(70, at(1.2));
+  knob.seen(70, at(1.4));
+  EXPECT_DOUBLE_EQ(knob.base().value, 0.7);
+}
+
+TEST(SharedOverride, AHandThatGivesWayToWhatWeSentWasALie) {
+  SharedOverride knob(10, 200, {.sightings = 2, .inOrder = false});
+  knob.seen(100, at(0.0));
+  knob.want(Ratio(0.83), 1);
+  knob.sent(83, at(0.1));
+  knob.seen(83, at(0.2));
+  knob.relinquish();  // and the machine lies for a while
+  for (double t = 0.3; t < 3.0; t += 0.1) knob.seen(183, at(t));
+  EXPECT_FALSE(knob.due().has_value());
+  for (double t = 3.0; t < 3.3; t += 0.1) knob.seen(83, at(t));
+  EXPECT_DOUBLE_EQ(knob.base().value, 1.0);
+  EXPECT_EQ(knob.due(), 100) << "home, and not to what the lie showed";
 }
 
 // A register behind a wire that takes its time, an operator who turns whenever he likes, and factors that change. When
