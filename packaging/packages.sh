@@ -8,7 +8,7 @@ desktop_packages="libgl1-mesa-dev qt6-base-dev qt6-charts-dev libqt6opengl6-dev 
   qt6-serialbus-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools fonts-dejavu-core fonts-noto-cjk"
 # clang with its runtime builds the sanitizers' presets, in two thirds of the time of GCC, and the fuzzer.
 test_packages="libgtest-dev libgmock-dev libbenchmark-dev clang libclang-rt-14-dev clang-format clang-tidy git
-  python3-h5py python3-scipy hdf5-tools poppler-utils"
+  python3-h5py python3-scipy hdf5-tools poppler-utils xvfb"
 # Real machines and devices for the tests of links and sources; a test whose peer is absent skips with one line.
 peer_packages="linuxcnc-uspace linuxcnc-uspace-dev python3-pymodbus python3-serial-asyncio socat libmodbus-dev
   pulseaudio libasound2-plugins"

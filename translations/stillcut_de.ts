@@ -4519,6 +4519,26 @@
         <source>the log cannot be written there</source>
         <translation>das Protokoll kann dort nicht geschrieben werden</translation>
     </message>
+    <message>
+        <source>nests tables too deeply: no file of settings</source>
+        <translation>verschachtelt Tabellen zu tief: keine Datei mit Einstellungen</translation>
+    </message>
+    <message>
+        <source>another Stillcut holds this machine (process %1)</source>
+        <translation>ein anderes Stillcut hält diese Maschine (Prozess %1)</translation>
+    </message>
+    <message>
+        <source>end that one, or watch here without a machine link</source>
+        <translation>jenes beenden, oder hier ohne Maschinenanbindung beobachten</translation>
+    </message>
+    <message>
+        <source>its state is on the page Operate; to try the link, end the run first</source>
+        <translation>ihr Zustand steht auf der Seite Bedienen; um die Anbindung zu prüfen, zuerst den Lauf beenden</translation>
+    </message>
+    <message>
+        <source>the run that is going on holds this machine</source>
+        <translation>der laufende Lauf hält diese Maschine</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>

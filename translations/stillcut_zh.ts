@@ -4519,6 +4519,26 @@
         <source>the log cannot be written there</source>
         <translation>无法在该处写入日志</translation>
     </message>
+    <message>
+        <source>nests tables too deeply: no file of settings</source>
+        <translation>表嵌套过深：不是设置文件</translation>
+    </message>
+    <message>
+        <source>another Stillcut holds this machine (process %1)</source>
+        <translation>另一个 Stillcut 正在占用这台机床（进程 %1）</translation>
+    </message>
+    <message>
+        <source>end that one, or watch here without a machine link</source>
+        <translation>请结束那一个，或在此不连接机床仅作监视</translation>
+    </message>
+    <message>
+        <source>its state is on the page Operate; to try the link, end the run first</source>
+        <translation>其状态显示在“操作”页；要测试连接，请先结束当前运行</translation>
+    </message>
+    <message>
+        <source>the run that is going on holds this machine</source>
+        <translation>正在进行的运行占用着这台机床</translation>
+    </message>
 </context>
 <context>
     <name>LobeMarks</name>

@@ -14,6 +14,7 @@
 #include "app/io/comedi_driver.h"
 #include "app/io/find_machines.h"
 #include "app/io/iio_driver.h"
+#include "app/io/one_program_link.h"
 #include "app/io/wires.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
@@ -116,7 +117,7 @@ int tryLink(const DeviceOptions& o) {
   if (!profile) return fail(profile.error());
   const auto events = wireEvents();  // outlives the link and its wires
   const SteadyClock clock;
-  auto link = cnc::makeLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone));
+  auto link = makeOneProgramLink(profile->link.id, linkRequest(*profile, o.profile, clock, AnalogOutputs::LeftAlone));
   if (!link) return fail(link.error());
   mindInterruption();
   cnc::LinkTrial trial(**link, clock);

@@ -10,6 +10,7 @@
 #include "app/io/comedi_driver.h"
 #include "app/io/comedi_output.h"
 #include "app/io/iio_driver.h"
+#include "app/io/one_program_link.h"
 #include "app/io/wires.h"
 #include "core/cnc/analog/silent_output.h"
 #include "core/cnc/registry.h"
@@ -103,7 +104,7 @@ Result<ProfileParts> makeProfileParts(const config::Profile& profile, const std:
   request.scenario = simulated;
   request.port = port;
   request.asked = asked;
-  auto link = cnc::makeLink(profile.link.id, request);
+  auto link = makeOneProgramLink(profile.link.id, request);
   if (!link) return link.error();
   parts.link = std::move(link).value();
   return parts;

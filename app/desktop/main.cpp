@@ -25,6 +25,7 @@
 #include "app/compose/resource_folder.h"
 #include "app/desktop/report_mode.h"
 #include "app/log/program_log.h"
+#include "app/session/orderly_end.h"
 #include "app/session/session.h"
 #include "generated/version.h"
 #include "ui/shell/main_window.h"
@@ -278,7 +279,12 @@ int run(int argc, char** argv) {
     window.resize(options->size);
   }
   if (!live) return takePicture(**session, window, *options);
-  (*session)->endWith(window, [](const Error& error) { fail(error.line()); });
+  OrderlyEnd end(
+      [&session] {
+        if (const Status kept = (*session)->stop(); !kept) fail(kept.error().line());
+      },
+      interrupted);
+  QObject::connect(&window, &ui::MainWindow::closed, [&end] { end.endNow(); });
   (*session)->keepFlightsIn(defaultFlightsFolder());
   if (!options->nothingNamed || !window.offerGuide()) (*session)->start();
   window.start();

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/compose/profile_rig.h"
+#include "app/io/one_program_link.h"
 #include "core/base/time.h"
 #include "core/cnc/link_trial.h"
 #include "core/cnc/registry.h"
@@ -101,7 +102,7 @@ Seconds tryLink(cnc::CncLink& link, const Clock& clock, Steps& steps) {
 Seconds tryLinkOf(const config::Profile& profile, const std::string& path, LinkStepBox& steps,
                   const std::atomic<bool>& toEnd) {
   const SteadyClock clock;
-  auto link = cnc::makeLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
+  auto link = makeOneProgramLink(profile.link.id, linkRequest(profile, path, clock, AnalogOutputs::LeftAlone));
   if (!link) {
     steps.put({QStringLiteral("Settings"), ui::sayError(link.error()), false});
     return {};

@@ -1,6 +1,7 @@
 #include "core/config/toml_reader.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -49,6 +50,38 @@ Message allowed(double lowest, double highest) {
   if (highest == kAnyNumber) return message("allowed: %1 and above", numberText(lowest));
   if (lowest == -kAnyNumber) return message("allowed: up to %1", numberText(highest));
   return message("allowed: %1 to %2", numberText(lowest), numberText(highest));
+}
+
+// toml++ follows nested keys by recursion, when it reads them and when it lets go of them: 50,000 of them on a line end
+// the program. Ours nest four deep.
+constexpr int kMostDotsOnALine = 64;
+
+// The line that nests deeper than any file of settings; 0: none. Dots in quotes and between digits are no keys.
+std::size_t deepLine(std::string_view content) {
+  std::size_t line = 1;
+  int dots = 0;
+  char quote = 0;
+  for (std::size_t i = 0; i < content.size(); ++i) {
+    const char c = content[i];
+    if (c == '\n') {
+      ++line;
+      dots = 0;
+      quote = 0;
+    } else if (quote != 0) {
+      if (c == '\\' && quote == '"') ++i;
+      if (c == quote) quote = 0;
+    } else if (c == '"' || c == '\'') {
+      quote = c;
+    } else if (c == '#') {
+      i = std::min(content.find('\n', i), content.size()) - 1;
+    } else if (c == '.') {
+      const bool number = i > 0 && i + 1 < content.size() && std::isdigit(static_cast<unsigned char>(content[i - 1])) &&
+                          std::isdigit(static_cast<unsigned char>(content[i + 1])) &&
+                          (i < 2 || content[i - 2] != '.') && (i + 2 >= content.size() || content[i + 2] != '.');
+      if (!number && ++dots > kMostDotsOnALine) return line;
+    }
+  }
+  return 0;
 }
 
 // Everything in `table` that nobody asked for, depth first.
@@ -307,8 +340,10 @@ TomlReader& TomlReader::operator=(TomlReader&&) noexcept = default;
 
 TomlReader TomlReader::file(const std::string& path) {
   std::error_code code;
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path, code)) {
+  std::ifstream in;
+  if (std::filesystem::is_regular_file(path, code)) in.open(path, std::ios::binary);
+  // A pipe or a device may never end.
+  if (!in.is_open()) {
     auto document = std::make_unique<detail::TomlDocument>();
     document->name = path;
     document->refuse(path, message("cannot be read"),
@@ -330,6 +365,10 @@ TomlReader TomlReader::file(const std::string& path) {
 TomlReader TomlReader::text(std::string_view content, const std::string& name) {
   auto document = std::make_unique<detail::TomlDocument>();
   document->name = name;
+  if (const std::size_t line = deepLine(content); line != 0) {
+    document->refuse(name + ":" + std::to_string(line), message("nests tables too deeply: no file of settings"));
+    return TomlReader(std::move(document));
+  }
   try {
     document->root = toml::parse(content);
     if (document->root.empty()) document->refuse(name, message("is empty"));

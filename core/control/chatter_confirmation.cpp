@@ -29,12 +29,12 @@ constexpr double kUntold = 4.0, kUntoldTurns = 20.0;
 // Detectors themselves do not see chatter nearer to a harmonic; a measured speed is good for 0.1 % of the order.
 constexpr double kHarmonic = 0.025;
 
-double wrapped(double fraction) noexcept {
+double wrapped(double fraction) {
   return fraction - std::round(fraction);
 }
 
 // Of every `step`-th order.
-bool onHarmonic(Hertz frequency, Hertz spindle, int step) noexcept {
+bool onHarmonic(Hertz frequency, Hertz spindle, int step) {
   return std::abs(wrapped(frequency / spindle / step)) * step < kHarmonic;
 }
 

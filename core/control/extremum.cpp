@@ -50,7 +50,7 @@ void Extremum::prepare(const CutSetup& setup, const config::ParamSet& params) {
   prepareRule(setup, params);
 }
 
-void Extremum::retune(const config::ParamSet& params) noexcept {
+void Extremum::retune(const config::ParamSet& params) {
   mu_ = params.real(kMu);
   lambda_ = params.real(kLambda);
   unit_ = params.real(kUnit) / 100.0;
@@ -63,7 +63,7 @@ void Extremum::retune(const config::ParamSet& params) noexcept {
   setOptions({Seconds(params.real(kSmoothing) / 1000.0), false, false});
 }
 
-void Extremum::forget() noexcept {
+void Extremum::forget() {
   search_.forget();
   alarmed_ = false;
   alarmedFor_ = 0.0;
@@ -75,13 +75,13 @@ void Extremum::forget() noexcept {
 }
 
 // What the search compares: the vibration itself, where it is known.
-double Extremum::compared(const RuleView& view) noexcept {
+double Extremum::compared(const RuleView& view) {
   return view.vibration >= 0.0 ? view.vibration : view.level;
 }
 
 // Up to the nearest speeds on either side that have chattered, and no more than a trial past where Delta f = 0: there
 // the next lobe begins, unheard.
-config::SpeedRange Extremum::quietReach(const RuleView& view) const noexcept {
+config::SpeedRange Extremum::quietReach(const RuleView& view) const {
   config::SpeedRange reach = view.reach;
   const Rpm beyond = view.programmed * (kBeyond * seekStep_);
   const bool fromAbove = settledFrom_ > settles_;
@@ -95,7 +95,7 @@ config::SpeedRange Extremum::quietReach(const RuleView& view) const noexcept {
   return reach;
 }
 
-Aim Extremum::aim(const RuleView& view) noexcept {
+Aim Extremum::aim(const RuleView& view) {
   const bool goesOn = searchGoesOn(view);
   if (!alarmed_) heard_[alarms_++ % kHeard] = view.present;
   alarmed_ = true;
@@ -103,7 +103,7 @@ Aim Extremum::aim(const RuleView& view) noexcept {
 }
 
 // Chatter came back during the search: the search is told once, and again if the next trial does not end it.
-bool Extremum::searchGoesOn(const RuleView& view) noexcept {
+bool Extremum::searchGoesOn(const RuleView& view) {
   if (search_.state() == MinimumSearch::State::Idle) return false;
   alarmedFor_ = alarmed_ ? alarmedFor_ + view.dt.value : 0.0;
   if (alarmed_ && alarmedFor_ < kChatterPatience) return true;
@@ -117,7 +117,7 @@ bool Extremum::searchGoesOn(const RuleView& view) noexcept {
 }
 
 // Eq. 31-33.
-Aim Extremum::law(const RuleView& view) noexcept {
+Aim Extremum::law(const RuleView& view) {
   if (!started_) {
     started_ = true;
     theta_ = view.present / view.programmed - 1.0;
@@ -148,7 +148,7 @@ Aim Extremum::law(const RuleView& view) noexcept {
       {ReasonCode::TargetOutOfRange, {wanted.value, view.reach.low.value, view.reach.high.value, view.chatter.value}}};
 }
 
-Aim Extremum::whenQuiet(const RuleView& view) noexcept {
+Aim Extremum::whenQuiet(const RuleView& view) {
   if (view.air) return {};
   alarmed_ = false;
   started_ = false;
@@ -165,7 +165,7 @@ Aim Extremum::whenQuiet(const RuleView& view) noexcept {
   return searching(view);
 }
 
-Aim Extremum::searching(const RuleView& view) const noexcept {
+Aim Extremum::searching(const RuleView& view) const {
   const Rpm speed = search_.trying();
   if (search_.state() == MinimumSearch::State::Done) {
     return {speed, {ReasonCode::MinimumFound, {speed.value, search_.bestLevel()}}};

@@ -18,17 +18,17 @@ class Extremum : public FrequencyRule {
   explicit Extremum(bool seek) : seek_(seek) {}
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  void retune(const config::ParamSet& params) noexcept override;
+  void retune(const config::ParamSet& params) override;
 
  private:
-  Aim aim(const RuleView& view) noexcept override;
-  Aim whenQuiet(const RuleView& view) noexcept override;
-  void forget() noexcept override;
-  config::SpeedRange quietReach(const RuleView& view) const noexcept;
-  static double compared(const RuleView& view) noexcept;
-  bool searchGoesOn(const RuleView& view) noexcept;
-  Aim law(const RuleView& view) noexcept;
-  Aim searching(const RuleView& view) const noexcept;
+  Aim aim(const RuleView& view) override;
+  Aim whenQuiet(const RuleView& view) override;
+  void forget() override;
+  config::SpeedRange quietReach(const RuleView& view) const;
+  static double compared(const RuleView& view);
+  bool searchGoesOn(const RuleView& view);
+  Aim law(const RuleView& view);
+  Aim searching(const RuleView& view) const;
 
   bool seek_;
   double mu_ = 0.7;

@@ -22,7 +22,7 @@ void FrequencyRule::prepareRule(const CutSetup& setup, const config::ParamSet& p
   reset();
 }
 
-void FrequencyRule::reset() noexcept {
+void FrequencyRule::reset() {
   programmed_ = {};
   chatter_ = {};
   target_ = {};
@@ -32,7 +32,7 @@ void FrequencyRule::reset() noexcept {
   forget();
 }
 
-OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
+OverrideRequest FrequencyRule::decide(const StrategyInput& input) {
   const MachineState& m = input.machine;
   const Verdict& v = input.verdict;
   if (!usable(m) || !v.valid || !isFinite(v.frequency) || !positive(input.dt.value)) {
@@ -59,11 +59,11 @@ OverrideRequest FrequencyRule::decide(const StrategyInput& input) noexcept {
   return speedRequest(input, target_, reason_);
 }
 
-Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) noexcept {
+Aim FrequencyRule::whenQuiet(const RuleView& /*view*/) {
   return {{}, {ReasonCode::KeepingSpeed, {target_.value, heard_.value}}};
 }
 
-void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept {
+void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) {
   const bool jump = std::abs((verdict.frequency - chatter_).value) > kFamilyJump * toothPass.value;
   if (!alarmed_ || chatter_.value <= 0.0 || jump) {
     chatter_ = verdict.frequency;
@@ -72,7 +72,7 @@ void FrequencyRule::smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) 
   chatter_ += (verdict.frequency - chatter_) * (dt.value / (dt.value + options_.smoothing.value));
 }
 
-RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noexcept {
+RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const {
   const MachineState& m = input.machine;
   RuleView view;
   view.now = input.now;
@@ -90,7 +90,7 @@ RuleView FrequencyRule::look(const StrategyInput& input, Rpm present) const noex
   return view;
 }
 
-void FrequencyRule::take(const Aim& aim) noexcept {
+void FrequencyRule::take(const Aim& aim) {
   if (positive(aim.speed.value)) target_ = aim.speed;
   if (aim.reason.code != ReasonCode::None) reason_ = aim.reason;
 }

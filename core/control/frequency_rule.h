@@ -39,25 +39,25 @@ struct Aim {
 
 class FrequencyRule : public Strategy {
  public:
-  OverrideRequest decide(const StrategyInput& input) noexcept final;
-  void reset() noexcept final;
+  OverrideRequest decide(const StrategyInput& input) final;
+  void reset() final;
 
  protected:
   // From the rule's own prepare(); throws std::runtime_error where the override limits contradict each other.
   void prepareRule(const CutSetup& setup, const config::ParamSet& params);
-  void setOptions(const RuleOptions& options) noexcept { options_ = options; }
+  void setOptions(const RuleOptions& options) { options_ = options; }
 
   // Chatter is marked. Real-time.
-  virtual Aim aim(const RuleView& view) noexcept = 0;
+  virtual Aim aim(const RuleView& view) = 0;
   // Quiet, and a target of ours exists. Real-time.
-  virtual Aim whenQuiet(const RuleView& view) noexcept;
+  virtual Aim whenQuiet(const RuleView& view);
   // Forget what the rule itself remembers. Real-time.
-  virtual void forget() noexcept {}
+  virtual void forget() {}
 
  private:
-  void smooth(const Verdict& verdict, Seconds dt, Hertz toothPass) noexcept;
-  RuleView look(const StrategyInput& input, Rpm present) const noexcept;
-  void take(const Aim& aim) noexcept;
+  void smooth(const Verdict& verdict, Seconds dt, Hertz toothPass);
+  RuleView look(const StrategyInput& input, Rpm present) const;
+  void take(const Aim& aim);
 
   config::OverrideLimits limits_;
   RuleOptions options_;

@@ -22,7 +22,7 @@ constexpr double kScalingExponent = 0.5, kScalingError = 0.5;  // alpha_E and ep
 constexpr double kLeastScaling = 0.5, kMostScaling = 2.0;
 constexpr int kLearnEvery = 6;
 
-bool allUsable(const StrategyInput& in) noexcept {
+bool allUsable(const StrategyInput& in) {
   const MachineState& m = in.machine;
   return usable(m) && std::isfinite(m.programmedFeed.value) && std::isfinite(m.operatorFeed.value) &&
          in.verdict.valid && isFinite(in.verdict.severity) && positive(in.dt.value);
@@ -45,7 +45,7 @@ void Fuzzy::prepare(const CutSetup& setup, const config::ParamSet& params) {
   reset();
 }
 
-void Fuzzy::retune(const config::ParamSet& params) noexcept {
+void Fuzzy::retune(const config::ParamSet& params) {
   const FuzzyOptions options = fuzzyOptions(params);
   const bool refused = !usableTogether(options);
   shownRefused_.store(refused, std::memory_order_relaxed);
@@ -61,7 +61,7 @@ void Fuzzy::retune(const config::ParamSet& params) noexcept {
   showRules();
 }
 
-void Fuzzy::showRules() noexcept {
+void Fuzzy::showRules() {
   for (std::size_t k = 0; k < kCells; ++k) {
     const std::size_t row = k / kCoherenceSets, column = k % kCoherenceSets;
     shownRules_[k].store(static_cast<float>(speedRules_[row][column]), std::memory_order_relaxed);
@@ -70,7 +70,7 @@ void Fuzzy::showRules() noexcept {
   shownLessons_.store(lessons_, std::memory_order_relaxed);
 }
 
-bool Fuzzy::readRules(RuleTables& into) const noexcept {
+bool Fuzzy::readRules(RuleTables& into) const {
   for (std::size_t k = 0; k < kCells; ++k) {
     const std::size_t row = k / kCoherenceSets, column = k % kCoherenceSets;
     into.speed[row][column] = shownRules_[k].load(std::memory_order_relaxed);
@@ -81,14 +81,14 @@ bool Fuzzy::readRules(RuleTables& into) const noexcept {
   return true;
 }
 
-void Fuzzy::relinquish() noexcept {
+void Fuzzy::relinquish() {
   speed_ = feed_ = 1.0;
   heldFrom_ = 0.0;
   moved_ = false;
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
-void Fuzzy::reset() noexcept {
+void Fuzzy::reset() {
   speedRules_ = options_.speedRules;
   feedRules_ = options_.feedRules;
   lessons_ = 0;
@@ -105,7 +105,7 @@ void Fuzzy::reset() noexcept {
   rising_ = 0;
 }
 
-OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
+OverrideRequest Fuzzy::decide(const StrategyInput& input) {
   if (!allUsable(input)) {
     const MachineState& m = input.machine;
     return keepOrNothing(input, moved_ ? m.programmedSpeed * (m.operatorSpeed.value * speed_) : Rpm());
@@ -125,7 +125,7 @@ OverrideRequest Fuzzy::decide(const StrategyInput& input) noexcept {
 }
 
 // E_r of eq. 3-8; where no detector makes it, the rms of the first channel. Never both: they are not in one unit.
-double Fuzzy::levelOf(const StrategyInput& input) noexcept {
+double Fuzzy::levelOf(const StrategyInput& input) {
   if (input.energy >= 0.0 && !hearsEnergy_) {
     hearsEnergy_ = true;
     stable_ = stableSum_ = stableTime_ = stableBefore_ = remembered_ = levelSum_ = counted_ = 0.0;
@@ -134,7 +134,7 @@ double Fuzzy::levelOf(const StrategyInput& input) noexcept {
   return std::isfinite(level) ? level : -1.0;
 }
 
-void Fuzzy::gather(const StrategyInput& input) noexcept {
+void Fuzzy::gather(const StrategyInput& input) {
   const double dt = std::min(input.dt.value, options_.cycle);
   const Verdict& v = input.verdict;
   elapsed_ += dt;
@@ -162,7 +162,7 @@ void Fuzzy::gather(const StrategyInput& input) noexcept {
 }
 
 // Spectra averaged over turns, as gamma_max comes from, forget chatter slower than it dies.
-bool Fuzzy::ofThePast(const StrategyInput& input, double level, double dt) noexcept {
+bool Fuzzy::ofThePast(const StrategyInput& input, double level, double dt) {
   if (!(input.coherence >= 0.0) || !(level >= 0.0)) return false;
   const double turns = dt * toHertz(input.machine.programmedSpeed).value;
   remembered_ = std::max(level * level, remembered_ * std::exp(-turns / kMemoryTurns));
@@ -170,7 +170,7 @@ bool Fuzzy::ofThePast(const StrategyInput& input, double level, double dt) noexc
 }
 
 // The level of the cut before anything chatters, once it no longer grows with the tool's coming in.
-void Fuzzy::learnStable(const Verdict& v, double level, double dt) noexcept {
+void Fuzzy::learnStable(const Verdict& v, double level, double dt) {
   if (stable_ > 0.0 || v.state != CutState::Stable || v.phase == CutPhase::Exit) return;
   stableSum_ += level * dt;
   stableTime_ += dt;
@@ -181,7 +181,7 @@ void Fuzzy::learnStable(const Verdict& v, double level, double dt) noexcept {
   stableSum_ = stableTime_ = 0.0;
 }
 
-void Fuzzy::cycle(const StrategyInput& input) noexcept {
+void Fuzzy::cycle(const StrategyInput& input) {
   const bool known = stable_ > 0.0 && counted_ > 0.0;
   const double energy = known ? levelSum_ / counted_ / stable_ : 0.0;
   // At its reference coherence asks for nothing.
@@ -211,18 +211,18 @@ void Fuzzy::cycle(const StrategyInput& input) noexcept {
 }
 
 // Without feed there is no cut, and to whoever listens that is air: what was held there by us would stay held.
-void Fuzzy::feedAgain(const FuzzyInputs& in, const MachineState& machine) noexcept {
+void Fuzzy::feedAgain(const FuzzyInputs& in, const MachineState& machine) {
   moveBy(0.0, infer(feedRules_, in, options_.centres), elapsed_ / options_.rangeTime, machine);
   feed_ = std::min(feed_, heldFrom_);
 }
 
-Reason Fuzzy::said(const StrategyInput& input, double coherence, double energy) const noexcept {
+Reason Fuzzy::said(const StrategyInput& input, double coherence, double energy) const {
   const Rpm speed = programmed_ * (input.machine.operatorSpeed.value * speed_);
   const MetresPerSecond feed = input.machine.programmedFeed * (input.machine.operatorFeed.value * feed_);
   return {ReasonCode::FuzzyRules, {coherence, energy, speed.value, toMmPerMin(feed)}};
 }
 
-FuzzyInputs Fuzzy::scaled(double coherence, double energy) noexcept {
+FuzzyInputs Fuzzy::scaled(double coherence, double energy) {
   const double ref = options_.coherenceRef;
   const double error = energy - options_.energyRef;
   errors_[past_++ % kPast] = error;
@@ -237,7 +237,7 @@ FuzzyInputs Fuzzy::scaled(double coherence, double energy) noexcept {
   return in;
 }
 
-double Fuzzy::overshoot(double energy) noexcept {
+double Fuzzy::overshoot(double energy) {
   const bool rises = energy > energy1_ && energy1_ > energy2_ && energy2_ > options_.energyRef;
   rising_ = rises ? std::min(rising_ + 1, 8) : 0;
   energy2_ = energy1_;
@@ -246,7 +246,7 @@ double Fuzzy::overshoot(double energy) noexcept {
 }
 
 // `step`: share of the whole range that may be gone.
-void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m) noexcept {
+void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m) {
   const config::FactorRange speeds = speedFactors(limits_, m);
   const config::FactorRange feeds = feedFactors(limits_, m);
   const double most = std::min(1.0, step);
@@ -262,7 +262,7 @@ void Fuzzy::moveBy(double speed, double feed, double step, const MachineState& m
   moved_ = moved_ || speed_ < 1.0 - 1e-6 || feed_ < 1.0 - 1e-6 || speed_ > 1.0 + 1e-6 || feed_ > 1.0 + 1e-6;
 }
 
-OverrideRequest Fuzzy::answer(const StrategyInput& input) const noexcept {
+OverrideRequest Fuzzy::answer(const StrategyInput& input) const {
   OverrideRequest request;
   request.time = input.now;
   request.claimsSpeed = true;
@@ -280,14 +280,14 @@ StrategyInfo FuzzyLearning::describe() const {
   return {"fuzzy-learning", "Fuzzy, learning its rules", "Xu 2003, section 3.4.1", "coherence"};
 }
 
-void FuzzyLearning::reset() noexcept {
+void FuzzyLearning::reset() {
   Fuzzy::reset();
   correction_ = {};
   cycles_ = 0;
 }
 
 // Eq. 3-32, 3-33. The neutral coherence error is 0: at the reference nothing is to be regulated.
-void FuzzyLearning::learn(const FuzzyInputs& in) noexcept {
+void FuzzyLearning::learn(const FuzzyInputs& in) {
   const RuleTable strength = firing(in, options_.centres);
   const double delta = options_.learning * std::clamp(in.coherence, -1.0, 1.0);
   for (std::size_t i = 0; i < strength.size(); ++i) {
@@ -310,7 +310,7 @@ StrategyInfo FuzzyDirect::describe() const {
   return {"fuzzy-direct", "Fuzzy, outputs tuned directly", "Xu 2003, section 3.4.2", "coherence"};
 }
 
-double FuzzyDirect::tune(const FuzzyInputs& in) const noexcept {
+double FuzzyDirect::tune(const FuzzyInputs& in) const {
   const double coherence = options_.coherenceWeight * std::clamp(in.coherence, -1.0, 1.0);
   if (!options_.doubleTuning || !in.energyKnown) return std::abs(coherence);
   return std::min(1.0, std::abs(coherence + options_.energyWeight * std::clamp(in.energy, -1.0, 1.0)));

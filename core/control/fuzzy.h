@@ -18,16 +18,16 @@ class Fuzzy : public Strategy {
   StrategyInfo describe() const override;
   // Throws std::runtime_error where the override limits contradict each other, or the rules or references themselves.
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  void retune(const config::ParamSet& params) noexcept override;
-  OverrideRequest decide(const StrategyInput& input) noexcept override;
-  void reset() noexcept override;
-  void relinquish() noexcept override;
-  bool readRules(RuleTables& into) const noexcept override;
+  void retune(const config::ParamSet& params) override;
+  OverrideRequest decide(const StrategyInput& input) override;
+  void reset() override;
+  void relinquish() override;
+  bool readRules(RuleTables& into) const override;
 
  protected:
   // What learning and direct tuning add. Real-time.
-  virtual void learn(const FuzzyInputs& /*in*/) noexcept {}
-  virtual double tune(const FuzzyInputs& /*in*/) const noexcept { return 1.0; }
+  virtual void learn(const FuzzyInputs& /*in*/) {}
+  virtual double tune(const FuzzyInputs& /*in*/) const { return 1.0; }
 
   FuzzyOptions options_;
   RuleTable speedRules_ = kSpeedRules;
@@ -35,22 +35,22 @@ class Fuzzy : public Strategy {
   std::uint32_t lessons_ = 0;
 
   // For readRules(). Real-time.
-  void showRules() noexcept;
+  void showRules();
 
  private:
   static constexpr std::size_t kPast = 8;  // n_a of eq. 3-14
 
-  double levelOf(const StrategyInput& input) noexcept;
-  void gather(const StrategyInput& input) noexcept;
-  bool ofThePast(const StrategyInput& input, double level, double dt) noexcept;
-  void learnStable(const Verdict& verdict, double level, double dt) noexcept;
-  void cycle(const StrategyInput& input) noexcept;
-  Reason said(const StrategyInput& input, double coherence, double energy) const noexcept;
-  FuzzyInputs scaled(double coherence, double energy) noexcept;
-  double overshoot(double energy) noexcept;
-  void feedAgain(const FuzzyInputs& in, const MachineState& machine) noexcept;
-  void moveBy(double speed, double feed, double step, const MachineState& machine) noexcept;
-  OverrideRequest answer(const StrategyInput& input) const noexcept;
+  double levelOf(const StrategyInput& input);
+  void gather(const StrategyInput& input);
+  bool ofThePast(const StrategyInput& input, double level, double dt);
+  void learnStable(const Verdict& verdict, double level, double dt);
+  void cycle(const StrategyInput& input);
+  Reason said(const StrategyInput& input, double coherence, double energy) const;
+  FuzzyInputs scaled(double coherence, double energy);
+  double overshoot(double energy);
+  void feedAgain(const FuzzyInputs& in, const MachineState& machine);
+  void moveBy(double speed, double feed, double step, const MachineState& machine);
+  OverrideRequest answer(const StrategyInput& input) const;
 
   config::OverrideLimits limits_;
   Rpm programmed_{};
@@ -79,10 +79,10 @@ class Fuzzy : public Strategy {
 class FuzzyLearning final : public Fuzzy {
  public:
   StrategyInfo describe() const override;
-  void reset() noexcept override;
+  void reset() override;
 
  private:
-  void learn(const FuzzyInputs& in) noexcept override;
+  void learn(const FuzzyInputs& in) override;
 
   RuleTable correction_{};
   int cycles_ = 0;
@@ -93,7 +93,7 @@ class FuzzyDirect final : public Fuzzy {
   StrategyInfo describe() const override;
 
  private:
-  double tune(const FuzzyInputs& in) const noexcept override;
+  double tune(const FuzzyInputs& in) const override;
 };
 
 }  // namespace stillcut::control

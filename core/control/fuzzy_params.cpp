@@ -148,7 +148,7 @@ FuzzyOptions fuzzyOptions(const config::ParamSet& params) {
   return o;
 }
 
-bool usableTogether(const FuzzyOptions& options) noexcept {
+bool usableTogether(const FuzzyOptions& options) {
   return options.energyUp > options.energyRef && !risingRule(options.speedRules) && !risingRule(options.feedRules);
 }
 

@@ -33,7 +33,7 @@ config::ParamTable fuzzyRuleParams();
 config::ParamTable fuzzyCentreParams();
 FuzzyOptions fuzzyOptions(const config::ParamSet& params);
 // Whether they can be used with each other: the energy's limit above its reference, tables that fall. Real-time.
-bool usableTogether(const FuzzyOptions& options) noexcept;
+bool usableTogether(const FuzzyOptions& options);
 // The same with the key and the reason; not real-time.
 Status checkFuzzyOptions(const FuzzyOptions& options);
 

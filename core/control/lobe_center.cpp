@@ -31,11 +31,11 @@ void LobeCenter::prepare(const CutSetup& setup, const config::ParamSet& params) 
   prepareRule(setup, params);
 }
 
-void LobeCenter::retune(const config::ParamSet& params) noexcept {
+void LobeCenter::retune(const config::ParamSet& params) {
   setOptions({Seconds(params.real(kSmoothing) / 1000.0), params.choice(kActOn) == 1, params.boolean(kFreeze)});
 }
 
-Aim LobeCenter::aim(const RuleView& view) noexcept {
+Aim LobeCenter::aim(const RuleView& view) {
   const LobeTarget pocket = pocketInReach(view.chatter, view.teeth, view.present, view.reach);
   if (pocket.waves == 0) {
     return {{},

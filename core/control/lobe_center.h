@@ -12,10 +12,10 @@ class LobeCenter final : public FrequencyRule {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  void retune(const config::ParamSet& params) noexcept override;
+  void retune(const config::ParamSet& params) override;
 
  private:
-  Aim aim(const RuleView& view) noexcept override;
+  Aim aim(const RuleView& view) override;
 };
 
 }  // namespace stillcut::control

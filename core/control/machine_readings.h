@@ -8,23 +8,23 @@
 
 namespace stillcut::control {
 
-inline bool positive(double v) noexcept {
+inline bool positive(double v) {
   return std::isfinite(v) && v > 0.0;
 }
 
 // Measured where the machine measures, else what it was told.
-inline Rpm actualOrCommandedSpeed(const MachineState& m) noexcept {
+inline Rpm actualOrCommandedSpeed(const MachineState& m) {
   return m.actualSpeed.value > 0.0 ? m.actualSpeed : m.targetSpeed();
 }
 
 // False: hold, whatever the verdict.
-inline bool usable(const MachineState& m) noexcept {
+inline bool usable(const MachineState& m) {
   return m.valid && positive(m.programmedSpeed.value) && positive(m.operatorSpeed.value) &&
          positive(actualOrCommandedSpeed(m).value);
 }
 
 // Another S word is another cut: what was found for the one before says nothing.
-inline bool programmedSpeedChanged(const MachineState& m, Rpm before) noexcept {
+inline bool programmedSpeedChanged(const MachineState& m, Rpm before) {
   constexpr double kShare = 1e-3;
   return std::abs((m.programmedSpeed - before).value) > kShare * m.programmedSpeed.value;
 }

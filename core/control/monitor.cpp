@@ -10,7 +10,7 @@ StrategyInfo Monitor::describe() const {
 
 void Monitor::prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) {}
 
-OverrideRequest Monitor::decide(const StrategyInput& input) noexcept {
+OverrideRequest Monitor::decide(const StrategyInput& input) {
   OverrideRequest request;
   request.time = input.now;
   request.kind = RequestKind::Release;

@@ -10,8 +10,8 @@ class Monitor final : public Strategy {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  OverrideRequest decide(const StrategyInput& input) noexcept override;
-  void reset() noexcept override {}
+  OverrideRequest decide(const StrategyInput& input) override;
+  void reset() override {}
 };
 
 }  // namespace stillcut::control

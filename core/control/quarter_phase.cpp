@@ -51,13 +51,13 @@ void QuarterPhase::prepare(const CutSetup& setup, const config::ParamSet& params
   prepareRule(setup, params);
 }
 
-void QuarterPhase::retune(const config::ParamSet& params) noexcept {
+void QuarterPhase::retune(const config::ParamSet& params) {
   direction_ = static_cast<SpeedDirection>(params.choice(kDirection));
   phase_ = params.real(kPhase);
   setOptions({Seconds(params.real(kSmoothing) / 1000.0), false, false});
 }
 
-Aim QuarterPhase::aim(const RuleView& view) noexcept {
+Aim QuarterPhase::aim(const RuleView& view) {
   const QuarterTarget target =
       quarterPhaseSpeed(view.chatter, view.teeth, view.present, phase_, direction_, view.reach);
   if (target.waves > 0.0) {

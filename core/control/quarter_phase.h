@@ -23,10 +23,10 @@ class QuarterPhase final : public FrequencyRule {
  public:
   StrategyInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  void retune(const config::ParamSet& params) noexcept override;
+  void retune(const config::ParamSet& params) override;
 
  private:
-  Aim aim(const RuleView& view) noexcept override;
+  Aim aim(const RuleView& view) override;
 
   double phase_ = 0.25;
   SpeedDirection direction_ = SpeedDirection::Nearest;

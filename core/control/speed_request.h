@@ -9,7 +9,7 @@
 namespace stillcut::control {
 
 // Nothing can be decided now. `target`: what is asked for already, and stays in force; 0: nothing.
-inline OverrideRequest keepOrNothing(const StrategyInput& input, Rpm target) noexcept {
+inline OverrideRequest keepOrNothing(const StrategyInput& input, Rpm target) {
   OverrideRequest keep;
   keep.time = input.now;
   keep.kind = target.value > 0.0 ? RequestKind::Hold : RequestKind::None;
@@ -18,7 +18,7 @@ inline OverrideRequest keepOrNothing(const StrategyInput& input, Rpm target) noe
 }
 
 // `target` 0: nothing is asked for, and only the reason is said.
-inline OverrideRequest speedRequest(const StrategyInput& input, Rpm target, const Reason& reason) noexcept {
+inline OverrideRequest speedRequest(const StrategyInput& input, Rpm target, const Reason& reason) {
   OverrideRequest request;
   request.time = input.now;
   request.claimsSpeed = true;

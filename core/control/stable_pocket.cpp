@@ -34,7 +34,7 @@ constexpr double kNotMoved = 0.003;    // the spindle has not begun to move
 constexpr double kAskAnew = 1.0;       // [s] a wish that nobody carries out is made up anew
 constexpr double kStood = 1.0;         // [s] a spindle that has been this long at one speed is not on its way
 
-bool near(Rpm a, Rpm b, double share) noexcept {
+bool near(Rpm a, Rpm b, double share) {
   return std::abs((a - b).value) <= share * b.value;
 }
 
@@ -59,7 +59,7 @@ void StablePocket::prepare(const CutSetup& setup, const config::ParamSet& params
   reset();
 }
 
-void StablePocket::retune(const config::ParamSet& params) noexcept {
+void StablePocket::retune(const config::ParamSet& params) {
   mostMoves_ = params.integer(kMoves);
   settle_ = Seconds(params.real(kSettle) / 1000.0);
   forget_ = Seconds(params.real(kForget));
@@ -67,13 +67,13 @@ void StablePocket::retune(const config::ParamSet& params) noexcept {
   confirmation_.configure({Seconds(params.real(kConfirm) / 1000.0), Seconds(params.real(kConfirmAgain) / 1000.0)});
 }
 
-void StablePocket::reset() noexcept {
+void StablePocket::reset() {
   confirmation_.forgetLevels();
   programmed_ = {};
   relinquish();
 }
 
-void StablePocket::relinquish() noexcept {
+void StablePocket::relinquish() {
   confirmation_.forget();
   search_.forget();
   phase_ = Phase::Watch;
@@ -87,7 +87,7 @@ void StablePocket::relinquish() noexcept {
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
-OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
+OverrideRequest StablePocket::decide(const StrategyInput& input) {
   const MachineState& m = input.machine;
   const Verdict& v = input.verdict;
   if (target_.value > 0.0 && usable(m)) watchLetGo(v, m, actualOrCommandedSpeed(m));
@@ -122,7 +122,7 @@ OverrideRequest StablePocket::decide(const StrategyInput& input) noexcept {
 }
 
 // Programmed values in force that nobody here asked for: the gate has let go, and would take up the same wish again.
-void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) noexcept {
+void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) {
   if (near(present, target_, kAtTarget)) {
     arrived_ = true;
     if (verdict.valid) heardThere_ = verdict.alarming() ? verdict.frequency : Hertz();
@@ -135,14 +135,14 @@ void StablePocket::watchLetGo(const Verdict& verdict, const MachineState& machin
   giveUpTarget();
 }
 
-void StablePocket::giveUpTarget() noexcept {
+void StablePocket::giveUpTarget() {
   target_ = from_ = {};
   phase_ = Phase::Watch;
   confirmation_.forget();
   reason_ = {ReasonCode::NothingToDoAt, {}};
 }
 
-void StablePocket::listen(const StrategyInput& input) noexcept {
+void StablePocket::listen(const StrategyInput& input) {
   const double dt = input.dt.value;
   confirmation_.update(input.verdict, input.dt, {toHertz(even_), teeth_, moves_ > 0}, input.vibration);
   quiet_ = input.verdict.alarming() ? 0.0 : quiet_ + dt;
@@ -169,7 +169,7 @@ void StablePocket::listen(const StrategyInput& input) noexcept {
 }
 
 // The machine shows the order in force and the spindle no longer moves: what is left is slip, and stays.
-bool StablePocket::standsAsOrdered(const StrategyInput& input, Rpm present) noexcept {
+bool StablePocket::standsAsOrdered(const StrategyInput& input, Rpm present) {
   const bool ordered = near(input.machine.targetSpeed(), target_, kAtTarget) && !near(present, from_, kNotMoved);
   const bool stands = ordered && near(present, stands_, kAtTarget);
   standing_ = stands ? standing_ + input.dt.value : 0.0;
@@ -179,7 +179,7 @@ bool StablePocket::standsAsOrdered(const StrategyInput& input, Rpm present) noex
 
 // The target stands; nothing is judged until the spindle is there and has been for a while. Chatter that shakes the
 // spindle off its speed again is no other move.
-void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
+void StablePocket::settle(const StrategyInput& input, Rpm present) {
   const config::SpeedRange reach = reachableSpeeds(limits_, input.machine);
   if (target_ < reach.low * (1.0 - kAtTarget) || target_ > reach.high * (1.0 + kAtTarget)) {
     giveUpTarget();
@@ -205,7 +205,7 @@ void StablePocket::settle(const StrategyInput& input, Rpm present) noexcept {
   confirmation_.forget();
 }
 
-void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
+void StablePocket::choose(const MachineState& m, Rpm present) {
   const config::SpeedRange reach = reachableSpeeds(limits_, m);
   const Hertz chatter = confirmation_.frequency();
   if (moves_ >= mostMoves_) {
@@ -230,18 +230,18 @@ void StablePocket::choose(const MachineState& m, Rpm present) noexcept {
   confirmation_.forget();
 }
 
-void StablePocket::resign(const Reason& why) noexcept {
+void StablePocket::resign(const Reason& why) {
   phase_ = Phase::Resigned;
   inPhase_ = 0.0;
   target_ = {};
   reason_ = why;
 }
 
-Reason StablePocket::nothingQuiet(Hertz chatter) const noexcept {
+Reason StablePocket::nothingQuiet(Hertz chatter) const {
   return {ReasonCode::NoStableSpeedTried, {static_cast<double>(moves_), chatter.value, 1e3 * path_.value}};
 }
 
-OverrideRequest StablePocket::answer(const StrategyInput& input) const noexcept {
+OverrideRequest StablePocket::answer(const StrategyInput& input) const {
   OverrideRequest request = speedRequest(input, target_, reason_);
   if (phase_ == Phase::Resigned) request.kind = RequestKind::Release;
   return request;

@@ -16,23 +16,23 @@ class StablePocket final : public Strategy {
   StrategyInfo describe() const override;
   // Throws std::runtime_error where the override limits contradict each other.
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  void retune(const config::ParamSet& params) noexcept override;
-  OverrideRequest decide(const StrategyInput& input) noexcept override;
-  void reset() noexcept override;
-  void relinquish() noexcept override;
+  void retune(const config::ParamSet& params) override;
+  OverrideRequest decide(const StrategyInput& input) override;
+  void reset() override;
+  void relinquish() override;
 
  private:
   enum class Phase { Watch, Settle, Resigned };
 
-  void watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present) noexcept;
-  void giveUpTarget() noexcept;
-  void listen(const StrategyInput& input) noexcept;
-  void settle(const StrategyInput& input, Rpm present) noexcept;
-  bool standsAsOrdered(const StrategyInput& input, Rpm present) noexcept;
-  void choose(const MachineState& machine, Rpm present) noexcept;
-  void resign(const Reason& why) noexcept;
-  Reason nothingQuiet(Hertz chatter) const noexcept;
-  OverrideRequest answer(const StrategyInput& input) const noexcept;
+  void watchLetGo(const Verdict& verdict, const MachineState& machine, Rpm present);
+  void giveUpTarget();
+  void listen(const StrategyInput& input);
+  void settle(const StrategyInput& input, Rpm present);
+  bool standsAsOrdered(const StrategyInput& input, Rpm present);
+  void choose(const MachineState& machine, Rpm present);
+  void resign(const Reason& why);
+  Reason nothingQuiet(Hertz chatter) const;
+  OverrideRequest answer(const StrategyInput& input) const;
 
   config::OverrideLimits limits_;
   int teeth_ = 0;

@@ -1,6 +1,7 @@
 // Strategy: one published law that turns verdicts into wishes. How to add one: core/control/ADDING.md.
 // A pure decision from verdict, machine state and measured time: it keeps its own memory and touches nothing else.
-// Thread: worker. prepare() may allocate and throw; decide() and reset() may do neither.
+// Thread: worker. prepare() may allocate and throw; the rest may do neither. Should it throw all the same, the chain
+// takes that as a fault and drops to monitoring: nothing inside may be noexcept, which would end the program.
 #pragma once
 
 #include <string_view>
@@ -50,18 +51,18 @@ class Strategy {
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
   // New values of parameters that are not locked while running; its memory stays. A value that cannot be used with the
   // others leaves all as they were. Between blocks, real-time.
-  virtual void retune(const config::ParamSet& /*params*/) noexcept {}
+  virtual void retune(const config::ParamSet& /*params*/) {}
   // One block's verdict gives one wish. Real-time; an exception is taken as a fault and drops to monitoring. An
   // unusable verdict or machine state gives Hold or None, never a Set.
   virtual OverrideRequest decide(const StrategyInput& input) = 0;
   // As after prepare(): nothing known of the cut, nothing asked for. Real-time.
-  virtual void reset() noexcept = 0;
+  virtual void reset() = 0;
   // The operator has taken the machine back, or changed who may drive it: what was asked for so far is over and may not
   // come back with the next grant. What was learned of the cut may stay. Real-time.
-  virtual void relinquish() noexcept { reset(); }
+  virtual void relinquish() { reset(); }
   // Of a fuzzy strategy: its rules as of the last cycle, what was learned included. False, and `into` left alone: it
   // has none. Any thread, for a screen: each cell is true by itself.
-  virtual bool readRules(RuleTables& /*into*/) const noexcept { return false; }
+  virtual bool readRules(RuleTables& /*into*/) const { return false; }
 };
 
 }  // namespace stillcut::control

@@ -15,18 +15,18 @@ constexpr double kFlipOffset = 0.02;  // tooth orders from the middle
 
 }  // namespace
 
-void AlarmStateMachine::prepare(int teeth) noexcept {
+void AlarmStateMachine::prepare(int teeth) {
   teeth_ = teeth;
   reset();
 }
 
-void AlarmStateMachine::reset() noexcept {
+void AlarmStateMachine::reset() {
   state_ = CutState::AirCutting;
   severity_ = frequencySd_ = sinceOnset_ = feedSinceOnset_ = 0.0;
   frequency_ = {};
 }
 
-void AlarmStateMachine::judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step) noexcept {
+void AlarmStateMachine::judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step) {
   severity_ = evidence.severity;
   const bool high = severity_ >= chatterRatio_ * (state_ == CutState::Chatter ? kHysteresis : 1.0);
   const bool judged = steady(block) && block.levelTrend > kFalling;
@@ -40,7 +40,7 @@ void AlarmStateMachine::judge(const Evidence& evidence, const ConditionedBlock& 
   }
 }
 
-bool AlarmStateMachine::endBlock(const ConditionedBlock& block) noexcept {
+bool AlarmStateMachine::endBlock(const ConditionedBlock& block) {
   if (block.phase == CutPhase::AirCutting) {
     const bool left = state_ != CutState::AirCutting;
     reset();
@@ -51,7 +51,7 @@ bool AlarmStateMachine::endBlock(const ConditionedBlock& block) noexcept {
   return false;
 }
 
-void AlarmStateMachine::follow(Hertz frequency, Hertz resolution) noexcept {
+void AlarmStateMachine::follow(Hertz frequency, Hertz resolution) {
   if (!alarming() || !(frequency.value > 0.0)) return;
   if (!(frequency_.value > 0.0)) {
     frequencySd_ = resolution.value;
@@ -62,14 +62,14 @@ void AlarmStateMachine::follow(Hertz frequency, Hertz resolution) noexcept {
 }
 
 // Period doubling sits half way between the tooth-passing harmonics, whatever the speed; Hopf chatter anywhere else.
-ChatterKind AlarmStateMachine::kind(Hertz spindle) const noexcept {
+ChatterKind AlarmStateMachine::kind(Hertz spindle) const {
   if (teeth_ < 1 || !(frequency_.value > 0.0) || !(spindle.value > 0.0)) return ChatterKind::Unknown;
   const Hertz tooth = spindle * teeth_;
   const double doubt = kFlipOffset + frequencySd_ / tooth.value;
   return 0.5 - std::abs(dsp::orderOffset(frequency_, tooth)) < doubt ? ChatterKind::Flip : ChatterKind::Hopf;
 }
 
-Verdict AlarmStateMachine::verdict(const ConditionedBlock& block) const noexcept {
+Verdict AlarmStateMachine::verdict(const ConditionedBlock& block) const {
   Verdict v = blankVerdict(block);
   if (!v.valid) return v;
   v.state = state_;

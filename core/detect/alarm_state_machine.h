@@ -21,38 +21,36 @@ struct Evidence {
 
 class AlarmStateMachine {
  public:
-  void prepare(int teeth) noexcept;
+  void prepare(int teeth);
   // Energy ratio of full chatter (Caliskan: 0.2); it ends at half of that.
-  void setChatterRatio(double ratio) noexcept { chatterRatio_ = ratio; }
-  void reset() noexcept;
+  void setChatterRatio(double ratio) { chatterRatio_ = ratio; }
+  void reset();
 
-  void judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step) noexcept;
+  void judge(const Evidence& evidence, const ConditionedBlock& block, Seconds step);
   // Once per block: leaves the cut in air, adds up the feed. True when the cut was left: forget what belongs to it.
-  bool endBlock(const ConditionedBlock& block) noexcept;
+  bool endBlock(const ConditionedBlock& block);
   // A frequency of this step; the spread of successive ones is its doubt. resolution: of the method [Hz].
-  void follow(Hertz frequency, Hertz resolution) noexcept;
+  void follow(Hertz frequency, Hertz resolution);
 
-  CutState state() const noexcept { return state_; }
-  bool alarming() const noexcept { return state_ == CutState::Onset || state_ == CutState::Chatter; }
+  CutState state() const { return state_; }
+  bool alarming() const { return state_ == CutState::Onset || state_ == CutState::Chatter; }
   // May a floor be learned from this step?
-  bool calm() const noexcept { return state_ == CutState::Stable; }
+  bool calm() const { return state_ == CutState::Stable; }
   // The machine says that its speed changes, faster than turns compare. Where only the vibration looks like it, that
   // may be chatter.
-  static bool speedChanges(const ConditionedBlock& block) noexcept {
+  static bool speedChanges(const ConditionedBlock& block) {
     return block.speedChanging && !block.revolutionsComparable;
   }
-  static bool steady(const ConditionedBlock& block) noexcept {
-    return block.phase == CutPhase::Steady && !speedChanges(block);
-  }
+  static bool steady(const ConditionedBlock& block) { return block.phase == CutPhase::Steady && !speedChanges(block); }
   // What was learned before is no floor any more: the speed changes, and nobody alarms.
-  bool outdated(const ConditionedBlock& block) const noexcept { return speedChanges(block) && !alarming(); }
-  Hertz frequency() const noexcept { return frequency_; }
+  bool outdated(const ConditionedBlock& block) const { return speedChanges(block) && !alarming(); }
+  Hertz frequency() const { return frequency_; }
 
   // Everything but reason and indicators. An invalid block gives an invalid verdict with the block's reason.
-  Verdict verdict(const ConditionedBlock& block) const noexcept;
+  Verdict verdict(const ConditionedBlock& block) const;
 
  private:
-  ChatterKind kind(Hertz spindle) const noexcept;
+  ChatterKind kind(Hertz spindle) const;
 
   int teeth_ = 0;
   double chatterRatio_ = 0.2;

@@ -8,7 +8,7 @@ namespace stillcut::detect {
 
 // Whose block it is, when it ended, in which phase and at what speed; invalid with the block's reason, or in a cut
 // whose speed nobody knows. A valid one is still to be filled.
-inline Verdict blankVerdict(const ConditionedBlock& block) noexcept {
+inline Verdict blankVerdict(const ConditionedBlock& block) {
   Verdict v;
   v.time = block.end();
   v.blockSequence = block.sequence;

@@ -31,14 +31,15 @@ class Detector {
   // with one clear line. Leaves the detector as after reset().
   virtual void prepare(const CutSetup& setup, const config::ParamSet& params) = 0;
 
-  // One block in order. Real-time: no allocation, lock or text. It must not throw; should it all the same, the chain
-  // takes that as a fault and falls back. Every verdict carries the block's end time and
-  // sequence; an invalid block gives an invalid verdict with the block's reason and changes no learned state.
+  // One block in order. Real-time: no allocation, lock or text. It must not throw; should it all the same, or retune()
+  // or reset(), the chain takes that as a fault and falls back: nothing inside may be noexcept, which would end the
+  // program. Every verdict carries the block's end time and sequence; an invalid block gives an invalid verdict with
+  // the block's reason and changes no learned state.
   virtual Verdict process(const ConditionedBlock& block) = 0;
 
   // New values of parameters that are not locked while running; what was learned stays. A part whose parameters are all
   // locked needs none. Between blocks, real-time. Before the first block it does the same as prepare() with them.
-  virtual void retune(const config::ParamSet& /*params*/) noexcept {}
+  virtual void retune(const config::ParamSet& /*params*/) {}
   // After prepare(): what the detector chose for a parameter left automatic, in the declaration's unit. Not a number:
   // it depends on what is learned while running. Set-up thread.
   virtual double chosen(const config::ParamDecl& /*decl*/) const { return config::kAutomatic; }
@@ -46,10 +47,10 @@ class Detector {
   // What it has set itself, by parameters that are automatic and by what it learns: the value now and its reason, in
   // the order of autoValues(), which is the same always. own(): any thread.
   virtual AutoValueTable autoValues() const { return {}; }
-  virtual AutoValue own(std::size_t /*index*/) const noexcept { return {}; }
+  virtual AutoValue own(std::size_t /*index*/) const { return {}; }
 
   // Forgets everything learned. Real-time.
-  virtual void reset() noexcept = 0;
+  virtual void reset() = 0;
 };
 
 }  // namespace stillcut::detect

@@ -14,13 +14,13 @@ constexpr double kSameAngle = 1e-9;  // rad; the sums of angles differ by roundi
 
 }  // namespace
 
-double harmonicGain(double lambda, int harmonics) noexcept {
+double harmonicGain(double lambda, int harmonics) {
   const double n = harmonics;
   const double p = lambda * n + std::sqrt(lambda * lambda * n * n + 2.0 * lambda);
   return p / (n * p + 1.0);
 }
 
-double lambdaForGain(double gain, int harmonics) noexcept {
+double lambdaForGain(double gain, int harmonics) {
   const double n = harmonics;
   const double p = gain / std::max(1.0 - n * gain, 1e-3);
   return p * p / (2.0 * (n * p + 1.0));
@@ -39,12 +39,12 @@ void RotatingHarmonicFilter::prepare(int channels, int harmonics, const dsp::ker
   setActive(harmonics);
 }
 
-void RotatingHarmonicFilter::reset() noexcept {
+void RotatingHarmonicFilter::reset() {
   std::fill(re_.begin(), re_.end(), 0.0);
   std::fill(im_.begin(), im_.end(), 0.0);
 }
 
-void RotatingHarmonicFilter::setActive(int count) noexcept {
+void RotatingHarmonicFilter::setActive(int count) {
   const int clamped = std::clamp(count, 0, harmonics_);
   if (clamped == active_) return;
   active_ = clamped;
@@ -59,14 +59,14 @@ void RotatingHarmonicFilter::setActive(int count) noexcept {
   makeTurn();
 }
 
-void RotatingHarmonicFilter::setGain(double gain, double keep) noexcept {
+void RotatingHarmonicFilter::setGain(double gain, double keep) {
   gain_ = gain;
   if (keep == keep_) return;
   keep_ = keep;
   makeTurn();
 }
 
-void RotatingHarmonicFilter::makeTurn() noexcept {
+void RotatingHarmonicFilter::makeTurn() {
   const auto n = static_cast<std::size_t>(active_);
   kernels_.powers(std::cos(step_), std::sin(step_), n, rotationRe_.data(), rotationIm_.data());
   for (std::size_t i = 0; i < padded_; ++i) {
@@ -75,7 +75,7 @@ void RotatingHarmonicFilter::makeTurn() noexcept {
   }
 }
 
-void RotatingHarmonicFilter::align(double angle, double step) noexcept {
+void RotatingHarmonicFilter::align(double angle, double step) {
   const auto n = static_cast<std::size_t>(active_);
   const double jump = dsp::wrapPhase(angle - angle_);
   angle_ = angle;
@@ -91,7 +91,7 @@ void RotatingHarmonicFilter::align(double angle, double step) noexcept {
 }
 
 HarmonicRun RotatingHarmonicFilter::run(int channel, const double* x, double* residual, std::size_t frames,
-                                        double after) noexcept {
+                                        double after) {
   return {x,
           residual,
           frames,
@@ -104,7 +104,7 @@ HarmonicRun RotatingHarmonicFilter::run(int channel, const double* x, double* re
           after};
 }
 
-bool RotatingHarmonicFilter::finished(int channel, double* residual, std::size_t frames) noexcept {
+bool RotatingHarmonicFilter::finished(int channel, double* residual, std::size_t frames) {
   if (frames == 0 || std::isfinite(residual[frames - 1])) return true;
   std::fill_n(re_.data() + row(channel), padded_, 0.0);
   std::fill_n(im_.data() + row(channel), padded_, 0.0);
@@ -112,14 +112,13 @@ bool RotatingHarmonicFilter::finished(int channel, double* residual, std::size_t
   return false;
 }
 
-void RotatingHarmonicFilter::process(int channel, const double* x, double* residual, std::size_t frames,
-                                     double after) noexcept {
+void RotatingHarmonicFilter::process(int channel, const double* x, double* residual, std::size_t frames, double after) {
   kernels_.harmonics(run(channel, x, residual, frames, after));
   finished(channel, residual, frames);
 }
 
 void RotatingHarmonicFilter::process(const double* x, std::ptrdiff_t stride, double* residual,
-                                     std::ptrdiff_t residualStride, std::size_t frames, double after) noexcept {
+                                     std::ptrdiff_t residualStride, std::size_t frames, double after) {
   int c = 0;
   for (; c + 1 < channels_; c += 2) {
     const HarmonicRun first = run(c, x + c * stride, residual + c * residualStride, frames, after);
@@ -131,16 +130,16 @@ void RotatingHarmonicFilter::process(const double* x, std::ptrdiff_t stride, dou
   if (c < channels_) process(c, x + c * stride, residual + c * residualStride, frames, after);
 }
 
-void RotatingHarmonicFilter::advance(std::size_t frames) noexcept {
+void RotatingHarmonicFilter::advance(std::size_t frames) {
   angle_ = dsp::wrapPhase(angle_ + static_cast<double>(frames) * step_);
 }
 
-double RotatingHarmonicFilter::power(int channel, int n) const noexcept {
+double RotatingHarmonicFilter::power(int channel, int n) const {
   const std::size_t i = row(channel) + static_cast<std::size_t>(n - 1);
   return re_[i] * re_[i] + im_[i] * im_[i];
 }
 
-void RotatingHarmonicFilter::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+void RotatingHarmonicFilter::amplitudes(int channel, std::span<std::complex<double>> out) const {
   const double c = std::cos(angle_);
   const double s = -std::sin(angle_);
   double re = c;
@@ -155,7 +154,7 @@ void RotatingHarmonicFilter::amplitudes(int channel, std::span<std::complex<doub
   }
 }
 
-double RotatingHarmonicFilter::weightedPower(int channel, const double* weight) const noexcept {
+double RotatingHarmonicFilter::weightedPower(int channel, const double* weight) const {
   return kernels_.weightedPower(re_.data() + row(channel), im_.data() + row(channel), weight, used_);
 }
 

@@ -19,47 +19,46 @@
 namespace stillcut::detect {
 
 // Converged gain for a ratio lambda = Q/R and N harmonics, and back.
-double harmonicGain(double lambda, int harmonics) noexcept;
-double lambdaForGain(double gain, int harmonics) noexcept;
+double harmonicGain(double lambda, int harmonics);
+double lambdaForGain(double gain, int harmonics);
 
 class RotatingHarmonicFilter {
  public:
   void prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels);
-  void reset() noexcept;
+  void reset();
   int harmonics() const { return harmonics_; }
   // Uses only the first `count` (those below the usable band at the present speed).
-  void setActive(int count) noexcept;
+  void setActive(int count);
   int active() const { return active_; }
-  void setGain(double gain, double keep = 1.0) noexcept;
+  void setGain(double gain, double keep = 1.0);
 
   // Spindle angle of the next frame and turn per frame [rad]. An angle that is not where the last frames led turns the
   // states along.
-  void align(double angle, double step) noexcept;
+  void align(double angle, double step);
   // Predicts one channel, corrects its harmonics, writes the rest times `after`. A rest that is not finite starts the
   // channel anew and leaves silence.
-  void process(int channel, const double* x, double* residual, std::size_t frames, double after) noexcept;
+  void process(int channel, const double* x, double* residual, std::size_t frames, double after);
   // Every channel: x[channel * stride + frame], rest the same with residualStride.
   void process(const double* x, std::ptrdiff_t stride, double* residual, std::ptrdiff_t residualStride,
-               std::size_t frames, double after) noexcept;
+               std::size_t frames, double after);
   // The same for a kernel that does more with each rest; finished() is to follow.
-  dsp::kernels::HarmonicRun run(int channel, const double* x, double* residual, std::size_t frames,
-                                double after) noexcept;
-  bool finished(int channel, double* residual, std::size_t frames) noexcept;
+  dsp::kernels::HarmonicRun run(int channel, const double* x, double* residual, std::size_t frames, double after);
+  bool finished(int channel, double* residual, std::size_t frames);
   // After the correction: x - sum Re q (Caliskan 2018 eq. 22), as a part of the rest before it.
-  double afterCorrection() const noexcept { return 1.0 - gain_ * active_; }
+  double afterCorrection() const { return 1.0 - gain_ * active_; }
   // After every channel has had the same frames.
-  void advance(std::size_t frames) noexcept;
+  void advance(std::size_t frames);
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
-  double power(int channel, int n) const noexcept;
+  double power(int channel, int n) const;
   // A_n: q_n against the spindle's angle, of the first harmonics.
-  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
+  void amplitudes(int channel, std::span<std::complex<double>> out) const;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
-  double weightedPower(int channel, const double* weight) const noexcept;
+  double weightedPower(int channel, const double* weight) const;
 
  private:
-  std::size_t row(int channel) const noexcept { return static_cast<std::size_t>(channel) * padded_; }
-  void makeTurn() noexcept;
+  std::size_t row(int channel) const { return static_cast<std::size_t>(channel) * padded_; }
+  void makeTurn();
 
   dsp::kernels::Kernels kernels_;
   int channels_ = 0;

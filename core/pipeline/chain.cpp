@@ -42,6 +42,17 @@ Verdict faultVerdict(const detect::ConditionedBlock& block, int detector) {
   return v;
 }
 
+// A method may throw in any of its calls; a fault of one is no end of the program. False: it did.
+template <class Call>
+bool withoutThrow(Call&& call) noexcept {
+  try {
+    call();
+    return true;
+  } catch (...) {
+    return false;
+  }
+}
+
 }  // namespace
 
 Chain::Chain(ChainParts parts) : parts_(std::move(parts)), inCharge_(parts_.inCharge) {
@@ -70,6 +81,7 @@ void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const
   energy_ = findIndicator("energy");
   strategyFailed_ = false;
   saidFault_.fill(false);
+  dead_.fill(false);
   started_ = false;
 }
 
@@ -121,8 +133,12 @@ void Chain::takeParameters(const StepInput& input) noexcept {
   }
   if (!changed) return;
   conditioner_.retune(params_);
-  for (auto& detector : parts_.detectors) detector->retune(params_);
-  parts_.strategy->retune(params_);
+  for (int i = 0; i < static_cast<int>(parts_.detectors.size()); ++i) {
+    if (!withoutThrow([&] { parts_.detectors[static_cast<std::size_t>(i)]->retune(params_); })) {
+      failDetector(i, input.block.end());
+    }
+  }
+  strategyFailed_ = !withoutThrow([&] { parts_.strategy->retune(params_); }) || strategyFailed_;
 }
 
 void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
@@ -130,21 +146,21 @@ void Chain::runDetectors(const detect::ConditionedBlock& block) noexcept {
   out.verdictCount = static_cast<int>(parts_.detectors.size());
   for (int i = 0; i < out.verdictCount; ++i) {
     Verdict& verdict = out.verdicts[static_cast<std::size_t>(i)];
-    bool good = true;
-    try {
-      verdict = parts_.detectors[static_cast<std::size_t>(i)]->process(block);
-      good = sound(verdict);
-    } catch (...) {
-      good = false;
-    }
-    if (good) continue;
+    const auto k = static_cast<std::size_t>(i);
+    const bool ran = !dead_[k] && withoutThrow([&] { verdict = parts_.detectors[k]->process(block); });
+    if (ran && sound(verdict)) continue;
     verdict = faultVerdict(block, i);
-    step_.detectorFailed = true;
-    reportDetectorFault(i, block.end());
-    parts_.detectors[static_cast<std::size_t>(i)]->reset();
-    if (i == inCharge_ && parts_.fallback >= 0 && parts_.fallback != i) inCharge_ = parts_.fallback;
+    failDetector(i, block.end());
   }
   out.inCharge = inCharge_;
+}
+
+void Chain::failDetector(int detector, Instant now) noexcept {
+  const auto k = static_cast<std::size_t>(detector);
+  step_.detectorFailed = true;
+  reportDetectorFault(detector, now);
+  dead_[k] = dead_[k] || !withoutThrow([&] { parts_.detectors[k]->reset(); });
+  if (detector == inCharge_ && parts_.fallback >= 0 && parts_.fallback != detector) inCharge_ = parts_.fallback;
 }
 
 void Chain::reportDetectorFault(int detector, Instant now) noexcept {
@@ -167,7 +183,9 @@ void Chain::updateStrategyAuthority(const StepInput& input) noexcept {
         asked.action == OperatorAction::SetAuthority || asked.action == OperatorAction::GrantBySimulation;
     // The same again, or one that the gate refuses, changes nothing: what is in force keeps its author.
     const bool another = asksFor && granted != gate_.authority() && gate_.grants(granted);
-    if (another || asked.action == OperatorAction::BackToProgrammed) parts_.strategy->relinquish();
+    if (another || asked.action == OperatorAction::BackToProgrammed) {
+      strategyFailed_ = !withoutThrow([&] { parts_.strategy->relinquish(); }) || strategyFailed_;
+    }
   }
 }
 
@@ -182,11 +200,9 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
                                     .coherence = read(coherence_),
                                     .energy = read(energy_)};
   if (!strategyFailed_) {
-    try {
-      return parts_.strategy->decide(seen);
-    } catch (...) {
-      strategyFailed_ = true;  // never asked again; the gate lets go at once
-    }
+    OverrideRequest request;
+    if (withoutThrow([&] { request = parts_.strategy->decide(seen); })) return request;
+    strategyFailed_ = true;  // never asked again; the gate lets go at once
   }
   OverrideRequest none;
   none.time = input.block.end();

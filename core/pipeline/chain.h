@@ -57,6 +57,7 @@ class Chain {
 
  private:
   void takeParameters(const StepInput& input) noexcept;
+  void failDetector(int detector, Instant now) noexcept;
   void runDetectors(const detect::ConditionedBlock& block) noexcept;
   void updateStrategyAuthority(const StepInput& input) noexcept;
   OverrideRequest askStrategy(const StepInput& input) noexcept;
@@ -80,6 +81,7 @@ class Chain {
   bool strategyFailed_ = false;
   Indicator perturbation_, coherence_, energy_;  // what strategies weigh besides the verdict in charge
   std::array<bool, kMaxDetectors> saidFault_{};  // of each detector, once
+  std::array<bool, kMaxDetectors> dead_{};       // a detector that cannot be reset: not asked until the next prepare()
   bool started_ = false;
   Instant previous_{};  // end of the previous block
   Seconds dt_{};

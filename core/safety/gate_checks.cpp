@@ -1,5 +1,6 @@
 #include "core/safety/gate_checks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace stillcut::safety {
@@ -30,6 +31,10 @@ Reason ageReason(ReasonCode code, Instant stamp, Instant now) noexcept {
   return {code, {ageOf(stamp, now)}};
 }
 
+// A machine is read while the block that is judged still waits in a sound card's buffer: stamped a little later than
+// the block, its state is as fresh as can be. Further ahead no clock of ours is.
+constexpr double kAhead = 1.0;  // [s]
+
 }  // namespace
 
 bool plausible(const MachineState& m) STILLCUT_RT {
@@ -42,7 +47,8 @@ bool plausible(const MachineState& m) STILLCUT_RT {
 Reason checkMachine(const MachineState& m, Instant now, Seconds maxAge) STILLCUT_RT {
   if (!m.linkUp) return ageReason(ReasonCode::LinkLost, m.time, now);
   if (!m.valid || !plausible(m)) return {ReasonCode::GateMachineInvalid, {}};
-  if (!fresh(m.time, now, maxAge)) return ageReason(ReasonCode::GateStaleMachine, m.time, now);
+  const bool ahead = m.time > now && fresh(m.time, now, Seconds(std::max(kAhead, maxAge.value)));
+  if (!ahead && !fresh(m.time, now, maxAge)) return ageReason(ReasonCode::GateStaleMachine, m.time, now);
   if (!m.overridesEnabled) return {ReasonCode::GateMachineLocked, {}};
   if (!m.controlOurs) return {ReasonCode::GateControlLost, {}};
   if (!m.programRunning || m.programmedSpeed.value <= 0.0) return {ReasonCode::GateMachineNotReady, {}};

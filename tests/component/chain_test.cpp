@@ -7,7 +7,10 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <new>
 #include <stdexcept>
+#include <string>
 
 #include "tests/support/scripted_parts.h"
 
@@ -57,6 +60,54 @@ TEST(Chain, WithoutASecondAFaultMeansNoVerdictRatherThanStable) {
   const Chain::Step& step = chain.process(stepInput(0));
   EXPECT_EQ(step.output.inCharge, 0);
   EXPECT_FALSE(step.output.verdicts[0].valid);
+}
+
+// Whatever call of a method throws: the run goes on, with its second or with a verdict that says so.
+TEST(Chain, AMethodMayThrowInAnyOfItsCalls) {
+  static constexpr config::ParamDecl kKnob =
+      config::realParam("test.knob", "Knob", "1", 1.0, 0.0, 10.0, "A number that changes while it runs");
+  for (const char* const where : {"process", "retune", "reset", "strategy.retune", "relinquish", "decide"}) {
+    SCOPED_TRACE(where);
+    const std::string broken = where;
+    const auto breakIn = [&broken](const char* call) {
+      if (broken == call) throw std::bad_alloc();
+    };
+    ChainParts parts = test::scriptedChain({}, {});
+    auto first = std::make_unique<test::ScriptedDetector>([&](const auto&) {
+      if (broken == "process" || broken == "reset") throw std::bad_alloc();
+      return test::stableVerdict();
+    });
+    first->onRetune = [&] { breakIn("retune"); };
+    first->onReset = [&] { breakIn("reset"); };
+    auto strategy = std::make_unique<test::ScriptedStrategy>([&](const control::StrategyInput&) {
+      breakIn("decide");
+      return OverrideRequest{};
+    });
+    strategy->onRetune = [&] { breakIn("strategy.retune"); };
+    strategy->onRelinquish = [&] { breakIn("relinquish"); };
+    parts.detectors.clear();
+    parts.detectors.push_back(std::move(first));
+    parts.detectors.push_back(
+        std::make_unique<test::ScriptedDetector>([](const auto&) { return test::stableVerdict(); }));
+    parts.fallback = 1;
+    parts.strategy = std::move(strategy);
+    parts.tunable = {&kKnob};
+    Chain chain(std::move(parts));
+    chain.prepare(test::setup(), {}, {});
+    bool strategyFailed = false;
+    for (int k = 0; k < 5; ++k) {
+      StepInput in = stepInput(k);
+      in.inputs[0] = {OperatorAction::SetParameter, Authority::Off, 0, config::parameterId(kKnob.key), 2.0 + k};
+      in.inputs[1] = {OperatorAction::BackToProgrammed, Authority::Off};
+      in.inputCount = 2;
+      const Chain::Step& step = chain.process(in);
+      strategyFailed = step.strategyFailed;
+      EXPECT_TRUE(step.output.verdicts[static_cast<std::size_t>(step.output.inCharge)].valid);
+    }
+    const bool ofTheDetector = broken == "process" || broken == "retune" || broken == "reset";
+    EXPECT_EQ(chain.inCharge(), ofTheDetector ? 1 : 0);
+    EXPECT_EQ(strategyFailed, !ofTheDetector);
+  }
 }
 
 TEST(Chain, AStrategyThatThrowsIsNeverAskedAgain) {

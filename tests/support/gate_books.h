@@ -190,11 +190,12 @@ class Books {
 
   bool readable(const GateInput& in) const {
     const MachineState& m = in.machine;
-    return m.valid && m.linkUp && age(m.time, in.now) <= limits_.machineAge.value &&
-           within(m.programmedSpeed.value, 0.0, 3e5) && within(m.programmedFeed.value, 0.0, 10.0) &&
-           within(m.operatorSpeed.value, 0.01, 4.0) && within(m.operatorFeed.value, 0.0, 4.0) &&
-           within(m.actualSpeed.value, 0.0, 3e5) && within(m.actualFeed.value, 0.0, 10.0) &&
-           within(m.speedOverride.value, 0.0, 4.0) && within(m.feedOverride.value, 0.0, 4.0);
+    const double oldest = m.time > in.now ? std::max(1.0, limits_.machineAge.value) : limits_.machineAge.value;
+    return m.valid && m.linkUp && age(m.time, in.now) <= oldest && within(m.programmedSpeed.value, 0.0, 3e5) &&
+           within(m.programmedFeed.value, 0.0, 10.0) && within(m.operatorSpeed.value, 0.01, 4.0) &&
+           within(m.operatorFeed.value, 0.0, 4.0) && within(m.actualSpeed.value, 0.0, 3e5) &&
+           within(m.actualFeed.value, 0.0, 10.0) && within(m.speedOverride.value, 0.0, 4.0) &&
+           within(m.feedOverride.value, 0.0, 4.0);
   }
   bool trusted(const GateInput& in) const {
     return steerable(in) && in.machine.programRunning && in.machine.programmedSpeed.value > 0.0;

@@ -125,7 +125,9 @@ class ScriptedDetector final : public detect::Detector {
     v.blockSequence = block.sequence;
     return v;
   }
-  void reset() noexcept override {}
+  void retune(const config::ParamSet& /*params*/) override { onRetune(); }
+  void reset() override { onReset(); }
+  std::function<void()> onRetune = [] {}, onReset = [] {};
 
  private:
   Script script_;
@@ -139,7 +141,10 @@ class ScriptedStrategy final : public control::Strategy {
   control::StrategyInfo describe() const override { return {"scripted", "Scripted", "test"}; }
   void prepare(const CutSetup& /*setup*/, const config::ParamSet& /*params*/) override {}
   OverrideRequest decide(const control::StrategyInput& input) override { return script_(input); }
-  void reset() noexcept override {}
+  void retune(const config::ParamSet& /*params*/) override { onRetune(); }
+  void reset() override {}
+  void relinquish() override { onRelinquish(); }
+  std::function<void()> onRetune = [] {}, onRelinquish = [] {};
 
  private:
   Script script_;

@@ -178,7 +178,9 @@ MachineView makeMachineView(const Picture& picture) {
   view.speed = row(say("Speed"), rpm, m.programmedSpeed.value, m.speedOverride, m.operatorSpeed, m.actualSpeed.value);
   view.feed = row(say("Feed"), feed, feedIn(m.programmedFeed, picture.units), m.feedOverride, m.operatorFeed,
                   feedIn(m.actualFeed, picture.units));
-  const Seconds age = secondsBetween(m.time, picture.snapshot->time) + (picture.stale ? picture.age : Seconds());
+  // Read after the block was recorded: as new as can be.
+  const Seconds age =
+      std::max(Seconds(), secondsBetween(m.time, picture.snapshot->time)) + (picture.stale ? picture.age : Seconds());
   view.note = whatHinders(m, age);
   view.warning = !view.note.isEmpty();
   if (!view.warning) {

@@ -35,7 +35,9 @@ StripItem linkItem(const Picture& p) {
   const QString label = p.info->linkLabel.isEmpty() ? say("Machine") : p.info->linkLabel;
   if (!p.link.problem.isEmpty()) return {label, p.link.problem, Tone::Chatter};
   if (!p.snapshot || neverRead(p.snapshot->machine)) return {label, say("not read yet"), Tone::Faint};
-  const Seconds age = secondsBetween(p.snapshot->machine.time, p.snapshot->time) + (p.stale ? p.age : Seconds());
+  // Read after the block was recorded: as new as can be.
+  const Seconds age =
+      std::max(Seconds(), secondsBetween(p.snapshot->machine.time, p.snapshot->time)) + (p.stale ? p.age : Seconds());
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
   if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
   const Tone tone = age.value > 1.0 ? Tone::Onset : Tone::Normal;

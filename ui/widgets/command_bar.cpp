@@ -11,7 +11,9 @@ namespace stillcut::ui {
 namespace {
 
 constexpr qint64 kAskForMs = 5000;
-constexpr qint64 kDeliberateAfterMs = 400;  // two touches closer than this are a bouncing finger
+// Touches closer than this to the one before are a bouncing finger or a key that is held down: a keyboard repeats after
+// 660 ms at most by its defaults, and then 25 times a second, not always marked as repeats.
+constexpr qint64 kDeliberateAfterMs = 1000;
 
 }  // namespace
 
@@ -106,7 +108,8 @@ void CommandBar::touchAuthority(Authority authority) {
 // A machine that cannot bring 100 % back by itself gets Auto only by a deliberate second touch.
 void CommandBar::touchAuto() {
   if (view_.authority == Authority::Auto) return;
-  const bool deliberate = askedMs_ >= 0 && nowMs_ - askedMs_ >= kDeliberateAfterMs;
+  const bool deliberate = askedMs_ >= 0 && nowMs_ - touchedMs_ >= kDeliberateAfterMs;
+  touchedMs_ = nowMs_;
   if (view_.autoNeedsSecondTouch && !deliberate) {
     if (askedMs_ < 0) askedMs_ = nowMs_;
     authority_[2]->setAsking(true, tr("AUTO?"), tr("touch again to confirm"));

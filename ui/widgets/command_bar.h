@@ -51,7 +51,8 @@ class CommandBar : public QWidget, public Themed {
   TouchButton* back_;
   TouchButton* accept_;  // of an advice that waits, where the page has no button for it
   qint64 nowMs_ = 0;
-  qint64 askedMs_ = -1;  // when the second touch was asked for; -1: not asking
+  qint64 askedMs_ = -1;   // when the second touch was asked for; -1: not asking
+  qint64 touchedMs_ = 0;  // AUTO, last
   bool tellsVerdict_ = false;
   bool clipped_ = false;
 };

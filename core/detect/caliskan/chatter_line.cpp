@@ -31,12 +31,12 @@ constexpr double kPulled = 64.0;
 constexpr Seconds kFollowing{10e-3};
 constexpr int kMostLookHops = 4 * kHopsPerTurn;
 
-int followingHops(Seconds hop) noexcept {
+int followingHops(Seconds hop) {
   return std::clamp(static_cast<int>(kFollowing / hop), kLookHops, kMostLookHops);
 }
 
 // Of the speed from the last turn but one to the last, relative; 0 where no machine tells a change.
-double speedChange(const RatioHop& hop) noexcept {
+double speedChange(const RatioHop& hop) {
   if (hop.marks == nullptr) return 0.0;
   const double unmarked = hop.rate / hop.spindle;
   const double turn = hop.marks->framesAgo(1.0, unmarked);
@@ -45,7 +45,7 @@ double speedChange(const RatioHop& hop) noexcept {
 }
 
 // While the speed changes its turns are where its angle says.
-Hertz newLineNear(Hertz rough, const RatioHop& hop) noexcept {
+Hertz newLineNear(Hertz rough, const RatioHop& hop) {
   if (hop.marks == nullptr) return hop.newLine->frequency(rough, hop.spindle);
   NewLine::TurnsAgo ago{};
   const double turn = hop.rate / hop.spindle;
@@ -55,20 +55,20 @@ Hertz newLineNear(Hertz rough, const RatioHop& hop) noexcept {
 
 }  // namespace
 
-bool lineStands(const FoundLine& line, const RatioHop& hop) noexcept {
+bool lineStands(const FoundLine& line, const RatioHop& hop) {
   const double doubt = kSpeedDoubts * line.frequency / hop.spindle * (hop.spindleSd / hop.spindle);
   const double least = std::max(kLeastOffset, std::min(std::max(doubt, kPulled * speedChange(hop)), kMostOffset));
   return line.purity >= kLeastPurity && std::abs(dsp::orderOffset(line.frequency, hop.spindle)) >= least;
 }
 
-void ChatterLine::forget() noexcept {
+void ChatterLine::forget() {
   frequency_ = {};
   frequencySd_ = spread_ = lostTurns_ = same_ = 0.0;
   sinceLook_ = 0;
   doubled_ = another_ = false;
 }
 
-void ChatterLine::stayOnOrder(double order, const RatioHop& hop) noexcept {
+void ChatterLine::stayOnOrder(double order, const RatioHop& hop) {
   another_ = frequency_.value > 0.0 && !sameAs(hop.spindle * order, hop);
   frequency_ = hop.spindle * order;
   frequencySd_ = kOnOrderSd * frequency_.value;
@@ -76,7 +76,7 @@ void ChatterLine::stayOnOrder(double order, const RatioHop& hop) noexcept {
   lostTurns_ = same_ = 0.0;
 }
 
-void ChatterLine::move(Hertz next, const RatioHop& hop, int hops) noexcept {
+void ChatterLine::move(Hertz next, const RatioHop& hop, int hops) {
   const double jump = std::abs(next.value - frequency_.value);
   if (!(frequency_.value > 0.0) || jump > kLineReach * hop.spindle.value) {  // the first line, or another one
     frequencySd_ = hop.spindle.value / kLineTurns;
@@ -86,7 +86,7 @@ void ChatterLine::move(Hertz next, const RatioHop& hop, int hops) noexcept {
   frequency_ = next;
 }
 
-void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence& evidence) noexcept {
+void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence& evidence) {
   const int hops = frequency_.value > 0.0 ? followingHops(hop.length) : 1;
   if (++sinceLook_ < hops) return;
   sinceLook_ = 0;
@@ -124,27 +124,27 @@ void ChatterLine::follow(LineFinder& lines, const RatioHop& hop, const Evidence&
 
 // Teeth make of one line others, whole tooth passings away from it and from its mirror image: which of them is the
 // strongest changes with the engagement.
-bool ChatterLine::sameAs(Hertz line, const RatioHop& hop) const noexcept {
+bool ChatterLine::sameAs(Hertz line, const RatioHop& hop) const {
   if (hop.teeth < 1) return std::abs(line.value - frequency_.value) < kLineReach * hop.spindle.value;
   const Hertz tooth = hop.spindle * hop.teeth;
   const double away = std::abs(dsp::orderOffset(line, tooth)) - std::abs(dsp::orderOffset(frequency_, tooth));
   return std::abs(away) < std::min(kLineReach / hop.teeth, kSameOffset);
 }
 
-bool ChatterLine::stays() const noexcept {
+bool ChatterLine::stays() const {
   return same_ > 0.5;
 }
 
-bool ChatterLine::lost() const noexcept {
+bool ChatterLine::lost() const {
   return lostTurns_ > kLostTurns;
 }
 
-Hertz ChatterLine::sd() const noexcept {
+Hertz ChatterLine::sd() const {
   return Hertz(std::hypot(frequencySd_, spread_));
 }
 
 // Period doubling sits half way between the tooth-passing harmonics, whatever the speed; Hopf chatter anywhere else.
-ChatterKind ChatterLine::kind(int teeth, Hertz spindle) const noexcept {
+ChatterKind ChatterLine::kind(int teeth, Hertz spindle) const {
   if (teeth < 1 || !(frequency_.value > 0.0)) return ChatterKind::Unknown;
   if (doubled_) return ChatterKind::Flip;
   const double offset = std::abs(dsp::orderOffset(frequency_, spindle * teeth));

@@ -7,7 +7,7 @@
 namespace stillcut::detect {
 
 // Growth or a high ratio alone may be a knock or a lost speed; chatter is a line between the spindle harmonics.
-bool lineStands(const FoundLine& line, const RatioHop& hop) noexcept;
+bool lineStands(const FoundLine& line, const RatioHop& hop);
 
 class ChatterLine {
  public:
@@ -21,26 +21,26 @@ class ChatterLine {
   };
 
   // No alarm: there is none.
-  void forget() noexcept;
+  void forget();
   // One hop of an alarm.
-  void follow(LineFinder& lines, const RatioHop& hop, const Evidence& evidence) noexcept;
+  void follow(LineFinder& lines, const RatioHop& hop, const Evidence& evidence);
 
-  Hertz frequency() const noexcept { return frequency_; }  // 0: not known yet
-  Hertz sd() const noexcept;
-  double purity() const noexcept { return purity_; }
+  Hertz frequency() const { return frequency_; }  // 0: not known yet
+  Hertz sd() const;
+  double purity() const { return purity_; }
   // It has sunk into the noise for so long that there was none, or it is over.
-  bool lost() const noexcept;
+  bool lost() const;
   // The strongest line of the last turns mostly was this one, or one whole tooth passings away from it.
-  bool stays() const noexcept;
+  bool stays() const;
   // With the last look it became another one.
-  bool another() const noexcept { return another_; }
+  bool another() const { return another_; }
   // teeth: 0 where nobody told.
-  ChatterKind kind(int teeth, Hertz spindle) const noexcept;
+  ChatterKind kind(int teeth, Hertz spindle) const;
 
  private:
-  void stayOnOrder(double order, const RatioHop& hop) noexcept;
-  void move(Hertz next, const RatioHop& hop, int hops) noexcept;
-  bool sameAs(Hertz line, const RatioHop& hop) const noexcept;
+  void stayOnOrder(double order, const RatioHop& hop);
+  void move(Hertz next, const RatioHop& hop, int hops);
+  bool sameAs(Hertz line, const RatioHop& hop) const;
 
   Hertz frequency_{};
   double frequencySd_ = 0.0;

@@ -25,7 +25,7 @@ void EnergyChain::prepare(const Size& size, const dsp::kernels::Kernels& kernels
   reset();
 }
 
-void EnergyChain::reset() noexcept {
+void EnergyChain::reset() {
   if (size_.fullCovariance) {
     full_.reset();
   } else {
@@ -35,7 +35,7 @@ void EnergyChain::reset() noexcept {
   std::fill(powers_.begin(), powers_.end(), 0.0);
 }
 
-void EnergyChain::tune(Hertz spindle, double gain) noexcept {
+void EnergyChain::tune(Hertz spindle, double gain) {
   spindle_ = spindle;
   const auto usable = static_cast<int>(kUsableBand * size_.rate.value / spindle.value);
   if (size_.fullCovariance) {
@@ -49,7 +49,7 @@ void EnergyChain::tune(Hertz spindle, double gain) noexcept {
   bands_.tune(spindle, size_.bandOrders, std::max(active(), 1));
 }
 
-void EnergyChain::align(double angle, double step) noexcept {
+void EnergyChain::align(double angle, double step) {
   if (size_.fullCovariance) {
     full_.align(angle, step);
   } else {
@@ -57,7 +57,7 @@ void EnergyChain::align(double angle, double step) noexcept {
   }
 }
 
-void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t frames) {
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, bands_.room());
     const double* from = x + done;
@@ -73,7 +73,7 @@ void EnergyChain::process(const double* x, std::ptrdiff_t stride, std::size_t fr
   }
 }
 
-void EnergyChain::endHop() noexcept {
+void EnergyChain::endHop() {
   bands_.estimate();
   for (int c = 0; c < size_.channels; ++c) {
     double* out = powers_.data() + static_cast<std::size_t>(c) * row_;
@@ -83,7 +83,7 @@ void EnergyChain::endHop() noexcept {
   }
 }
 
-void EnergyChain::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+void EnergyChain::amplitudes(int channel, std::span<std::complex<double>> out) const {
   if (size_.fullCovariance) {
     full_.amplitudes(channel, out);
   } else {
@@ -91,12 +91,12 @@ void EnergyChain::amplitudes(int channel, std::span<std::complex<double>> out) c
   }
 }
 
-double EnergyChain::forced(int channel, int eta) const noexcept {
+double EnergyChain::forced(int channel, int eta) const {
   const double* weight = weights_[static_cast<std::size_t>(eta + 1)].data();
   return size_.fullCovariance ? full_.weightedPower(channel, weight) : harmonics_.weightedPower(channel, weight);
 }
 
-double EnergyChain::ratio(int channel, int eta) const noexcept {
+double EnergyChain::ratio(int channel, int eta) const {
   const double f2 = spindle_.value * spindle_.value;
   const double unit = eta == 0 ? 1.0 : eta > 0 ? f2 : 1.0 / f2;
   const double chatter = bands_.weightedPower(channel, eta);
@@ -104,7 +104,7 @@ double EnergyChain::ratio(int channel, int eta) const noexcept {
   return all > 0.0 ? chatter / all : 0.0;
 }
 
-double EnergyChain::bandPart(int channel, Hertz f) const noexcept {
+double EnergyChain::bandPart(int channel, Hertz f) const {
   const double width = spindle_.value * size_.bandOrders;
   const int m = width > 0.0 ? static_cast<int>(f.value / width) : -1;
   const double all = bands_.weightedPower(channel, 0);

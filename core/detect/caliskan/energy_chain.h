@@ -30,37 +30,37 @@ class EnergyChain {
   };
   // kernels: see core/dsp/kernels/choose.h.
   void prepare(const Size& size, const dsp::kernels::Kernels& kernels);
-  void reset() noexcept;
+  void reset();
 
   // Follows the speed; gain: of the harmonic filter (turning_harmonics.h).
-  void tune(Hertz spindle, double gain) noexcept;
+  void tune(Hertz spindle, double gain);
   // Spindle angle of the next frame and turn per frame [rad].
-  void align(double angle, double step) noexcept;
+  void align(double angle, double step);
   // Any number of frames at that turn; x[channel * stride + frame].
-  void process(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
+  void process(const double* x, std::ptrdiff_t stride, std::size_t frames);
   // Ends a hop: the estimates are the means since the last call.
-  void endHop() noexcept;
+  void endHop();
 
   // Harmonics below the end of the usable band at this speed.
-  int active() const noexcept { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
+  int active() const { return size_.fullCovariance ? full_.active() : harmonics_.active(); }
   // ER of eq. 28, 29 for the last hop; eta: 1 displacement, 0 velocity, sound, speed and current, -1 acceleration.
-  double ratio(int channel, int eta) const noexcept;
+  double ratio(int channel, int eta) const;
   // Of what the harmonics left in the last hop: the part in the band that holds f. Not weighted as in ratio(): what of
   // a line passes the skirts of the lowest band is far above that band, and its estimated frequency is folded down
   // there, so that the weights of an acceleration make more of it than of the line itself.
-  double bandPart(int channel, Hertz f) const noexcept;
+  double bandPart(int channel, Hertz f) const;
   // Amplitude squared of every active harmonic of a channel at the last hop's end, that of harmonic n at n - 1.
-  std::span<const double> harmonicPowers(int channel) const noexcept {
+  std::span<const double> harmonicPowers(int channel) const {
     return std::span(powers_).subspan(static_cast<std::size_t>(channel) * row_, static_cast<std::size_t>(active()));
   }
   // n^(2 eta) of every harmonic, and the sum of those times the powers.
-  std::span<const double> orderWeights(int eta) const noexcept { return weights_[static_cast<std::size_t>(eta + 1)]; }
-  double forced(int channel, int eta) const noexcept;
+  std::span<const double> orderWeights(int eta) const { return weights_[static_cast<std::size_t>(eta + 1)]; }
+  double forced(int channel, int eta) const;
   // Complex amplitudes against the spindle's angle of the first harmonics, as many as `out` takes.
-  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
+  void amplitudes(int channel, std::span<std::complex<double>> out) const;
   // What the harmonics left of one channel in the frames of the last process(), as far as they fit in one stretch.
-  const double* rest(int channel) const noexcept { return rest_.data() + channel * kMost; }
-  const EnergySeparation& bands() const noexcept { return bands_; }
+  const double* rest(int channel) const { return rest_.data() + channel * kMost; }
+  const EnergySeparation& bands() const { return bands_; }
 
  private:
   static constexpr std::ptrdiff_t kMost = EnergySeparation::kMostFrames;

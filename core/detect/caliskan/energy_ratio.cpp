@@ -52,7 +52,7 @@ constexpr double kRisingPart = 0.15;
 constexpr double kRisingPartOfSlow = 0.02;
 constexpr double kOfTurns = 0.8;  // of the evidence asked for, where means of a turn count: they scatter less than hops
 
-bool hearsTheSlowMost(SensorQuantity q) noexcept {
+bool hearsTheSlowMost(SensorQuantity q) {
   return isIntegral(q) || q == SensorQuantity::Force || q == SensorQuantity::Displacement;
 }
 
@@ -111,7 +111,7 @@ void EnergyRatioDetector::prepare(const CutSetup& setup, const config::ParamSet&
   reset();
 }
 
-void EnergyRatioDetector::retune(const config::ParamSet& params) noexcept {
+void EnergyRatioDetector::retune(const config::ParamSet& params) {
   const double amplitude = params.real(kErOnsetAmplitude);
   smallest_ = amplitude * amplitude;
   judge_.prepare(teeth_, params.real(kErChatter));
@@ -135,7 +135,7 @@ AutoValueTable EnergyRatioDetector::autoValues() const {
   return kOwnValues;
 }
 
-void EnergyRatioDetector::tellOwn(double gain) noexcept {
+void EnergyRatioDetector::tellOwn(double gain) {
   const int active = chain_.active();
   const int teeth = kToothHarmonics * teeth_;
   own_.set(OwnHarmonics, active,
@@ -160,14 +160,14 @@ void EnergyRatioDetector::tellOwn(double gain) noexcept {
   own_.set(OwnOnset, least, least > smallest_ ? 1 : 2);
 }
 
-void EnergyRatioDetector::reset() noexcept {
+void EnergyRatioDetector::reset() {
   spindle_ = {};
   judge_.setState(CutState::AirCutting);
   leaveCut();
   restart();
 }
 
-void EnergyRatioDetector::restart() noexcept {
+void EnergyRatioDetector::restart() {
   chain_.reset();
   turns_.reset();
   lines_.reset();
@@ -184,7 +184,7 @@ void EnergyRatioDetector::restart() noexcept {
   judge_.restart();
 }
 
-void EnergyRatioDetector::leaveCut() noexcept {
+void EnergyRatioDetector::leaveCut() {
   relearn();
   for (RatioChannel& s : channelStates_) {
     s.orders.restart();
@@ -195,14 +195,14 @@ void EnergyRatioDetector::leaveCut() noexcept {
   judge_.leaveCut();
 }
 
-void EnergyRatioDetector::relearn() noexcept {
+void EnergyRatioDetector::relearn() {
   for (RatioChannel& s : channelStates_) {
     for (EnergyGrowth* g : {&s.growth, &s.news}) g->relearn();
     s.orders.relearn();
   }
 }
 
-void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
+void EnergyRatioDetector::tune(const ConditionedBlock& block) {
   spindle_ = block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown;
   const double turn = rate_ / spindle_.value;
   hopFrames_ = std::max(1L, std::lround(turn / kHopsPerTurn));
@@ -226,7 +226,7 @@ void EnergyRatioDetector::tune(const ConditionedBlock& block) noexcept {
 }
 
 // Noise above the harmonics that are removed only hides what grows among them.
-void EnergyRatioDetector::followBand() noexcept {
+void EnergyRatioDetector::followBand() {
   const Hertz highest(
       std::min(std::max(spindle_.value * (chain_.active() + 0.5), kLeastBand.value), EnergyChain::kUsableBand * rate_));
   if (std::abs(highest.value - highest_.value) < kSameBand * highest.value) return;
@@ -234,7 +234,7 @@ void EnergyRatioDetector::followBand() noexcept {
   for (dsp::Butterworth& filter : lowPass_) filter.lowPass(kBandOrder, highest, Hertz(rate_));
 }
 
-void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
+void EnergyRatioDetector::endHop(const ConditionedBlock& block) {
   const CutPhase phase = block.phase;
   const Seconds length(static_cast<double>(inHop_) / rate_);
   inHop_ = 0;
@@ -279,21 +279,21 @@ void EnergyRatioDetector::endHop(const ConditionedBlock& block) noexcept {
     relearn();
 }
 
-Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const noexcept {
+Verdict EnergyRatioDetector::verdict(const ConditionedBlock& block) const {
   Verdict v = blankVerdict(block);
   if (v.valid) judge_.fill(v, spindle_);
   return v;
 }
 
 // Frames from `first` on that belong to one hop and one turn per frame.
-int EnergyRatioDetector::stretch(const ConditionedBlock& block, int first) const noexcept {
+int EnergyRatioDetector::stretch(const ConditionedBlock& block, int first) const {
   const auto most = static_cast<int>(std::clamp<long>(hopFrames_ - inHop_, 1, block.frames - first));
   int frames = 1;
   while (frames < most && block.angleStep[first + frames] == block.angleStep[first]) ++frames;
   return frames;
 }
 
-void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first, int frames) noexcept {
+void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first, int frames) {
   const double step = block.angleStep[first];
   chain_.align(block.angle[first], step);
   chain_.process(block.samples + first, block.stride, static_cast<std::size_t>(frames));
@@ -307,7 +307,7 @@ void EnergyRatioDetector::processFrames(const ConditionedBlock& block, int first
 }
 
 // At most kRow frames, one turn with the next.
-void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int frames) noexcept {
+void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int frames) {
   const auto count = static_cast<std::size_t>(frames);
   dsp::Butterworth::process(lowPass_, block.samples + first, block.stride, compared_.data(), kRow, count, kernels_);
   turns_.process(compared_.data(), kRow, count, difference_.data(), news_.data(), kRow);
@@ -322,7 +322,7 @@ void EnergyRatioDetector::compare(const ConditionedBlock& block, int first, int 
   }
 }
 
-Verdict EnergyRatioDetector::process(const ConditionedBlock& block) noexcept {
+Verdict EnergyRatioDetector::process(const ConditionedBlock& block) {
   if (!block.valid) return verdict(block);
   if (block.afterGap) restart();
   tune(block);

@@ -72,27 +72,27 @@ class EnergyRatioDetector final : public Detector {
  public:
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  Verdict process(const ConditionedBlock& block) noexcept override;
-  void retune(const config::ParamSet& params) noexcept override;
+  Verdict process(const ConditionedBlock& block) override;
+  void retune(const config::ParamSet& params) override;
   double chosen(const config::ParamDecl& decl) const override;
   AutoValueTable autoValues() const override;
-  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
-  void reset() noexcept override;
+  AutoValue own(std::size_t index) const override { return own_.read(index); }
+  void reset() override;
 
  private:
   static constexpr int kRow = 256;  // frames compared at once
   void sizeFor(const CutSetup& setup, const config::ParamSet& params);
-  void tune(const ConditionedBlock& block) noexcept;
-  void followBand() noexcept;
-  void relearn() noexcept;
-  void restart() noexcept;
-  void leaveCut() noexcept;
-  int stretch(const ConditionedBlock& block, int first) const noexcept;
-  void processFrames(const ConditionedBlock& block, int first, int frames) noexcept;
-  void compare(const ConditionedBlock& block, int first, int frames) noexcept;
-  void endHop(const ConditionedBlock& block) noexcept;
-  Verdict verdict(const ConditionedBlock& block) const noexcept;
-  void tellOwn(double gain) noexcept;
+  void tune(const ConditionedBlock& block);
+  void followBand();
+  void relearn();
+  void restart();
+  void leaveCut();
+  int stretch(const ConditionedBlock& block, int first) const;
+  void processFrames(const ConditionedBlock& block, int first, int frames);
+  void compare(const ConditionedBlock& block, int first, int frames);
+  void endHop(const ConditionedBlock& block);
+  Verdict verdict(const ConditionedBlock& block) const;
+  void tellOwn(double gain);
 
   AutoValues own_;
   bool harmonicsSet_ = false;

@@ -50,7 +50,7 @@ void EnergySeparation::prepare(int channels, int bands, Hertz rate, Hertz lowest
 }
 
 // Neighbouring bands share an edge: tan(pi m width / rate) from the powers of one turn.
-void EnergySeparation::tune(Hertz spindle, int bandOrders, int topOrders) noexcept {
+void EnergySeparation::tune(Hertz spindle, int bandOrders, int topOrders) {
   const double width = spindle.value * bandOrders;
   if (topOrders == top_ && width_ > 0.0 && std::abs(width / width_ - 1.0) < kRetune) return;
   width_ = width;
@@ -82,11 +82,11 @@ void EnergySeparation::tune(Hertz spindle, int bandOrders, int topOrders) noexce
   }
 }
 
-void EnergySeparation::clear(BandChannel& c) noexcept {
+void EnergySeparation::clear(BandChannel& c) {
   for (auto* v : {&c.state, &c.sums, &c.power, &c.frequency, &c.valid, &c.signal}) std::fill(v->begin(), v->end(), 0.0);
 }
 
-void EnergySeparation::reset() noexcept {
+void EnergySeparation::reset() {
   position_ = pending_ = frames_ = 0;
   for (BandChannel& c : channels_) {
     clear(c);
@@ -94,18 +94,18 @@ void EnergySeparation::reset() noexcept {
   }
 }
 
-void EnergySeparation::point(BandChannel& c) noexcept {
+void EnergySeparation::point(BandChannel& c) {
   for (std::size_t m = 0; m < lanes_; ++m) {
     c.newest[m] = c.signal.data() + histories_[m].offset + histories_[m].before + position_;
   }
 }
 
-void EnergySeparation::process(int channel, const double* rest, std::size_t frames) noexcept {
+void EnergySeparation::process(int channel, const double* rest, std::size_t frames) {
   BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   kernels_.bank({rest, frames, used_, lanes_, coefficients_.data(), c.state.data(), c.newest.data()});
 }
 
-void EnergySeparation::advance(std::size_t frames) noexcept {
+void EnergySeparation::advance(std::size_t frames) {
   position_ += frames;
   pending_ += frames;
   if (pending_ == kMostFrames) accumulate();
@@ -114,7 +114,7 @@ void EnergySeparation::advance(std::size_t frames) noexcept {
 }
 
 // Stretches are cut by the hops alone, so that sums do not depend on how the stream came in blocks.
-void EnergySeparation::accumulate() noexcept {
+void EnergySeparation::accumulate() {
   if (pending_ == 0) return;
   for (BandChannel& c : channels_) {
     for (std::size_t m = 0; m < static_cast<std::size_t>(active_); ++m) {
@@ -128,7 +128,7 @@ void EnergySeparation::accumulate() noexcept {
 }
 
 // The newest frames become the history of those to come.
-void EnergySeparation::compact() noexcept {
+void EnergySeparation::compact() {
   for (BandChannel& c : channels_) {
     for (const History& h : histories_) {
       const auto begin = c.signal.begin() + static_cast<std::ptrdiff_t>(h.offset);
@@ -139,7 +139,7 @@ void EnergySeparation::compact() noexcept {
   position_ = pending_;
 }
 
-void EnergySeparation::estimate() noexcept {
+void EnergySeparation::estimate() {
   accumulate();
   if (frames_ == 0) return;
   for (BandChannel& c : channels_) {
@@ -152,13 +152,13 @@ void EnergySeparation::estimate() noexcept {
   frames_ = 0;
 }
 
-BandEstimate EnergySeparation::band(int channel, int m) const noexcept {
+BandEstimate EnergySeparation::band(int channel, int m) const {
   const BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   const auto i = static_cast<std::size_t>(m);
   return {c.power[i], Hertz(c.frequency[i]), c.valid[i] != 0.0};
 }
 
-double EnergySeparation::weightedPower(int channel, int eta) const noexcept {
+double EnergySeparation::weightedPower(int channel, int eta) const {
   const BandChannel& c = channels_[static_cast<std::size_t>(channel)];
   double sum = 0.0;
   for (std::size_t m = 0; m < static_cast<std::size_t>(active_); ++m) {

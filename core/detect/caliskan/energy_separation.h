@@ -31,23 +31,23 @@ class EnergySeparation {
   void prepare(int channels, int bands, Hertz rate, Hertz lowestWidth, const dsp::kernels::Kernels& kernels);
   // Band m = [(m-1) B, m B] orders, B = bandOrders, the first from half an order on and none beyond topOrders: the last
   // has what there is of it, if that is a quarter. Follows the speed without allocation.
-  void tune(Hertz spindle, int bandOrders, int topOrders) noexcept;
-  void reset() noexcept;
+  void tune(Hertz spindle, int bandOrders, int topOrders);
+  void reset();
   int bands() const { return bands_; }
   int active() const { return active_; }
 
   // Frames that fit before advance() must be called.
-  std::size_t room() const noexcept { return kMostFrames - pending_; }
+  std::size_t room() const { return kMostFrames - pending_; }
   // At most room() frames of one channel.
-  void process(int channel, const double* rest, std::size_t frames) noexcept;
+  void process(int channel, const double* rest, std::size_t frames);
   // After every channel has had the same frames.
-  void advance(std::size_t frames) noexcept;
+  void advance(std::size_t frames);
   // Ends a hop: estimates from the means since the last call. Sums that are not finite start their channel anew.
-  void estimate() noexcept;
+  void estimate();
 
-  BandEstimate band(int channel, int m) const noexcept;
+  BandEstimate band(int channel, int m) const;
   // Sum over the bands of power times frequency^(2 eta).
-  double weightedPower(int channel, int eta) const noexcept;
+  double weightedPower(int channel, int eta) const;
 
  private:
   struct History {  // of one band, of every channel
@@ -60,10 +60,10 @@ class EnergySeparation {
     std::vector<double> signal;   // of every band, by History
     std::vector<double*> newest;  // where the next frames go
   };
-  void accumulate() noexcept;
-  void compact() noexcept;
-  void point(BandChannel& c) noexcept;
-  void clear(BandChannel& c) noexcept;
+  void accumulate();
+  void compact();
+  void point(BandChannel& c);
+  void clear(BandChannel& c);
 
   dsp::kernels::Kernels kernels_;
   int bands_ = 0;

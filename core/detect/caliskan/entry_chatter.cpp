@@ -20,24 +20,24 @@ constexpr double kSettled = 1.6;    // chatter that was there from the entry has
 constexpr int kSideLines = 2;       // one may be there by chance
 constexpr double kSameLine = 4.0 / kLineTurns;  // orders: a line that grows is no better known
 
-double leastTurns(Hertz spindle) noexcept {
+double leastTurns(Hertz spindle) {
   return std::max(kEntryChatterTurns, kEntryChatterSeconds * spindle.value);
 }
 
 }  // namespace
 
-void EntryChatter::leaveCut() noexcept {
+void EntryChatter::leaveCut() {
   highTurns_ = calmTurns_ = 0.0;
   sided_ = wasCalm_ = false;
   calmFloor_ = calmNews_ = {};
   line_ = {};
 }
 
-double EntryChatter::sidedRatio() const noexcept {
+double EntryChatter::sidedRatio() const {
   return kSidedPart * chatterRatio_;
 }
 
-void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) noexcept {
+void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) {
   bool learned = true;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const auto learn = [&](double& calm, const OnsetTest& onset) {
@@ -54,7 +54,7 @@ void EntryChatter::learnCalm(std::span<const RatioChannel> channels, double wors
 // Is the high ratio of some channel the line's, and more than the channel is used to? Noise and lines folded into a
 // weak signal make a ratio too. Of a line near a harmonic the difference passes so little that its ratio falls as the
 // line grows; there the news hears it.
-bool EntryChatter::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept {
+bool EntryChatter::aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const {
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const RatioChannel& c = channels[i];
     const bool above =
@@ -67,7 +67,7 @@ bool EntryChatter::aboveCalm(std::span<const RatioChannel> channels, const Energ
 }
 
 bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& ratios, LineFinder& lines,
-                          const RatioHop& hop) noexcept {
+                          const RatioHop& hop) {
   looked_ = false;
   // A quiet axis may hear nothing but noise and folded lines: where no floor was learned, all together must be high.
   const bool full = std::min(ratios.worst, ratios.joint) >= chatterRatio_;
@@ -104,7 +104,7 @@ bool EntryChatter::begins(std::span<const RatioChannel> channels, const Ratios& 
 
 // Has the line side lines? Two modes that chatter take turns in being the stronger one: the one that was followed is
 // taken where it still is there, for what it was.
-bool EntryChatter::lineHasSides(const LineFinder& lines, const RatioHop& hop) noexcept {
+bool EntryChatter::lineHasSides(const LineFinder& lines, const RatioHop& hop) {
   if (highTurns_ > 0.0) {
     const Hertz kept = lines.keep(entryLine_, line_.frequency, hop.spindle * kSameLine);
     const bool another = kept.value != line_.frequency.value;

@@ -18,32 +18,31 @@ class EntryChatter {
   };
 
   // chatterRatio: energy ratio of full chatter.
-  void prepare(double chatterRatio) noexcept { chatterRatio_ = chatterRatio; }
-  void leaveCut() noexcept;
+  void prepare(double chatterRatio) { chatterRatio_ = chatterRatio; }
+  void leaveCut();
   // What is followed through the signal begins anew, in the same cut.
-  void restart() noexcept { highTurns_ = 0.0; }
+  void restart() { highTurns_ = 0.0; }
   // An alarm is over, of whatever chatter: the turns count anew.
-  void endAlarm() noexcept {
+  void endAlarm() {
     sided_ = false;
     highTurns_ = 0.0;
   }
 
   // A steady hop without an alarm and below the chatter ratio.
-  void learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop) noexcept;
+  void learnCalm(std::span<const RatioChannel> channels, double worst, const RatioHop& hop);
   // A hop without an alarm: is such chatter there?
-  bool begins(std::span<const RatioChannel> channels, const Ratios& ratios, LineFinder& lines,
-              const RatioHop& hop) noexcept;
+  bool begins(std::span<const RatioChannel> channels, const Ratios& ratios, LineFinder& lines, const RatioHop& hop);
   // The alarm is of such chatter, known by its side lines, which still is as strong.
-  bool held(double joint) const noexcept { return sided_ && joint >= kHysteresis * sidedRatio(); }
+  bool held(double joint) const { return sided_ && joint >= kHysteresis * sidedRatio(); }
   // A fifth of the vibration's amplitude.
-  double sidedRatio() const noexcept;
+  double sidedRatio() const;
   // The last begins() had to look at the spectrum, and found this line.
-  bool looked() const noexcept { return looked_; }
-  const FoundLine& line() const noexcept { return line_; }
+  bool looked() const { return looked_; }
+  const FoundLine& line() const { return line_; }
 
  private:
-  bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const noexcept;
-  bool lineHasSides(const LineFinder& lines, const RatioHop& hop) noexcept;
+  bool aboveCalm(std::span<const RatioChannel> channels, const EnergyChain& chain) const;
+  bool lineHasSides(const LineFinder& lines, const RatioHop& hop);
 
   double chatterRatio_ = 0.2;
   // Lowest floor of each channel while the ratio was not high, of the difference and of the news; 0: none.

@@ -13,17 +13,17 @@ constexpr double kMemoryTurns = 8.0;
 
 }  // namespace
 
-void ForcedResonance::prepare(int teeth, int eta) noexcept {
+void ForcedResonance::prepare(int teeth, int eta) {
   teeth_ = teeth;
   eta_ = eta;
   reset();
 }
 
-void ForcedResonance::reset() noexcept {
+void ForcedResonance::reset() {
   part_ = 0.0;
 }
 
-bool ForcedResonance::standsOut(const EnergyChain& chain, int channel) const noexcept {
+bool ForcedResonance::standsOut(const EnergyChain& chain, int channel) const {
   const std::span<const double> powers = chain.harmonicPowers(channel);
   const std::span<const double> weights = chain.orderWeights(eta_);
   const auto power = [&](int n) {
@@ -38,7 +38,7 @@ bool ForcedResonance::standsOut(const EnergyChain& chain, int channel) const noe
   return false;
 }
 
-void ForcedResonance::endHop(const EnergyChain& chain, int channel) noexcept {
+void ForcedResonance::endHop(const EnergyChain& chain, int channel) {
   if (teeth_ < 1) return;
   part_ += 1.0 / (kMemoryTurns * kHopsPerTurn) * ((standsOut(chain, channel) ? 1.0 : 0.0) - part_);
 }

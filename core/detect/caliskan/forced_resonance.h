@@ -12,16 +12,16 @@ namespace stillcut::detect {
 class ForcedResonance {
  public:
   // eta: of the energy ratio's weights (Caliskan 2018 eq. 28), which make a velocity of the signal.
-  void prepare(int teeth, int eta) noexcept;
-  void reset() noexcept;
+  void prepare(int teeth, int eta);
+  void reset();
   // One hop: what the harmonic filter holds of a channel.
-  void endHop(const EnergyChain& chain, int channel) noexcept;
+  void endHop(const EnergyChain& chain, int channel);
   // It has stood out for some turns.
-  bool stands() const noexcept { return part_ > kStands; }
+  bool stands() const { return part_ > kStands; }
 
  private:
   static constexpr double kStands = 0.7;
-  bool standsOut(const EnergyChain& chain, int channel) const noexcept;
+  bool standsOut(const EnergyChain& chain, int channel) const;
 
   int teeth_ = 0;
   int eta_ = 0;

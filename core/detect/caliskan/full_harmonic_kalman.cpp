@@ -29,7 +29,7 @@ void FullHarmonicKalman::prepare(int channels, int harmonics, const dsp::kernels
 }
 
 // P starts at I, as wide as R: nothing is known.
-void FullHarmonicKalman::reset() noexcept {
+void FullHarmonicKalman::reset() {
   std::fill(states_.begin(), states_.end(), 0.0);
   std::fill(p_.begin(), p_.end(), 0.0);
   const auto n = static_cast<std::size_t>(active_);
@@ -39,7 +39,7 @@ void FullHarmonicKalman::reset() noexcept {
   turned_ = kRefresh;
 }
 
-void FullHarmonicKalman::setActive(int count) noexcept {
+void FullHarmonicKalman::setActive(int count) {
   const int clamped = std::clamp(count, 0, harmonics_);
   if (clamped == active_) return;
   active_ = clamped;
@@ -52,13 +52,13 @@ void FullHarmonicKalman::setActive(int count) noexcept {
   reset();
 }
 
-void FullHarmonicKalman::setLambda(double lambda) noexcept {
+void FullHarmonicKalman::setLambda(double lambda) {
   lambda_ = lambda;
   for (std::size_t i = 0; i < 2 * lanes_; ++i)
     drift_[i] = i % lanes_ < static_cast<std::size_t>(active_) ? lambda : 0.0;
 }
 
-void FullHarmonicKalman::align(double angle, double step) noexcept {
+void FullHarmonicKalman::align(double angle, double step) {
   const auto n = static_cast<std::size_t>(active_);
   if (turned_ >= kRefresh || std::abs(dsp::wrapPhase(angle - angle_)) > kSameAngle) {
     kernels_.powers(std::cos(angle), std::sin(angle), n, h_.data(), h_.data() + lanes_);
@@ -71,7 +71,7 @@ void FullHarmonicKalman::align(double angle, double step) noexcept {
   kernels_.powers(std::cos(step), std::sin(step), n, rotationRe_.data(), rotationIm_.data());
 }
 
-dsp::kernels::CovarianceRun FullHarmonicKalman::run() noexcept {
+dsp::kernels::CovarianceRun FullHarmonicKalman::run() {
   dsp::kernels::CovarianceRun run;
   run.channels = channels_;
   run.lanes = lanes_;
@@ -87,7 +87,7 @@ dsp::kernels::CovarianceRun FullHarmonicKalman::run() noexcept {
 }
 
 void FullHarmonicKalman::process(const double* x, std::ptrdiff_t stride, double* residual,
-                                 std::ptrdiff_t residualStride, std::size_t frames) noexcept {
+                                 std::ptrdiff_t residualStride, std::size_t frames) {
   dsp::kernels::CovarianceRun now = run();
   now.x = x;
   now.stride = stride;
@@ -108,17 +108,17 @@ void FullHarmonicKalman::process(const double* x, std::ptrdiff_t stride, double*
   reset();
 }
 
-double FullHarmonicKalman::power(int channel, int n) const noexcept {
+double FullHarmonicKalman::power(int channel, int n) const {
   const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_ + n - 1;
   return state[0] * state[0] + state[lanes_] * state[lanes_];
 }
 
-void FullHarmonicKalman::amplitudes(int channel, std::span<std::complex<double>> out) const noexcept {
+void FullHarmonicKalman::amplitudes(int channel, std::span<std::complex<double>> out) const {
   const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_;
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = {state[i], -state[lanes_ + i]};
 }
 
-double FullHarmonicKalman::weightedPower(int channel, const double* weight) const noexcept {
+double FullHarmonicKalman::weightedPower(int channel, const double* weight) const {
   const double* state = states_.data() + static_cast<std::size_t>(channel) * 2 * lanes_;
   return kernels_.weightedPower(state, state + lanes_, weight, lanes_);
 }

@@ -19,29 +19,29 @@ namespace stillcut::detect {
 class FullHarmonicKalman {
  public:
   void prepare(int channels, int harmonics, const dsp::kernels::Kernels& kernels);
-  void reset() noexcept;
+  void reset();
   // Uses only the first `count`.
-  void setActive(int count) noexcept;
+  void setActive(int count);
   int active() const { return active_; }
   // Q / R of eq. 20.
-  void setLambda(double lambda) noexcept;
+  void setLambda(double lambda);
 
   // Spindle angle of the next frame and turn per frame [rad]; once before the first process().
-  void align(double angle, double step) noexcept;
+  void align(double angle, double step);
   // Every channel: x[channel * stride + frame] to the rest after correction (eq. 22), rest[channel * residualStride +
   // frame]. Numbers that are not finite start the filter anew and leave silence.
   void process(const double* x, std::ptrdiff_t stride, double* residual, std::ptrdiff_t residualStride,
-               std::size_t frames) noexcept;
+               std::size_t frames);
 
   // Amplitude squared of harmonic n (1-based) of a channel (eq. 29).
-  double power(int channel, int n) const noexcept;
+  double power(int channel, int n) const;
   // A_n of x = Re sum A_n e^{j n theta}, of the first harmonics.
-  void amplitudes(int channel, std::span<std::complex<double>> out) const noexcept;
+  void amplitudes(int channel, std::span<std::complex<double>> out) const;
   // Sum of weight[n - 1] times that over the harmonics; weight in whole lanes.
-  double weightedPower(int channel, const double* weight) const noexcept;
+  double weightedPower(int channel, const double* weight) const;
 
  private:
-  dsp::kernels::CovarianceRun run() noexcept;
+  dsp::kernels::CovarianceRun run();
 
   dsp::kernels::Kernels kernels_;
   std::size_t channels_ = 0;

@@ -48,7 +48,7 @@ Taps makeTaps() {
 const Taps kInterpolation = makeTaps();
 
 // |X|^2 at a place of one channel's transform.
-double powerAt(std::span<const std::complex<double>> bins, std::size_t place) noexcept {
+double powerAt(std::span<const std::complex<double>> bins, std::size_t place) {
   const std::size_t b = place / kPlaces;
   const std::size_t part = place % kPlaces;
   if (part == 0) return std::norm(bins[b]);
@@ -86,13 +86,13 @@ void LineFinder::prepare(int channels, int window, Hertz rate) {
   reset();
 }
 
-void LineFinder::reset() noexcept {
+void LineFinder::reset() {
   for (SpectrumChannel& c : channels_) std::fill(c.ring.begin(), c.ring.end(), 0.0);
   head_ = seen_ = 0;
   asked_ = false;
 }
 
-void LineFinder::push(const double* rest, std::ptrdiff_t stride, std::size_t frames) noexcept {
+void LineFinder::push(const double* rest, std::ptrdiff_t stride, std::size_t frames) {
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, window_ - head_);
     for (std::size_t c = 0; c < channels_.size(); ++c) {
@@ -105,7 +105,7 @@ void LineFinder::push(const double* rest, std::ptrdiff_t stride, std::size_t fra
   asked_ = false;
 }
 
-void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
+void LineFinder::transform(std::size_t first, std::size_t last) {
   std::fill(power_.begin(), power_.end(), 0.0);
   for (SpectrumChannel& c : channels_) {
     const std::span<const double> ring(c.ring);
@@ -117,7 +117,7 @@ void LineFinder::transform(std::size_t first, std::size_t last) noexcept {
   }
 }
 
-double LineFinder::power(std::size_t place) const noexcept {
+double LineFinder::power(std::size_t place) const {
   double all = 0.0;
   for (const SpectrumChannel& c : channels_) {
     if (c.share > 0.0) all += c.share * powerAt(c.spectrum.values(), place);
@@ -125,7 +125,7 @@ double LineFinder::power(std::size_t place) const noexcept {
   return all;
 }
 
-std::size_t LineFinder::highest(std::size_t from, std::size_t to) const noexcept {
+std::size_t LineFinder::highest(std::size_t from, std::size_t to) const {
   std::size_t place = from;
   double most = power(from);
   for (std::size_t p = from + 1; p <= to; ++p) {
@@ -137,7 +137,7 @@ std::size_t LineFinder::highest(std::size_t from, std::size_t to) const noexcept
   return place;
 }
 
-FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
+FoundLine LineFinder::find(Hertz low, Hertz high) {
   if (asked_ && low == low_ && high == high_) return found_;
   asked_ = true;
   low_ = low;
@@ -146,7 +146,7 @@ FoundLine LineFinder::find(Hertz low, Hertz high) noexcept {
   return found_;
 }
 
-FoundLine LineFinder::look(Hertz low, Hertz high) noexcept {
+FoundLine LineFinder::look(Hertz low, Hertz high) {
   FoundLine found;
   if (2 * seen_ < window_) return found;
   const auto first = static_cast<std::size_t>(std::max(1.0, std::ceil(low.value / binWidth())));
@@ -181,7 +181,7 @@ FoundLine LineFinder::look(Hertz low, Hertz high) noexcept {
 }
 
 // A line above the noise beside it.
-bool LineFinder::standsOut(const Peak& peak) const noexcept {
+bool LineFinder::standsOut(const Peak& peak) const {
   const auto middle = static_cast<std::ptrdiff_t>(std::lround(peak.frequency.value / binWidth()));
   const auto lobe = static_cast<std::ptrdiff_t>(lobe_ / kPlaces + 1);
   double sum = 0.0;
@@ -196,7 +196,7 @@ bool LineFinder::standsOut(const Peak& peak) const noexcept {
 
 // Lines that stand out, where the line itself and its side lines have to be: use(peak, place).
 template <class Use>
-void LineFinder::eachSideLine(Hertz line, Hertz tooth, const Use& use) const noexcept {
+void LineFinder::eachSideLine(Hertz line, Hertz tooth, const Use& use) const {
   const double offset = std::abs(dsp::orderOffset(line, tooth));
   for (int k = 0; tooth.value * (k - offset) < high_.value; ++k) {
     for (const double order : {k - offset, k + offset}) {
@@ -209,7 +209,7 @@ void LineFinder::eachSideLine(Hertz line, Hertz tooth, const Use& use) const noe
 }
 
 // An integral takes 1 / f of each line's amplitude: undone by f^2 in power, which makes more of the noise as well.
-void LineFinder::choose(FoundLine& found) const noexcept {
+void LineFinder::choose(FoundLine& found) const {
   double most = 0.0;
   double all = 0.0;
   double sum = 0.0;
@@ -230,7 +230,7 @@ void LineFinder::choose(FoundLine& found) const noexcept {
   found.spread = Hertz(std::sqrt(std::max(variance, 0.0) + away * away));
 }
 
-int LineFinder::sideLines(Hertz line, Hertz toothPassing) const noexcept {
+int LineFinder::sideLines(Hertz line, Hertz toothPassing) const {
   if (!asked_ || !(toothPassing.value > 0.0)) return 0;
   const double width = binWidth();
   int lines = 0;
@@ -245,12 +245,12 @@ int LineFinder::sideLines(Hertz line, Hertz toothPassing) const noexcept {
   return lines;
 }
 
-Hertz LineFinder::refined(std::size_t place) const noexcept {
+Hertz LineFinder::refined(std::size_t place) const {
   const double shift = peakShift(power(place - 1), power(place), power(place + 1));
   return Hertz((static_cast<double>(place) + shift) * binWidth() / kPlaces);
 }
 
-LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const noexcept {
+LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const {
   const double width = binWidth() / kPlaces;
   const double low = std::max(1.0, std::ceil((middle.value - reach.value) / width));
   const double high =
@@ -262,7 +262,7 @@ LineFinder::Peak LineFinder::near(Hertz middle, Hertz reach) const noexcept {
   return {refined(peak), height};
 }
 
-Hertz LineFinder::keep(Hertz followed, Hertz strongest, Hertz reach) const noexcept {
+Hertz LineFinder::keep(Hertz followed, Hertz strongest, Hertz reach) const {
   if (std::abs(strongest.value - followed.value) <= reach.value) return strongest;
   const Peak held = near(followed, reach);
   return near(strongest, reach).power < kOtherLine * held.power ? held.frequency : strongest;

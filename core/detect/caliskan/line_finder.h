@@ -25,16 +25,16 @@ class LineFinder {
  public:
   // window: samples; lines are looked for in low..high.
   void prepare(int channels, int window, Hertz rate);
-  void reset() noexcept;
+  void reset();
   // rest[channel * stride + frame].
-  void push(const double* rest, std::ptrdiff_t stride, std::size_t frames) noexcept;
+  void push(const double* rest, std::ptrdiff_t stride, std::size_t frames);
   // Strongest line over all channels, each normalised to its own power; nothing until the window is half full.
-  FoundLine find(Hertz low, Hertz high) noexcept;
+  FoundLine find(Hertz low, Hertz high);
   // Of a force, or of what is made of the cutting torque: nothing amplifies the mode's own frequency there, and teeth
   // that come and go make side lines of it, a tooth passing apart, that may be as strong. Of these find() gives the one
   // that is strongest in the force itself, and how far they leave it open. integrals: the signals hold the integral of
   // it (speed, current), which turns the order of the lines round. toothPassing 0: the mode itself is heard.
-  void setSideLines(Hertz toothPassing, bool integrals) noexcept {
+  void setSideLines(Hertz toothPassing, bool integrals) {
     tooth_ = toothPassing;
     integrals_ = integrals;
   }
@@ -43,13 +43,13 @@ class LineFinder {
     Hertz frequency{};
     double power = 0.0;  // in find()'s units, comparable with each other
   };
-  Peak near(Hertz middle, Hertz reach) const noexcept;
+  Peak near(Hertz middle, Hertz reach) const;
   // Of the line that was followed, and the strongest one now: the former, where it still is a peak within `reach` and
   // the latter is another one and not much stronger.
-  Hertz keep(Hertz followed, Hertz strongest, Hertz reach) const noexcept;
+  Hertz keep(Hertz followed, Hertz strongest, Hertz reach) const;
   // How many lines stand out whole tooth passings away from this one, or from its mirror image, and exactly there. The
   // tooth passing has to be known to a hundredth of a spindle order at the highest of them.
-  int sideLines(Hertz line, Hertz toothPassing) const noexcept;
+  int sideLines(Hertz line, Hertz toothPassing) const;
 
  private:
   struct SpectrumChannel {
@@ -57,16 +57,16 @@ class LineFinder {
     dsp::Spectrum spectrum;
     double share = 0.0;  // 1 / power of the newest window; 0: silent
   };
-  double binWidth() const noexcept { return channels_.front().spectrum.binWidth(); }
-  FoundLine look(Hertz low, Hertz high) noexcept;
-  void transform(std::size_t first, std::size_t last) noexcept;
-  double power(std::size_t place) const noexcept;
-  std::size_t highest(std::size_t from, std::size_t to) const noexcept;
-  Hertz refined(std::size_t place) const noexcept;
-  void choose(FoundLine& found) const noexcept;
+  double binWidth() const { return channels_.front().spectrum.binWidth(); }
+  FoundLine look(Hertz low, Hertz high);
+  void transform(std::size_t first, std::size_t last);
+  double power(std::size_t place) const;
+  std::size_t highest(std::size_t from, std::size_t to) const;
+  Hertz refined(std::size_t place) const;
+  void choose(FoundLine& found) const;
   template <class Use>
-  void eachSideLine(Hertz line, Hertz tooth, const Use& use) const noexcept;
-  bool standsOut(const Peak& peak) const noexcept;
+  void eachSideLine(Hertz line, Hertz tooth, const Use& use) const;
+  bool standsOut(const Peak& peak) const;
 
   dsp::kernels::Kernels kernels_;
   std::size_t window_ = 0;

@@ -18,7 +18,7 @@ constexpr int kFits = 2;                // of an angle that is not small
 constexpr double kMostAmplified = 5.0;  // of the load's relative change: a mode's at 80 % of the limit
 
 template <class Passings>
-double total(const Passings& passings) noexcept {
+double total(const Passings& passings) {
   return std::accumulate(passings.begin(), passings.end(), 0.0,
                          [](double sum, const auto& a) { return sum + std::norm(a); });
 }
@@ -31,7 +31,7 @@ void LoadWatch::prepare(int teeth) {
   reset();
 }
 
-void LoadWatch::reset() noexcept {
+void LoadWatch::reset() {
   before_ = {};
   changes_ = {};
   bends_ = {};
@@ -41,7 +41,7 @@ void LoadWatch::reset() noexcept {
 }
 
 // What the passings but two turn by as a speed that is a little off makes them turn, the k-th k times as much.
-double LoadWatch::angleOf(const Passings& now, const Passings& before, std::size_t skip) noexcept {
+double LoadWatch::angleOf(const Passings& now, const Passings& before, std::size_t skip) {
   double angle = 0.0;
   for (int fit = 0; fit < kFits; ++fit) {
     double turned = 0.0;
@@ -59,7 +59,7 @@ double LoadWatch::angleOf(const Passings& now, const Passings& before, std::size
 }
 
 // Two passings left out at a time, and that angle; noise: power in one of them.
-double LoadWatch::least(const Passings& now, const Passings& before, double noise) noexcept {
+double LoadWatch::least(const Passings& now, const Passings& before, double noise) {
   double found = 2.0;
   for (std::size_t skip = 0; skip + 1 < kTeeth; ++skip) {
     const double angle = angleOf(now, before, skip);
@@ -75,7 +75,7 @@ double LoadWatch::least(const Passings& now, const Passings& before, double nois
   return found;
 }
 
-double LoadWatch::bounded(double change) noexcept {
+double LoadWatch::bounded(double change) {
   if (change > kQuickly) {
     ++quickTurns_;
     calmTurns_ = 0;
@@ -87,8 +87,7 @@ double LoadWatch::bounded(double change) noexcept {
 }
 
 // With one tooth every order is a tooth passing, and chatter anywhere turns all of them.
-void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle,
-                        double noise) noexcept {
+void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle, double noise) {
   if (teeth_ < 2) return;
   const std::size_t count = std::min(static_cast<std::size_t>(chain.active()), orders_.size());
   chain.amplitudes(channel, std::span(orders_).first(count));
@@ -120,30 +119,30 @@ void LoadWatch::endTurn(const EnergyChain& chain, const NewLine& vibration, int 
   bends_[newest_] = std::abs(found - before);
 }
 
-double LoadWatch::most() const noexcept {
+double LoadWatch::most() const {
   return *std::max_element(changes_.begin(), changes_.end());
 }
 
-double LoadWatch::mostBent() const noexcept {
+double LoadWatch::mostBent() const {
   return *std::max_element(bends_.begin(), bends_.end());
 }
 
-double LoadWatch::mostOfAnOrder() const noexcept {
+double LoadWatch::mostOfAnOrder() const {
   return kMostAmplified * most();
 }
 
 // An order that changes by the same c in each turn leaves 1.5 c of itself before the news is scaled.
-bool LoadWatch::explainsNews(double news) const noexcept {
+bool LoadWatch::explainsNews(double news) const {
   const double change = 1.5 * mostOfAnOrder();
   return news < change * change * RevolutionDifference::kNewsArrival;
 }
 
-bool LoadWatch::explainsDifference(double difference) const noexcept {
+bool LoadWatch::explainsDifference(double difference) const {
   const double bend = kMostAmplified * mostBent();
   return difference < bend * bend * RevolutionDifference::kDifferenceArrival;
 }
 
-bool LoadWatch::explains(const NewLine& vibration, int channel, double order, Hertz spindle) const noexcept {
+bool LoadWatch::explains(const NewLine& vibration, int channel, double order, Hertz spindle) const {
   if (!changesQuickly() || !(order > 0.0)) return false;
   std::array<std::complex<double>, 2> turns{};
   if (!vibration.turnsOf(channel, spindle * std::max(1.0, std::round(order)), spindle, turns)) return false;

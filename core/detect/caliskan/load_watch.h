@@ -27,23 +27,23 @@ namespace stillcut::detect {
 class LoadWatch {
  public:
   void prepare(int teeth);
-  void reset() noexcept;
+  void reset();
   // One turn: what the harmonic filter holds of a channel; where that changes quickly, windows without its leakage do.
   // noise: its power in one order of a window of two turns, over that of all forced vibration. Where tooth passings
   // cancel, as at full immersion, noise is most of what they change by.
-  void endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle, double noise) noexcept;
+  void endTurn(const EnergyChain& chain, const NewLine& vibration, int channel, Hertz spindle, double noise);
 
   // The load has changed by so much from one turn to the next that an order's change of size may be its doing.
-  bool changesQuickly() const noexcept { return most() > kQuickly; }
+  bool changesQuickly() const { return most() > kQuickly; }
   // ... and is: that of the order next to `order`, which may be a fraction.
-  bool explains(const NewLine& vibration, int channel, double order, Hertz spindle) const noexcept;
+  bool explains(const NewLine& vibration, int channel, double order, Hertz spindle) const;
   // The most that it may change any order by in a turn, relative.
-  double mostOfAnOrder() const noexcept;
+  double mostOfAnOrder() const;
   // All of the news (turn_difference.h), over the vibration's energy, may be the load's, whether it changes quickly or
   // not: a mode on an order near the limit may make most of the vibration.
-  bool explainsNews(double news) const noexcept;
+  bool explainsNews(double news) const;
   // ... of the turn difference, which hears only what the load's change changes by.
-  bool explainsDifference(double difference) const noexcept;
+  bool explainsDifference(double difference) const;
 
  private:
   static constexpr std::size_t kTeeth = 6;  // passings that tell the load
@@ -53,11 +53,11 @@ class LoadWatch {
   static constexpr double kQuickly = 0.05;
   static constexpr int kMostTurns = 32;                       // by as much as that in each: fivefold
   using Passings = std::array<std::complex<double>, kTeeth>;  // amplitudes
-  double bounded(double change) noexcept;
-  static double angleOf(const Passings& now, const Passings& before, std::size_t skip) noexcept;
-  static double least(const Passings& now, const Passings& before, double noise) noexcept;
-  double most() const noexcept;
-  double mostBent() const noexcept;
+  double bounded(double change);
+  static double angleOf(const Passings& now, const Passings& before, std::size_t skip);
+  static double least(const Passings& now, const Passings& before, double noise);
+  double most() const;
+  double mostBent() const;
 
   int teeth_ = 0;
   Passings before_{};                         // a turn ago

@@ -59,11 +59,11 @@ void OrderGrowth::prepare(int teeth, int eta, int harmonics) {
   relearn();
 }
 
-void OrderGrowth::setEvidence(double evidence) noexcept {
+void OrderGrowth::setEvidence(double evidence) {
   for (Class& c : classes_) c.onset.prepare({c.flips ? kSmallest : kSmallestBeside, evidence});
 }
 
-void OrderGrowth::relearn(Class& c) noexcept {
+void OrderGrowth::relearn(Class& c) {
   c.onset.reset();
   c.timed.reset();
   c.counts = c.own = c.unstable = c.doubles = c.dwarfs = false;
@@ -71,14 +71,14 @@ void OrderGrowth::relearn(Class& c) noexcept {
   c.alone = {};
 }
 
-void OrderGrowth::relearn() noexcept {
+void OrderGrowth::relearn() {
   for (Class& c : classes_) relearn(c);
   stretches_.forget();
   order_ = 0.0;
   doubling_ = false;
 }
 
-void OrderGrowth::setSpindle(Hertz spindle) noexcept {
+void OrderGrowth::setSpindle(Hertz spindle) {
   for (Class& c : classes_) c.onset.setSpindle(spindle);
   stretches_.setSpindle(spindle);
   spindle_ = spindle;
@@ -95,7 +95,7 @@ void OrderGrowth::setSpindle(Hertz spindle) noexcept {
   }
 }
 
-void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
+void OrderGrowth::endHop(const EnergyChain& chain, int channel) {
   if (classes_.empty()) return;
   hop_ = (hop_ + 1) % kHopsPerTurn;
   if (hop_ == 0) {
@@ -127,7 +127,7 @@ void OrderGrowth::endHop(const EnergyChain& chain, int channel) noexcept {
   }
 }
 
-void OrderGrowth::followStretches() noexcept {
+void OrderGrowth::followStretches() {
   for (Class& c : classes_) {
     c.own = stretches_.ownGrowth(c.rest);
     const bool unstable = c.flips ? stretches_.unstableGrowth(c.rest) : stretches_.lockedGrowth(c.rest);
@@ -135,52 +135,52 @@ void OrderGrowth::followStretches() noexcept {
   }
 }
 
-double OrderGrowth::share(const Class& c) const noexcept {
+double OrderGrowth::share(const Class& c) const {
   const double others = all_ - c.power;
   const double leak = turns_.leak(c.order, c.strongest);
   return others > 0.0 ? c.power / std::max(others - leak, kLeastOthers * others) : 0.0;
 }
 
 // A class that holds noise in a narrow band, or a line that beats, is now and then much louder than it mostly is.
-double OrderGrowth::muchLouder(const Class& c) noexcept {
+double OrderGrowth::muchLouder(const Class& c) {
   return kLouder * (1.0 + 1.0 / c.onset.shape());
 }
 
 // Does one order stand out of it, as a mode does?
-bool OrderGrowth::isOne(const Class& c) noexcept {
+bool OrderGrowth::isOne(const Class& c) {
   return c.strongest > kLeastOfClass * c.power;
 }
 
 // Side lines of one line at kZ + rest + e stand at kZ - rest - e: they turn the other way.
-double OrderGrowth::sense(const Class& c) const noexcept {
+double OrderGrowth::sense(const Class& c) const {
   return c.order % teeth_ == c.rest ? 1.0 : -1.0;
 }
 
 // Of its strongest order, turns per turn, but what a moving arc pulls the tracked speed by. What is known to be chatter
 // turns by itself, whatever the arc does.
-double OrderGrowth::ownDrift(const Class& c) const noexcept {
+double OrderGrowth::ownDrift(const Class& c) const {
   const double drift = turns_.drift(c.order);
   return c.counts ? drift : pull_.beyond(c.order, drift);
 }
 
-bool OrderGrowth::turnsByItself(const Class& c) const noexcept {
+bool OrderGrowth::turnsByItself(const Class& c) const {
   return turns_.turns(c.order) && std::abs(ownDrift(c)) > OrderTurns::kLeastDrift;
 }
 
 // It turns, and nobody knows whether by itself: what it has turned by so far stands.
-bool OrderGrowth::pulled(const Class& c) const noexcept {
+bool OrderGrowth::pulled(const Class& c) const {
   return isOne(c) && turns_.turns(c.order) && !turnsByItself(c);
 }
 
 // Does the strongest order change by no more than the load may make it? What turns then is the phase of a mode that
 // comes nearer to its limit.
-bool OrderGrowth::explained(const Class& c) const noexcept {
+bool OrderGrowth::explained(const Class& c) const {
   return turns_.change(c.order) < byLoad_;
 }
 
 // Teeth that leave the material multiply what the orders hold with itself: of shares s of runout on the rests a and b
 // they make as much as s_a s_b on a + b and a - b.
-double OrderGrowth::products(const Class& c) const noexcept {
+double OrderGrowth::products(const Class& c) const {
   double most = 0.0;
   for (const Class& a : classes_) {
     for (const int other : {c.rest - a.rest, c.rest + a.rest}) {
@@ -194,7 +194,7 @@ double OrderGrowth::products(const Class& c) const noexcept {
 
 // A share that has grown: is it more than runout that the engagement changes, that a mode amplifies, or that teeth
 // multiply which leave the material?
-bool OrderGrowth::begins(const Class& c) const noexcept {
+bool OrderGrowth::begins(const Class& c) const {
   const double now = share(c);
   if (now < products(c)) return false;
   const bool learnedArc = !stretches_.engagementChanges() && !stretches_.otherEngagement();
@@ -205,7 +205,7 @@ bool OrderGrowth::begins(const Class& c) const noexcept {
                         stretches_.growsOn(c.rest) && !stretches_.otherEngagement());
 }
 
-void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const noexcept {
+void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const {
   if (pulled(c)) return;
   const double drift = ownDrift(c);
   const bool louder =
@@ -220,7 +220,7 @@ void OrderGrowth::followTurning(Class& c, double turns, double speedDoubt) const
 // A slow spindle gives chatter so few turns to grow in that it becomes its own floor, and so does chatter that grows
 // slowly. It is held against a floor that rises by time alone where it turns against the spindle as well, faster than
 // the speed is in doubt, where it doubles and is more than runout becomes, or where it is most of the vibration.
-void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept {
+void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDoubt) const {
   const double now = share(c);
   const double drift = ownDrift(c);
   const double least = std::max(OrderTurns::kLeastDrift, kApartDoubts * c.order * speedDoubt);
@@ -239,32 +239,32 @@ void OrderGrowth::followTimed(Class& c, double turns, bool learn, double speedDo
 }
 
 // Period doubling stands still. What a line half way between two orders leaves on both turns by half a turn per turn.
-bool OrderGrowth::doubles(const Class& c) const noexcept {
+bool OrderGrowth::doubles(const Class& c) const {
   const double far = std::max({kFarBeyond * c.timed.share(), kSmallest, products(c)});
   if (std::abs(ownDrift(c)) >= kNearlyStill || share(c) <= (c.doubles ? kStays * far : far)) return false;
   return c.doubles ||
          (c.timed.share() < kSmallestBeside && stretches_.growsOn(c.rest) && !stretches_.otherEngagement());
 }
 
-bool OrderGrowth::dwarfs(const Class& c) const noexcept {
+bool OrderGrowth::dwarfs(const Class& c) const {
   const double stays = c.dwarfs ? kStays : 1.0;
   const double far = stays * kFarBeyond;
   return c.power > stays * kDwarfed * (all_ - c.power) && share(c) > far * c.timed.share() &&
          c.power > far * c.timed.energy();
 }
 
-bool OrderGrowth::mayFit(const Class& c) const noexcept {
+bool OrderGrowth::mayFit(const Class& c) const {
   return halfTurnsThere_ == kWindowHalfTurns && c.onset.learned() && isOne(c) &&
          c.power > kGrownAlone * c.onset.floorEnergy();
 }
 
 // Period doubling has its own measure (order_stretches.h): it stands still, where runout of alternate teeth does.
-bool OrderGrowth::mayGrowByItself(const Class& c) const noexcept {
+bool OrderGrowth::mayGrowByItself(const Class& c) const {
   return !c.flips && mayFit(c) && share(c) > kSmallestAlone && !stretches_.engagementChanges();
 }
 
 // Asked where anything else speaks for chatter: the fit is dear.
-bool OrderGrowth::settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
+bool OrderGrowth::settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const {
   const bool suspect =
       c.onset.evidence() > 0.0 || c.turned != 0.0 || c.apartTurns > 0.0 || share(c) > kLouder * c.timed.share();
   OrderPole now;
@@ -272,24 +272,24 @@ bool OrderGrowth::settles(const Class& c, const NewLine& vibration, int channel,
          now.settles(spindle);
 }
 
-bool OrderGrowth::growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept {
+bool OrderGrowth::growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const {
   OrderPole now;
   return mayGrowByItself(c) && OrderPole::mayGrow(vibration, channel, c.order, spindle) &&
          now.fit(vibration, channel, {teeth_, active_}, c.order, spindle) && now.growsByItself();
 }
 
-bool OrderGrowth::Alone::stays(double share) const noexcept {
+bool OrderGrowth::Alone::stays(double share) const {
   return most > 0.0 && share > most / kLouder;
 }
 
-void OrderGrowth::Alone::look(int atOrder, double share, bool found) noexcept {
+void OrderGrowth::Alone::look(int atOrder, double share, bool found) {
   if (atOrder != order) times = 0;
   order = atOrder;
   times = found ? times + 1 : 0;
   most = stays(share) || times >= kAloneTimes ? std::max(most, share) : 0.0;
 }
 
-void OrderGrowth::endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept {
+void OrderGrowth::endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged) {
   halfTurnsThere_ = std::min(halfTurnsThere_ + 1, kWindowHalfTurns);
   for (Class& c : classes_) {
     const double now = share(c);
@@ -300,7 +300,7 @@ void OrderGrowth::endHalfTurn(const NewLine& vibration, int channel, Hertz spind
 }
 
 // An engagement that has stood for so long with nothing growing in it is the one that the floors are of by now.
-void OrderGrowth::followEngagement(double turns, bool learn) noexcept {
+void OrderGrowth::followEngagement(double turns, bool learn) {
   const bool quiet =
       learn && !stretches_.engagementChanges() && std::all_of(classes_.begin(), classes_.end(), [](const Class& c) {
         return c.onset.learned() && c.onset.evidence() == 0.0 && c.apartTurns == 0.0;
@@ -313,12 +313,12 @@ void OrderGrowth::followEngagement(double turns, bool learn) noexcept {
 
 // Chatter that has grown as large as it gets and turns against the spindle settles as well, by the same fit. What
 // stands still, as period doubling does, leaves its pole in doubt.
-bool OrderGrowth::withheld(const Class& c) noexcept {
+bool OrderGrowth::withheld(const Class& c) {
   return c.settles > 0.0 && (c.flips || c.held < kMostHeld);
 }
 
 // What has grown and then stands, without being chatter, is a new load, and its floor is learned anew.
-void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) noexcept {
+void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) {
   if (withheld(c) && !c.flips) return;
   c.alarmTurns = c.onset.alarm() && !c.counts ? c.alarmTurns + turns : 0.0;
   if (!learn || c.alarmTurns <= kNewLoadTurns) return;
@@ -327,7 +327,7 @@ void OrderGrowth::relearnNewLoad(Class& c, double turns, bool learn) noexcept {
   if (c.flips) c.timed.reset();  // ... and its engagement is learned with it
 }
 
-bool OrderGrowth::counts(const Class& c) const noexcept {
+bool OrderGrowth::counts(const Class& c) const {
   if (withheld(c)) return false;
   if (std::abs(c.turned) > kWholeTurn || c.alone.most > 0.0) return true;
   if (c.onset.alarm() && (c.counts || begins(c))) return true;
@@ -335,7 +335,7 @@ bool OrderGrowth::counts(const Class& c) const noexcept {
   return c.onset.learned() && (apart || c.doubles || c.dwarfs);
 }
 
-void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
+void OrderGrowth::test(double turns, bool learn, double speedDoubt) {
   followEngagement(turns, learn);
   alarming_ = !learn;
   for (Class& c : classes_) {
@@ -357,7 +357,7 @@ void OrderGrowth::test(double turns, bool learn, double speedDoubt) noexcept {
 }
 
 // Of all that counts, the strongest order.
-void OrderGrowth::tell() noexcept {
+void OrderGrowth::tell() {
   order_ = 0.0;
   doubling_ = false;
   double strongest = 0.0;
@@ -370,11 +370,11 @@ void OrderGrowth::tell() noexcept {
   }
 }
 
-bool OrderGrowth::grown() const noexcept {
+bool OrderGrowth::grown() const {
   return std::any_of(classes_.begin(), classes_.end(), [](const Class& c) { return c.counts; });
 }
 
-double OrderGrowth::severity() const noexcept {
+double OrderGrowth::severity() const {
   if (!(weightedAll_ > 0.0)) return 0.0;
   double sum = 0.0;
   for (const Class& c : classes_) {

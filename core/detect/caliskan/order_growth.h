@@ -53,32 +53,32 @@ class OrderGrowth {
  public:
   // eta: of the energy ratio's weights (Caliskan 2018 eq. 28).
   void prepare(int teeth, int eta, int harmonics);
-  void setEvidence(double evidence) noexcept;
-  void relearn() noexcept;
+  void setEvidence(double evidence);
+  void relearn();
   // Another cut, or after a gap; what was learned stays.
-  void restart() noexcept { pull_.reset(); }
+  void restart() { pull_.reset(); }
   // What modes make of runout changes with the speed: beyond a part of their damping's width the floors count as much
   // more as a mode's flank is steep, and where the speed has stepped they are learned anew. So is the floor of period
   // doubling at every such part: runout of alternate teeth on a mode that its order crosses is like the beginning of
   // it, and near the limit a tenfold one. Learning takes eight turns: while the speed changes by more than 0.04 % a
   // turn no doubling with an even number of teeth is found.
-  void setSpindle(Hertz spindle) noexcept;
+  void setSpindle(Hertz spindle);
   // One hop: what the harmonic filter holds of a channel.
-  void endHop(const EnergyChain& chain, int channel) noexcept;
+  void endHop(const EnergyChain& chain, int channel);
   // Twice a turn, at a steady speed: what has grown by itself (order_pole.h)? Looked at in a cut that is judged, and
   // where it has grown at all.
-  void endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged) noexcept;
+  void endHalfTurn(const NewLine& vibration, int channel, Hertz spindle, bool judged);
   // By how much of itself a load that changes may change an order in a turn (load_watch.h): no more is no growth.
-  void setLoad(double mostOfAnOrder) noexcept { byLoad_ = mostOfAnOrder; }
+  void setLoad(double mostOfAnOrder) { byLoad_ = mostOfAnOrder; }
   // speedDoubt: relative standard deviation of the spindle's speed.
-  void test(double turns, bool learn, double speedDoubt = 0.0) noexcept;
+  void test(double turns, bool learn, double speedDoubt = 0.0);
 
-  bool grown() const noexcept;
+  bool grown() const;
   // One order stands out of a class that has grown, as a mode does: where it is, in orders; 0: none.
-  double order() const noexcept { return order_; }
-  bool doubling() const noexcept { return doubling_; }
+  double order() const { return order_; }
+  bool doubling() const { return doubling_; }
   // Part of the weighted energy that the grown classes hold, above their floors.
-  double severity() const noexcept;
+  double severity() const;
 
  private:
   // Found to grow by itself (order_pole.h), at the same order and so often on end that it is believed.
@@ -86,8 +86,8 @@ class OrderGrowth {
     int times = 0;
     int order = 0;
     double most = 0.0;  // the class's largest share since that is believed; 0: it is not
-    bool stays(double share) const noexcept;
-    void look(int atOrder, double share, bool found) noexcept;
+    bool stays(double share) const;
+    void look(int atOrder, double share, bool found);
   };
   // The orders n = +-rest modulo the teeth.
   struct Class {
@@ -112,31 +112,31 @@ class OrderGrowth {
     double held = 0.0;        // ... and since it is, on end
     Alone alone;
   };
-  static void relearn(Class& c) noexcept;
-  static double muchLouder(const Class& c) noexcept;
-  static bool isOne(const Class& c) noexcept;
-  static bool withheld(const Class& c) noexcept;
-  void followStretches() noexcept;
-  void followEngagement(double turns, bool learn) noexcept;
-  void followTurning(Class& c, double turns, double speedDoubt) const noexcept;
-  void followTimed(Class& c, double turns, bool learn, double speedDoubt) const noexcept;
-  bool doubles(const Class& c) const noexcept;
-  bool dwarfs(const Class& c) const noexcept;
-  void relearnNewLoad(Class& c, double turns, bool learn) noexcept;
-  bool counts(const Class& c) const noexcept;
-  bool begins(const Class& c) const noexcept;
-  bool mayFit(const Class& c) const noexcept;
-  bool settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept;
-  bool growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const noexcept;
-  bool mayGrowByItself(const Class& c) const noexcept;
-  bool explained(const Class& c) const noexcept;
-  double products(const Class& c) const noexcept;
-  double share(const Class& c) const noexcept;
-  double sense(const Class& c) const noexcept;
-  double ownDrift(const Class& c) const noexcept;
-  bool turnsByItself(const Class& c) const noexcept;
-  bool pulled(const Class& c) const noexcept;
-  void tell() noexcept;
+  static void relearn(Class& c);
+  static double muchLouder(const Class& c);
+  static bool isOne(const Class& c);
+  static bool withheld(const Class& c);
+  void followStretches();
+  void followEngagement(double turns, bool learn);
+  void followTurning(Class& c, double turns, double speedDoubt) const;
+  void followTimed(Class& c, double turns, bool learn, double speedDoubt) const;
+  bool doubles(const Class& c) const;
+  bool dwarfs(const Class& c) const;
+  void relearnNewLoad(Class& c, double turns, bool learn);
+  bool counts(const Class& c) const;
+  bool begins(const Class& c) const;
+  bool mayFit(const Class& c) const;
+  bool settles(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const;
+  bool growsAlone(const Class& c, const NewLine& vibration, int channel, Hertz spindle) const;
+  bool mayGrowByItself(const Class& c) const;
+  bool explained(const Class& c) const;
+  double products(const Class& c) const;
+  double share(const Class& c) const;
+  double sense(const Class& c) const;
+  double ownDrift(const Class& c) const;
+  bool turnsByItself(const Class& c) const;
+  bool pulled(const Class& c) const;
+  void tell();
 
   int teeth_ = 0;
   int eta_ = 0;

@@ -52,7 +52,7 @@ struct RatioHop {
 };
 
 // Does it hear an integral of the spindle's torque?
-inline bool isIntegral(SensorQuantity q) noexcept {
+inline bool isIntegral(SensorQuantity q) {
   return q == SensorQuantity::SpindleSpeed || q == SensorQuantity::Current;
 }
 

@@ -19,7 +19,7 @@ constexpr double kLeastLine = 2.5e-3;  // of the vibration's energy: 5 % of its 
 // A line within its first turn is in the difference as it is in the news, each by the part it passes then. What a speed
 // that was found anew moves in every harmonic stands still from the next turn on: the difference hardly holds any of
 // it.
-bool arrives(const RatioChannel& c) noexcept {
+bool arrives(const RatioChannel& c) {
   const auto line = [](const EnergyGrowth& growth, double arrival) {
     return (growth.changed() - growth.onset().floor()) / arrival;
   };
@@ -29,13 +29,13 @@ bool arrives(const RatioChannel& c) noexcept {
 
 }  // namespace
 
-void RatioJudge::prepare(int teeth, double chatterRatio) noexcept {
+void RatioJudge::prepare(int teeth, double chatterRatio) {
   teeth_ = teeth;
   chatterRatio_ = full_ = chatterRatio;
   entry_.prepare(chatterRatio);
 }
 
-void RatioJudge::leaveCut() noexcept {
+void RatioJudge::leaveCut() {
   calm_.reset();
   calm_.forgetLevel();
   entry_.leaveCut();
@@ -46,7 +46,7 @@ void RatioJudge::leaveCut() noexcept {
   sinceOnset_ = feedSinceOnset_ = 0.0;
 }
 
-void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
+void RatioJudge::weigh(const EnergyGrowth& growth) {
   const OnsetTest& onset = growth.onset();
   if (onset.evidence() >= evidence_) {
     evidence_ = onset.evidence();
@@ -57,7 +57,7 @@ void RatioJudge::weigh(const EnergyGrowth& growth) noexcept {
 }
 
 // What speaks for an alarm in a channel whose vibration does not fall.
-void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
+void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) {
   const OnsetTest& onset = c.growth.onset();
   const OnsetTest& news = c.news.onset();
   grown_ = grown_ || c.orders.grown() || onset.alarm() || news.alarm();
@@ -80,7 +80,7 @@ void RatioJudge::gatherGrowth(const RatioChannel& c, int& risingHops) noexcept {
 }
 
 // Full chatter is asked of the channel that is furthest beyond what it may be.
-void RatioJudge::gatherRatio(const RatioChannel& c) noexcept {
+void RatioJudge::gatherRatio(const RatioChannel& c) {
   const auto take = [&](double ratio, const UsualRatio& usual) {
     const double full = usual.limit(chatterRatio_, 1.0);
     const double still = usual.limit(chatterRatio_, kHysteresis);
@@ -96,7 +96,7 @@ void RatioJudge::gatherRatio(const RatioChannel& c) noexcept {
   take(c.orders.severity(), {});
 }
 
-void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
+void RatioJudge::gather(std::span<const RatioChannel> channels) {
   full_ = limit_ = chatterRatio_;
   quiet_ = true;
   severity_ = worst_ = joint_ = evidence_ = mostChanged_ = mostGrown_ = 0.0;
@@ -127,7 +127,7 @@ void RatioJudge::gather(std::span<const RatioChannel> channels) noexcept {
 }
 
 // A tool that leaves takes its chatter along; what rings down then, or was there anyway, is none.
-bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept {
+bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) {
   bool left = phase == CutPhase::Exit;
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const double now = channels[i].growth.energy();
@@ -140,7 +140,7 @@ bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase pha
   return left;
 }
 
-bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) {
   gather(channels);
   const bool was = alarming();
   const bool high = severity_ >= limit_;
@@ -184,7 +184,7 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
 
 // Narrow-band noise of a stable cut near its limit comes in bursts, well above its mean; they stay small. On the axis
 // that grew: what another one is used to proves nothing.
-bool RatioJudge::lineCounts(Hertz line, Hertz spindle) const noexcept {
+bool RatioJudge::lineCounts(Hertz line, Hertz spindle) const {
   const double offset = dsp::orderOffset(line, spindle);
   return mostGrown_ > kLeastLine * RevolutionDifference::differenceGain(offset);
 }
@@ -192,7 +192,7 @@ bool RatioJudge::lineCounts(Hertz line, Hertz spindle) const noexcept {
 // Of a line near a harmonic the difference passes little and the news much, but news is also what forced vibration
 // changes by. It is the line's where the difference holds as much of it, above its own noise, as that line leaves
 // there, and grows as well: where a change of the engagement ends, what the tracked speed took along is new at once.
-bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const noexcept {
+bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const {
   const double offset = dsp::orderOffset(line, spindle);
   const double gain = RevolutionDifference::differenceGain(offset);
   const double passed = gain / RevolutionDifference::newsGain(offset);
@@ -207,7 +207,7 @@ bool RatioJudge::lineIsNew(std::span<const RatioChannel> channels, Hertz line, H
 }
 
 // Growth above a learned floor, and a line that it is of.
-bool RatioJudge::lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+bool RatioJudge::lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) {
   if (!growing_ && !newsGrowing_) return false;
   const FoundLine line = lines.find(hop.spindle * 0.5, hop.highest);
   purity_ = line.purity;
@@ -217,7 +217,7 @@ bool RatioJudge::lineGrows(std::span<const RatioChannel> channels, LineFinder& l
 }
 
 // ... or growth too fast for one, or on an order; and none of it is the load's.
-bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept {
+bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) {
   double order = onOrder_;
   if (rising_ || !(order > 0.0)) {
     if (!rising_ && !lineGrows(channels, lines, hop)) return false;
@@ -229,14 +229,14 @@ bool RatioJudge::grows(std::span<const RatioChannel> channels, LineFinder& lines
   return channels.empty();
 }
 
-void RatioJudge::follow(LineFinder& lines, const RatioHop& hop) noexcept {
+void RatioJudge::follow(LineFinder& lines, const RatioHop& hop) {
   if (!alarming()) return line_.forget();
   const bool ringing = calm_.floorGone() && severity_ < full_;
   line_.follow(lines, hop, {onOrder_, doubling_, mostChanged_, severity_, ringing});
   purity_ = line_.purity();
 }
 
-void RatioJudge::fill(Verdict& v, Hertz spindle) const noexcept {
+void RatioJudge::fill(Verdict& v, Hertz spindle) const {
   v.state = v.phase == CutPhase::AirCutting ? CutState::AirCutting : state_;
   v.severity = Ratio(severity_);
   v.frequency = line_.frequency();

@@ -15,37 +15,37 @@ namespace stillcut::detect {
 
 class RatioJudge {
  public:
-  void prepare(int teeth, double chatterRatio) noexcept;
+  void prepare(int teeth, double chatterRatio);
   // Forgets the cut and all that belongs to it. The channels' own floors are the caller's.
-  void leaveCut() noexcept;
+  void leaveCut();
   // What is followed through the signal begins anew, in the same cut.
-  void restart() noexcept { entry_.restart(); }
-  void setState(CutState state) noexcept { state_ = state; }
-  void loseFloor() noexcept { calm_.loseFloor(); }
+  void restart() { entry_.restart(); }
+  void setState(CutState state) { state_ = state; }
+  void loseFloor() { calm_.loseFloor(); }
 
   // True when an alarm ended: floors are to be learned anew.
-  bool judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
-  void addFeed(double metres) noexcept { feedSinceOnset_ += metres; }
+  bool judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
+  void addFeed(double metres) { feedSinceOnset_ += metres; }
 
-  CutState state() const noexcept { return state_; }
+  CutState state() const { return state_; }
   // Ratio of full chatter in the channel that is furthest beyond what it may be, and whether that is more than was set.
-  double full() const noexcept { return full_; }
-  bool usualIsHigh() const noexcept { return full_ > chatterRatio_; }
-  bool alarming() const noexcept { return state_ == CutState::Onset || state_ == CutState::Chatter; }
+  double full() const { return full_; }
+  bool usualIsHigh() const { return full_ > chatterRatio_; }
+  bool alarming() const { return state_ == CutState::Onset || state_ == CutState::Chatter; }
   // State, severity, frequency, kind, reason and indicators of a valid verdict whose time and phase are set.
-  void fill(Verdict& v, Hertz spindle) const noexcept;
+  void fill(Verdict& v, Hertz spindle) const;
 
  private:
-  void gather(std::span<const RatioChannel> channels) noexcept;
-  void gatherRatio(const RatioChannel& c) noexcept;
-  bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase) noexcept;
-  void weigh(const EnergyGrowth& growth) noexcept;
-  void gatherGrowth(const RatioChannel& c, int& risingHops) noexcept;
-  bool lineCounts(Hertz line, Hertz spindle) const noexcept;
-  bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
-  bool grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop) noexcept;
-  bool lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const noexcept;
-  void follow(LineFinder& lines, const RatioHop& hop) noexcept;
+  void gather(std::span<const RatioChannel> channels);
+  void gatherRatio(const RatioChannel& c);
+  bool toolLeaves(std::span<const RatioChannel> channels, CutPhase phase);
+  void weigh(const EnergyGrowth& growth);
+  void gatherGrowth(const RatioChannel& c, int& risingHops);
+  bool lineCounts(Hertz line, Hertz spindle) const;
+  bool lineGrows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
+  bool grows(std::span<const RatioChannel> channels, LineFinder& lines, const RatioHop& hop);
+  bool lineIsNew(std::span<const RatioChannel> channels, Hertz line, Hertz spindle) const;
+  void follow(LineFinder& lines, const RatioHop& hop);
 
   int teeth_ = 0;
   double chatterRatio_ = 0.2;

@@ -4,12 +4,12 @@
 
 namespace stillcut::detect {
 
-void TurnMarks::endHop() noexcept {
+void TurnMarks::endHop() {
   newest_ = (newest_ + 1) % kMarks;
   marks_[static_cast<std::size_t>(newest_)] = now_;
 }
 
-double TurnMarks::framesAgo(double turns, double unmarked) const noexcept {
+double TurnMarks::framesAgo(double turns, double unmarked) const {
   const double wanted = now_.angle - kTwoPi * turns;
   Mark after = now_;
   for (int k = 0; k + 1 < kMarks; ++k) {

@@ -10,15 +10,15 @@ namespace stillcut::detect {
 
 class TurnMarks {
  public:
-  void reset() noexcept { *this = {}; }
+  void reset() { *this = {}; }
   // So many frames of `step` [rad] of the spindle each.
-  void advance(double step, int frames) noexcept {
+  void advance(double step, int frames) {
     now_.frame += frames;
     now_.angle += frames * step;
   }
-  void endHop() noexcept;
+  void endHop();
   // Frames since the spindle stood so many turns back; beyond the marks, `unmarked`.
-  double framesAgo(double turns, double unmarked) const noexcept;
+  double framesAgo(double turns, double unmarked) const;
 
  private:
   static constexpr int kMarks = 27 * kHopsPerTurn;  // as far back as new_line.h looks, of eight hops a turn

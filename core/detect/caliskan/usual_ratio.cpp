@@ -11,14 +11,14 @@ constexpr double kAbove = 4.0;   // what does not repeat over what does, in ener
 
 }  // namespace
 
-void UsualRatio::learn(double ratio, double turns) noexcept {
+void UsualRatio::learn(double ratio, double turns) {
   mean_ = seen_ > 0.0 ? mean_ + (1.0 - std::exp(-turns / kTurns)) * (ratio - mean_) : ratio;
   const bool first = seen_ < kTurns;
   seen_ += turns;
   if (seen_ >= kTurns) lowest_ = first ? mean_ : std::min(lowest_, mean_);
 }
 
-double UsualRatio::limit(double chatterRatio, double part) const noexcept {
+double UsualRatio::limit(double chatterRatio, double part) const {
   const double rest = kAbove * part * lowest_;
   return std::max(part * chatterRatio, rest / (rest + 1.0 - lowest_));
 }

@@ -7,11 +7,11 @@ namespace stillcut::detect {
 
 class UsualRatio {
  public:
-  void reset() noexcept { *this = {}; }
+  void reset() { *this = {}; }
   // A part of a turn of a cut in which there is no chatter.
-  void learn(double ratio, double turns) noexcept;
+  void learn(double ratio, double turns);
   // From which ratio on it is more than usual. part: of the chatter ratio and of the rise, where it is asked for less.
-  double limit(double chatterRatio, double part) const noexcept;
+  double limit(double chatterRatio, double part) const;
 
  private:
   double seen_ = 0.0;  // turns

@@ -14,7 +14,7 @@ constexpr double kMostPull = 5e-3;  // relative, half as much again as seen; fur
 
 }  // namespace
 
-void ArcPull::endTurn(Hertz spindle, bool moving) noexcept {
+void ArcPull::endTurn(Hertz spindle, bool moving) {
   least_ -= least_ / OrderTurns::kMemoryTurns;
   most_ -= most_ / OrderTurns::kMemoryTurns;
   if (!(spindle.value > 0.0)) return;
@@ -26,7 +26,7 @@ void ArcPull::endTurn(Hertz spindle, bool moving) noexcept {
   most_ = std::max(most_, pull);
 }
 
-double ArcPull::beyond(int order, double drift) const noexcept {
+double ArcPull::beyond(int order, double drift) const {
   return drift - std::clamp(drift, -order * most_, -order * least_);
 }
 

@@ -14,11 +14,11 @@ namespace stillcut::detect {
 
 class ArcPull {
  public:
-  void reset() noexcept { *this = {}; }
+  void reset() { *this = {}; }
   // One turn, at the speed that is tracked; moving: the engagement is changing (order_stretches.h).
-  void endTurn(Hertz spindle, bool moving) noexcept;
+  void endTurn(Hertz spindle, bool moving);
   // Of a drift [turns per turn] of an order: what the pull cannot be the cause of.
-  double beyond(int order, double drift) const noexcept;
+  double beyond(int order, double drift) const;
 
  private:
   double before_ = 0.0;              // Hz, while the engagement stood

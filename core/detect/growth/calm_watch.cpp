@@ -16,12 +16,12 @@ constexpr double kCalmGrowth = 3.0;   // in energy: more is growth, not scatter 
 
 }  // namespace
 
-void CalmWatch::reset() noexcept {
+void CalmWatch::reset() {
   floorGone_ = false;
   seconds_ = level_ = 0.0;
 }
 
-void CalmWatch::watch(double changed, bool quiet, double seconds) noexcept {
+void CalmWatch::watch(double changed, bool quiet, double seconds) {
   slow_ += (1.0 - std::exp(-1.0 / (kCalmTurns * kHopsPerTurn))) * (changed - slow_);
   const bool little = quiet && (floorGone_ || changed < kLittle);
   if (!(seconds > 0.0) || !little || slow_ > kCalmGrowth * level_) {
@@ -33,7 +33,7 @@ void CalmWatch::watch(double changed, bool quiet, double seconds) noexcept {
   level_ = std::min(level_, slow_);
 }
 
-bool CalmWatch::calm(Hertz spindle) const noexcept {
+bool CalmWatch::calm(Hertz spindle) const {
   return seconds_ > std::max(floorGone_ ? kCalmSeconds : kLongCalm, kCalmTurns / spindle.value);
 }
 

@@ -9,17 +9,17 @@ namespace stillcut::detect {
 
 class CalmWatch {
  public:
-  void reset() noexcept;
+  void reset();
   // The speed changed during an alarm: its floor means nothing any more.
-  void loseFloor() noexcept { floorGone_ = true; }
-  bool floorGone() const noexcept { return floorGone_; }
+  void loseFloor() { floorGone_ = true; }
+  bool floorGone() const { return floorGone_; }
 
   // One hop. changed: E_d / E_x now; quiet: the ratio is well below that of full chatter; seconds: of an alarm, 0 while
   // there is none.
-  void watch(double changed, bool quiet, double seconds) noexcept;
-  bool calm(Hertz spindle) const noexcept;
+  void watch(double changed, bool quiet, double seconds);
+  bool calm(Hertz spindle) const;
   // The cut was left.
-  void forgetLevel() noexcept { slow_ = 0.0; }
+  void forgetLevel() { slow_ = 0.0; }
 
  private:
   bool floorGone_ = false;

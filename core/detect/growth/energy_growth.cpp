@@ -21,7 +21,7 @@ constexpr int kBumpHops = 2 * kHopsPerTurn;  // of a forced vibration that begin
 
 }  // namespace
 
-void EnergyGrowth::restart() noexcept {
+void EnergyGrowth::restart() {
   sums_ = {};
   hops_ = {};
   newest_ = 0;
@@ -29,7 +29,7 @@ void EnergyGrowth::restart() noexcept {
   sinceLeap_ = kLevelHops;
 }
 
-void EnergyGrowth::add(std::span<const double> x, std::span<const double> unrepeated) noexcept {
+void EnergyGrowth::add(std::span<const double> x, std::span<const double> unrepeated) {
   Energies sums = sums_;
   for (std::size_t f = 0; f < x.size(); ++f) {
     sums.all += x[f] * x[f];
@@ -38,7 +38,7 @@ void EnergyGrowth::add(std::span<const double> x, std::span<const double> unrepe
   sums_ = sums;
 }
 
-void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
+void EnergyGrowth::endHop(int windowHops, Seconds length) {
   newest_ = (newest_ + 1) % kLevelHops;
   hops_[static_cast<std::size_t>(newest_)] = sums_;
   sums_ = {};
@@ -63,13 +63,13 @@ void EnergyGrowth::endHop(int windowHops, Seconds length) noexcept {
   if (leapt()) leap_ = std::max(leap_, energy_);
 }
 
-void EnergyGrowth::leapWith(const EnergyGrowth& other) noexcept {
+void EnergyGrowth::leapWith(const EnergyGrowth& other) {
   if (other.sinceLeap_ > 0) return;
   sinceLeap_ = 0;
   leap_ = std::max(leap_, energy_);
 }
 
-void EnergyGrowth::test(int windowHops, bool learn) noexcept {
+void EnergyGrowth::test(int windowHops, bool learn) {
   const auto newest = statistic_.atOnce && level_ > 0.0 ? std::optional(ago(0).changed / level_) : std::nullopt;
   onset_.update(changed_, 1.0 / windowHops, learn, energy_, newest);
   watchStanding(learn);
@@ -80,7 +80,7 @@ void EnergyGrowth::test(int windowHops, bool learn) noexcept {
   if (newLoad || calm) leap_ = 0.0;
 }
 
-void EnergyGrowth::watchStanding(bool unheard) noexcept {
+void EnergyGrowth::watchStanding(bool unheard) {
   if (!unheard || !onset_.alarm()) {
     unheardTurns_ = unheardLevel_ = 0.0;
   } else if (changed_ > kStillGrows * unheardLevel_) {
@@ -91,48 +91,48 @@ void EnergyGrowth::watchStanding(bool unheard) noexcept {
   }
 }
 
-double EnergyGrowth::levelTrend() const noexcept {
+double EnergyGrowth::levelTrend() const {
   double turn = 0.0;
   for (int k = 0; k < kHopsPerTurn; ++k) turn += ago(k).all;
   return level_ > 0.0 ? turn / (kHopsPerTurn * level_) : 1.0;
 }
 
-double EnergyGrowth::changedIn(int from, int hops) const noexcept {
+double EnergyGrowth::changedIn(int from, int hops) const {
   double e = 0.0;
   for (int k = from; k < from + hops; ++k) e += ago(k).changed;
   return e;
 }
 
-bool EnergyGrowth::grows() const noexcept {
+bool EnergyGrowth::grows() const {
   constexpr int kTurn = kHopsPerTurn;
   const double now = changedIn(0, kTurn);
   const double before = changedIn(kTurn, kTurn);
   return now > kGrowth * before && before > kGrowth * changedIn(2 * kTurn, kTurn) && steepens(kTurn, 1.0);
 }
 
-bool EnergyGrowth::steepens(int hops, double scatter) const noexcept {
+bool EnergyGrowth::steepens(int hops, double scatter) const {
   const double before = changedIn(hops, hops);
   return changedIn(0, hops) * changedIn(2 * hops, hops) * scatter > before * before;
 }
 
-bool EnergyGrowth::rising() const noexcept {
+bool EnergyGrowth::rising() const {
   return onset_.alarm() && changed_ > statistic_.risingPart * statistic_.arrival && explainsEnergy() &&
          steepens(kHalfTurn, kScatter) && onset_.evidence() > kRisingEvidence * onset_.evidenceLimit() && grows();
 }
 
-bool EnergyGrowth::explainsEnergy() const noexcept {
+bool EnergyGrowth::explainsEnergy() const {
   double change = 0.0;
   for (int k = 0; k < kHopsPerTurn; ++k) change += ago(k).all - ago(k + kHopsPerTurn).all;
   return std::abs(change) < kBeating * changedIn(0, kHopsPerTurn) / statistic_.arrival;
 }
 
-bool EnergyGrowth::leaps(Seconds length) const noexcept {
+bool EnergyGrowth::leaps(Seconds length) const {
   const double steepest = std::min(std::exp(2.0 * length.value / kFastest.value), kSteepest);
   // One that begins within a hop takes two.
   return leaps(1, kLeap * steepest) || leaps(2, kLeap * steepest * steepest);
 }
 
-bool EnergyGrowth::leaps(int hops, double limit) const noexcept {
+bool EnergyGrowth::leaps(int hops, double limit) const {
   double most = 0.0;
   double all = 0.0;
   for (int k = hops; k < hops + kHopsPerTurn; ++k) {
@@ -142,7 +142,7 @@ bool EnergyGrowth::leaps(int hops, double limit) const noexcept {
   return onset_.learned() && ago(0).changed > limit * std::max(most, onset_.floor() * all);
 }
 
-bool EnergyGrowth::steadyGrowth() const noexcept {
+bool EnergyGrowth::steadyGrowth() const {
   if (leapt() || energy_ < kBeyond * leap_) return false;
   const double now = changedIn(0, kHopsPerTurn);
   double most = 0.0;

@@ -25,7 +25,7 @@ using Turns = std::array<std::complex<double>, kMostTurns + kStillTurns>;
 
 // Phase by which the line is ahead of `rough` [rad per frame] in a turn, if it has come since `still` turns ago, times
 // its part of the power; 0 if the forced vibration's unrest there, adding up turn by turn, leaves that phase in doubt.
-std::complex<double> turning(const Turns& e, std::size_t still, double rough, const NewLine::TurnsAgo& ago) noexcept {
+std::complex<double> turning(const Turns& e, std::size_t still, double rough, const NewLine::TurnsAgo& ago) {
   const std::complex<double> forced = (e[still] + e[still + 1] + e[still + 2]) / 3.0;
   const double unrest = std::max(std::abs(e[still] - e[still + 1]), std::abs(e[still + 1] - e[still + 2]));
   std::complex<double> product = 0.0;
@@ -52,11 +52,11 @@ void NewLine::prepare(int channels, int window, Hertz rate) {
   ring_.prepare(channels, window);
 }
 
-void NewLine::reset() noexcept {
+void NewLine::reset() {
   ring_.reset();
 }
 
-void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) {
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min(frames - done, ring_.window());
     ring_.push(x + done, stride, now);
@@ -64,7 +64,7 @@ void NewLine::push(const double* x, std::ptrdiff_t stride, std::size_t frames) n
   }
 }
 
-NewLine::TurnsAgo NewLine::atSpeed(Hertz spindle) const noexcept {
+NewLine::TurnsAgo NewLine::atSpeed(Hertz spindle) const {
   TurnsAgo ago{};
   for (std::size_t k = 0; k < ago.size(); ++k) ago[k] = static_cast<double>(k) * rate_ / spindle.value;
   return ago;
@@ -72,7 +72,7 @@ NewLine::TurnsAgo NewLine::atSpeed(Hertz spindle) const noexcept {
 
 // E_k at an order, which may be a fraction. False where less is remembered.
 bool NewLine::windowOf(std::span<const double> newest, double order, const TurnsAgo& ago, std::size_t k,
-                       std::complex<double>& out) const noexcept {
+                       std::complex<double>& out) const {
   const double length = ago[k + kWindowTurns] - ago[k];
   if (!(length >= 1.0)) return false;
   const auto window = static_cast<std::size_t>(std::lround(length));
@@ -96,7 +96,7 @@ bool NewLine::windowOf(std::span<const double> newest, double order, const Turns
 
 // 0: no line has come.
 std::complex<double> NewLine::advance(std::span<const double> newest, double order, double w,
-                                      const TurnsAgo& ago) const noexcept {
+                                      const TurnsAgo& ago) const {
   Turns e{};
   const auto turns = static_cast<std::size_t>(kStays.value * rate_ / ago[1]);
   const std::size_t most = std::clamp(turns, kLeastTurns, kMostTurns);
@@ -109,11 +109,11 @@ std::complex<double> NewLine::advance(std::span<const double> newest, double ord
   return 0.0;
 }
 
-std::span<const double> NewLine::newest(int channel) const noexcept {
+std::span<const double> NewLine::newest(int channel) const {
   return ring_.newest(channel).last(ring_.seen());
 }
 
-bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const noexcept {
+bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const {
   const TurnsAgo ago = atSpeed(spindle);
   const std::span<const double> all = newest(channel);
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -122,7 +122,7 @@ bool NewLine::turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::co
   return true;
 }
 
-Hertz NewLine::frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const noexcept {
+Hertz NewLine::frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const {
   if (!(spindle.value > 0.0) || !(rough.value > 0.0)) return Hertz(0.0);
   std::complex<double> all = 0.0;
   for (int c = 0; c < channels_; ++c) {

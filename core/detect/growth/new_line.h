@@ -25,28 +25,27 @@ class NewLine {
  public:
   // window: samples that are remembered, kTurnsBack turns or so.
   void prepare(int channels, int window, Hertz rate);
-  void reset() noexcept;
+  void reset();
   // x[channel * stride + frame], the vibration.
-  void push(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
+  void push(const double* x, std::ptrdiff_t stride, std::size_t frames);
   // Frames since the spindle stood 0, 1, 2 ... whole turns back, which is as far as is looked.
   static constexpr std::size_t kTurnsBack = 25;
   using TurnsAgo = std::array<double, kTurnsBack>;
   // Of the line near `rough`, at most half a spindle order from it, over all channels by its part of them. 0 where none
   // has come within the last 0.2 s, twelve turns at least and twenty at most, and where the forced vibration before it
   // was too restless to tell.
-  Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const noexcept;
+  Hertz frequency(Hertz rough, Hertz spindle, const TurnsAgo& ago) const;
   // ... at a constant speed.
-  Hertz frequency(Hertz rough, Hertz spindle) const noexcept { return frequency(rough, spindle, atSpeed(spindle)); }
+  Hertz frequency(Hertz rough, Hertz spindle) const { return frequency(rough, spindle, atSpeed(spindle)); }
   // E_0, E_1, ... of one channel; false where not so many turns are remembered.
-  bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const noexcept;
+  bool turnsOf(int channel, Hertz rough, Hertz spindle, std::span<std::complex<double>> out) const;
 
  private:
-  TurnsAgo atSpeed(Hertz spindle) const noexcept;
-  std::span<const double> newest(int channel) const noexcept;
+  TurnsAgo atSpeed(Hertz spindle) const;
+  std::span<const double> newest(int channel) const;
   bool windowOf(std::span<const double> newest, double order, const TurnsAgo& ago, std::size_t k,
-                std::complex<double>& out) const noexcept;
-  std::complex<double> advance(std::span<const double> newest, double order, double w,
-                               const TurnsAgo& ago) const noexcept;
+                std::complex<double>& out) const;
+  std::complex<double> advance(std::span<const double> newest, double order, double w, const TurnsAgo& ago) const;
 
   dsp::kernels::Kernels kernels_;
   double rate_ = 0.0;

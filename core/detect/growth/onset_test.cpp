@@ -23,14 +23,14 @@ constexpr double kMostRaised = 100.0;
 
 }  // namespace
 
-void OnsetTest::reset() noexcept {
+void OnsetTest::reset() {
   mean_ = meanEnergy_ = shortMean_ = learnedTurns_ = evidence_ = calmTurns_ = 0.0;
   variance_ = raised_ = 1.0;
   shortVariance_ = 0.0;
   alarm_ = standsOut_ = false;
 }
 
-double OnsetTest::raise(double factor) noexcept {
+double OnsetTest::raise(double factor) {
   if (learnedTurns_ == 0.0) return factor;
   const double by = std::min(factor, kMostRaised / raised_);
   raised_ *= by;
@@ -40,26 +40,26 @@ double OnsetTest::raise(double factor) noexcept {
   return by;
 }
 
-void OnsetTest::setSpindle(Hertz spindle) noexcept {
+void OnsetTest::setSpindle(Hertz spindle) {
   memoryTurns_ = std::max(kMemoryTurns, kMemory.value * spindle.value);
 }
 
-double OnsetTest::shape() const noexcept {
+double OnsetTest::shape() const {
   const double variance = variance_ * (1.0 + kCutOff * std::min(variance_, 1.0));
   return std::clamp(1.0 / std::max(variance, 1e-6), 0.5, kMostShape);
 }
 
 // The mean over kShortTurns of a process with the integral correlation time c has the variance c / (2 kShortTurns).
-double OnsetTest::correlation() const noexcept {
+double OnsetTest::correlation() const {
   return std::clamp(2.0 * kShortTurns * shortVariance_ * shape(), 1.0, kMostCorrelation);
 }
 
 // Relative standard deviation of a mean over so many turns.
-double OnsetTest::doubt(double turns) const noexcept {
+double OnsetTest::doubt(double turns) const {
   return std::sqrt(correlation() / (shape() * std::max(turns, 1.0)));
 }
 
-void OnsetTest::update(double ratio, double turns, bool learn, double energy, std::optional<double> newest) noexcept {
+void OnsetTest::update(double ratio, double turns, bool learn, double energy, std::optional<double> newest) {
   if (!learned()) {
     if (learn) follow(ratio, turns, energy);
     return;
@@ -91,7 +91,7 @@ void OnsetTest::update(double ratio, double turns, bool learn, double energy, st
   if (learn) follow(ratio, turns, energy);
 }
 
-void OnsetTest::follow(double ratio, double turns, double energy) noexcept {
+void OnsetTest::follow(double ratio, double turns, double energy) {
   if (learnedTurns_ == 0.0) {
     mean_ = shortMean_ = ratio;
     meanEnergy_ = energy;

@@ -32,42 +32,41 @@ class OnsetTest {
     double evidence = 12.0;      // log-likelihood ratio [nepers] at which growth is believed
   };
 
-  void prepare(const Limits& limits) noexcept { limits_ = limits; }
-  void reset() noexcept;
+  void prepare(const Limits& limits) { limits_ = limits; }
+  void reset();
   // How fast one turn follows the other: the floor's memory is at least a second, for chatter grows in time and not in
   // turns, and on a fast spindle would become its own floor.
-  void setSpindle(Hertz spindle) noexcept;
+  void setSpindle(Hertz spindle);
   // ratio: E_d / E_x of the last turn; turns: length of this step. learn: the cut is steady and nobody alarms. energy:
   // E_d itself, in any unit; 0 where it is not known. newest: the part of `ratio` that is of this step, times as many
   // steps as it is of: evidence counts it at once and not half a turn later; none where ratio is of this step alone.
-  void update(double ratio, double turns, bool learn, double energy = 0.0,
-              std::optional<double> newest = std::nullopt) noexcept;
+  void update(double ratio, double turns, bool learn, double energy = 0.0, std::optional<double> newest = std::nullopt);
 
   // What was learned was learned of something that may be so much larger now without having grown. Returns by how much
   // it counts as more: in all by no more than a hundred times until it is learned anew, which is what a mode damped by
   // 1 % makes of an order that comes from 10 % beside it.
-  double raise(double factor) noexcept;
+  double raise(double factor);
 
-  bool learned() const noexcept { return learnedTurns_ >= kLearnTurns; }
-  bool alarm() const noexcept { return alarm_; }
+  bool learned() const { return learnedTurns_ >= kLearnTurns; }
+  bool alarm() const { return alarm_; }
   // ... and what made it is there now: an alarm outlasts it by some turns.
-  bool grown() const noexcept { return alarm_ && standsOut_; }
-  double evidence() const noexcept { return evidence_; }
-  double evidenceLimit() const noexcept { return limits_.evidence; }
+  bool grown() const { return alarm_ && standsOut_; }
+  double evidence() const { return evidence_; }
+  double evidenceLimit() const { return limits_.evidence; }
   // Learned floor of E_d / E_x (mean), the shape k of its distribution, and its correlation time in turns.
-  double floor() const noexcept { return mean_; }
-  double shape() const noexcept;
-  double correlation() const noexcept;
+  double floor() const { return mean_; }
+  double shape() const;
+  double correlation() const;
   // E_d / E_x from which the newest turn is growth, at the floor of now.
-  double leastGrowth() const noexcept { return std::max(kGrowth * mean_, limits_.smallestRatio); }
+  double leastGrowth() const { return std::max(kGrowth * mean_, limits_.smallestRatio); }
   // Mean of the energies that the floor was learned with.
-  double floorEnergy() const noexcept { return meanEnergy_; }
+  double floorEnergy() const { return meanEnergy_; }
   static constexpr double kLearnTurns = 8.0;
   static constexpr double kGrowth = 4.0;  // in energy: twice the amplitude, or it is not worth the word
 
  private:
-  void follow(double ratio, double turns, double energy) noexcept;
-  double doubt(double turns) const noexcept;
+  void follow(double ratio, double turns, double energy);
+  double doubt(double turns) const;
 
   Limits limits_;
   double memoryTurns_ = 40.0;

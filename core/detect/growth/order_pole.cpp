@@ -30,7 +30,7 @@ struct Load {
 // By all tooth passings but the two that the order lies between. A speed that is followed strays by a tenth of a per
 // cent for some turns, and every order turns by it.
 bool readTeeth(const NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle,
-               Load& out) noexcept {
+               Load& out) {
   std::array<Turns, kPassings> passings{};
   std::array<int, kPassings> orders{};
   std::size_t count = 0;
@@ -66,7 +66,7 @@ bool readTeeth(const NewLine& vibration, int channel, const OrderPole::Teeth& te
 
 // The order's amplitude, where the spindle really stood, and the load.
 bool readOrder(const NewLine& vibration, int channel, const OrderPole::Teeth& teeth, int order, Hertz spindle, Turns& e,
-               Load& t) noexcept {
+               Load& t) {
   if (teeth.count < 1 || order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) ||
       !readTeeth(vibration, channel, teeth, order, spindle, t))
     return false;
@@ -75,17 +75,17 @@ bool readOrder(const NewLine& vibration, int channel, const OrderPole::Teeth& te
 }
 
 // In a turn, over two.
-double growthOf(std::complex<double> now, std::complex<double> before) noexcept {
+double growthOf(std::complex<double> now, std::complex<double> before) {
   return 0.5 * std::log(std::abs(now) / std::abs(before));
 }
 
 template <class Values>
-double powerOf(const Values& values) noexcept {
+double powerOf(const Values& values) {
   return std::accumulate(values.begin(), values.end(), 0.0, [](double sum, auto v) { return sum + std::norm(v); });
 }
 
 template <class Values>
-void takeMean(Values& values) noexcept {
+void takeMean(Values& values) {
   using Value = typename Values::value_type;
   const Value mean = std::accumulate(values.begin(), values.end(), Value{}) / static_cast<double>(values.size());
   for (Value& v : values) v -= mean;
@@ -94,7 +94,7 @@ void takeMean(Values& values) noexcept {
 }  // namespace
 
 // Both sides of the equation over each turn, without what f0 and f1 take of them.
-bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept {
+bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) {
   Turns e{};
   Load t;
   if (!readOrder(vibration, channel, teeth, order, spindle, e, t)) return false;
@@ -135,8 +135,7 @@ bool OrderPole::fit(const NewLine& vibration, int channel, const Teeth& teeth, i
 }
 
 // Gram and Schmidt: of each column what those before it leave; the pole's is the last but one.
-bool OrderPole::fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order,
-                          Hertz spindle) noexcept {
+bool OrderPole::fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) {
   constexpr std::size_t kKnown = 4;
   Turns e{};
   Load t;
@@ -167,17 +166,17 @@ bool OrderPole::fitMoving(const NewLine& vibration, int channel, const Teeth& te
   return true;
 }
 
-bool OrderPole::settles(Hertz spindle) const noexcept {
+bool OrderPole::settles(Hertz spindle) const {
   return pole.real() + kSettlesSure * doubt < std::min(kSettles, 1.0 / (kSettling.value * spindle.value));
 }
 
-bool OrderPole::mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept {
+bool OrderPole::mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) {
   std::array<std::complex<double>, 3> e{};
   if (order < 1 || !vibration.turnsOf(channel, spindle * order, spindle, e) || !(std::abs(e[2]) > 0.0)) return false;
   return growthOf(e[0], e[2]) >= kAsPole * kLeastPole;
 }
 
-bool OrderPole::growsByItself() const noexcept {
+bool OrderPole::growsByItself() const {
   if (growth < kAsPole * pole.real()) return false;
   return pole.real() > std::max(kLeastPole, kSure * doubt + kByLoad * std::max(load, 0.0) / growth);
 }

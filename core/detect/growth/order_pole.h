@@ -41,15 +41,15 @@ struct OrderPole {
     int harmonics = 0;  // of the spindle, as many as the rate can tell
   };
   // False where not so many turns are remembered, or nothing is there.
-  bool fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
-  bool growsByItself() const noexcept;
+  bool fit(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle);
+  bool growsByItself() const;
   // The pole of now and its doubt, of one that moves with the load; `growth` and `load` are left as they are.
-  bool fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle) noexcept;
+  bool fitMoving(const NewLine& vibration, int channel, const Teeth& teeth, int order, Hertz spindle);
   // After that: it surely grows by itself by next to nothing, or falls. So does chatter that has grown as large as it
   // gets.
-  bool settles(Hertz spindle) const noexcept;
+  bool settles(Hertz spindle) const;
   // Is the order's growth in the last two turns enough for that, whatever its pole? A fit costs twenty times as much.
-  static bool mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle) noexcept;
+  static bool mayGrow(const NewLine& vibration, int channel, int order, Hertz spindle);
 };
 
 }  // namespace stillcut::detect

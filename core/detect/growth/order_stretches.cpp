@@ -29,25 +29,25 @@ void OrderStretches::prepare(int teeth, std::size_t orders) {
   learned_.assign(orders, {});
 }
 
-void OrderStretches::setSpindle(Hertz spindle) noexcept {
+void OrderStretches::setSpindle(Hertz spindle) {
   turnsPerRow_ = std::max(1, static_cast<int>(std::lround(kLeastStretch.value * spindle.value / kStretch)));
   const double stretch = static_cast<double>(kStretch) * turnsPerRow_ / std::max(spindle.value, 1.0);
   faster_ = std::exp(std::min(stretch / kSlowest.value, kMostFolds));
   settling_ = std::exp(std::min(stretch / kNearLimit.value, kMostFolds));
 }
 
-OrderStretches::Row OrderStretches::ago(std::size_t rows) const noexcept {
+OrderStretches::Row OrderStretches::ago(std::size_t rows) const {
   return std::span(rows_).subspan((newest_ + kRows - rows) % kRows * orders_, orders_);
 }
 
-double OrderStretches::teethOf(Row row) const noexcept {
+double OrderStretches::teethOf(Row row) const {
   double power = 0.0;
   for (std::size_t n = teeth_; n <= orders_; n += teeth_) power += std::norm(row[n - 1]);
   return std::sqrt(power);
 }
 
 template <class Amplitude>
-double OrderStretches::ofClass(int rest, const Amplitude& amplitude) const noexcept {
+double OrderStretches::ofClass(int rest, const Amplitude& amplitude) const {
   double power = 0.0;
   const auto one = static_cast<std::size_t>(rest);
   const std::size_t over = teeth_ - 2 * one;  // from kZ + rest to (k + 1) Z - rest; 0: they are the same
@@ -58,7 +58,7 @@ double OrderStretches::ofClass(int rest, const Amplitude& amplitude) const noexc
   return std::sqrt(power);
 }
 
-double OrderStretches::added(int rest, std::size_t rowsAgo) const noexcept {
+double OrderStretches::added(int rest, std::size_t rowsAgo) const {
   const Row now = ago(rowsAgo);
   const Row before = ago(rowsAgo + kStretch);
   const double scaleNow = teethOf(now);
@@ -67,14 +67,14 @@ double OrderStretches::added(int rest, std::size_t rowsAgo) const noexcept {
   return ofClass(rest, [&](std::size_t i) { return now[i] / scaleNow - before[i] / scaleBefore; });
 }
 
-double OrderStretches::size(int rest, std::size_t rowsAgo) const noexcept {
+double OrderStretches::size(int rest, std::size_t rowsAgo) const {
   const Row now = ago(rowsAgo);
   const double scale = teethOf(now);
   return scale > 0.0 ? ofClass(rest, [&](std::size_t i) { return now[i]; }) / scale : 0.0;
 }
 
 // Sine of the angle between the tooth passings of now and those of a stretch ago, as vectors: 0 while they only scale.
-double OrderStretches::patternChange() const noexcept {
+double OrderStretches::patternChange() const {
   const Row now = ago(0);
   const Row before = ago(kStretch);
   std::complex<double> product = 0.0;
@@ -84,7 +84,7 @@ double OrderStretches::patternChange() const noexcept {
   return std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
 }
 
-void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept {
+void OrderStretches::endTurn(std::span<const std::complex<double>> now) {
   if (teeth_ == 0 || ++turns_ < turnsPerRow_) return;
   turns_ = 0;
   newest_ = (newest_ + 1) % kRows;
@@ -96,31 +96,31 @@ void OrderStretches::endTurn(std::span<const std::complex<double>> now) noexcept
   pattern_ = patternChange();
 }
 
-bool OrderStretches::ownGrowth(int rest) const noexcept {
+bool OrderStretches::ownGrowth(int rest) const {
   return added(rest, 0) > pattern_;
 }
 
-bool OrderStretches::growsOn(int rest) const noexcept {
+bool OrderStretches::growsOn(int rest) const {
   return ownGrowth(rest) && size(rest, 0) > kGrowsOn * size(rest, kStretch) &&
          added(rest, 0) > settling_ * added(rest, kStretch);
 }
 
-double OrderStretches::loadChange(std::size_t rowsAgo) const noexcept {
+double OrderStretches::loadChange(std::size_t rowsAgo) const {
   const double now = teethOf(ago(rowsAgo));
   return now > 0.0 ? std::abs(now - teethOf(ago(rowsAgo + kStretch))) / now : 0.0;
 }
 
-bool OrderStretches::engagementChanges() const noexcept {
+bool OrderStretches::engagementChanges() const {
   return pattern_ > kOther;
 }
 
-void OrderStretches::learnEngagement() noexcept {
+void OrderStretches::learnEngagement() {
   const Row now = ago(0);
   std::transform(now.begin(), now.end(), learned_.begin(), [](const auto& a) { return std::abs(a); });
 }
 
 // By their sizes alone: over seconds the angle they are told against wanders, and after a gap it is another one.
-bool OrderStretches::otherEngagement() const noexcept {
+bool OrderStretches::otherEngagement() const {
   const Row now = ago(0);
   double product = 0.0;
   double power = 0.0;
@@ -133,7 +133,7 @@ bool OrderStretches::otherEngagement() const noexcept {
   return 1.0 - cosine * cosine > kOther * kOther;
 }
 
-bool OrderStretches::unstableGrowth(int rest) const noexcept {
+bool OrderStretches::unstableGrowth(int rest) const {
   const double latest = added(rest, 0);
   const double byLoad = loadChange(0) / (loadChange(kStretch) + kLeastStep);
   const double bound = latest / (faster_ * std::max(1.0, byLoad));
@@ -144,7 +144,7 @@ bool OrderStretches::unstableGrowth(int rest) const noexcept {
   return true;
 }
 
-bool OrderStretches::lockedGrowth(int rest) const noexcept {
+bool OrderStretches::lockedGrowth(int rest) const {
   const double latest = added(rest, 0);
   return latest > kClearly * pattern_ && latest > faster_ * added(rest, kStretch);
 }

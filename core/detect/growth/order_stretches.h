@@ -27,44 +27,44 @@ namespace stillcut::detect {
 class OrderStretches {
  public:
   void prepare(int teeth, std::size_t orders);
-  void setSpindle(Hertz spindle) noexcept;
+  void setSpindle(Hertz spindle);
   // What came before is of another cut or load: growth is compared with none of its stretches but the last.
-  void forget() noexcept { known_ = 0; }
+  void forget() { known_ = 0; }
   // One turn: complex amplitudes against the spindle's angle of the orders 1, 2, ...
-  void endTurn(std::span<const std::complex<double>> now) noexcept;
+  void endTurn(std::span<const std::complex<double>> now);
 
   // Of the orders n = +-rest modulo the teeth; rest 1 .. teeth / 2: has the last stretch added more than the engagement
   // has changed,
-  bool ownGrowth(int rest) const noexcept;
+  bool ownGrowth(int rest) const;
   // ... and made it larger, sooner than a mode near its limit follows a load,
-  bool growsOn(int rest) const noexcept;
+  bool growsOn(int rest) const;
   // ... or added to it at the rate of an instability, as period doubling does that grows out of runout?
-  bool unstableGrowth(int rest) const noexcept;
+  bool unstableGrowth(int rest) const;
   // ... at that rate far more than the engagement changes, as a line does that has locked to its order?
-  bool lockedGrowth(int rest) const noexcept;
+  bool lockedGrowth(int rest) const;
   // Is the tooth passings' pattern another one than a stretch ago?
-  bool engagementChanges() const noexcept;
+  bool engagementChanges() const;
   // That pattern of now is the one that floors are learned in, as far as its sizes go.
-  void learnEngagement() noexcept;
+  void learnEngagement();
   // Is it another one by now?
-  bool otherEngagement() const noexcept;
+  bool otherEngagement() const;
 
  private:
   using Row = std::span<const std::complex<double>>;
   static constexpr std::size_t kStretch = 8;  // rows
   static constexpr std::size_t kStretches = 5;
   static constexpr std::size_t kRows = kStretches * kStretch + 1;
-  Row ago(std::size_t rows) const noexcept;
-  double teethOf(Row row) const noexcept;
+  Row ago(std::size_t rows) const;
+  double teethOf(Row row) const;
   // Root of the sum of squares of what amplitude(order - 1) says of the class's orders.
   template <class Amplitude>
-  double ofClass(int rest, const Amplitude& amplitude) const noexcept;
-  double added(int rest, std::size_t rowsAgo) const noexcept;
+  double ofClass(int rest, const Amplitude& amplitude) const;
+  double added(int rest, std::size_t rowsAgo) const;
   // Amplitude of the class over that of the tooth passings.
-  double size(int rest, std::size_t rowsAgo) const noexcept;
-  double patternChange() const noexcept;
+  double size(int rest, std::size_t rowsAgo) const;
+  double patternChange() const;
   // Relative change of the load in the stretch that ended so many rows ago.
-  double loadChange(std::size_t rowsAgo) const noexcept;
+  double loadChange(std::size_t rowsAgo) const;
 
   std::size_t teeth_ = 0;
   std::size_t orders_ = 0;

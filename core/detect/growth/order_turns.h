@@ -15,16 +15,16 @@ class OrderTurns {
 
   void prepare(int orders);
   // One turn: complex amplitudes against the spindle's angle of the orders 1, 2, ...
-  void endTurn(std::span<const std::complex<double>> now) noexcept;
+  void endTurn(std::span<const std::complex<double>> now);
 
   // Of an order that there is not: nothing. In turns per turn, which is where its line stands beside it, in orders; ...
-  double drift(int order) const noexcept;
+  double drift(int order) const;
   // ... is it all one line, and further from the order than the spindle's speed is in doubt?
-  bool turns(int order) const noexcept;
+  bool turns(int order) const;
   // By how much of itself it changes in a turn; infinite where nothing was there.
-  double change(int order) const noexcept;
+  double change(int order) const;
   // Of the energy of a line there, what all other orders hold of it.
-  double leak(int order, double energy) const noexcept;
+  double leak(int order, double energy) const;
 
   static constexpr double kLeastDrift = 0.012;  // orders: what a spindle known to 0.1 % leaves at the twelfth order
 
@@ -35,7 +35,7 @@ class OrderTurns {
     double power = 0.0;            // the same without phases
     double past = 0.0;             // energy a turn ago
   };
-  const Order* at(int order) const noexcept;
+  const Order* at(int order) const;
   std::vector<Order> orders_;
 };
 

@@ -9,22 +9,22 @@ namespace stillcut::detect {
 
 class TimedFloor {
  public:
-  void reset() noexcept { share_ = energy_ = 0.0; }
-  void learn(double share, double energy) noexcept {
+  void reset() { share_ = energy_ = 0.0; }
+  void learn(double share, double energy) {
     share_ = share;
     energy_ = energy;
   }
-  bool learned() const noexcept { return share_ > 0.0; }
+  bool learned() const { return share_ > 0.0; }
   // What was learned may be so much larger now without having grown.
-  void raise(double factor) noexcept {
+  void raise(double factor) {
     share_ *= factor;
     energy_ *= factor;
   }
   // So many turns of a cut that is stable, as far as anybody knows.
-  void follow(double share, double energy, double turns, Hertz spindle) noexcept;
+  void follow(double share, double energy, double turns, Hertz spindle);
 
-  double share() const noexcept { return share_; }
-  double energy() const noexcept { return energy_; }
+  double share() const { return share_; }
+  double energy() const { return energy_; }
 
  private:
   double share_ = 0.0;

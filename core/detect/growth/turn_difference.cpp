@@ -19,14 +19,14 @@ void RevolutionDifference::prepare(int channels, Hertz rate, Hertz slowest) {
   reset();
 }
 
-void RevolutionDifference::reset() noexcept {
+void RevolutionDifference::reset() {
   std::fill(ring_.begin(), ring_.end(), 0.0);
   head_ = seen_ = 0;
   turn_ = twoTurns_ = 0.0;
   needed_ = mask_;
 }
 
-void RevolutionDifference::make(double delay, Delay& out) noexcept {
+void RevolutionDifference::make(double delay, Delay& out) {
   const double floor = std::floor(delay);
   const double part = delay - floor;
   // Taps at whole - 7 .. whole + 8 around the wanted delay.
@@ -42,12 +42,12 @@ void RevolutionDifference::make(double delay, Delay& out) noexcept {
   for (double& tap : out.taps) tap /= sum;
 }
 
-void RevolutionDifference::setTurn(Hertz spindle) noexcept {
+void RevolutionDifference::setTurn(Hertz spindle) {
   if (!(spindle.value > 0.0)) return;
   setTurns(rate_ / spindle.value, 2.0 * rate_ / spindle.value);
 }
 
-void RevolutionDifference::setTurns(double one, double two) noexcept {
+void RevolutionDifference::setTurns(double one, double two) {
   const double longest = static_cast<double>(mask_ - kMostFrames) - 2.0 * kTaps;
   const double turn = std::clamp(one, 2.0, 0.5 * longest);
   const double twoTurns = std::clamp(two, turn, longest);
@@ -60,7 +60,7 @@ void RevolutionDifference::setTurns(double one, double two) noexcept {
 }
 
 // Every frame is there twice, so that the taps lie side by side.
-void RevolutionDifference::remember(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept {
+void RevolutionDifference::remember(const double* x, std::ptrdiff_t stride, std::size_t frames) {
   const std::size_t size = mask_ + 1;
   for (int c = 0; c < channels_; ++c) {
     const double* from = x + c * stride;
@@ -70,7 +70,7 @@ void RevolutionDifference::remember(const double* x, std::ptrdiff_t stride, std:
 }
 
 void RevolutionDifference::process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference,
-                                   double* innovation, std::ptrdiff_t outStride) noexcept {
+                                   double* innovation, std::ptrdiff_t outStride) {
   const std::size_t size = mask_ + 1;
   for (std::size_t done = 0; done < frames;) {
     const std::size_t now = std::min({frames - done, kMostFrames, size - head_});
@@ -93,12 +93,12 @@ void RevolutionDifference::process(const double* x, std::ptrdiff_t stride, std::
   }
 }
 
-double RevolutionDifference::differenceGain(double offset) noexcept {
+double RevolutionDifference::differenceGain(double offset) {
   const double chord = 2.0 * std::sin(std::numbers::pi * offset);
   return chord * chord * chord * chord / 6.0;
 }
 
-double RevolutionDifference::newsGain(double offset) noexcept {
+double RevolutionDifference::newsGain(double offset) {
   const double turn = 2.0 * std::numbers::pi * offset;
   const double re = 1.0 - 0.5 * (std::cos(turn) + std::cos(2.0 * turn));
   const double im = 0.5 * (std::sin(turn) + std::sin(2.0 * turn));

@@ -26,22 +26,22 @@ class RevolutionDifference {
  public:
   // slowest: lowest spindle frequency that will be asked for.
   void prepare(int channels, Hertz rate, Hertz slowest);
-  void reset() noexcept;
-  void setTurn(Hertz spindle) noexcept;
+  void reset();
+  void setTurn(Hertz spindle);
   // While the speed changes: how many samples ago the spindle stood one and two turns back.
-  void setTurns(double one, double two) noexcept;
+  void setTurns(double one, double two);
 
   // x[channel * stride + frame] in; out the same with outStride, 0 until two turns are known. news may be null.
   void process(const double* x, std::ptrdiff_t stride, std::size_t frames, double* difference, double* innovation,
-               std::ptrdiff_t outStride) noexcept;
+               std::ptrdiff_t outStride);
   // Part of the power of a line `offset` orders from a harmonic that the difference passes.
-  static double differenceGain(double offset) noexcept;
+  static double differenceGain(double offset);
   // ... and the news.
-  static double newsGain(double offset) noexcept;
+  static double newsGain(double offset);
   // ... that is passed in the line's first turn.
   static constexpr double kDifferenceArrival = 1.0 / 6.0;
   static constexpr double kNewsArrival = 1.0 / 1.5;
-  bool ready() const noexcept { return seen_ > needed_; }
+  bool ready() const { return seen_ > needed_; }
 
  private:
   static constexpr int kTaps = dsp::kernels::kDelayTaps;
@@ -51,8 +51,8 @@ class RevolutionDifference {
     std::array<double, kTaps> taps{};
   };
   static constexpr std::size_t kMostFrames = 256;  // that the ring takes at once
-  static void make(double delay, Delay& out) noexcept;
-  void remember(const double* x, std::ptrdiff_t stride, std::size_t frames) noexcept;
+  static void make(double delay, Delay& out);
+  void remember(const double* x, std::ptrdiff_t stride, std::size_t frames);
 
   dsp::kernels::Kernels kernels_;
   int channels_ = 0;

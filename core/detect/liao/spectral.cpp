@@ -72,7 +72,7 @@ void SpectralDetector::prepare(const CutSetup& setup, const config::ParamSet& pa
   own_.set(OwnWindow, spectrum_.segment() / rate_, why);
 }
 
-void SpectralDetector::retune(const config::ParamSet& params) noexcept {
+void SpectralDetector::retune(const config::ParamSet& params) {
   maskBins_ = params.real(kSpeMask);
   threshold_ = params.isAutomatic(kSpeThreshold) ? 0.0 : params.real(kSpeThreshold);
   purity_ = params.real(kSpePurity);
@@ -85,26 +85,26 @@ double SpectralDetector::chosen(const config::ParamDecl& decl) const {
   return decl.key == kSpeWindow.key ? spectrum_.segment() / rate_ : config::kAutomatic;
 }
 
-void SpectralDetector::reset() noexcept {
+void SpectralDetector::reset() {
   judge_.reset();
   leaveCut();
   restart();
 }
 
-void SpectralDetector::restart() noexcept {
+void SpectralDetector::restart() {
   ring_.reset();
   for (SpectralChannel& c : channels_) c.line = {};
   sinceLook_ = 0;
   steadySeconds_ = 0.0;
 }
 
-void SpectralDetector::leaveCut() noexcept {
+void SpectralDetector::leaveCut() {
   for (SpectralChannel& c : channels_) c.onset.reset();
   highTurns_ = 0.0;
   leading_ = 0;
 }
 
-void SpectralDetector::look(SpectralChannel& c, int index) noexcept {
+void SpectralDetector::look(SpectralChannel& c, int index) {
   spectrum_.transform(ring_.newest(index));
   spectrum_.powers(power_);
   const double norm = std::sqrt(power_[mask_.first()]);
@@ -114,7 +114,7 @@ void SpectralDetector::look(SpectralChannel& c, int index) noexcept {
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
 // the same line over many turns.
-bool SpectralDetector::fromEntry(const LineOutside& line, double turns) noexcept {
+bool SpectralDetector::fromEntry(const LineOutside& line, double turns) {
   const double spindle = turns * rate_ / hop_;
   const bool high = line.severity >= chatterRatio_ && line.purity >= purity_;
   const bool same = std::abs(line.frequency.value - highLine_.value) < kSameLine * spindle;
@@ -123,7 +123,7 @@ bool SpectralDetector::fromEntry(const LineOutside& line, double turns) noexcept
   return highTurns_ > std::max(kEntryTurns, kEntrySeconds * spindle);
 }
 
-void SpectralDetector::analyse(const ConditionedBlock& block) noexcept {
+void SpectralDetector::analyse(const ConditionedBlock& block) {
   const double step = hop_ / rate_;
   const double turns = block.spindle.value * step;
   steadySeconds_ = AlarmStateMachine::steady(block) ? steadySeconds_ + step : 0.0;
@@ -158,7 +158,7 @@ AutoValueTable SpectralDetector::autoValues() const {
   return kOwnValues;
 }
 
-void SpectralDetector::tellOwn() noexcept {
+void SpectralDetector::tellOwn() {
   const SpectralChannel& c = channels_[leading_];
   const bool known = c.onset.learned();
   own_.set(OwnFloor, known ? c.onset.floor() : config::kAutomatic, !known ? 0 : judge_.calm() ? 1 : 2);
@@ -171,7 +171,7 @@ void SpectralDetector::tellOwn() noexcept {
   own_.set(OwnThreshold, heard ? c.line.amplitude * std::sqrt(least / c.line.part) : config::kAutomatic, known ? 2 : 0);
 }
 
-Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept {
+Verdict SpectralDetector::verdict(const ConditionedBlock& block) const {
   Verdict v = judge_.verdict(block);
   const SpectralChannel& c = channels_[leading_];
   v.indicators = {c.line.amplitude, c.line.frequency.value, c.line.part,
@@ -185,7 +185,7 @@ Verdict SpectralDetector::verdict(const ConditionedBlock& block) const noexcept 
   return v;
 }
 
-Verdict SpectralDetector::process(const ConditionedBlock& block) noexcept {
+Verdict SpectralDetector::process(const ConditionedBlock& block) {
   if (!block.valid || channels_.empty()) return judge_.verdict(block);
   if (block.afterGap) restart();
   for (int f = 0; f < block.frames;) {

@@ -54,12 +54,12 @@ class SpectralDetector final : public Detector {
  public:
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  Verdict process(const ConditionedBlock& block) noexcept override;
-  void retune(const config::ParamSet& params) noexcept override;
+  Verdict process(const ConditionedBlock& block) override;
+  void retune(const config::ParamSet& params) override;
   double chosen(const config::ParamDecl& decl) const override;
   AutoValueTable autoValues() const override;
-  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
-  void reset() noexcept override;
+  AutoValue own(std::size_t index) const override { return own_.read(index); }
+  void reset() override;
 
   int window() const { return static_cast<int>(ring_.window()); }
 
@@ -69,13 +69,13 @@ class SpectralDetector final : public Detector {
     LineOutside line;
     int eta = 0;
   };
-  void restart() noexcept;
-  void leaveCut() noexcept;
-  void analyse(const ConditionedBlock& block) noexcept;
-  void look(SpectralChannel& c, int index) noexcept;
-  bool fromEntry(const LineOutside& line, double turns) noexcept;
-  Verdict verdict(const ConditionedBlock& block) const noexcept;
-  void tellOwn() noexcept;
+  void restart();
+  void leaveCut();
+  void analyse(const ConditionedBlock& block);
+  void look(SpectralChannel& c, int index);
+  bool fromEntry(const LineOutside& line, double turns);
+  Verdict verdict(const ConditionedBlock& block) const;
+  void tellOwn();
 
   AutoValues own_;
   dsp::kernels::Kernels kernels_;

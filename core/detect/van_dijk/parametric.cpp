@@ -60,7 +60,7 @@ constexpr double kSameLine = 0.25;  // orders
 constexpr Hertz kSpindleUnknown{20.0};
 
 // f^(2 eta), as the energy ratio weighs a power (Caliskan 2018 eq. 28).
-double weight(double f, int eta) noexcept {
+double weight(double f, int eta) {
   return eta == 0 ? 1.0 : eta > 0 ? f * f : 1.0 / (f * f);
 }
 
@@ -109,7 +109,7 @@ void ParametricDetector::prepare(const CutSetup& setup, const config::ParamSet& 
   reset();
 }
 
-void ParametricDetector::retune(const config::ParamSet& params) noexcept {
+void ParametricDetector::retune(const config::ParamSet& params) {
   delta_ = params.real(kParDelta);
   varianceLimit_ = params.isAutomatic(kParVariance) ? 0.0 : params.real(kParVariance);
   rootLimit_ = params.real(kParRoot);
@@ -123,14 +123,14 @@ double ParametricDetector::chosen(const config::ParamDecl& decl) const {
   return decl.key == kParRate.key ? rate_ : config::kAutomatic;
 }
 
-void ParametricDetector::reset() noexcept {
+void ParametricDetector::reset() {
   judge_.reset();
   leaveCut();
   restart();
   for (ParametricChannel& c : channels_) c.scale = 0.0;
 }
 
-void ParametricDetector::restart() noexcept {
+void ParametricDetector::restart() {
   recursions_.reset();
   history_.reset();
   looks_ = 0.0;
@@ -147,13 +147,13 @@ void ParametricDetector::restart() noexcept {
   steadyTurns_ = 0.0;
 }
 
-void ParametricDetector::leaveCut() noexcept {
+void ParametricDetector::leaveCut() {
   for (ParametricChannel& c : channels_) c.onset.reset();
   highTurns_ = clearTurns_ = 0.0;
   leading_ = 0;
 }
 
-void ParametricDetector::tune(const ConditionedBlock& block) noexcept {
+void ParametricDetector::tune(const ConditionedBlock& block) {
   spindle_ = block.spindle.value > 0.0 ? block.spindle : kSpindleUnknown;
   const double turn = rate_ / spindle_.value;
   stepFrames_ = std::max(1L, std::lround(turn / kStepsPerTurn));
@@ -168,7 +168,7 @@ AutoValueTable ParametricDetector::autoValues() const {
   return kOwnValues;
 }
 
-void ParametricDetector::tellOwn(int active, double mu, double lambda) noexcept {
+void ParametricDetector::tellOwn(int active, double mu, double lambda) {
   own_.set(OwnHarmonics, active, harmonicsSet_ ? 0 : active < kMostHarmonics ? 1 : 2);
   own_.set(OwnMu, mu, mu_ > 0.0 ? 0 : 1);
   own_.set(OwnLambda, lambda, lambda_ > 0.0 ? 0 : 1);
@@ -188,7 +188,7 @@ void ParametricDetector::tellOwn(int active, double mu, double lambda) noexcept 
 }
 
 // Low-passes every frame of the block and keeps one of `factor`. Number of frames kept.
-std::size_t ParametricDetector::thin(const ConditionedBlock& block) noexcept {
+std::size_t ParametricDetector::thin(const ConditionedBlock& block) {
   first_ = (factor_ - phase_) % factor_;
   phase_ = (phase_ + block.frames) % factor_;
   const std::size_t count =
@@ -212,8 +212,7 @@ std::size_t ParametricDetector::thin(const ConditionedBlock& block) noexcept {
 }
 
 // Frames kept, from `from` on, that belong to one step and one turn per frame.
-std::size_t ParametricDetector::stretch(const ConditionedBlock& block, std::size_t from,
-                                        std::size_t count) const noexcept {
+std::size_t ParametricDetector::stretch(const ConditionedBlock& block, std::size_t from, std::size_t count) const {
   const double* step = block.angleStep + first_;
   const auto most = static_cast<std::size_t>(std::max(stepFrames_ - inStep_, 1L));
   std::size_t n = 1;
@@ -221,7 +220,7 @@ std::size_t ParametricDetector::stretch(const ConditionedBlock& block, std::size
   return n;
 }
 
-void ParametricDetector::processFrames(std::size_t from, std::size_t count) noexcept {
+void ParametricDetector::processFrames(std::size_t from, std::size_t count) {
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     ParametricChannel& c = channels_[i];
     const double* x = thinned_.data() + i * most_ + from;
@@ -237,7 +236,7 @@ void ParametricDetector::processFrames(std::size_t from, std::size_t count) noex
   inStep_ += static_cast<long>(count);
 }
 
-void ParametricDetector::readModel(std::size_t channel) noexcept {
+void ParametricDetector::readModel(std::size_t channel) {
   ParametricChannel& c = channels_[channel];
   if (const ArCoefficients theta = recursions_.theta(static_cast<int>(channel)); unstable(theta)) {
     ArRoots newest = rootsOf(theta);
@@ -256,7 +255,7 @@ void ParametricDetector::readModel(std::size_t channel) noexcept {
   c.frequency = rootFrequency(dominant, Hertz(rate_));
 }
 
-double ParametricDetector::density(const ParametricChannel& c) const noexcept {
+double ParametricDetector::density(const ParametricChannel& c) const {
   if (!(c.root > 0.0)) return 0.0;  // no model yet
   ArRoots roots = c.roots;
   reflect(roots, delta_);
@@ -264,7 +263,7 @@ double ParametricDetector::density(const ParametricChannel& c) const noexcept {
 }
 
 // Energy ratio as Caliskan 2018 eq. 28 has it, of the residual at f_c against the harmonics as NLMS holds them.
-double ParametricDetector::severity(std::size_t channel) const noexcept {
+double ParametricDetector::severity(std::size_t channel) const {
   const ParametricChannel& c = channels_[channel];
   if (!(c.frequency.value > 0.0)) return 0.0;
   const double chatter = c.variance * weight(c.frequency.value, c.eta);
@@ -274,15 +273,15 @@ double ParametricDetector::severity(std::size_t channel) const noexcept {
 }
 
 // What the harmonics leave over what they take. The residual is averaged more shortly: it may be ahead.
-double ParametricDetector::odds(const ParametricChannel& c) noexcept {
+double ParametricDetector::odds(const ParametricChannel& c) {
   return c.power > 0.0 ? c.variance / std::max(c.taken, kLeastTaken * c.power) : 0.0;
 }
 
-double ParametricDetector::shareOf(double odds) noexcept {
+double ParametricDetector::shareOf(double odds) {
   return odds / (1.0 + odds);
 }
 
-void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noexcept {
+void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) {
   ParametricChannel& c = channels_[channel];
   const auto n = static_cast<double>(inStep_);
   const double turns = 1.0 / kStepsPerTurn;
@@ -306,7 +305,7 @@ void ParametricDetector::endChannelStep(std::size_t channel, CutPhase phase) noe
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
 // the same root over many turns.
-bool ParametricDetector::fromEntry(const ParametricChannel& c) noexcept {
+bool ParametricDetector::fromEntry(const ParametricChannel& c) {
   const bool same = std::abs(c.frequency.value - highLine_.value) < kSameLine * spindle_.value;
   const bool high = c.severity >= chatterRatio_ && c.root >= rootLimit_ && steadyTurns_ >= kSettleTurns;
   highTurns_ = high && same ? highTurns_ + 1.0 / kStepsPerTurn : 0.0;
@@ -316,7 +315,7 @@ bool ParametricDetector::fromEntry(const ParametricChannel& c) noexcept {
 
 // The dominant root tells which line; its phase tells where it is. Over half a turn it also tells of the line's mirror
 // image about half a tooth passing, which beats with it: the mean over some turns is the stronger line's own.
-void ParametricDetector::follow(Hertz root) noexcept {
+void ParametricDetector::follow(Hertz root) {
   if (++sinceLook_ < kLookSteps) return;
   sinceLook_ = 0;
   const Hertz fine =
@@ -329,7 +328,7 @@ void ParametricDetector::follow(Hertz root) noexcept {
   judge_.follow(line_, spindle_ * (fine.value > 0.0 ? 0.02 : 0.1));
 }
 
-void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
+void ParametricDetector::endStep(const ConditionedBlock& block) {
   const double turns = 1.0 / kStepsPerTurn;
   steadyTurns_ = AlarmStateMachine::steady(block) ? steadyTurns_ + turns : 0.0;
   if (judge_.outdated(block)) leaveCut();
@@ -361,7 +360,7 @@ void ParametricDetector::endStep(const ConditionedBlock& block) noexcept {
   inStep_ = 0;
 }
 
-Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcept {
+Verdict ParametricDetector::verdict(const ConditionedBlock& block) const {
   Verdict v = judge_.verdict(block);
   const ParametricChannel& c = channels_[leading_];
   v.indicators = {c.variance, density(c), c.root, c.frequency.value, shareOf(odds(c)), shareOf(c.onset.floor())};
@@ -373,7 +372,7 @@ Verdict ParametricDetector::verdict(const ConditionedBlock& block) const noexcep
   return v;
 }
 
-Verdict ParametricDetector::process(const ConditionedBlock& block) noexcept {
+Verdict ParametricDetector::process(const ConditionedBlock& block) {
   if (!block.valid || channels_.empty()) return judge_.verdict(block);
   if (block.afterGap) restart();
   tune(block);

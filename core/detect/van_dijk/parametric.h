@@ -76,12 +76,12 @@ class ParametricDetector final : public Detector {
  public:
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  Verdict process(const ConditionedBlock& block) noexcept override;
-  void retune(const config::ParamSet& params) noexcept override;
+  Verdict process(const ConditionedBlock& block) override;
+  void retune(const config::ParamSet& params) override;
   double chosen(const config::ParamDecl& decl) const override;
   AutoValueTable autoValues() const override;
-  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
-  void reset() noexcept override;
+  AutoValue own(std::size_t index) const override { return own_.read(index); }
+  void reset() override;
 
  private:
   static constexpr int kStepsPerTurn = 4;
@@ -104,23 +104,23 @@ class ParametricDetector final : public Detector {
     std::vector<double> weights;  // of its harmonics, l^(2 eta)
   };
 
-  void tune(const ConditionedBlock& block) noexcept;
-  void restart() noexcept;
-  void leaveCut() noexcept;
-  std::size_t thin(const ConditionedBlock& block) noexcept;
-  std::size_t stretch(const ConditionedBlock& block, std::size_t from, std::size_t count) const noexcept;
-  void processFrames(std::size_t from, std::size_t count) noexcept;
-  void endStep(const ConditionedBlock& block) noexcept;
-  void endChannelStep(std::size_t channel, CutPhase phase) noexcept;
-  void follow(Hertz root) noexcept;
-  void readModel(std::size_t channel) noexcept;
-  static double odds(const ParametricChannel& c) noexcept;
-  static double shareOf(double odds) noexcept;
-  double density(const ParametricChannel& c) const noexcept;
-  double severity(std::size_t channel) const noexcept;
-  bool fromEntry(const ParametricChannel& c) noexcept;
-  Verdict verdict(const ConditionedBlock& block) const noexcept;
-  void tellOwn(int active, double mu, double lambda) noexcept;
+  void tune(const ConditionedBlock& block);
+  void restart();
+  void leaveCut();
+  std::size_t thin(const ConditionedBlock& block);
+  std::size_t stretch(const ConditionedBlock& block, std::size_t from, std::size_t count) const;
+  void processFrames(std::size_t from, std::size_t count);
+  void endStep(const ConditionedBlock& block);
+  void endChannelStep(std::size_t channel, CutPhase phase);
+  void follow(Hertz root);
+  void readModel(std::size_t channel);
+  static double odds(const ParametricChannel& c);
+  static double shareOf(double odds);
+  double density(const ParametricChannel& c) const;
+  double severity(std::size_t channel) const;
+  bool fromEntry(const ParametricChannel& c);
+  Verdict verdict(const ConditionedBlock& block) const;
+  void tellOwn(int active, double mu, double lambda);
 
   AutoValues own_;
   bool harmonicsSet_ = false;

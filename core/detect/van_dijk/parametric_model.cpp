@@ -13,18 +13,18 @@ constexpr double kStands = 1e-8;      // the step after such a one would be of i
 constexpr double kOscillates = 1e-6;  // least imaginary part
 
 // Finite numbers only: spares the checks for infinite ones that a product otherwise makes.
-std::complex<double> times(std::complex<double> a, std::complex<double> b) noexcept {
+std::complex<double> times(std::complex<double> a, std::complex<double> b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
 
-std::complex<double> polynomial(const ArCoefficients& theta, std::complex<double> q) noexcept {
+std::complex<double> polynomial(const ArCoefficients& theta, std::complex<double> q) {
   std::complex<double> value = 1.0;
   for (const double t : theta) value = times(value, q) - t;
   return value;
 }
 
 // Weierstrass, until they stand. False: they do not after so many steps, or two stand together.
-bool polish(const ArCoefficients& theta, ArRoots& roots, int steps) noexcept {
+bool polish(const ArCoefficients& theta, ArRoots& roots, int steps) {
   for (int step = 0; step < steps; ++step) {
     double moved = 0.0;
     bool apart = true;
@@ -48,7 +48,7 @@ bool polish(const ArCoefficients& theta, ArRoots& roots, int steps) noexcept {
 
 }  // namespace
 
-ArRoots rootsOf(const ArCoefficients& theta) noexcept {
+ArRoots rootsOf(const ArCoefficients& theta) {
   double radius = 0.0;
   for (const double t : theta) radius = std::max(radius, std::abs(t));
   ArRoots roots;
@@ -59,12 +59,12 @@ ArRoots rootsOf(const ArCoefficients& theta) noexcept {
   return roots;
 }
 
-ArRoots rootsOf(const ArCoefficients& theta, const ArRoots& near) noexcept {
+ArRoots rootsOf(const ArCoefficients& theta, const ArRoots& near) {
   ArRoots roots = near;
   return polish(theta, roots, kFewSteps) ? roots : rootsOf(theta);
 }
 
-bool unstable(const ArCoefficients& theta) noexcept {
+bool unstable(const ArCoefficients& theta) {
   ArCoefficients a{};
   for (std::size_t i = 0; i < a.size(); ++i) a[i] = -theta[i];
   for (std::size_t n = a.size(); n-- > 0;) {
@@ -77,7 +77,7 @@ bool unstable(const ArCoefficients& theta) noexcept {
   return false;
 }
 
-ArCoefficients thetaOf(const ArRoots& roots) noexcept {
+ArCoefficients thetaOf(const ArRoots& roots) {
   std::array<std::complex<double>, kArOrder + 1> c{};
   c[0] = 1.0;
   for (const auto& root : roots) {
@@ -88,7 +88,7 @@ ArCoefficients thetaOf(const ArRoots& roots) noexcept {
   return theta;
 }
 
-bool reflect(ArRoots& roots, double delta) noexcept {
+bool reflect(ArRoots& roots, double delta) {
   bool any = false;
   for (auto& root : roots) {
     const double square = std::norm(root);
@@ -99,7 +99,7 @@ bool reflect(ArRoots& roots, double delta) noexcept {
   return any;
 }
 
-std::complex<double> dominantRoot(const ArRoots& roots) noexcept {
+std::complex<double> dominantRoot(const ArRoots& roots) {
   std::complex<double> oscillating = 0.0;
   std::complex<double> any = 0.0;
   for (const auto& root : roots) {
@@ -110,11 +110,11 @@ std::complex<double> dominantRoot(const ArRoots& roots) noexcept {
   return {found.real(), std::abs(found.imag())};
 }
 
-Hertz rootFrequency(std::complex<double> root, Hertz rate) noexcept {
+Hertz rootFrequency(std::complex<double> root, Hertz rate) {
   return rate * (std::arg(root) / kTwoPi);
 }
 
-double modelDensity(const ArCoefficients& theta, Hertz frequency, Hertz rate) noexcept {
+double modelDensity(const ArCoefficients& theta, Hertz frequency, Hertz rate) {
   const std::complex<double> turn = std::polar(1.0, -kTwoPi * (frequency / rate));
   std::complex<double> turned = turn;
   std::complex<double> d = 1.0;

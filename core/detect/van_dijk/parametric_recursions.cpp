@@ -15,23 +15,23 @@ void ParametricRecursions::prepare(int channels, int harmonics, const Noise& noi
   reset();
 }
 
-void ParametricRecursions::reset() noexcept {
+void ParametricRecursions::reset() {
   harmonics_.reset();
   for (auto& ar : ar_) restart(ar);
 }
 
-void ParametricRecursions::restart(dsp::kernels::ArState& ar) const noexcept {
+void ParametricRecursions::restart(dsp::kernels::ArState& ar) const {
   ar = {};
   for (std::size_t i = 0; i < kArOrder; ++i) ar.p[i * (kArOrder + 1)] = noise_.startVariance;
 }
 
-void ParametricRecursions::tune(int active, double mu, double lambda) noexcept {
+void ParametricRecursions::tune(int active, double mu, double lambda) {
   harmonics_.setActive(active);
   harmonics_.setGain(2.0 * mu / std::max(harmonics_.active(), 1), lambda);
 }
 
 void ParametricRecursions::process(int channel, const double* x, double* rest, std::size_t frames, double scale,
-                                   ArCoefficients& thetaSum) noexcept {
+                                   ArCoefficients& thetaSum) {
   auto& ar = ar_[static_cast<std::size_t>(channel)];
   const ArCoefficients before = thetaSum;
   kernels_.parametric(
@@ -42,13 +42,13 @@ void ParametricRecursions::process(int channel, const double* x, double* rest, s
   thetaSum = before;
 }
 
-ArCoefficients ParametricRecursions::theta(int channel) const noexcept {
+ArCoefficients ParametricRecursions::theta(int channel) const {
   ArCoefficients theta{};
   std::copy_n(ar_[static_cast<std::size_t>(channel)].theta, kArOrder, theta.begin());
   return theta;
 }
 
-void ParametricRecursions::setTheta(int channel, const ArCoefficients& theta) noexcept {
+void ParametricRecursions::setTheta(int channel, const ArCoefficients& theta) {
   std::copy(theta.begin(), theta.end(), ar_[static_cast<std::size_t>(channel)].theta);
 }
 

@@ -22,29 +22,28 @@ class ParametricRecursions {
     double startVariance = 1.0;
   };
   void prepare(int channels, int harmonics, const Noise& noise, const dsp::kernels::Kernels& kernels);
-  void reset() noexcept;
+  void reset();
 
   // Harmonics in use; mu and lambda of eq. 19.
-  void tune(int active, double mu, double lambda) noexcept;
-  int active() const noexcept { return harmonics_.active(); }
+  void tune(int active, double mu, double lambda);
+  int active() const { return harmonics_.active(); }
   // Spindle angle of the next frame and turn per frame [rad].
-  void align(double angle, double step) noexcept { harmonics_.align(angle, step); }
+  void align(double angle, double step) { harmonics_.align(angle, step); }
   // One channel: eq. 19b to `rest`, times `scale` to eq. 25; adds theta of every frame. What is not finite starts the
   // channel anew.
-  void process(int channel, const double* x, double* rest, std::size_t frames, double scale,
-               ArCoefficients& thetaSum) noexcept;
+  void process(int channel, const double* x, double* rest, std::size_t frames, double scale, ArCoefficients& thetaSum);
   // After every channel has had the same frames.
-  void advance(std::size_t frames) noexcept { harmonics_.advance(frames); }
+  void advance(std::size_t frames) { harmonics_.advance(frames); }
 
-  ArCoefficients theta(int channel) const noexcept;
-  void setTheta(int channel, const ArCoefficients& theta) noexcept;
+  ArCoefficients theta(int channel) const;
+  void setTheta(int channel, const ArCoefficients& theta);
   // Sum of weight[l - 1] times the mean square of harmonic l as estimated; weight in whole lanes.
-  double weightedPower(int channel, const double* weight) const noexcept {
+  double weightedPower(int channel, const double* weight) const {
     return 0.5 * harmonics_.weightedPower(channel, weight);
   }
 
  private:
-  void restart(dsp::kernels::ArState& ar) const noexcept;
+  void restart(dsp::kernels::ArState& ar) const;
 
   dsp::kernels::Kernels kernels_;
   Noise noise_;

@@ -90,7 +90,7 @@ void CoherenceDetector::prepare(const CutSetup& setup, const config::ParamSet& p
   own_.set(OwnSegment, spectrum_.segment() / rate_, why);
 }
 
-void CoherenceDetector::retune(const config::ParamSet& params) noexcept {
+void CoherenceDetector::retune(const config::ParamSet& params) {
   gammaRef_ = params.real(kCohGammaRef);
   energyRef_ = params.isAutomatic(kCohEnergyRef) ? 0.0 : params.real(kCohEnergyRef);
   purity_ = params.real(kCohPurity);
@@ -103,13 +103,13 @@ double CoherenceDetector::chosen(const config::ParamDecl& decl) const {
   return decl.key == kCohSegment.key ? spectrum_.segment() / rate_ : config::kAutomatic;
 }
 
-void CoherenceDetector::reset() noexcept {
+void CoherenceDetector::reset() {
   judge_.reset();
   leaveCut();
   restart();
 }
 
-void CoherenceDetector::restart() noexcept {
+void CoherenceDetector::restart() {
   turns_.reset();
   ring_.reset();
   for (CoherenceRatio& pair : pairs_) pair.reset();
@@ -119,14 +119,14 @@ void CoherenceDetector::restart() noexcept {
   settledSeconds_ = energy_ = changedEnergy_ = 0.0;
 }
 
-void CoherenceDetector::leaveCut() noexcept {
+void CoherenceDetector::leaveCut() {
   onset_.reset();
   usual_ = {};
   warned_ = false;
   warnedSeconds_ = lead_ = highTurns_ = 0.0;
 }
 
-void CoherenceDetector::takeEnergies() noexcept {
+void CoherenceDetector::takeEnergies() {
   double all = 0.0;
   double changed = 0.0;
   for (CoherenceChannel& c : channels_) {
@@ -140,7 +140,7 @@ void CoherenceDetector::takeEnergies() noexcept {
   changedEnergy_ = std::sqrt(changed);
 }
 
-void CoherenceDetector::transform() noexcept {
+void CoherenceDetector::transform() {
   peak_ = {};
   for (std::size_t c = 0; c < channels_.size(); ++c) {
     spectrum_.transform(ring_.newest(static_cast<int>(c)));
@@ -155,7 +155,7 @@ void CoherenceDetector::transform() noexcept {
 }
 
 // Coherence that leaves its usual range before the energy does.
-void CoherenceDetector::warn(bool settled, double seconds) noexcept {
+void CoherenceDetector::warn(bool settled, double seconds) {
   const double scatter = std::max(std::sqrt(usual_.variance), kLeastScatter);
   const bool known = usual_.looks >= kUsualLooks;
   const bool high = settled && known && peak_.gammaMax >= gammaRef_ && peak_.purity >= kLostPurity &&
@@ -174,7 +174,7 @@ void CoherenceDetector::warn(bool settled, double seconds) noexcept {
 
 // Part of the energy that the chatter holds: the turn difference passes a line p orders off a harmonic with
 // (2 sin pi p)^2 / sqrt 6.
-double CoherenceDetector::severity(Hertz spindle) const noexcept {
+double CoherenceDetector::severity(Hertz spindle) const {
   if (!(energy_ > 0.0)) return 0.0;
   const double p = dsp::orderOffset(peak_.frequency, spindle);
   const double sine = 2.0 * std::sin(0.5 * kTwoPi * p);
@@ -185,7 +185,7 @@ double CoherenceDetector::severity(Hertz spindle) const noexcept {
 
 // Chatter that was there from the entry: no calm stretch was learned, so the fixed ratio decides, but only for one and
 // the same coherent line over many turns.
-bool CoherenceDetector::fromEntry(double severity, double turns) noexcept {
+bool CoherenceDetector::fromEntry(double severity, double turns) {
   const double spindle = turns * rate_ / hop_;
   const bool high = severity >= chatterRatio_ && peak_.gammaMax >= gammaRef_ && peak_.purity >= purity_;
   const bool same = std::abs(peak_.frequency.value - highLine_.value) < kSameLine * spindle;
@@ -194,7 +194,7 @@ bool CoherenceDetector::fromEntry(double severity, double turns) noexcept {
   return highTurns_ > std::max(kEntryTurns, kEntrySeconds * spindle);
 }
 
-void CoherenceDetector::analyse(const ConditionedBlock& block) noexcept {
+void CoherenceDetector::analyse(const ConditionedBlock& block) {
   const double seconds = hop_ / rate_;
   const double turns = block.spindle.value * seconds;
   takeEnergies();
@@ -223,7 +223,7 @@ AutoValueTable CoherenceDetector::autoValues() const {
   return kOwnValues;
 }
 
-void CoherenceDetector::tellOwn() noexcept {
+void CoherenceDetector::tellOwn() {
   const bool known = onset_.learned();
   own_.set(OwnFloor, known ? onset_.floor() : config::kAutomatic, !known ? 0 : judge_.calm() ? 1 : 2);
   const bool usual = usual_.looks >= kUsualLooks;
@@ -235,7 +235,7 @@ void CoherenceDetector::tellOwn() noexcept {
   own_.set(OwnEnergyRef, known ? energy_ * std::sqrt(onset_.leastGrowth()) : config::kAutomatic, known ? 2 : 0);
 }
 
-Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const noexcept {
+Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const {
   Verdict v = judge_.verdict(block);
   const double changed = energy_ > 0.0 ? changedEnergy_ / energy_ : 0.0;
   v.indicators = {peak_.gammaMax,    energy_,        peak_.frequency.value, lead_,
@@ -251,7 +251,7 @@ Verdict CoherenceDetector::verdict(const ConditionedBlock& block) const noexcept
 }
 
 // At most kRow frames.
-void CoherenceDetector::compare(const ConditionedBlock& block, int first, int frames) noexcept {
+void CoherenceDetector::compare(const ConditionedBlock& block, int first, int frames) {
   const auto count = static_cast<std::size_t>(frames);
   turns_.process(block.samples + first, block.stride, count, difference_.data(), nullptr, kRow);
   ring_.push(difference_.data(), kRow, count);
@@ -266,7 +266,7 @@ void CoherenceDetector::compare(const ConditionedBlock& block, int first, int fr
   }
 }
 
-Verdict CoherenceDetector::process(const ConditionedBlock& block) noexcept {
+Verdict CoherenceDetector::process(const ConditionedBlock& block) {
   if (!block.valid) return judge_.verdict(block);
   if (pairs_.empty()) {
     Verdict v = judge_.verdict(block);

@@ -76,18 +76,18 @@ class CoherenceDetector final : public Detector {
  public:
   DetectorInfo describe() const override;
   void prepare(const CutSetup& setup, const config::ParamSet& params) override;
-  Verdict process(const ConditionedBlock& block) noexcept override;
-  void retune(const config::ParamSet& params) noexcept override;
+  Verdict process(const ConditionedBlock& block) override;
+  void retune(const config::ParamSet& params) override;
   double chosen(const config::ParamDecl& decl) const override;
   AutoValueTable autoValues() const override;
-  AutoValue own(std::size_t index) const noexcept override { return own_.read(index); }
-  void reset() noexcept override;
+  AutoValue own(std::size_t index) const override { return own_.read(index); }
+  void reset() override;
 
  private:
   static constexpr int kOverlap = 8;
   static constexpr int kRow = 256;  // frames compared at once
 
-  void tellOwn() noexcept;
+  void tellOwn();
   struct CoherenceChannel {
     double sum = 0.0;      // of |x| since the last look (eq. 3-7)
     double changed = 0.0;  // of |d|
@@ -98,16 +98,16 @@ class CoherenceDetector final : public Detector {
     double variance = 0.0;
     double looks = 0.0;
   };
-  void restart() noexcept;
-  void leaveCut() noexcept;
-  void compare(const ConditionedBlock& block, int first, int frames) noexcept;
-  void analyse(const ConditionedBlock& block) noexcept;
-  void takeEnergies() noexcept;
-  void transform() noexcept;
-  void warn(bool settled, double seconds) noexcept;
-  double severity(Hertz spindle) const noexcept;
-  bool fromEntry(double severity, double turns) noexcept;
-  Verdict verdict(const ConditionedBlock& block) const noexcept;
+  void restart();
+  void leaveCut();
+  void compare(const ConditionedBlock& block, int first, int frames);
+  void analyse(const ConditionedBlock& block);
+  void takeEnergies();
+  void transform();
+  void warn(bool settled, double seconds);
+  double severity(Hertz spindle) const;
+  bool fromEntry(double severity, double turns);
+  Verdict verdict(const ConditionedBlock& block) const;
 
   AlarmStateMachine judge_;
   RevolutionDifference turns_;

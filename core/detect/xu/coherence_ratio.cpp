@@ -19,7 +19,7 @@ constexpr std::size_t kLobe = 2;
 
 }  // namespace
 
-dsp::kernels::SharpenRun sharpening(SharpenForm form) noexcept {
+dsp::kernels::SharpenRun sharpening(SharpenForm form) {
   dsp::kernels::SharpenRun run;
   run.knee = kKnee;
   run.above = kAbove;
@@ -28,7 +28,7 @@ dsp::kernels::SharpenRun sharpening(SharpenForm form) noexcept {
   return run;
 }
 
-double CoherenceBand::weight(Hertz f) const noexcept {
+double CoherenceBand::weight(Hertz f) const {
   if (!(low.value > 0.0)) return 1.0;
   const double flank = kFlank * low.value;
   const double rise = (f.value - low.value) / flank;
@@ -52,12 +52,12 @@ void CoherenceRatio::prepare(int bins, double binWidth, const Settings& settings
   reset();
 }
 
-void CoherenceRatio::reset() noexcept {
+void CoherenceRatio::reset() {
   segments_ = 0;
   for (auto* v : {&gx_, &gy_, &crossRe_, &crossIm_, &cross_, &raw_, &ratio_}) std::fill(v->begin(), v->end(), 0.0);
 }
 
-void CoherenceRatio::update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) noexcept {
+void CoherenceRatio::update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) {
   const bool welch = settings_.form == CoherenceForm::Welch;
   segments_ = std::min(segments_ + 1, settings_.averages);
   const auto* px = reinterpret_cast<const double*>(x.data());
@@ -75,7 +75,7 @@ void CoherenceRatio::update(std::span<const std::complex<double>> x, std::span<c
   run(x_.data(), y_.data(), whole, x_.size() / 2);
 }
 
-CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) noexcept {
+CoherencePeak CoherenceRatio::peak(const HarmonicMask& mask) {
   dsp::kernels::SharpenRun run = sharpening(settings_.sharpening);
   run.coherence = raw_.data();
   run.weight = weight_.data();

@@ -24,14 +24,14 @@ enum class SharpenForm {
 };
 
 // eq. 3-17a and b of the inner bins, times weight.
-dsp::kernels::SharpenRun sharpening(SharpenForm form) noexcept;
+dsp::kernels::SharpenRun sharpening(SharpenForm form);
 
 // The trapezoid of eq. 3-18: 0.1 below low, 1 in the band, 0.1 above high; ramps 17 of 170 and 250 Hz in proportion.
 // low = 0: no window, 1 everywhere.
 struct CoherenceBand {
   Hertz low{};   // the paper's flanks: 170 .. 187
   Hertz high{};  // 233 .. 250
-  double weight(Hertz f) const noexcept;
+  double weight(Hertz f) const;
 };
 
 struct CoherencePeak {
@@ -49,14 +49,14 @@ class CoherenceRatio {
     int averages = 6;  // memory of the Welch averages, in segments taken
   };
   void prepare(int bins, double binWidth, const Settings& settings);
-  void reset() noexcept;
+  void reset();
   // One pair of transforms of the same stretch.
-  void update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y) noexcept;
-  CoherencePeak peak(const HarmonicMask& mask) noexcept;
+  void update(std::span<const std::complex<double>> x, std::span<const std::complex<double>> y);
+  CoherencePeak peak(const HarmonicMask& mask);
 
   std::span<const double> raw() const { return std::span(raw_).first(bins_); }  // before smoothing
   std::span<const double> ratio() const { return ratio_; }  // smoothed, sharpened, windowed; after peak()
-  int segments() const noexcept { return segments_; }
+  int segments() const { return segments_; }
 
  private:
   Settings settings_;

@@ -105,10 +105,23 @@ TEST_F(Operate, AutoWithoutAWatchdogTakesADeliberateSecondTouch) {
   tick(100);
   press("auto");  // a bouncing finger
   EXPECT_TRUE(session_.sent().empty());
-  tick(500);
+  tick(1100);
   press("auto");
   EXPECT_EQ(lastSent(), (OperatorInput{OperatorAction::SetAuthority, Authority::Auto}));
   EXPECT_FALSE(find<TouchButton>("auto")->asking());
+}
+
+TEST_F(Operate, AKeyThatIsHeldDownIsNoSecondTouch) {
+  session_.mutableInfo().machineWatchdog = false;
+  open();
+  play(1);
+  press("auto");
+  tick(660);  // until a keyboard repeats
+  for (int k = 0; k < 60; ++k) {
+    press("auto");
+    tick(40);
+  }
+  EXPECT_TRUE(session_.sent().empty());
 }
 
 TEST_F(Operate, TheQuestionForASecondTouchIsWithdrawn) {

@@ -1,6 +1,8 @@
 #include "core/config/toml_reader.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <functional>
@@ -150,6 +152,30 @@ TEST(TomlReader, FreeKeysAreListedAndGivenAsText) {
   EXPECT_TRUE(in.finish().ok());
   (void)root.scalarText("e");
   EXPECT_EQ(in.error()->line(), "a.toml:5: 'e' is not a single value");
+}
+
+// 50,000 nested keys ended every command: the library follows them by recursion.
+TEST(TomlReader, TablesNestedTooDeeplyAreRefusedWithTheirLine) {
+  std::string keys = "a";
+  for (int k = 0; k < 50'000; ++k) keys += ".a";
+  for (const std::string& text :
+       {"x = 1\n" + keys + " = 1\n", "x = 1\n[" + keys + "]\n", "x = 1\ny = {" + keys + " = 1}\n"}) {
+    const TomlReader reader = TomlReader::text(text, "deep.toml");
+    ASSERT_TRUE(reader.error());
+    EXPECT_NE(reader.error()->line().find("deep.toml:2: nests"), std::string::npos) << reader.error()->line();
+  }
+  std::string numbers = "x = [";
+  for (int k = 0; k < 500; ++k) numbers += "1.5, ";
+  EXPECT_FALSE(TomlReader::text(numbers + "]\n# " + keys + "\ny = \"" + keys + "\"\n", "numbers.toml").error());
+}
+
+TEST(TomlReader, APipeIsNoFile) {
+  const std::string path = testing::TempDir() + "stillcut-toml-pipe-" + std::to_string(::getpid());
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  const TomlReader reader = TomlReader::file(path);
+  std::remove(path.c_str());
+  ASSERT_TRUE(reader.error());
+  EXPECT_NE(reader.error()->line().find("not a readable file"), std::string::npos) << reader.error()->line();
 }
 
 }  // namespace

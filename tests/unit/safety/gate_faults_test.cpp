@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "core/safety/gate_checks.h"
 #include "tests/support/gate_harness.h"
 
 namespace stillcut::safety {
@@ -42,6 +43,18 @@ void expectHoldThenRelease(void (*bend)(GateHarness&), ReasonCode reason, Home h
 TEST(GateFaults, StaleMachineState) {
   expectHoldThenRelease([](GateHarness& h) { h.freshMachine = false; }, ReasonCode::GateStaleMachine, Home::AtOnce,
                         0.3);
+}
+// Read while the block still waited in a sound card's buffer.
+TEST(GateFaults, AMachineStateAFewTenthsAheadIsFresh) {
+  MachineState m = GateHarness().machine;
+  m.valid = m.linkUp = m.programRunning = m.overridesEnabled = m.controlOurs = true;
+  const Instant now = instantFromNs(10'000'000'000);
+  m.time = now + toDuration(Seconds(0.26));
+  EXPECT_EQ(checkMachine(m, now, Seconds(0.1)).code, ReasonCode::None);
+  m.time = now + toDuration(Seconds(1.5));
+  EXPECT_EQ(checkMachine(m, now, Seconds(0.1)).code, ReasonCode::GateStaleMachine);
+  m.time = now - toDuration(Seconds(0.26));
+  EXPECT_EQ(checkMachine(m, now, Seconds(0.1)).code, ReasonCode::GateStaleMachine);
 }
 TEST(GateFaults, StaleVerdict) {
   expectHoldThenRelease([](GateHarness& h) { h.freshVerdict = false; }, ReasonCode::GateStaleVerdict, Home::ByRamp,
