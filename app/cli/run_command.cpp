@@ -197,7 +197,7 @@ void addRun(CLI::App& app, int& exitCode) {
   command->add_option("--operator", o->operatorName, "Who signs markers; left out: as the profile says");
   command->add_option("--flights", o->flights, "Folder of the flight recordings; left out: the user's own");
   command->add_option("--log-level", o->logLevel, "What the log keeps")
-      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->check(CLI::IsMember({"info", "warning", "error", "off"}))
       ->capture_default_str();
   command->add_option("--seconds", o->seconds, "Stop after so many seconds of samples");
   command->callback([o, &exitCode] {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <string>
 #include <vector>
 
+#include "app/compose/resource_folder.h"
 #include "core/storage/atomic_file.h"
 
 namespace stillcut::app {
@@ -34,11 +34,7 @@ std::string fileName(const Reason& cause) {
 }  // namespace
 
 fs::path defaultFlightsFolder() {
-  const char* data = std::getenv("XDG_DATA_HOME");
-  const char* home = std::getenv("HOME");
-  const bool told = data != nullptr && fs::path(data).is_absolute();  // others are to be ignored, says XDG
-  const fs::path base = told ? fs::path(data) : fs::path(home != nullptr ? home : ".") / ".local" / "share";
-  return base / "stillcut" / "flights";
+  return userFolder("XDG_DATA_HOME", ".local/share") / "flights";
 }
 
 void FlightLog::start() {

@@ -1,5 +1,6 @@
 #include "app/compose/resource_folder.h"
 
+#include <cstdlib>
 #include <system_error>
 
 namespace stillcut::app {
@@ -19,6 +20,14 @@ std::string foundFile(const std::string& path, const fs::path& folder) {
   const fs::path given = folder / path;  // an absolute path stays itself, here and below
   const fs::path ours = resourceFolder() / path;
   return !fs::exists(given, none) && fs::is_regular_file(ours, none) ? ours.string() : given.string();
+}
+
+std::filesystem::path userFolder(const char* variable, const char* usual) {
+  const char* said = std::getenv(variable);
+  const char* home = std::getenv("HOME");
+  const bool absolute = said != nullptr && std::filesystem::path(said).is_absolute();  // others are to be ignored
+  return (absolute ? std::filesystem::path(said) : std::filesystem::path(home != nullptr ? home : ".") / usual) /
+         "stillcut";
 }
 
 }  // namespace stillcut::app

@@ -15,4 +15,8 @@ std::filesystem::path resourceFolder();
 // real-time.
 std::string foundFile(const std::string& path, const std::filesystem::path& folder = {});
 
+// Where files of a kind go that the user does not name: "stillcut" below $VARIABLE, as the XDG base directories say, or
+// below `usual` in the home folder. It may not exist yet.
+std::filesystem::path userFolder(const char* variable, const char* usual);
+
 }  // namespace stillcut::app

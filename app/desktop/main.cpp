@@ -1,6 +1,6 @@
 // stillcut: the desktop program.
 //   stillcut [--scenario FILE | --profile FILE] [--record FILE.h5|FOLDER] [--theme light|dark|contrast] [--size WxH]
-//            [--language en|de|zh] [--page ID] [--log-level debug|info|warning|error|off]
+//            [--language en|de|zh] [--page ID] [--log-level info|warning|error|off]
 //   stillcut --scenario FILE --screenshot FILE.png [--after SECONDS]     a picture without waiting or a display
 //   stillcut --report RECORDING OUT.pdf|.png|.svg [--size WxH]           a report or the plots, without a display
 //   stillcut --sheet OUT.pdf [--language en|de|zh]                       the machinist's sheet, one page to print
@@ -99,7 +99,7 @@ Result<Options> parse(const QStringList& arguments) {
                                  QStringLiteral("Write the machinist's sheet, one page to print, and end."),
                                  QStringLiteral("FILE.pdf"));
   const QCommandLineOption logLevel(QStringLiteral("log-level"),
-                                    QStringLiteral("What the log keeps: debug, info, warning, error or off."),
+                                    QStringLiteral("What the log keeps: info, warning, error or off."),
                                     QStringLiteral("LEVEL"));
   parser.addOptions(
       {scenario, profile, record, screenshot, report, sheet, after, size, theme, page, language, logLevel});
@@ -153,7 +153,7 @@ Result<Options> parse(const QStringList& arguments) {
     const auto level = logLevelFrom(parser.value(logLevel).toStdString());
     if (!level) {
       return Error{"--log-level", message("'%1' is no level", parser.value(logLevel).toStdString()),
-                   message("debug, info, warning, error or off")};
+                   message("info, warning, error or off")};
     }
     options.logLevel = *level;
   }

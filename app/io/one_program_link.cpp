@@ -30,9 +30,9 @@ std::string fileOf(const std::string& wire) {
 class Lock {
  public:
   explicit Lock(const std::string& path) {
-    file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
     if (file_ < 0 && errno == ENOENT) {
-      file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+      file_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
       if (file_ >= 0) ::fchmod(file_, 0666);  // another user's program asks as well
     }
     taken_ = file_ >= 0 && ::flock(file_, LOCK_EX | LOCK_NB) == 0;

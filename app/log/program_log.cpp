@@ -4,8 +4,10 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
-#include <cstdlib>
+#include <string>
 #include <utility>
+
+#include "app/compose/resource_folder.h"
 
 namespace stillcut::app {
 namespace {
@@ -15,16 +17,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t kFileBytes = 2'000'000;  // some 20,000 lines
 constexpr std::size_t kOlderFiles = 4;
 
-constexpr std::array<std::pair<std::string_view, LogLevel>, 5> kNames{{{"debug", LogLevel::Debug},
-                                                                       {"info", LogLevel::Info},
-                                                                       {"warning", LogLevel::Warning},
-                                                                       {"error", LogLevel::Error},
-                                                                       {"off", LogLevel::Off}}};
+constexpr std::array<std::pair<std::string_view, LogLevel>, 4> kNames{
+    {{"info", LogLevel::Info}, {"warning", LogLevel::Warning}, {"error", LogLevel::Error}, {"off", LogLevel::Off}}};
 
 spdlog::level::level_enum spdlogLevel(LogLevel level) {
   switch (level) {
-    case LogLevel::Debug:
-      return spdlog::level::debug;
     case LogLevel::Info:
       return spdlog::level::info;
     case LogLevel::Warning:
@@ -47,11 +44,7 @@ std::optional<LogLevel> logLevelFrom(std::string_view name) {
 }
 
 fs::path defaultLogFile() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  const bool said = state != nullptr && fs::path(state).is_absolute();  // others are to be ignored, says XDG
-  const fs::path base = said ? fs::path(state) : fs::path(home != nullptr ? home : ".") / ".local" / "state";
-  return base / "stillcut" / "stillcut.log";
+  return userFolder("XDG_STATE_HOME", ".local/state") / "stillcut.log";
 }
 
 Result<ProgramLog> ProgramLog::open(const fs::path& file, LogLevel lowest) {
@@ -63,10 +56,9 @@ Result<ProgramLog> ProgramLog::open(const fs::path& file, LogLevel lowest) {
   } catch (const spdlog::spdlog_ex& e) {
     return Error{file.string(), message("the log cannot be written there"), foreign(e.what())};
   }
-  log.file_ = file.string();
   log.logger_->set_level(spdlogLevel(lowest));
   log.logger_->set_pattern("%Y-%m-%d %H:%M:%S.%e%z [%P] %l: %v");
-  log.logger_->flush_on(spdlog::level::debug);  // few lines; the last before a crash is the one that is looked for
+  log.logger_->flush_on(spdlog::level::info);  // few lines; the last before a crash is the one that is looked for
   // A disk that fills up must not fill the terminal: the program goes on, the lines are lost.
   log.logger_->set_error_handler([](const std::string&) {});
   return log;

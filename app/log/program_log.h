@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -18,8 +17,8 @@ class logger;
 
 namespace stillcut::app {
 
-enum class LogLevel { Debug, Info, Warning, Error, Off };
-std::optional<LogLevel> logLevelFrom(std::string_view name);  // "debug", "info", "warning", "error", "off"
+enum class LogLevel { Info, Warning, Error, Off };
+std::optional<LogLevel> logLevelFrom(std::string_view name);  // "info", "warning", "error", "off"
 
 std::filesystem::path defaultLogFile();
 
@@ -30,12 +29,9 @@ class ProgramLog {
   static Result<ProgramLog> open(const std::filesystem::path& file, LogLevel lowest);
 
   void write(LogLevel level, std::string_view line) const;
-  // Empty: nothing is written.
-  const std::string& file() const { return file_; }
 
  private:
   std::shared_ptr<spdlog::logger> logger_;
-  std::string file_;
 };
 
 }  // namespace stillcut::app

@@ -33,7 +33,7 @@ class SharedOverride {
   SharedOverride(int lowest, int highest, const Manners& manners)
       : lowest_(lowest), highest_(highest), manners_(manners) {}
 
-  // The register was read: `percent`. Values we sent within the last `settle` may show up late and in order.
+  // The register was read: `percent`. Values that we sent may show up late (Manners::latestEcho).
   void seen(int percent, Instant now) noexcept;
   // Our factor on the base, of engagement `engagement`; ignored while the operator's hand has ended that engagement.
   void want(Ratio factor, std::uint64_t engagement) noexcept;

@@ -59,7 +59,9 @@ TEST(RunLog, TellsWhatRanWhatHappenedAndThatItEnded) {
 }
 
 TEST(RunLog, KeepsNothingBelowItsLevel) {
-  EXPECT_THAT(logOfDemonstration(LogLevel::Warning), Not(HasSubstr(" info: ")));
+  const std::string lines = logOfDemonstration(LogLevel::Warning);
+  EXPECT_THAT(lines, HasSubstr(" warning: chatter"));
+  EXPECT_THAT(lines, Not(HasSubstr(" info: ")));
 }
 
 TEST(ProgramLog, SaysWhereItCannotBeWritten) {
