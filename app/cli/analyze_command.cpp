@@ -78,9 +78,10 @@ Result<RecordingOptions> understand(const AnalyzeOptions& given) {
 }
 
 // What the answer rests on that nobody has told.
-std::vector<std::string> remarks(const CutSetup& setup, bool measuredSpeed,
+std::vector<std::string> remarks(const CutSetup& setup, const record::RecordingFormat& format, bool measuredSpeed,
                                  const std::vector<evaluate::VerdictLog>& logs) {
   std::vector<std::string> lines;
+  for (const Message& note : format.notes) lines.push_back(text(note));
   if (setup.teeth <= 0) lines.emplace_back("teeth not told (--teeth): judged by spindle harmonics alone");
   if (setup.nominalSpeed.value > 0.0 || measuredSpeed) return lines;
   const double found_Hz = logs.empty() ? 0.0 : logs.front().summary().spindle_Hz;
@@ -140,7 +141,8 @@ int analyze(const AnalyzeOptions& given) {
   if (const Message fault = rig.device().fault(); !fault.empty()) return fail(Error{{}, fault});
 
   if (const Status s = writeFiles(given, logs, series); !s) return fail(s.error());
-  Analysis analysis{given.recording, built->format, remarks(rig.setup(), !options->log.empty(), logs), {}, {}, {}};
+  Analysis analysis{
+      given.recording, built->format, remarks(rig.setup(), built->format, !options->log.empty(), logs), {}, {}, {}};
   analysis.truth = std::move(truth).value();
   for (std::size_t d = 0; d < logs.size(); ++d) {
     analysis.detectors.push_back(logs[d].summary());

@@ -38,6 +38,7 @@ struct RecordingFormat {
   int blockFrames = 0;      // largest recorded block, 0: not recorded in blocks
   std::vector<RecordedChannel> channels;
   std::vector<std::string> skipped;  // columns that are no channel: "CI Value"
+  std::vector<Message> notes;        // what was damaged or missing in the file, and was read all the same
   std::optional<CutSetup> setup;     // sessions only
   std::string configuration;         // sessions only: the whole text in force
   std::string programVersion;        // sessions only

@@ -11,6 +11,7 @@
 #include "core/model/reason.h"
 #include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
+#include "core/spindle/series_watch.h"
 
 namespace stillcut::detect {
 
@@ -27,6 +28,7 @@ struct ConditionedBlock {
   double levelTrend = 1.0;            // mean square of the last turn over that of the last few
   Hertz spindle{};                    // best estimate at the end of the block; 0: unknown
   Hertz spindleSd{};                  // its doubt
+  SeriesLook series;                  // the lines of every channel, as of a few times a second
   Hertz isolatedLine{};               // holds most of the vibration and cannot be forced (speed_tracker.h); 0: none
   bool speedChanging = false;         // the angle follows a machine that changes its speed
   bool revolutionsComparable = true;  // false: its speed changes too fast to compare one turn with the next

@@ -40,6 +40,10 @@ constexpr Hertz kHighestChatter{2500.0};
 constexpr int kLowPassOrder = 4;
 constexpr Seconds kTurnUnknown{0.02};
 constexpr Seconds kStep{1e-3};
+constexpr int kSideLines = 3;       // with the line itself: fewer stand on one spacing by chance
+constexpr double kMostly = 0.5;     // of the line power
+constexpr double kExplained = 0.4;  // of the lines' weight by two series; by chance a quarter
+constexpr int kLooks = 3;           // on end
 
 // Speed and current are integrals of the cutting torque and fall with the frequency; what an encoder or a converter
 // adds does not, and an encoder's rises with it. Above where tools chatter they tell nothing.
@@ -92,6 +96,7 @@ void Conditioner::prepare(const CutSetup& setup, const config::ParamSet& params)
   check_.prepare(setup);
   sensors_.prepare(setup);
   speed_.prepare(setup, params.real(kSpeedRange));
+  series_.prepare(setup, params.real(kSpeedRange));
   gate_.prepare(setup);
   retune(params);
   reset();
@@ -110,11 +115,13 @@ void Conditioner::reset() noexcept {
   check_.reset();
   sensors_.reset();
   speed_.reset();
+  series_.reset();
   gate_.reset();
   out_ = {};
   restart();
   gapPending_ = false;
   doubted_ = false;
+  startsInChatter_ = 0;
 }
 
 void Conditioner::restart() noexcept {
@@ -128,6 +135,7 @@ void Conditioner::restart() noexcept {
     filter.lowPass(kLowPassOrder, kHighestChatter, setup_.rate);
   }
   speed_.restart();
+  series_.interrupt();
   stepDone_ = 0;
   squares_ = {};
 }
@@ -180,27 +188,50 @@ void Conditioner::follow(int frames) noexcept {
     const int now = std::min(frames - f, stepFrames_ - stepDone_);
     for (int c = 0; c < channels_; ++c) pointers_[static_cast<std::size_t>(c)] = samples_.data() + c * capacity_ + f;
     speed_.advance(pointers_.data(), now, angle_.data() + f, angleStep_.data() + f);
+    series_.push(pointers_.data(), now, !gate_.inCut());
     addSquares(f, now);
     f += now;
     stepDone_ += now;
     if (stepDone_ < stepFrames_) continue;
     speed_.look(Seconds(stepFrames_ / setup_.rate.value), gate_.phase() == CutPhase::Exit);
+    lookAtLines();
     advanceGate();
     stepDone_ = 0;
     squares_ = {};
   }
 }
 
+void Conditioner::lookAtLines() noexcept {
+  if (speed_.riding()) series_.interrupt();
+  if (!series_.due()) return;
+  series_.look(speed_.centre(), speed_.centreSd());
+  series_.compare(speed_.foundFar() ? speed_.spindle() : Hertz(0.0));
+  const SeriesLook& look = series_.newest();
+  const bool chatter = look.certain && look.teethHeard && look.explained > kExplained &&
+                       look.free.members >= kSideLines && look.free.share > kMostly;
+  startsInChatter_ = chatter ? startsInChatter_ + 1 : 0;
+  if (gate_.inCut()) speed_.believe(look.spindle, look.sd, look.certain && look.teethHeard);
+}
+
+// Chatter with its side lines a spindle's turn apart proves that a tool cuts, where no air was heard before.
+bool Conditioner::chattersFromTheStart() const noexcept {
+  return startsInChatter_ >= kLooks;
+}
+
 void Conditioner::advanceGate() noexcept {
   const double spindle = speed_.known() ? speed_.spindle().value : 0.0;
   const Seconds turn = spindle > 0.0 ? Seconds(1.0 / spindle) : kTurnUnknown;
   const CutPhase before = gate_.phase();
-  gate_.setForced(speed_.forced());
-  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0);
+  gate_.setForced(speed_.forced() || chattersFromTheStart());
+  gate_.setSpeedKnown((speed_.locked() && speed_.known()) || speed_.isolatedLine().value > 0.0 ||
+                      series_.newest().certain);
   for (double& s : squares_) s /= stepFrames_;
   gate_.advance(std::span(squares_).first(static_cast<std::size_t>(channels_)),
                 Seconds(stepFrames_ / setup_.rate.value), turn);
-  if (before == CutPhase::AirCutting && gate_.inCut() && gate_.airSeen()) speed_.beginCut();
+  if (before == CutPhase::AirCutting && gate_.inCut() && gate_.airSeen()) {
+    speed_.beginCut();
+    series_.beginCut();
+  }
 }
 
 // Where nothing quieter was ever heard, a tone that no teeth force may be chatter that was there before, or the
@@ -264,6 +295,7 @@ const ConditionedBlock& Conditioner::process(const SampleBlock& block, const Mac
   makeSi(block);
   follow(block.frames);
   out_.spindle = speed_.known() ? speed_.spindle() : Hertz(0.0);
+  out_.series = series_.newest();
   out_.isolatedLine = speed_.isolatedLine();
   out_.spindleSd = speed_.sd();
   out_.speedChanging = speed_.riding();

@@ -16,6 +16,7 @@
 #include "core/sensing/cut_gate.h"
 #include "core/sensing/input_check.h"
 #include "core/sensing/sensor_check.h"
+#include "core/spindle/series_watch.h"
 #include "core/spindle/speed_tracker.h"
 
 namespace stillcut::detect {
@@ -62,6 +63,8 @@ class Conditioner {
   void follow(int frames) noexcept;
   void addSquares(int from, int frames) noexcept;
   void advanceGate() noexcept;
+  void lookAtLines() noexcept;
+  bool chattersFromTheStart() const noexcept;
   void checkSensors(const SampleBlock& block) noexcept;
   Reason doubtAir() const noexcept;
   void tellOwn() noexcept;
@@ -77,6 +80,8 @@ class Conditioner {
   InputCheck check_;
   SensorCheck sensors_;
   SpeedTracker speed_;
+  SeriesWatch series_;
+  int startsInChatter_ = 0;  // looks on end that can be nothing else
   CutGate gate_;
   dsp::kernels::Kernels kernels_;
   std::vector<dsp::Butterworth> filters_;

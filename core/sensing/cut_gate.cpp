@@ -51,9 +51,10 @@ void CutGate::learnFloor(std::span<const double> meanSquares, double seconds) no
   // A growing memory at first, so that the floor is a mean and not one lucky block.
   const double memory = std::clamp(elapsed_, 2.0 * seconds, kFloorSeconds);
   for (std::size_t c = 0; c < channels_; ++c) {
-    const bool young = elapsed_ < 0.25 * kFloorSeconds;
+    // What begins with silence, as compressed sound does, has shown no air yet.
+    const bool young = elapsed_ < kFloorSeconds;
     // The first block may be longer than that, and digital silence is no level to compare with.
-    if (!young && floor_[c] <= 0.0) {
+    if (floor_[c] <= 0.0) {
       calm_[c] = floor_[c] = meanSquares[c];
       continue;
     }

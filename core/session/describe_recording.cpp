@@ -157,6 +157,7 @@ std::string toText(const RecordingDescription& description) {
   }
   for (std::size_t c = 0; c < format.channels.size(); ++c) text += channelLine(c, format.channels[c]);
   for (const std::string& skipped : format.skipped) text += "no channel   " + skipped + "\n";
+  for (const Message& note : format.notes) text += "note         " + stillcut::text(note) + "\n";
   if (description.session) text += sessionText(description.path, format, *description.session);
   return text;
 }
@@ -183,6 +184,8 @@ std::string toJson(const RecordingDescription& description) {
                                 {"place", channel.info.place}});
   }
   json["skipped"] = format.skipped;
+  json["notes"] = nlohmann::json::array();
+  for (const Message& note : format.notes) json["notes"].push_back(stillcut::text(note));
   if (description.session) json["session"] = sessionJson(format, *description.session);
   // A file may hold bytes that are no UTF-8 in a name: shown as a replacement sign, never an exception.
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -19,12 +19,21 @@
 namespace stillcut::record {
 namespace {
 
+// MP3: a tag of ID3, or a frame's eleven set bits with layer III. UTF-16 begins with eleven set bits as well.
+bool isMpegAudio(std::string_view head) {
+  if (head.starts_with("ID3")) return true;
+  if (head.size() < 2) return false;
+  const auto first = static_cast<unsigned char>(head[0]);
+  const auto second = static_cast<unsigned char>(head[1]);
+  return first == 0xFFU && (second & 0xE0U) == 0xE0U && (second & 0x06U) == 0x02U;
+}
+
 bool isSound(std::string_view head) {
   constexpr auto kMagics = std::to_array<std::string_view>({"RIFF", "RIFX", "RF64", "fLaC", "FORM", "OggS", "riff"});
   for (const std::string_view magic : kMagics) {
     if (head.starts_with(magic)) return true;
   }
-  return false;
+  return isMpegAudio(head);
 }
 
 bool hasSuffix(const std::string& path, std::string_view suffix) {

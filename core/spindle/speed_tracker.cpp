@@ -38,6 +38,8 @@ constexpr double kAgreement = 1.5e-3;   // two windows in a row say the same spe
 constexpr double kMoved = 2.5e-3;       // a lock this far off a better comb is given up ...
 constexpr double kBetter = 2.0;         // ... if that comb carries so much more
 constexpr double kStaysPart = 0.2;      // of what chatter leaves beside its line: the spindle's comb has it
+constexpr double kDisbelief = 3e-3;     // further from what the line series say, a comb is not the spindle's
+constexpr int kBelieve = 2;             // looks on end that say the same
 constexpr double kMargin = 1.2;         // past the stated doubt, so that its end is still a peak
 constexpr double kMachineRange = 0.01;  // a measured speed is better than a programmed one
 constexpr double kSameSpeed = 1e-4;     // a read-back that moves less did not move
@@ -76,6 +78,8 @@ void SpeedTracker::reset() noexcept {
   ratio_ = 1.0;
   source_ = nominal_ > 0.0 ? SpeedSource::Nominal : SpeedSource::None;
   locked_ = proven_ = trusted_ = returning_ = followed_ = false;
+  believedLooks_ = 0;
+  far_ = 0.0;
   toothPart_ = 0.0;
   lone_.reset();
   angle_ = 0.0;
@@ -106,6 +110,7 @@ void SpeedTracker::setMachineState(const MachineState& machine, int frames, Inst
   if (told_ > 0.0 && std::abs(told / told_ - 1.0) < kSameSpeed) return;
   if (told_ > 0.0 && told > 0.0 && locked_ && !riding()) tracker_.nudge(Hertz(told * ratio_));
   told_ = told;
+  far_ = 0.0;
   if (!locked_) source_ = told > 0.0 ? (measured_ ? SpeedSource::Machine : SpeedSource::Nominal) : SpeedSource::None;
 }
 
@@ -141,9 +146,40 @@ void SpeedTracker::beginCut() noexcept {
     source_ = !(told_ > 0.0) ? SpeedSource::None : measured_ ? SpeedSource::Machine : SpeedSource::Nominal;
   }
   locked_ = proven_ = trusted_ = returning_ = followed_ = false;
+  believedLooks_ = 0;
+  far_ = 0.0;
   toothPart_ = 0.0;
   lone_.reset();
   restart();
+}
+
+bool SpeedTracker::believedElsewhere(Hertz spindle) const noexcept {
+  // What is followed by its phases is known better, and at once where the speed changes.
+  return (!locked_ || astray()) && believedLooks_ >= kBelieve && std::abs(spindle / believed_ - 1.0) > kDisbelief;
+}
+
+Hertz SpeedTracker::centre() const noexcept {
+  return Hertz(far_ > 0.0 ? far_ : told_);
+}
+
+double SpeedTracker::centreSd() const noexcept {
+  return (measured_ ? kMachineRange : range_) / 3.0;
+}
+
+void SpeedTracker::believe(Hertz spindle, double sd, bool certain) noexcept {
+  if (!certain || riding()) {
+    believedLooks_ = 0;
+    return;
+  }
+  const bool same = believedLooks_ > 0 && std::abs(spindle / believed_ - 1.0) < kDisbelief;
+  believedLooks_ = same ? believedLooks_ + 1 : 1;
+  believed_ = spindle;
+  if (believedLooks_ < kBelieve || (locked_ && !believedElsewhere(this->spindle()))) return;
+  lock(spindle, Hertz(std::max(sd, 3e-4) * spindle.value));
+  if (std::abs(spindle.value / told_ - 1.0) < kMargin * range_) far_ = 0.0;
+  toothPart_ = 0.0;
+  proven_ = false;
+  trend_.reset();
 }
 
 bool SpeedTracker::dead() const noexcept {
@@ -169,7 +205,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
     tracker_.stay();
     return;
   }
-  if (!same) return;
+  if (!same || believedElsewhere(now.spindle)) return;
   if (locked_) {
     // A comb that once carried half of all power was the spindle; what fits better later is chatter.
     if (off < kMoved && !astray()) {
@@ -212,6 +248,7 @@ void SpeedTracker::judge(const Look& look, const SpeedCandidate& before) noexcep
 bool SpeedTracker::believed(const Look& look) const noexcept {
   if (look.agreeing < (locked_ ? kReturnLooks : kSeekLooks)) return false;
   const Hertz found = look.found.spindle;
+  if (believedElsewhere(found)) return false;
   if (!locked_) return look.found.toothPart * teeth_ >= look.found.part || teeth_ < 1;
   const bool teeth = teeth_ < 1 || look.found.toothPart > kTeethOfFar * look.found.part;
   const double least = returning_ ? 1.0 : kGone;  // what was found on the way is the next place to leave
@@ -233,6 +270,7 @@ void SpeedTracker::seek(Look& look) noexcept {
   toothPart_ = look.found.toothPart;
   proven_ = false;
   returning_ = locked_;
+  far_ = std::abs(look.found.spindle.value / told_ - 1.0) > kMargin * range_ ? look.found.spindle.value : 0.0;
   lock(look.found.spindle, Hertz(kRideSd * look.found.spindle.value));
   trend_.reset();
 }

@@ -41,6 +41,13 @@ class SpeedTracker {
   // leaving: the tool leaves the cut and takes the forced vibration along, so that a comb already found stays.
   void look(Seconds since, bool leaving) noexcept;
 
+  // What the two line series of the cut say (series_watch.h): a speed that is certain is where the spindle is followed,
+  // and no comb found elsewhere is the spindle's.
+  void believe(Hertz spindle, double sd, bool certain) noexcept;
+  // Around which they are to look, and its doubt as a ratio.
+  Hertz centre() const noexcept;
+  double centreSd() const noexcept;
+
   Hertz spindle() const noexcept { return Hertz(told_ * ratio_); }
   Hertz sd() const noexcept;
   SpeedSource source() const noexcept { return source_; }
@@ -58,6 +65,8 @@ class SpeedTracker {
   Hertz suspect() const noexcept { return told_ > 0.0 && lone_.heard() ? lone_.suspect() : Hertz(); }
   // Forced vibration at the teeth was found, strong enough to call what is heard a cut.
   bool forced() const noexcept { return locked_ && toothPart_ > kForcedPart; }
+  // The speed was found far from the told one.
+  bool foundFar() const noexcept { return locked_ && far_ > 0.0; }
   double scatter() const noexcept { return tracker_.scatter(); }
 
  private:
@@ -90,6 +99,7 @@ class SpeedTracker {
   void judge(const Look& look, const SpeedCandidate& before) noexcept;
   void seek(Look& look) noexcept;
   void stepAside(const SpeedSearch& search) noexcept;
+  bool believedElsewhere(Hertz spindle) const noexcept;
   void dropUntrusted() noexcept;
   bool believed(const Look& look) const noexcept;
   void lock(Hertz spindle, Hertz sd, double drift = 0.0) noexcept;
@@ -117,6 +127,9 @@ class SpeedTracker {
   bool returning_ = false;  // found again after it was lost, not yet followed cleanly
   bool followed_ = false;   // in this cut, cleanly
   bool trusted_ = false;    // told roughly, or followed cleanly
+  double far_ = 0.0;        // Hz, where the speed was found that is far from the told one; 0: it is not
+  Hertz believed_{};        // by the line series, the last time that they were certain
+  int believedLooks_ = 0;   // on end in which they were
   double onComb_ = 1.0;     // of what is not the strongest line, where next to nothing repeats
   double toothPart_ = 0.0;
   LoneLine lone_;

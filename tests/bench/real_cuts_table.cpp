@@ -1,9 +1,11 @@
 // bench_real_cuts [--each] [DETECTOR ...]: every shared real recording, every detector (or those named), told speed
 // exact, 2 % low, 2 % high and not at all. Per line: delay of the first alarm in the chatter segment, part of it that
 // is in alarm and in full chatter, alarm outside of it [s] and where the first one began. --each: every channel alone
-// as well.
+// as well. --file TEXT: those whose path holds it. --looks ERROR: at this error of the told speed, every look at the
+// line series (core/spindle/series_watch.h).
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "tests/support/real_cuts.h"
@@ -35,8 +37,24 @@ void print(const RealCut& cut, const std::vector<int>& channels, double error, c
   std::fflush(stdout);
 }
 
-bool judge(const RealCut& cut, const std::vector<int>& channels, double error, const std::vector<std::string>& wanted) {
-  const auto all = judgeRealCut(cut, channels, error, wanted);
+void printLook(const detect::ConditionedBlock& block) {
+  static unsigned last = 0;
+  const detect::SeriesLook& l = block.series;
+  if (l.count == last) return;
+  last = l.count;
+  std::printf(
+      "%8.3f %-6s %8.1f rpm used %8.1f sd %.4f certainty %.2f teeth %d lines %2d explained %.2f  off %.2f joint %.2f "
+      "at %7.1f Hz %+.3f x%d channel %d%s%s%s%s\n",
+      sinceEpoch(block.end()).value, std::string(name(block.phase)).c_str(), 60.0 * l.spindle.value,
+      60.0 * block.spindle.value, l.sd, l.certainty, l.teethHeard, l.lines, l.explained, l.free.share, l.joint,
+      l.free.line.value, l.free.offset, l.free.members, l.channel, l.whole ? "" : " part", l.leaving ? " leaving" : "",
+      l.agreed ? "" : " DISAGREE", l.steady ? "" : " MOVES");
+}
+
+bool judge(const RealCut& cut, const std::vector<int>& channels, double error, const std::vector<std::string>& wanted,
+           bool looks = false) {
+  const auto all = judgeRealCut(cut, channels, error, wanted, 0.0,
+                                looks ? printLook : std::function<void(const detect::ConditionedBlock&)>());
   if (!all) {
     std::fprintf(stderr, "%s\n", all.error().line().c_str());
     return false;
@@ -45,13 +63,18 @@ bool judge(const RealCut& cut, const std::vector<int>& channels, double error, c
   return true;
 }
 
-int table(const std::vector<std::string>& wanted, bool each) {
+int table(const std::vector<std::string>& wanted, bool each, const std::string& only, double looksAt) {
   const std::vector<RealCut> cuts = realCuts(std::filesystem::path(STILLCUT_SHARED_DIR) / "recordings");
   if (cuts.empty()) {
     std::printf("no recordings at %s\n", STILLCUT_SHARED_DIR);
     return 0;
   }
   for (const RealCut& cut : cuts) {
+    if (cut.file.string().find(only) == std::string::npos) continue;
+    if (looksAt > -1.0) {
+      judge(cut, cut.channels, looksAt, wanted, true);
+      continue;
+    }
     std::vector<std::vector<int>> sets{cut.channels};
     if (each && cut.channels.empty() && cut.file.filename() != "audio_T2503") sets.insert(sets.end(), {{0}, {1}, {2}});
     for (const auto& channels : sets) {
@@ -69,5 +92,20 @@ int table(const std::vector<std::string>& wanted, bool each) {
 int main(int argc, char** argv) {
   std::vector<std::string> wanted(argv + 1, argv + argc);
   const bool each = std::erase(wanted, "--each") > 0;
-  return stillcut::bench::table(wanted, each);
+  std::string only;
+  double looksAt = -1.0;
+  for (auto w = wanted.begin(); w != wanted.end();) {
+    const bool file = *w == "--file";
+    if ((!file && *w != "--looks") || w + 1 == wanted.end()) {
+      ++w;
+      continue;
+    }
+    if (file) {
+      only = *(w + 1);
+    } else {
+      looksAt = std::atof((w + 1)->c_str());
+    }
+    w = wanted.erase(w, w + 2);
+  }
+  return stillcut::bench::table(wanted, each, only, looksAt);
 }

@@ -86,7 +86,8 @@ double chatterLength(const RealCut& cut) {
 }
 
 Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
-                                        const std::vector<std::string>& wanted, double begin) {
+                                        const std::vector<std::string>& wanted, double begin,
+                                        const std::function<void(const detect::ConditionedBlock&)>& observe) {
   record::ReadOptions options;
   options.quantity = cut.quantity;
   options.channels = channels;
@@ -111,6 +112,7 @@ Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<in
     const double time = sinceEpoch(block.end()).value;
     if (time < begin) continue;
     const detect::ConditionedBlock& conditioned = conditioner.process(block, {});
+    if (observe) observe(conditioned);
     for (Tally& t : all) count(t, t.detector->process(conditioned), cut, time, block.frames / setup.rate.value);
   }
   return all;
@@ -121,6 +123,9 @@ std::vector<RealCut> realCuts(const path& recordings) {
   const path face = recordings / "face_mill_audio";
   const path force = recordings / "slot_force";
   const path lmas = recordings / "lmas_milling_audio";
+  const path slots = recordings / "chiron_slot_audio";
+  const path mill2 = recordings / "hurco_end_mill_2";
+  const path ubc = recordings / "ubc_milling_audio";
   const SensorQuantity sound = SensorQuantity::Sound;
   std::vector<RealCut> all{
       {mill / "EBI_F20IN_T100_D0p125IN_4000RPM.csv", 4, 4000.0, SensorQuantity::Acceleration, 0.0, {}, {}},
@@ -135,6 +140,17 @@ std::vector<RealCut> realCuts(const path& recordings) {
       {lmas / "accel_T2503", 0, 3120.0, SensorQuantity::Acceleration, 1000.0, {}, {}},
       {force / "6-n6000f300ap3ae25.csv", 2, 6000.0, SensorQuantity::Force, 0.0, {}, {}},
       {force / "6-n6000f900ap3ae25.csv", 2, 6000.0, SensorQuantity::Force, 0.0, {}, {}},
+      {slots / "2_10100.wav", 2, 10100.0, sound, 0.0, {}, {}},
+      {slots / "2_5600.wav", 2, 5600.0, sound, 0.0, {}, {}},
+      {slots / "2_7100.wav", 2, 7100.0, sound, 0.0, {}, {}},
+      {slots / "2_9300t.wav", 2, 9300.0, sound, 0.0, {}, {}},
+      {slots / "3_400.wav", 2, 10100.0, sound, 0.0, {}, {}},
+      {slots / "3_550.wav", 2, 10100.0, sound, 0.0, {}, {}},
+      {slots / "4_325.wav", 2, 9100.0, sound, 0.0, {}, {}},
+      {slots / "4_450.wav", 2, 9100.0, sound, 0.0, {}, {}},
+      {mill2 / "EBI_T100_0p25IN_6900RPM.csv", 4, 6900.0, SensorQuantity::Acceleration, 0.0, {}, {}},
+      {mill2 / "SKF_UltiFlank_40pct.csv", 3, 7000.0, SensorQuantity::Acceleration, 0.0, {}, {}},
+      {ubc / "combined_chatter6567.mp3", 2, 6462.0, sound, 0.0, {}, {}},
       {recordings / "turning_force_lvm" / "f416_a100.lvm", 0, 1060.0, SensorQuantity::Force, 0.0, {}, {}},
   };
   std::erase_if(all, [](const RealCut& cut) { return !std::filesystem::exists(cut.file); });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,7 +46,8 @@ struct Tally {
 // Through the conditioner and every detector wanted (all where none is named), told speed off by `error` as a ratio;
 // -1: not told. channels: of the file; empty: all. begin: s, from where on it is listened to.
 Result<std::vector<Tally>> judgeRealCut(const RealCut& cut, const std::vector<int>& channels, double error,
-                                        const std::vector<std::string>& wanted, double begin = 0.0);
+                                        const std::vector<std::string>& wanted, double begin = 0.0,
+                                        const std::function<void(const detect::ConditionedBlock&)>& observe = {});
 // s, labelled chatter.
 double chatterLength(const RealCut& cut);
 

@@ -13,6 +13,7 @@
 #include "core/model/channel.h"
 #include "core/model/sensor_status.h"
 #include "core/model/verdict.h"
+#include "core/spindle/series_watch.h"
 
 namespace stillcut::detect {
 
@@ -46,9 +47,10 @@ struct RatioHop {
   bool revolutionsComparable = true;  // false: the speed changes too fast to compare turns
   double levelTrend = 1.0;            // of the vibration (conditioned_block.h)
   const EnergyChain* chain = nullptr;
-  const NewLine* newLine = nullptr;  // has heard the vibration
-  const TurnMarks* marks = nullptr;  // while a machine tells a change; null: none
-  bool isolatedLine = false;         // a line that cannot be forced holds most of the vibration
+  const NewLine* newLine = nullptr;    // has heard the vibration
+  const TurnMarks* marks = nullptr;    // while a machine tells a change; null: none
+  const SeriesLook* series = nullptr;  // the lines of the cut
+  bool isolatedLine = false;           // a line that cannot be forced holds most of the vibration
 };
 
 // Does it hear an integral of the spindle's torque?

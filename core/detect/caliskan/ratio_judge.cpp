@@ -39,9 +39,10 @@ void RatioJudge::leaveCut() {
   calm_.reset();
   calm_.forgetLevel();
   entry_.leaveCut();
+  share_.reset();
   line_.forget();
   joint_ = severity_ = worst_ = evidence_ = floor_ = changed_ = purity_ = 0.0;
-  learned_ = wasFull_ = false;
+  learned_ = wasFull_ = byShare_ = false;
   risingHops_ = {};
   sinceOnset_ = feedSinceOnset_ = 0.0;
 }
@@ -143,6 +144,7 @@ bool RatioJudge::toolLeaves(std::span<const RatioChannel> channels, CutPhase pha
 bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, const RatioHop& hop) {
   gather(channels);
   const bool was = alarming();
+  share_.see(*hop.series);
   const bool high = severity_ >= limit_;
   // Of the line that full chatter was made of, less is chatter still.
   const bool lasts = wasFull_ && line_.stays() && joint_ >= entry_.sidedRatio();
@@ -160,17 +162,22 @@ bool RatioJudge::judge(std::span<RatioChannel> channels, LineFinder& lines, cons
   const bool left = toolLeaves(channels, hop.phase);
   bool over = false;
   if (was) {
-    over = line_.lost() || left || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
+    const bool ended = line_.lost() || calm_.calm(hop.spindle) || !(high || held || grown_ || calm_.floorGone());
+    byShare_ = byShare_ ? !(grown_ && high) : ended && share_.full() && wasFull_;
+    over = left || (byShare_ ? !share_.lasts() : ended);
     // A ratio that rises while the speed changes may be forced vibration that changes with it.
-    const bool full = (high || lasts) && (hop.revolutionsComparable || state_ == CutState::Chatter);
+    const bool full =
+        (byShare_ && share_.full()) || ((high || lasts) && (hop.revolutionsComparable || state_ == CutState::Chatter));
     state_ = over ? CutState::Stable : full ? CutState::Chatter : CutState::Onset;
     if (over) {
       calm_.reset();
       entry_.endAlarm();
     }
-  } else if (hop.phase == CutPhase::Steady && hop.revolutionsComparable &&
-             (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))) {
-    state_ = high ? CutState::Chatter : CutState::Onset;
+  } else if (hop.phase == CutPhase::Steady &&
+             (share_.full() ||
+              (hop.revolutionsComparable && (entry || (hop.levelTrend > kFalling && grows(channels, lines, hop)))))) {
+    state_ = high || share_.full() ? CutState::Chatter : CutState::Onset;
+    byShare_ = share_.full() && !entry && !grown_;
   } else {
     state_ = CutState::Stable;
   }
@@ -244,7 +251,11 @@ void RatioJudge::fill(Verdict& v, Hertz spindle) const {
   v.sinceOnset = Seconds(sinceOnset_);
   v.feedSinceOnset = Metres(feedSinceOnset_);
   v.indicators = {severity_, line_.frequency().value, changed_, floor_, evidence_, purity_};
-  if (v.state == CutState::Chatter) {
+  if (v.alarming() && byShare_) {
+    v.severity = Ratio(std::max(severity_, share_.share()));
+    v.frequency = share_.line();
+    v.reason = {ReasonCode::LineOffHarmonics, {share_.share(), ShareTest::kFull, share_.line().value}};
+  } else if (v.state == CutState::Chatter) {
     v.reason = {ReasonCode::EnergyRatioHigh, {severity_, over_}};
   } else if (v.state == CutState::Onset) {
     v.reason = {ReasonCode::EnergyRatioGrowing, {changed_, floor_}};

@@ -9,6 +9,7 @@
 #include "core/detect/caliskan/entry_chatter.h"
 #include "core/detect/caliskan/ratio_hop.h"
 #include "core/detect/growth/calm_watch.h"
+#include "core/detect/share_test.h"
 #include "core/model/verdict.h"
 
 namespace stillcut::detect {
@@ -52,6 +53,8 @@ class RatioJudge {
   CutState state_ = CutState::AirCutting;
   CalmWatch calm_;
   EntryChatter entry_;
+  ShareTest share_;
+  bool byShare_ = false;      // the alarm is of what stands off the orders, and nothing was heard to grow
   ChatterLine line_;          // of the alarm
   double severity_ = 0.0;     // of the channel that is furthest beyond what it may be,
   double full_ = 0.0;         // ... which is this to be full chatter,

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <utility>
 
 #include "core/formats/channel_notes.h"
@@ -27,15 +28,16 @@ std::uint32_t littleEndian32(const unsigned char* bytes) {
          static_cast<std::uint32_t>(bytes[2]) << 16U | static_cast<std::uint32_t>(bytes[3]) << 24U;
 }
 
-// libsndfile reads what is there of a cut-off file and says nothing; the header knows how much there should be: in the
+// What is wrong with the sizes that the header gives; none: nothing. libsndfile reads what is there of a file whose
+// recorder was killed, lost its power or wrote into a pipe, and says nothing. How much there should be stands in the
 // data chunk, or, of RF64, in the ds64 chunk before it. 0xFFFFFFFF in plain RIFF means "streamed, unknown".
-Status checkRiffSizes(const std::string& path) {
+Result<std::optional<Message>> checkRiffSizes(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::array<unsigned char, 12> head{};
   file.read(reinterpret_cast<char*>(head.data()), 12);
   const bool rf64 = std::memcmp(head.data(), "RF64", 4) == 0;
   const bool riff = rf64 || std::memcmp(head.data(), "RIFF", 4) == 0;
-  if (!file || !riff || std::memcmp(head.data() + 8, "WAVE", 4) != 0) return Done{};
+  if (!file || !riff || std::memcmp(head.data() + 8, "WAVE", 4) != 0) return std::optional<Message>();
   const std::uint64_t fileSize = std::filesystem::file_size(path);
   constexpr std::uint64_t kUnknown = 0xFFFFFFFFU;
   std::uint64_t dataSize = kUnknown;  // from ds64
@@ -54,13 +56,12 @@ Status checkRiffSizes(const std::string& path) {
     }
     if (std::memcmp(chunk.data(), "data", 4) == 0) {
       if (size == kUnknown) size = dataSize;
-      if (size != kUnknown && size > fileSize - std::min(at, fileSize)) {
-        return Error{path,
-                     message("the header promises %1 bytes of samples, the file holds %2", std::to_string(size),
-                             std::to_string(fileSize - at)),
-                     message("a truncated file")};
-      }
-      return Done{};
+      const std::uint64_t held = fileSize - std::min(at, fileSize);
+      const bool unfinished = size == 0 && held > 0;
+      if ((size == kUnknown || size <= held) && !unfinished) return std::optional<Message>();
+      return std::optional<Message>(message(
+          "the header promises %1 bytes of samples, the file holds %2, which are read: its recorder did not end it",
+          std::to_string(size), std::to_string(held)));
     }
     at += size + (size & 1U);
   }
@@ -135,7 +136,8 @@ class WavReader final : public RecordingReader {
 }  // namespace
 
 Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const ReadOptions& options) {
-  if (const Status s = checkRiffSizes(path); !s) return s.error();
+  const Result<std::optional<Message>> sizes = checkRiffSizes(path);
+  if (!sizes) return sizes.error();
   SF_INFO info{};
   SoundFile file(sf_open(path.c_str(), SFM_READ, &info));
   if (!file) return Error{path, message("is no sound file that can be read"), foreign(sf_strerror(nullptr))};
@@ -152,6 +154,7 @@ Result<std::unique_ptr<RecordingReader>> openWav(const std::string& path, const 
   if (sf_command(nullptr, SFC_GET_FORMAT_INFO, &major, sizeof major) == 0) format.kind = major.name;
   format.rate = Hertz(info.samplerate);
   format.frames = info.frames;
+  if (*sizes) format.notes.push_back(**sizes);
   std::vector<RecordedChannel> all;
   std::vector<int> picked = options.channels;
   for (int c = 0; c < info.channels; ++c) {

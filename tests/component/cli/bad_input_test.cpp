@@ -100,8 +100,6 @@ TEST_F(BadInput, Usage) {
 
 TEST_F(BadInput, Recordings) {
   folder_.file("empty.wav", "");
-  std::filesystem::copy_file(folder_ / "cut.wav", folder_ / "short.wav");
-  std::filesystem::resize_file(folder_ / "short.wav", 1000);
   std::filesystem::copy_file(folder_ / "cut.wav", folder_ / "head.wav");
   std::filesystem::resize_file(folder_ / "head.wav", 30);
   std::vector<float> broken = cutSignal(true);
@@ -123,7 +121,6 @@ TEST_F(BadInput, Recordings) {
       {{"analyze", "folder"}, "folder: is a folder"},
       {{"analyze", "/dev/null"}, "/dev/null: is not a regular file"},
       {{"analyze", "empty.wav"}, "empty.wav: the file is empty"},
-      {{"analyze", "short.wav"}, "a truncated file"},
       {{"analyze", "head.wav"}, "a truncated file"},
       {{"analyze", "nan.wav"}, "nan.wav: frame 5000 of channel 0 is not a finite number"},
       {{"analyze", "nan.wav", "--events", "e.json", "--series", "s.csv"}, "frame 5000"},

@@ -21,9 +21,11 @@ RunOptions faceMill(double rpm) {
 TEST(Recordings, StableFaceMillAndItsRunUpAreSilent) {
   STILLCUT_NEEDS(audio("Stable.wav"));
   const Recording recording = readWav(audio("Stable.wav"));
-  // 74.81 Hz measured; 898 Hz is twice tooth passing here.
+  // 74.81 Hz measured; 898 Hz is twice tooth passing here. Labelled to 7.2 s: as the tool leaves, for 0.4 s a line at
+  // 903 Hz, which is on no order, fills the sound.
   for (const double rpm : {4489.0 * 0.98, 4489.0, 4489.0 * 1.02}) {
-    EXPECT_LT(run(recording, faceMill(rpm)).firstAlarm, 0.0) << rpm;
+    const double first = run(recording, faceMill(rpm)).firstAlarm;
+    EXPECT_TRUE(first < 0.0 || first >= 7.2) << rpm << ": " << first;
   }
 }
 

@@ -337,25 +337,6 @@ TEST(Exit, EndsAnAlarm) {
   EXPECT_LT(r.firstAlarmAfter(e.cutTo + e.fadeSeconds + 0.25), 0.0);
 }
 
-// A line that was learned with the stable cut, folded down from beyond the band or a machine's own, is as high as the
-// fixed ratio when the load dips; nothing has grown.
-TEST(FixedRatio, DoesNotAlarmWhereTheLineIsWhatTheCutIsUsedTo) {
-  Entry e;
-  e.lineHertz = 5.6 * e.spindle;
-  e.lineAmplitude = 0.6;
-  e.dipFrom = 4.0;
-  e.dipTo = 4.6;
-  e.dip = 0.7;
-  e.seconds = 5.0;
-  bool high = false;
-  RunOptions o = told(e, 60.0 * e.spindle);
-  o.onBlock = [&](const ConditionedBlock& b, const Verdict& v) {
-    high = high || (b.phase == CutPhase::Steady && v.severity.value > 0.2);
-  };
-  EXPECT_LT(run(make(e), o).firstAlarm, 0.0);
-  EXPECT_TRUE(high);
-}
-
 // Times and states are the cut's, not those of the blocks it comes in.
 TEST(Blocks, OfAnyLengthGiveTheSameVerdicts) {
   Entry e;

@@ -127,19 +127,23 @@ TEST(WavFiles, ChannelsArePickedInTheOrderAskedFor) {
   EXPECT_EQ(block.channel(0)[0], -0.5F);
 }
 
-TEST(WavFiles, TruncatedAtAnyByteIsRefusedWithOneLine) {
+TEST(WavFiles, TruncatedAtAnyByteIsRefusedWithOneLineOrReadWithANote) {
   const TempFolder folder;
   const std::string whole = contentOf(writeRamp(folder, 2, 200));
   for (std::size_t size = 0; size < whole.size(); size += 7) {
     const std::string path = folder.file("cut.wav", whole.substr(0, size));
     const auto reader = openRecording(path);
-    ASSERT_FALSE(reader.ok()) << "of " << whole.size() << " bytes " << size << " were left";
+    if (reader.ok()) {
+      EXPECT_LT((*reader)->format().frames, 200) << size;
+      EXPECT_EQ((*reader)->format().notes.size(), 1U) << size;
+      continue;
+    }
     EXPECT_THAT(reader.error().line(), testing::StartsWith(path));
     EXPECT_EQ(reader.error().line().find('\n'), std::string::npos);
   }
 }
 
-TEST(WavFiles, HeadersThatLieAreRefused) {
+TEST(WavFiles, AHeaderThatPromisesMoreThanThereIsIsReadWithANote) {
   const TempFolder folder;
   const std::string whole = contentOf(writeRamp(folder, 2, 200));
   std::string huge = whole;
@@ -147,16 +151,22 @@ TEST(WavFiles, HeadersThatLieAreRefused) {
   ASSERT_NE(data, std::string::npos);
   huge.replace(data + 4, 4, std::string("\xF0\xFF\xFF\x7F", 4));
   const auto reader = openRecording(folder.file("huge.wav", huge));
-  ASSERT_FALSE(reader.ok());
-  EXPECT_THAT(reader.error().line(), HasSubstr("truncated"));
+  ASSERT_TRUE(reader.ok()) << reader.error().line();
+  EXPECT_EQ((*reader)->format().frames, 200);
+  ASSERT_EQ((*reader)->format().notes.size(), 1U);
+  EXPECT_THAT(text((*reader)->format().notes.front()), HasSubstr("its recorder did not end it"));
+}
 
+TEST(WavFiles, HeadersThatLieAreRefused) {
+  const TempFolder folder;
+  const std::string whole = contentOf(writeRamp(folder, 2, 200));
   std::string manyChannels = whole;
   manyChannels.replace(whole.find("fmt ") + 10, 2, std::string("\xFF\xFF", 2));
   EXPECT_FALSE(openRecording(folder.file("many.wav", manyChannels)).ok());
   EXPECT_FALSE(openRecording(folder.file("rubbish.wav", "this is no sound")).ok());
 }
 
-TEST(WavFiles, Rf64IsReadAndItsTruncationNoticed) {
+TEST(WavFiles, Rf64IsReadAndItsTruncationNoted) {
   const TempFolder folder;
   const std::string path = folder / "long.wav";
   SF_INFO info{};
@@ -174,8 +184,9 @@ TEST(WavFiles, Rf64IsReadAndItsTruncationNoticed) {
   ASSERT_TRUE(reader.ok()) << reader.error().line();
   EXPECT_EQ((*reader)->format().frames, 500);
   const auto cut = openRecording(folder.file("cut.wav", whole.substr(0, whole.size() - 400)));
-  ASSERT_FALSE(cut.ok());
-  EXPECT_THAT(cut.error().line(), HasSubstr("truncated"));
+  ASSERT_TRUE(cut.ok()) << cut.error().line();
+  EXPECT_EQ((*cut)->format().frames, 400);
+  EXPECT_EQ((*cut)->format().notes.size(), 1U);
 }
 
 TEST(WavFiles, ASampleThatIsNoNumberEndsTheReadingWithItsPlace) {
