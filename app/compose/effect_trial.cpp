@@ -24,6 +24,7 @@ class Mover {
     safety::GateLimits limits;
     limits.autoAllowed = true;
     limits.filter = Seconds(0.0);
+    limits.interventions.most = kMoves + 1;  // no cut is here, nor an alarm that a move could end
     limits.machineAge = safety::staleAfter(link.describe().period, kTick);
     gate_.prepare(limits);
     last_ = clock.now();

@@ -142,6 +142,19 @@ constexpr Row kRows[] = {
     {ReasonCode::NothingUsable, "nothing-usable", "verdict or machine state cannot be acted on, staying at {0.0} rpm"},
     {ReasonCode::TeethNotKnown, "teeth-not-known",
      "the number of teeth is not known, no speed follows from chatter of {0.0} Hz at {1.0} rpm"},
+    {ReasonCode::InterventionNoHelp, "intervention-no-help",
+     "the move to {0.0} rpm did not help ({1.0} in a row, {2.0} end Auto)"},
+    {ReasonCode::InterventionLouder, "intervention-louder",
+     "at {0.0} rpm the cut is {1.1} times as loud as before the move ({2.0} moves in a row without help, {3.0} end "
+     "Auto)"},
+    {ReasonCode::InterventionNotAgain, "intervention-not-again",
+     "{0.0} rpm made the cut louder and is not tried again"},
+    {ReasonCode::AutoWithoutHelp, "auto-without-help", "{0.0} moves in a row did not help, advice only from now on"},
+    {ReasonCode::InterventionForced, "intervention-forced",
+     "no chatter at {0.0} rpm, though the cut is {1.1} times as loud as before the move"},
+    {ReasonCode::GateOldSamples, "gate-old-samples",
+     "the newest samples that were judged are {0.2} s old, nothing is moved by them"},
+    {ReasonCode::InputAbsurd, "input-absurd", "channel {0.0} delivers values that no sensor has"},
 };
 
 const Row& rowOf(ReasonCode code) {

@@ -107,10 +107,17 @@ enum class ReasonCode : std::uint16_t {
   GateOverrideReset,        // override read back %, ours until then %: somebody else's doing, not a lock
   EventsLost,               // events of earlier steps that found no room
   // requests again: sessions store a code as its place here, so that new ones come last
-  MonitoringAt,   // rpm, energy ratio
-  NothingToDoAt,  // rpm, energy ratio
-  NothingUsable,  // rpm stayed at: verdict or machine state cannot be acted on
-  TeethNotKnown,  // chatter Hz (0: none), rpm: no other speed follows from them
+  MonitoringAt,        // rpm, energy ratio
+  NothingToDoAt,       // rpm, energy ratio
+  NothingUsable,       // rpm stayed at: verdict or machine state cannot be acted on
+  TeethNotKnown,       // chatter Hz (0: none), rpm: no other speed follows from them
+  InterventionNoHelp,  // rpm moved to, moves in a row without help, how many of them end Auto
+  InterventionLouder,  // rpm moved to, times as loud as before, moves in a row without help, how many of them end Auto
+  InterventionNotAgain,  // rpm that was louder, and is asked for again
+  AutoWithoutHelp,       // moves in a row without help: authority falls back to Advise
+  InterventionForced,    // rpm moved to, times as loud as before: quiet of chatter, but loud
+  GateOldSamples,        // age s of the newest samples that were judged, by the machine's newest state
+  InputAbsurd,           // channel
 };
 
 struct Reason {

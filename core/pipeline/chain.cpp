@@ -218,6 +218,7 @@ void Chain::runGate(const StepInput& input) noexcept {
                              .request = out.request,
                              .verdict = out.verdicts[static_cast<std::size_t>(inCharge_)],
                              .machine = input.machine,
+                             .vibration = step_.vibrationRms,
                              .strategyFailed = strategyFailed_,
                              .inputs = inputs};
   step_.gate = gate_.step(in);

@@ -62,6 +62,14 @@ Reason checkVerdict(const Verdict& v, Instant now, Seconds maxAge) STILLCUT_RT {
   return {};
 }
 
+bool inCut(const Verdict& v) STILLCUT_RT {
+  return v.state != CutState::AirCutting && v.phase != CutPhase::RunUp;
+}
+
+Seconds sampleAge(const Verdict& v, const MachineState& m, Instant now) STILLCUT_RT {
+  return Seconds(ageOf(v.time, std::max(now, m.time)));
+}
+
 Reason checkRequest(const OverrideRequest& r, const MachineState& m, Instant now, Seconds maxAge) STILLCUT_RT {
   if (r.kind != RequestKind::Set) {
     const bool known = r.kind == RequestKind::None || r.kind == RequestKind::Hold || r.kind == RequestKind::Release;

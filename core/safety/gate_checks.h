@@ -14,6 +14,10 @@ bool plausible(const MachineState& machine) STILLCUT_RT;
 Reason checkMachine(const MachineState& machine, Instant now, Seconds maxAge) STILLCUT_RT;
 // Valid, fresh, finite.
 Reason checkVerdict(const Verdict& verdict, Instant now, Seconds maxAge) STILLCUT_RT;
+bool inCut(const Verdict& verdict) STILLCUT_RT;
+// How old the samples are that it was made of, by the newest that is known of the time: the block, or what the machine
+// told after it. Too old to move by.
+Seconds sampleAge(const Verdict& verdict, const MachineState& machine, Instant now) STILLCUT_RT;
 // Fresh, finite, plausible for this machine. Always well for None, and for Hold and Release whatever they carry.
 Reason checkRequest(const OverrideRequest& request, const MachineState& machine, Instant now,
                     Seconds maxAge) STILLCUT_RT;

@@ -22,6 +22,7 @@ struct GateInput {
   OverrideRequest request;      // of the strategy in charge
   Verdict verdict;              // of the detector in charge
   MachineState machine;         // newest read
+  double vibration = -1.0;      // rms of the first channel, SI; negative: unknown
   bool strategyFailed = false;  // for good: there is nobody whose wishes to follow
   std::span<const OperatorInput> inputs;
 };

@@ -6,11 +6,16 @@
 #include "core/base/result.h"
 #include "core/base/time.h"
 #include "core/config/override_limits.h"
+#include "core/safety/intervention_rules.h"
 
 namespace stillcut::safety {
 
 // Overrides are read back in steps of at most 1 %.
 inline constexpr double kReadbackRounding = 0.01;
+
+// A move needs samples judged within this: a spindle is there in as long, and what was heard before tells of another
+// cut. What is older is held, and by `verdictAge` given up.
+inline constexpr Seconds kMoveAge{0.2};
 
 struct GateLimits {
   config::OverrideLimits overrides;
@@ -37,6 +42,7 @@ struct GateLimits {
   Seconds takeTime{2.0};
   Seconds followTime{5.0};  // actual speed must agree within this
   Seconds lease{0.2};       // of every Set
+  InterventionRules interventions;
 };
 
 // A machine state is stale after three of its link's periods and `step`, the time between two looks at it.

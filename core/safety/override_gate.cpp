@@ -15,6 +15,8 @@ void OverrideGate::prepare(const GateLimits& limits) {
   setpoint_.prepare(limits);
   watch_.prepare(limits);
   pendingAdvice_.clear();
+  judge_.prepare(limits.interventions);
+  louder_.reset();
   authority_ = Authority::Off;
   authoritySince_ = lastNow_;
   operatorHold_ = false;
@@ -108,6 +110,7 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
     // Whatever else is wrong: our factors were meant for another speed.
     const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
     say(out, in.now, EventLevel::Info, why);
+    louder_.reset();
     relinquish(why, EventLevel::Info, in.now, out);
     return why;
   }

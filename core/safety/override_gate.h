@@ -11,6 +11,9 @@
 // whoever or whatever ended them, and the Release comes last. It comes at once only where nothing can be steered any
 // more (link gone, state stale, overrides locked, reset or not taken, time that jumped, a lease that has run out).
 //
+// Moves that were made for an alarm are judged by what came of them (intervention_judge.h): a louder cut is taken back,
+// and after two moves in a row that did not help Auto becomes Advise and the programmed values come back.
+//
 // Every fault, refusal and change of authority leaves an event and a flight, also with nothing in force, unless
 // authority is Off: then only what concerns the link.
 // Thread: prepare() at set-up, step() on the worker, once per block, real-time.
@@ -18,6 +21,7 @@
 
 #include "core/safety/gate_io.h"
 #include "core/safety/gate_limits.h"
+#include "core/safety/intervention_judge.h"
 #include "core/safety/machine_watch.h"
 #include "core/safety/override_ramp.h"
 #include "core/safety/override_setpoint.h"
@@ -47,7 +51,7 @@ class OverrideGate {
     Factors factors;
     Reason limited;  // GateLimited when it had to be trimmed, else None
   };
-  enum class Freeze { No, Operator, FeedHold, Knob };
+  enum class Freeze { No, Operator, FeedHold, Knob, OldSamples };
 
   void passTime(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT;
@@ -66,6 +70,7 @@ class OverrideGate {
   void tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void steer(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void retarget(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  bool follow(const Factors& wanted, bool accepted, const GateInput& in, GateOutput& out) STILLCUT_RT;
   void move(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void refuseBeyondLimits(const Reason& limited, const GateInput& in, GateOutput& out) STILLCUT_RT;
@@ -73,8 +78,17 @@ class OverrideGate {
 
   TrimmedRequest trimmed(const OverrideRequest& request, const MachineState& machine) const STILLCUT_RT;
   Reason notReady(const GateInput& in) const STILLCUT_RT;
-  Freeze frozen(const MachineState& machine) const STILLCUT_RT;
+  Freeze frozen(const GateInput& in) const STILLCUT_RT;
   Reason inForce(const MachineState& machine) const STILLCUT_RT;
+
+  InterventionStep heard(const GateInput& in) const STILLCUT_RT;
+  void judgeMove(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void take(Outcome outcome, Instant now, GateOutput& out) STILLCUT_RT;
+  void beginMove(const Factors& before, const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void undoMove() STILLCUT_RT;
+  void countFault(Instant now, GateOutput& out) STILLCUT_RT;
+  void withdrawAuto(Instant now, GateOutput& out) STILLCUT_RT;
+  bool triedLouder(const Factors& wanted) const STILLCUT_RT;
 
   // By the ramp, over the next steps; at once where nothing is in force.
   void relinquish(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
@@ -93,6 +107,9 @@ class OverrideGate {
   OverrideSetpoint setpoint_;
   MachineWatch watch_;
   PendingAdvice pendingAdvice_;
+  InterventionJudge judge_;
+  std::optional<Factors> louder_;  // that the cut was louder at: not asked for again under this authority
+  Rpm judgedFor_{};                // what the move in hand is after
 
   Authority authority_ = Authority::Off;
   Instant authoritySince_{};

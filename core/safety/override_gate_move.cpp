@@ -2,14 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/safety/gate_checks.h"
 #include "core/safety/override_gate.h"
 
 namespace stillcut::safety {
 namespace {
-
-bool inCut(const Verdict& v) noexcept {
-  return v.state != CutState::AirCutting && v.phase != CutPhase::RunUp;
-}
 
 // A return is advised with the values that it leads to.
 Advice adviceOf(const Factors& factors, const OverrideRequest& r, const MachineState& m) noexcept {
@@ -30,7 +27,10 @@ void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
   if (!owesRelease_) restLeft_ = std::max(0.0, restLeft_ - elapsed_);
   if (!commanding_) watch_.rebase(in.machine);
 
+  judge_.listen(heard(in));
   endOldAcceptance(in, out);
+  if (commanding_) judgeMove(in, out);
+  if (relinquishing_) return;
   if (commanding_) {
     steer(in, out);
   } else {
@@ -69,7 +69,8 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
     return;
   }
   const TrimmedRequest wanted = trimmed(in.request, in.machine);
-  const bool wants = in.request.kind == RequestKind::Set && !setpoint_.near(wanted.factors);
+  const bool again = in.request.kind == RequestKind::Set && triedLouder(wanted.factors);
+  const bool wants = in.request.kind == RequestKind::Set && !again && !setpoint_.near(wanted.factors);
   if (in.request.kind != RequestKind::Set) saidLimits_ = false;
   if (!wants && accepted == nullptr) {
     pendingAdvice_.close();
@@ -77,6 +78,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
       return refuseBeyondLimits(wanted.limited, in, out);
     }
     out.reason = in.request.reason.code != ReasonCode::None ? in.request.reason : Reason{ReasonCode::NothingToDo, {}};
+    if (again) out.reason = {ReasonCode::InterventionNotAgain, {in.request.speed.value}};
     return;
   }
   if (authority_ == Authority::Advise && accepted == nullptr) {
@@ -97,6 +99,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
   watch_.engage(in.machine);
   commanding_ = true;
   ++engagement_;
+  beginMove({}, in, out);
   move(in, out);
   if (target.limited.code != ReasonCode::None) out.reason = target.limited;
 }
@@ -111,13 +114,16 @@ Reason OverrideGate::notReady(const GateInput& in) const STILLCUT_RT {
   }
   if (!watch_.atSpeed()) return {ReasonCode::GateSettling, {m.actualSpeed.value, m.targetSpeed().value}};
   if (!inCut(in.verdict)) return {ReasonCode::GateNotInCut, {}};
+  if (const Seconds age = sampleAge(in.verdict, m, in.now); age > kMoveAge)
+    return {ReasonCode::GateOldSamples, {age.value}};
   return {};
 }
 
-OverrideGate::Freeze OverrideGate::frozen(const MachineState& machine) const STILLCUT_RT {
+OverrideGate::Freeze OverrideGate::frozen(const GateInput& in) const STILLCUT_RT {
   if (operatorHold_) return Freeze::Operator;
-  if (machine.feedHold) return Freeze::FeedHold;
-  return watch_.operatorOverrideMoving() ? Freeze::Knob : Freeze::No;
+  if (in.machine.feedHold) return Freeze::FeedHold;
+  if (watch_.operatorOverrideMoving()) return Freeze::Knob;
+  return sampleAge(in.verdict, in.machine, in.now) > kMoveAge ? Freeze::OldSamples : Freeze::No;
 }
 
 // Something of ours is in force.
@@ -127,7 +133,7 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
     say(out, in.now, EventLevel::Info,
         {ReasonCode::GateOperatorOverrideMoved, {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}});
   }
-  switch (frozen(m)) {
+  switch (frozen(in)) {
     case Freeze::Operator:
       out.reason = {ReasonCode::GateOperatorHold, {}};
       break;
@@ -137,6 +143,9 @@ void OverrideGate::steer(const GateInput& in, GateOutput& out) STILLCUT_RT {
     case Freeze::Knob:
       out.reason = {ReasonCode::GateOperatorOverrideMoved,
                     {100.0 * m.operatorSpeed.value, 100.0 * m.operatorFeed.value}};
+      break;
+    case Freeze::OldSamples:
+      out.reason = {ReasonCode::GateOldSamples, {sampleAge(in.verdict, m, in.now).value}};
       break;
     case Freeze::No:
       retarget(in, out);
@@ -165,13 +174,37 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   if (back) {
     setpoint_.goBack();
-  } else if (setpoint_.propose(wanted.factors, accepted != nullptr) == Proposal::Refused) {
-    refuseChange(in, out);
+  } else if (accepted == nullptr && triedLouder(wanted.factors)) {
+    out.reason = {ReasonCode::InterventionNotAgain, {r.speed.value}};
+    return;
+  } else if (!follow(wanted.factors, accepted != nullptr, in, out)) {
     return;
   }
   goingBack_ = back;
   pendingAdvice_.carriedOut();
   if (wanted.limited.code != ReasonCode::None) out.reason = wanted.limited;
+}
+
+// False: not now, or not any more.
+bool OverrideGate::follow(const Factors& wanted, bool accepted, const GateInput& in, GateOutput& out) STILLCUT_RT {
+  // One move at a time: what is made up while the machine is on its way was made of a cut that changes.
+  const bool another = authority_ == Authority::Auto && judge_.underWay() && setpoint_.turns(wanted);
+  if (another) return false;
+  const Factors before = ramp_.now();
+  switch (setpoint_.propose(wanted, accepted)) {
+    case Proposal::Refused:
+      refuseChange(in, out);
+      return false;
+    case Proposal::Taken:
+      if (judge_.alarmedLately()) beginMove(before, in, out);
+      return !relinquishing_;
+    case Proposal::GoesOn:
+      judge_.goOn();
+      return true;
+    case Proposal::Same:
+      return true;
+  }
+  return false;
 }
 
 void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {

@@ -60,6 +60,8 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
     authoritySince_ = now;
     pendingAdvice_.clear();
     setpoint_.forgiveChanges();
+    judge_.forget();
+    louder_.reset();
     saidLimits_ = false;
     saidTrouble_ = ReasonCode::None;  // whoever takes or gives authority hears what stands in the way
     if (wanted == Authority::Advise && commanding_ && !relinquishing_) stay();

@@ -74,7 +74,9 @@ void OverrideGate::relinquish(const Reason& why, EventLevel level, Instant now, 
   relinquishing_ = true;
   stuck_ = 0.0;
   dropReason_ = why;
-  if (level == EventLevel::Fault) report(out, now, level, why);
+  if (level != EventLevel::Fault) return;
+  report(out, now, level, why);
+  countFault(now, out);
 }
 
 // At full rate: it was not the cut's becoming quiet that ended it, somebody or something wants the programmed values.
@@ -109,6 +111,7 @@ void OverrideGate::releaseAtProgrammed(const GateInput& in, GateOutput& out) STI
 void OverrideGate::forget() STILLCUT_RT {
   setpoint_.restart();
   pendingAdvice_.clear();
+  judge_.leave();
   goingBack_ = false;
   badTime_ = 0.0;
 }
@@ -124,6 +127,7 @@ void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOu
   restLeft_ = limits_.reengageDelay.value;
   if (level == EventLevel::Fault) report(out, now, level, why);
   say(out, now, EventLevel::Info, {ReasonCode::GateReleased, {}});
+  if (level == EventLevel::Fault) countFault(now, out);
 }
 
 }  // namespace stillcut::safety

@@ -9,7 +9,8 @@
 
 namespace stillcut::safety {
 
-enum class Proposal { Same, Taken, Refused };
+// GoesOn: in the direction of the move in hand. Taken: from rest, or turned back.
+enum class Proposal { Same, GoesOn, Taken, Refused };
 
 class OverrideSetpoint {
  public:
@@ -43,7 +44,13 @@ class OverrideSetpoint {
     if (speedWay != 0) speedWay_ = speedWay;
     if (feedWay != 0) feedWay_ = feedWay;
     still_ = 0.0;
-    return Proposal::Taken;
+    return goesOn ? Proposal::GoesOn : Proposal::Taken;
+  }
+  // Whether it would be another move than the one in hand.
+  bool turns(const Factors& wanted) const STILLCUT_RT {
+    const int speedWay = way(wanted.speed - target_.speed);
+    const int feedWay = way(wanted.feed - target_.feed);
+    return speedWay != 0 ? speedWay != speedWay_ : feedWay != feedWay_ && feedWay != 0;
   }
   // The way back to exactly 100 %, from inside the dead band as well: it must arrive. Never refused.
   void goBack() STILLCUT_RT {

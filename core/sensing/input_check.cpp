@@ -7,6 +7,9 @@ namespace stillcut::detect {
 namespace {
 
 constexpr double kDeadSeconds = 0.05;  // a live sensor's last bit moves far sooner
+// In device units. A converter's counts end at 2^31, and no sensor's volts, newtons or metres a second squared come
+// near that: what is greater is a broken stream, and its square fills every level for as long as the cut lasts.
+constexpr float kAbsurd = 1e12F;
 
 }  // namespace
 
@@ -33,6 +36,7 @@ Reason InputCheck::checkChannel(std::span<const float> samples, int index) noexc
   InputChannel& c = channels_[static_cast<std::size_t>(index)];
   for (const float v : samples) {
     if (!std::isfinite(v)) return {ReasonCode::InputNotFinite, {static_cast<double>(index)}};
+    if (std::abs(v) > kAbsurd) return {ReasonCode::InputAbsurd, {static_cast<double>(index)}};
     c.run = c.run > 0 && v == c.last ? c.run + 1 : 1;
     c.last = v;
   }

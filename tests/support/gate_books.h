@@ -85,6 +85,12 @@ class Books {
     feed_ = set ? out.command->feed().value : 1.0;
   }
 
+  // Its moves did not help, the gate says: what is in force goes home.
+  void giveUp() {
+    if (!mustLeave) stuck = 0.0;
+    mayLeave = mustLeave = inForce;
+  }
+
   bool mayShow(Authority a) const { return a == given || (given == Authority::Auto && a == Authority::Advise); }
 
   // Commands reach the machine and act on it.

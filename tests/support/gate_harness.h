@@ -13,11 +13,20 @@
 
 namespace stillcut::safety::testing {
 
+// Moves are not judged by what came of them: most tests let it chatter wherever the machine goes.
 inline GateLimits promptLimits() {
   GateLimits limits;
   limits.autoAllowed = true;
   limits.filter = Seconds(0.0);
   limits.reengageDelay = Seconds(0.1);
+  limits.interventions.helpsWithin = limits.interventions.arrivesWithin = Seconds(1e9);
+  limits.interventions.most = 1 << 20;
+  return limits;
+}
+// They are.
+inline GateLimits judgingLimits() {
+  GateLimits limits = promptLimits();
+  limits.interventions = {};
   return limits;
 }
 
@@ -51,6 +60,7 @@ class GateHarness {
     in.machine = machine;
     in.verdict = verdict;
     in.request = request;
+    in.vibration = vibration;
     in.strategyFailed = strategyFailed;
     const std::vector<OperatorInput> list(inputs);
     in.inputs = list;
@@ -119,6 +129,7 @@ class GateHarness {
   OverrideRequest request;
   Instant now{};
   Seconds dt{kDt};
+  double vibration = -1.0;  // rms
   bool freshMachine = true, freshVerdict = true, freshRequest = true;
   bool strategyFailed = false;
   bool machineFollows = true;  // readback and spindle

@@ -23,6 +23,12 @@ class GateOracle {
 
   std::string breach(const GateInput& in, const GateOutput& out) {
     books_.before(in);
+    for (int i = 0; i < out.eventCount; ++i) {
+      if (out.events[static_cast<std::size_t>(i)].reason.code == ReasonCode::AutoWithoutHelp) {
+        books_.giveUp();
+        ++withdrawn;
+      }
+    }
     std::string what = judge(in, out);
     if (what.empty()) what = changes_.breach(in, out, books_);
     books_.after(in, out);
@@ -31,6 +37,7 @@ class GateOracle {
     return what;
   }
   long sets = 0;
+  long withdrawn = 0;  // Auto, for want of help
 
  private:
   static constexpr double kTiny = 1e-9;

@@ -83,6 +83,8 @@ class HostileWorld {
     in.machine.time = stamp(1.0);
     in.verdict = verdict_;
     in.verdict.time = stamp(1.0);
+    if (chance(0.02)) vibration_ = uniform(0.1, 10.0);
+    in.vibration = chance(0.01) ? nonsense() : vibration_;
     in.strategyFailed = failed_ = failed_ || chance(0.00005);
     if (chance(0.02)) bend(in.machine);
     if (chance(0.01)) bend(in.verdict);
@@ -254,6 +256,7 @@ class HostileWorld {
   Verdict verdict_;
   std::array<double, 2> ours_{1.0, 1.0};
   std::array<double, 2> wish_{0.9, 0.9};
+  double vibration_ = 1.0;
   std::array<OperatorInput, 4> list_{};
   int inputs_ = 0;
   RequestKind wishKind_ = RequestKind::Set;

@@ -58,6 +58,8 @@ StripItem sensorItem(const Picture& p) {
       return {label, say("dead"), Tone::Chatter};
     case ReasonCode::InputNotFinite:
       return {label, say("not a number"), Tone::Chatter};
+    case ReasonCode::InputAbsurd:
+      return {label, say("impossible values"), Tone::Chatter};
     case ReasonCode::InputGap:
       return {label, say("samples missing"), Tone::Onset};
     case ReasonCode::InputSilent:

@@ -41,6 +41,7 @@ TEST_P(GateHostile, AMillionStepsWithoutABreach) {
   // The gate was really driven, not merely refusing everything.
   EXPECT_GT(oracle.sets, kSteps / 8);
   EXPECT_GT(engagements, 500U);
+  EXPECT_GT(oracle.withdrawn, 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, GateHostile, ::testing::Values(1U, 2U, 3U));

@@ -79,6 +79,12 @@ TEST(InputCheck, WhatIsNotFiniteIsRefused) {
   EXPECT_EQ(clipSaid(still(std::numeric_limits<double>::quiet_NaN()), 0.0), ReasonCode::InputNotFinite);
 }
 
+// Finite in a float, and its square fills every filter behind it.
+TEST(InputCheck, WhatNoSensorHasIsRefusedAndTheGreatestCountIsNot) {
+  EXPECT_EQ(clipSaid(tone(900.0, 3e38), 0.0), ReasonCode::InputAbsurd);
+  EXPECT_EQ(clipSaid(tone(900.0, 2147483647.0), 0.0), ReasonCode::None);
+}
+
 TEST(InputCheck, ASensorOfWhatChangesIsDeadWhenItStandsStill) {
   for (const auto q : {SensorQuantity::Acceleration, SensorQuantity::Velocity, SensorQuantity::Sound}) {
     EXPECT_EQ(said(measuring({q}), {still(0.25)}, 0.5, 0.1), ReasonCode::InputDead);
