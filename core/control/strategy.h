@@ -29,7 +29,7 @@ struct StrategyInput {
   Seconds dt{};   // measured time since the previous decision
   Verdict verdict;
   // As read, but for operatorSpeed and operatorFeed: the knobs by which the gate divides what is asked for
-  // (OverrideGate::machineSeenByRequests). While something of ours is in force they may differ from the newest read: a
+  // (safety::WishKnobs). While something of ours is in force they may differ from the newest read: a
   // knob that is turned then scales what is in force, and a strategy that saw it turned would count it twice.
   MachineState machine;
   // H(f_c) = |1/D(f_c)|^2 (van Dijk 2010 eq. 26), of whichever detector reports it, for the strategies that lower it;

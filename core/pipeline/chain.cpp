@@ -74,6 +74,8 @@ void Chain::prepare(const CutSetup& setup, const config::ParamSet& params, const
   for (auto& detector : parts_.detectors) detector->prepare(setup, params);
   parts_.strategy->prepare(setup, params);
   gate_.prepare(limits);
+  gateSaid_ = {};
+  gateSaid_.autoAllowed = limits.autoAllowed;
   flights_.prepare(Seconds(setup.blockFrames / setup.rate.value));
   inCharge_ = parts_.inCharge;
   perturbation_ = findIndicator("h");
@@ -182,7 +184,7 @@ void Chain::updateStrategyAuthority(const StepInput& input) noexcept {
     const bool asksFor =
         asked.action == OperatorAction::SetAuthority || asked.action == OperatorAction::GrantBySimulation;
     // The same again, or one that the gate refuses, changes nothing: what is in force keeps its author.
-    const bool another = asksFor && granted != gate_.authority() && gate_.grants(granted);
+    const bool another = asksFor && granted != gateSaid_.authority && safety::grants(granted, gateSaid_.autoAllowed);
     if (another || asked.action == OperatorAction::BackToProgrammed) {
       strategyFailed_ = !withoutThrow([&] { parts_.strategy->relinquish(); }) || strategyFailed_;
     }
@@ -194,7 +196,7 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   const control::StrategyInput seen{.now = input.block.end(),
                                     .dt = dt_,
                                     .verdict = verdict,
-                                    .machine = gate_.machineSeenByRequests(machine_),
+                                    .machine = machineSeenByRequests(),
                                     .perturbation = read(perturbation_),
                                     .vibration = step_.vibrationRms,
                                     .coherence = read(coherence_),
@@ -210,6 +212,15 @@ OverrideRequest Chain::askStrategy(const StepInput& input) noexcept {
   return none;
 }
 
+MachineState Chain::machineSeenByRequests() const noexcept {
+  MachineState seen = machine_;
+  if (gateSaid_.knobs) {
+    seen.operatorSpeed = gateSaid_.knobs->speed;
+    seen.operatorFeed = gateSaid_.knobs->feed;
+  }
+  return seen;
+}
+
 void Chain::runGate(const StepInput& input) noexcept {
   StepOutput& out = step_.output;
   const std::span<const OperatorInput> inputs(input.inputs.data(), static_cast<std::size_t>(input.inputCount));
@@ -223,6 +234,7 @@ void Chain::runGate(const StepInput& input) noexcept {
                              .inputs = inputs};
   step_.gate = gate_.step(in);
   const safety::GateOutput& gate = step_.gate;
+  gateSaid_ = {gate.authority, gate.autoAllowed, gate.knobs};
   flights_.push(safety::flightEntry(in, gate));
   // So far the step has told of the detectors only; the gate's own cause follows.
   for (int i = 0; i < out.eventCount; ++i) flights_.capture(out.events[static_cast<std::size_t>(i)].reason, in.now);

@@ -71,11 +71,17 @@ class Chain {
   // Its newest value where the detector's verdict is valid; negative: unknown.
   double read(const Indicator& indicator) const noexcept;
   void runGate(const StepInput& input) noexcept;
+  MachineState machineSeenByRequests() const noexcept;
 
   ChainParts parts_;
   config::ParamSet params_;  // of the tunable ones, every key set
   detect::Conditioner conditioner_;
   safety::OverrideGate gate_;
+  struct GateSaid {
+    Authority authority = Authority::Off;
+    bool autoAllowed = false;
+    std::optional<safety::WishKnobs> knobs;
+  } gateSaid_;  // in the step before
   safety::FlightRecorder flights_;
   int inCharge_ = 0;
   bool strategyFailed_ = false;

@@ -27,6 +27,17 @@ struct GateInput {
   std::span<const OperatorInput> inputs;
 };
 
+// The operator's knobs by which absolute wishes are divided while something of ours is in force. A knob that is turned
+// then scales what is in force; a strategy that saw it turned would count it twice.
+struct WishKnobs {
+  Ratio speed{1.0}, feed{1.0};
+};
+
+// Whether authority would be given to whoever asks for it. What is none, from a damaged file, is not.
+constexpr bool grants(Authority wanted, bool autoAllowed) {
+  return wanted == Authority::Auto ? autoAllowed : wanted == Authority::Off || wanted == Authority::Advise;
+}
+
 struct GateOutput {
   std::optional<OverrideCommand> command;  // to the link's mailbox; none while nothing is in force
   bool commanding = false;                 // a Set is in force
@@ -36,7 +47,8 @@ struct GateOutput {
   bool adviceOpen = false;         // the request waits for accept or refuse
   std::uint32_t adviceNumber = 0;  // of the one on the desk; accepting needs it
   bool operatorHold = false;
-  Reason reason;        // why the gate does what it does now
+  std::optional<WishKnobs> knobs;  // of the next step's wish; none: as the machine tells them
+  Reason reason;                   // why the gate does what it does now
   bool flight = false;  // fault, refusal or change of authority: keep the last seconds (FlightRecorder::capture)
   Reason flightCause;   // the first of them in this step
   int eventCount = 0;   // Event::number is left to whoever counts a run's events

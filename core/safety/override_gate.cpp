@@ -9,7 +9,7 @@
 namespace stillcut::safety {
 
 void OverrideGate::prepare(const GateLimits& limits) {
-  owesRelease_ = owesRelease_ || commanding_;
+  enter(GateCause::Drops);
   limits_ = limits;
   ramp_.prepare(limits);
   setpoint_.prepare(limits);
@@ -18,19 +18,13 @@ void OverrideGate::prepare(const GateLimits& limits) {
   judge_.prepare(limits.interventions);
   louder_.reset();
   authority_ = Authority::Off;
-  authoritySince_ = lastNow_;
+  authoritySince_ = clock_.last();
   operatorHold_ = false;
-  commanding_ = false;
-  goingBack_ = false;
-  relinquishing_ = false;
-  hasTime_ = false;
+  strategyFailed_ = false;
+  clock_.restart();
+  said_ = {};
   badTime_ = 0.0;
   restLeft_ = 0.0;
-  saidTrouble_ = ReasonCode::None;
-  saidCoolDown_ = false;
-  saidLimits_ = false;
-  strategyFailed_ = false;
-  linkSeen_ = linkLost_ = false;
 }
 
 GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
@@ -39,8 +33,8 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
   obeyOperator(in, out);
   endWhatCannotGoOn(in, out);
   const Reason trouble = findTrouble(in, out);
-  if (relinquishing_) {
-    releaseAtProgrammed(in, out);
+  if (state_ == GateState::LettingGo) {
+    goHome(in, out);
   } else if (trouble.code != ReasonCode::None) {
     holdThenRelease(trouble, in, out);
   } else {
@@ -53,60 +47,58 @@ GateOutput OverrideGate::step(const GateInput& in) STILLCUT_RT {
 // Time that stands still, goes back or jumps past the lease ends what is in force: the link has let go by now, or
 // cannot tell that it should.
 void OverrideGate::passTime(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  const double elapsed = (static_cast<double>(toNs(in.now)) - static_cast<double>(toNs(lastNow_))) * 1e-9;
-  first_ = !hasTime_;
-  hasTime_ = true;
-  lastNow_ = in.now;
-  elapsed_ = 0.0;
-  moveTime_ = 0.0;
-  clockGood_ = false;
-  if (first_) return;
-  if (!(elapsed > 0.0) || elapsed > limits_.lease.value) {
-    const bool back = !(elapsed > 0.0);
-    const Reason why{back ? ReasonCode::GateClockFault : ReasonCode::LeaseExpired, {elapsed}};
-    if (commanding_) saidTrouble_ = ReasonCode::GateClockFault;  // by the drop
-    drop(why, EventLevel::Fault, in.now, out);
-    return;
+  switch (clock_.advance(in.now, in.dt, limits_.lease)) {
+    case StepClock::Step::First:
+      return;
+    case StepClock::Step::Back:
+    case StepClock::Step::Jump: {
+      const bool back = clock_.step() == StepClock::Step::Back;
+      const Reason why{back ? ReasonCode::GateClockFault : ReasonCode::LeaseExpired, {clock_.passed()}};
+      if (commanding()) said_.trouble(ReasonCode::GateClockFault);  // by the drop
+      drop(why, EventLevel::Fault, in.now, out);
+      return;
+    }
+    case StepClock::Step::Unmeasured:
+    case StepClock::Step::Good:
+      pendingAdvice_.advance(clock_.elapsed());
+      setpoint_.advance(clock_.elapsed(), ramp_.at(setpoint_.target()));
+      return;
   }
-  elapsed_ = elapsed;
-  clockGood_ = std::isfinite(in.dt.value) && in.dt.value > 0.0;
-  moveTime_ = clockGood_ ? std::min(elapsed, in.dt.value) : 0.0;
-  pendingAdvice_.advance(elapsed_);
-  setpoint_.advance(elapsed_, ramp_.at(setpoint_.target()));
 }
 
 // Faults that leave nothing to hold: the link has let go already, or the wish that is in force has lost its author.
 void OverrideGate::endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (commanding_ && in.machine.endedEngagement >= engagement_) {
+  if (commanding() && in.machine.endedEngagement >= engagement_) {
     drop({ReasonCode::LeaseExpired, {limits_.lease.value}}, EventLevel::Fault, in.now, out);
   }
   if (!in.strategyFailed || strategyFailed_) return;
   strategyFailed_ = true;
   const Reason why{ReasonCode::StrategyFault, {}};
-  if (!commanding_ || relinquishing_) report(out, in.now, EventLevel::Fault, why);
+  if (!steering()) report(out, in.now, EventLevel::Fault, why);
   relinquish(why, EventLevel::Fault, in.now, out);
 }
 
 // With authority reportFault() says what is wrong.
 void OverrideGate::watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (in.machine.linkUp) {
-    if (linkLost_) say(out, in.now, EventLevel::Info, {ReasonCode::LinkBack, {}});
-    linkSeen_ = true;
-    linkLost_ = false;
-    return;
+  switch (said_.link(in.machine.linkUp)) {
+    case SaidOnce::LinkNews::Back:
+      say(out, in.now, EventLevel::Info, {ReasonCode::LinkBack, {}});
+      break;
+    case SaidOnce::LinkNews::Lost:
+      if (commanding() || authority_ != Authority::Off) break;
+      report(out, in.now, EventLevel::Warning, {ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}});
+      break;
+    case SaidOnce::LinkNews::None:
+      break;
   }
-  if (!linkSeen_ || linkLost_) return;
-  linkLost_ = true;
-  if (commanding_ || authority_ != Authority::Off) return;
-  report(out, in.now, EventLevel::Warning, {ReasonCode::LinkLost, {secondsBetween(in.machine.time, in.now).value}});
 }
 
 Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_RT {
   watchLink(in, out);
   Reason trouble = checkMachine(in.machine, in.now, limits_.machineAge);
   if (trouble.code != ReasonCode::None) return trouble;
-  watch_.look(in.machine, ramp_.now(), commanding_, elapsed_);
-  if (commanding_ && !relinquishing_ && watch_.programChanged()) {
+  watch_.look(in.machine, ramp_.now(), commanding(), clock_.elapsed());
+  if (steering() && watch_.programChanged()) {
     // Whatever else is wrong: our factors were meant for another speed.
     const Reason why{ReasonCode::GateProgramChanged, {watch_.programmed().value, in.machine.programmedSpeed.value}};
     say(out, in.now, EventLevel::Info, why);
@@ -114,7 +106,7 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
     relinquish(why, EventLevel::Info, in.now, out);
     return why;
   }
-  if (!clockGood_) return {ReasonCode::GateClockFault, {}};
+  if (!clock_.good()) return {ReasonCode::GateClockFault, {}};
   trouble = watch_.trouble();
   if (trouble.code == ReasonCode::GateOverrideReset) {
     // The programmed values are in force already: to hold ours would be to take it back from whoever did it.
@@ -134,19 +126,19 @@ Reason OverrideGate::findTrouble(const GateInput& in, GateOutput& out) STILLCUT_
 // The one place where commands are made. The finite check is the last thing that happens to a number.
 void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const Factors& now = ramp_.now();
-  if (commanding_ && !(std::isfinite(now.speed) && std::isfinite(now.feed) && now.speed > 0.0 && now.feed >= 0.0)) {
+  if (commanding() && !(std::isfinite(now.speed) && std::isfinite(now.feed) && now.speed > 0.0 && now.feed >= 0.0)) {
     drop({ReasonCode::GateNotFinite, {}}, EventLevel::Fault, in.now, out);
   }
-  if (owesRelease_ || commanding_) {
+  if (state_ != GateState::Idle) {
     CommandRecord record;
     record.time = in.now;
     record.sequence = ++sequence_;
     record.engagement = engagement_;
     record.lease = toDuration(limits_.lease);
-    if (owesRelease_) {
+    if (state_ == GateState::OwesRelease) {
       record.kind = CommandKind::Release;
       record.reason = dropReason_;
-      owesRelease_ = false;
+      enter(GateCause::Sends);
     } else {
       record.kind = CommandKind::Set;
       record.speed = Ratio(now.speed);
@@ -155,7 +147,8 @@ void OverrideGate::issue(const GateInput& in, GateOutput& out) STILLCUT_RT {
     }
     out.command.emplace(OverrideCommand(record));
   }
-  out.commanding = commanding_;
+  out.commanding = commanding();
+  if (commanding()) out.knobs = {watch_.baseOperatorSpeed(), watch_.baseOperatorFeed()};
   out.authority = authority_;
   out.authoritySince = authoritySince_;
   out.autoAllowed = limits_.autoAllowed;

@@ -21,11 +21,14 @@
 
 #include "core/safety/gate_io.h"
 #include "core/safety/gate_limits.h"
+#include "core/safety/gate_state.h"
 #include "core/safety/intervention_judge.h"
 #include "core/safety/machine_watch.h"
 #include "core/safety/override_ramp.h"
 #include "core/safety/override_setpoint.h"
 #include "core/safety/pending_advice.h"
+#include "core/safety/said_once.h"
+#include "core/safety/step_clock.h"
 
 namespace stillcut::safety {
 
@@ -37,14 +40,9 @@ class OverrideGate {
 
   GateOutput step(const GateInput& in) STILLCUT_RT;
 
+  // As step() said last.
   Authority authority() const STILLCUT_RT { return authority_; }
-  // Whether it would be given to whoever asks for it.
-  bool grants(Authority wanted) const STILLCUT_RT;
-  bool commanding() const STILLCUT_RT { return commanding_; }
-  // The machine as the next step() takes absolute wishes: with the operator's knobs by which they are divided. A knob
-  // that is turned while something of ours is in force scales what is in force; a strategy that saw it turned would
-  // count it twice.
-  MachineState machineSeenByRequests(const MachineState& machine) const STILLCUT_RT;
+  bool commanding() const STILLCUT_RT { return commands(state_); }
 
  private:
   struct TrimmedRequest {
@@ -53,6 +51,9 @@ class OverrideGate {
   };
   enum class Freeze { No, Operator, FeedHold, Knob, OldSamples };
 
+  void enter(GateCause cause) STILLCUT_RT { state_ = after(state_, cause); }
+  // By somebody's wish, and not on the way home.
+  bool steering() const STILLCUT_RT { return state_ == GateState::Engaged || state_ == GateState::Returning; }
   void passTime(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void endWhatCannotGoOn(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
@@ -92,7 +93,7 @@ class OverrideGate {
 
   // By the ramp, over the next steps; at once where nothing is in force.
   void relinquish(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
-  void releaseAtProgrammed(const GateInput& in, GateOutput& out) STILLCUT_RT;
+  void goHome(const GateInput& in, GateOutput& out) STILLCUT_RT;
   // At once.
   void drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT;
   void forget() STILLCUT_RT;
@@ -111,32 +112,22 @@ class OverrideGate {
   std::optional<Factors> louder_;  // that the cut was louder at: not asked for again under this authority
   Rpm judgedFor_{};                // what the move in hand is after
 
+  GateState state_ = GateState::Idle;
+  StepClock clock_;
+  SaidOnce said_;
+
   Authority authority_ = Authority::Off;
   Instant authoritySince_{};
   bool operatorHold_ = false;
+  bool strategyFailed_ = false;  // for good: there is nobody whose wishes to follow
 
-  bool commanding_ = false;
-  bool goingBack_ = false;      // on the slow way to 100 %, then release
-  bool relinquishing_ = false;  // on the way to 100 % at full rate, then release
-  double stuck_ = 0.0;          // [s] on that way without getting any further
-  bool owesRelease_ = false;    // dropped, the Release is not out yet
-  Reason dropReason_;
+  Reason dropReason_;  // why it gives up, or has let go
   std::uint64_t sequence_ = 0;
   std::uint64_t engagement_ = 0;
 
-  bool hasTime_ = false;
-  bool first_ = false;  // step: there is no time before it to measure from
-  Instant lastNow_{};
-  bool clockGood_ = false;
-  double elapsed_ = 0.0;   // [s] stream time since the last step, for what must run out
-  double moveTime_ = 0.0;  // [s] the smaller of elapsed and measured dt, for what may move
   double badTime_ = 0.0;   // [s] of bad input, running down again while it is good
-  double restLeft_ = 0.0;
-  ReasonCode saidTrouble_ = ReasonCode::None;
-  bool saidCoolDown_ = false;  // once for each
-  bool saidLimits_ = false;    // once until something else is asked
-  bool strategyFailed_ = false;
-  bool linkSeen_ = false, linkLost_ = false;
+  double restLeft_ = 0.0;  // [s] until the overrides may be taken again
+  double stuck_ = 0.0;     // [s] letting go without getting any further
 };
 
 }  // namespace stillcut::safety

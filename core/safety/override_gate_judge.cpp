@@ -18,11 +18,11 @@ bool alike(const Factors& a, const Factors& b) noexcept {
 }  // namespace
 
 InterventionStep OverrideGate::heard(const GateInput& in) const STILLCUT_RT {
-  return {.dt = elapsed_,
+  return {.dt = clock_.elapsed(),
           .heard = inCut(in.verdict),
           .alarming = in.verdict.alarming(),
           .vibration = in.vibration,
-          .arrived = commanding_ && ramp_.at(setpoint_.target()) && watch_.atSpeed()};
+          .arrived = steering() && ramp_.at(setpoint_.target()) && watch_.atSpeed()};
 }
 
 // What is in force goes from `before` to the setpoint.
@@ -51,7 +51,7 @@ void OverrideGate::take(Outcome outcome, Instant now, GateOutput& out) STILLCUT_
   if (authority_ != Authority::Auto) return;
   if (judge_.usedUp()) {
     withdrawAuto(now, out);
-  } else if (louder && commanding_) {
+  } else if (louder && steering()) {
     undoMove();
   }
 }
@@ -59,12 +59,13 @@ void OverrideGate::take(Outcome outcome, Instant now, GateOutput& out) STILLCUT_
 void OverrideGate::undoMove() STILLCUT_RT {
   louder_ = setpoint_.target();
   const Factors before = judge_.before();
-  goingBack_ = alike(before, {});
-  if (goingBack_) {
+  const bool home = alike(before, {});
+  if (home) {
     setpoint_.goBack();
   } else {
     setpoint_.propose(before, true);
   }
+  enter(home ? GateCause::Returns : GateCause::Follows);
 }
 
 bool OverrideGate::triedLouder(const Factors& wanted) const STILLCUT_RT {

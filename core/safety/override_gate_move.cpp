@@ -21,33 +21,23 @@ Advice adviceOf(const Factors& factors, const OverrideRequest& r, const MachineS
 }  // namespace
 
 void OverrideGate::act(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  badTime_ = std::max(0.0, badTime_ - elapsed_);
-  if (badTime_ <= 0.0) saidTrouble_ = ReasonCode::None;
-  if (!setpoint_.budget().cooling()) saidCoolDown_ = false;
-  if (!owesRelease_) restLeft_ = std::max(0.0, restLeft_ - elapsed_);
-  if (!commanding_) watch_.rebase(in.machine);
+  badTime_ = std::max(0.0, badTime_ - clock_.elapsed());
+  if (badTime_ <= 0.0) said_.troubleOver();
+  if (!setpoint_.budget().cooling()) said_.coolDownOver();
+  if (state_ != GateState::OwesRelease) restLeft_ = std::max(0.0, restLeft_ - clock_.elapsed());
+  if (!commanding()) watch_.rebase(in.machine);
 
   judge_.listen(heard(in));
   endOldAcceptance(in, out);
-  if (commanding_) judgeMove(in, out);
-  if (relinquishing_) return;
-  if (commanding_) {
+  if (commanding()) judgeMove(in, out);
+  if (steering()) {
     steer(in, out);
-  } else {
+  } else if (!commanding()) {
     tryToTake(in, out);
   }
   // Chatter needs an absolute speed; without it a turned knob scales what is in force, as its owner expects. From the
-  // next wish on: this one was made with machineSeenByRequests() of before.
-  if (commanding_ && in.verdict.alarming() && !watch_.operatorOverrideMoving()) watch_.rebase(in.machine);
-}
-
-MachineState OverrideGate::machineSeenByRequests(const MachineState& machine) const STILLCUT_RT {
-  MachineState seen = machine;
-  if (commanding_) {
-    seen.operatorSpeed = watch_.baseOperatorSpeed();
-    seen.operatorFeed = watch_.baseOperatorFeed();
-  }
-  return seen;
+  // next wish on: this one was made with the knobs that the step before gave out.
+  if (commanding() && in.verdict.alarming() && !watch_.operatorOverrideMoving()) watch_.rebase(in.machine);
 }
 
 // What was accepted for another cut, or is no longer asked for, is not carried out.
@@ -71,7 +61,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const TrimmedRequest wanted = trimmed(in.request, in.machine);
   const bool again = in.request.kind == RequestKind::Set && triedLouder(wanted.factors);
   const bool wants = in.request.kind == RequestKind::Set && !again && !setpoint_.near(wanted.factors);
-  if (in.request.kind != RequestKind::Set) saidLimits_ = false;
+  if (in.request.kind != RequestKind::Set) said_.limitsOver();
   if (!wants && accepted == nullptr) {
     pendingAdvice_.close();
     if (in.request.kind == RequestKind::Set && wanted.limited.code != ReasonCode::None) {
@@ -97,7 +87,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
   pendingAdvice_.carriedOut();
   ramp_.restart();
   watch_.engage(in.machine);
-  commanding_ = true;
+  enter(GateCause::Takes);
   ++engagement_;
   beginMove({}, in, out);
   move(in, out);
@@ -106,7 +96,7 @@ void OverrideGate::tryToTake(const GateInput& in, GateOutput& out) STILLCUT_RT {
 
 Reason OverrideGate::notReady(const GateInput& in) const STILLCUT_RT {
   const MachineState& m = in.machine;
-  if (owesRelease_ || restLeft_ > 0.0) return {ReasonCode::GateReengageDelay, {restLeft_}};
+  if (state_ != GateState::Idle || restLeft_ > 0.0) return {ReasonCode::GateReengageDelay, {restLeft_}};
   if (operatorHold_) return {ReasonCode::GateOperatorHold, {}};
   if (m.feedHold) return {ReasonCode::GateFeedHold, {}};
   if (watch_.operatorOverrideMoving()) {
@@ -168,7 +158,7 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   }
   const TrimmedRequest wanted = trimmed(r, in.machine);
   if (authority_ == Authority::Advise && accepted == nullptr) {
-    const bool underWay = back ? goingBack_ : setpoint_.near(wanted.factors);
+    const bool underWay = back ? state_ == GateState::Returning : setpoint_.near(wanted.factors);
     underWay ? pendingAdvice_.close() : pendingAdvice_.put(adviceOf(wanted.factors, r, in.machine));
     return;
   }
@@ -180,7 +170,7 @@ void OverrideGate::retarget(const GateInput& in, GateOutput& out) STILLCUT_RT {
   } else if (!follow(wanted.factors, accepted != nullptr, in, out)) {
     return;
   }
-  goingBack_ = back;
+  enter(back ? GateCause::Returns : GateCause::Follows);
   pendingAdvice_.carriedOut();
   if (wanted.limited.code != ReasonCode::None) out.reason = wanted.limited;
 }
@@ -197,7 +187,7 @@ bool OverrideGate::follow(const Factors& wanted, bool accepted, const GateInput&
       return false;
     case Proposal::Taken:
       if (judge_.alarmedLately()) beginMove(before, in, out);
-      return !relinquishing_;
+      return steering();
     case Proposal::GoesOn:
       judge_.goOn();
       return true;
@@ -208,13 +198,14 @@ bool OverrideGate::follow(const Factors& wanted, bool accepted, const GateInput&
 }
 
 void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (goingBack_ && ramp_.at({})) {
+  const bool returning = state_ == GateState::Returning;
+  if (returning && ramp_.at({})) {
     drop({ReasonCode::GateReleased, {}}, EventLevel::Info, in.now, out);
     return;
   }
   RampInput ramp = rampInput(in.machine);
   ramp.wanted = setpoint_.target();
-  ramp.recovering = goingBack_ || !in.verdict.alarming();
+  ramp.recovering = returning || !in.verdict.alarming();
   ramp_.advance(ramp);
   if (out.reason.code == ReasonCode::None) out.reason = inForce(in.machine);
 }
@@ -222,7 +213,7 @@ void OverrideGate::move(const GateInput& in, GateOutput& out) STILLCUT_RT {
 // To 100 %, unless told otherwise.
 RampInput OverrideGate::rampInput(const MachineState& m) const STILLCUT_RT {
   RampInput ramp;
-  ramp.dt = moveTime_;
+  ramp.dt = clock_.moveTime();
   ramp.speed = speedFactors(limits_.overrides, m);
   ramp.feed = feedFactors(limits_.overrides, m);
   const Rpm base = m.programmedSpeed * m.operatorSpeed.value;
@@ -235,8 +226,7 @@ RampInput OverrideGate::rampInput(const MachineState& m) const STILLCUT_RT {
 void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_RT {
   const ChangeBudget& budget = setpoint_.budget();
   out.reason = {ReasonCode::GateCoolDown, {budget.coolDownLeft()}};
-  if (!saidCoolDown_) {
-    saidCoolDown_ = true;
+  if (said_.coolDown()) {
     const Reason usedUp{ReasonCode::GateChangesPerMinute,
                         {static_cast<double>(budget.inLastMinute()), static_cast<double>(budget.perMinute())}};
     report(out, in.now, EventLevel::Warning, usedUp);
@@ -250,9 +240,7 @@ void OverrideGate::refuseChange(const GateInput& in, GateOutput& out) STILLCUT_R
 // Nothing is left of what was asked: whoever sees chatter go on hears why.
 void OverrideGate::refuseBeyondLimits(const Reason& limited, const GateInput& in, GateOutput& out) STILLCUT_RT {
   out.reason = limited;
-  if (saidLimits_) return;
-  saidLimits_ = true;
-  report(out, in.now, EventLevel::Warning, limited);
+  if (said_.limits()) report(out, in.now, EventLevel::Warning, limited);
 }
 
 OverrideGate::TrimmedRequest OverrideGate::trimmed(const OverrideRequest& r, const MachineState& m) const STILLCUT_RT {
@@ -279,7 +267,7 @@ OverrideGate::TrimmedRequest OverrideGate::trimmed(const OverrideRequest& r, con
 Reason OverrideGate::inForce(const MachineState& m) const STILLCUT_RT {
   const Factors& now = ramp_.now();
   const Factors& goal = setpoint_.target();
-  if (goingBack_ && !ramp_.at(goal)) return {ReasonCode::Recovering, {goal.speed}};
+  if (state_ == GateState::Returning && !ramp_.at(goal)) return {ReasonCode::Recovering, {goal.speed}};
   if (!ramp_.at(goal)) {
     return {ReasonCode::GateMoving, {100.0 * now.speed, 100.0 * goal.speed, 100.0 * now.feed, 100.0 * goal.feed}};
   }

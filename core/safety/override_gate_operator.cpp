@@ -43,13 +43,8 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
   }
 }
 
-bool OverrideGate::grants(Authority wanted) const STILLCUT_RT {
-  if (wanted == Authority::Auto) return limits_.autoAllowed;
-  return wanted == Authority::Off || wanted == Authority::Advise;
-}
-
 void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT {
-  if (!grants(wanted)) {
+  if (!grants(wanted, limits_.autoAllowed)) {
     report(out, now, EventLevel::Warning, {ReasonCode::AutoNotAllowed, {}});
     return;
   }
@@ -62,9 +57,9 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
     setpoint_.forgiveChanges();
     judge_.forget();
     louder_.reset();
-    saidLimits_ = false;
-    saidTrouble_ = ReasonCode::None;  // whoever takes or gives authority hears what stands in the way
-    if (wanted == Authority::Advise && commanding_ && !relinquishing_) stay();
+    said_.limitsOver();
+    said_.troubleOver();  // whoever takes or gives authority hears what stands in the way
+    if (wanted == Authority::Advise && steering()) stay();
   }
   if (authority_ == Authority::Off) relinquish({ReasonCode::AuthorityOff, {}}, EventLevel::Info, now, out);
 }
@@ -73,7 +68,7 @@ void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) 
 void OverrideGate::stay() STILLCUT_RT {
   setpoint_.stopAt(ramp_.now());
   ramp_.halt();
-  goingBack_ = false;
+  enter(GateCause::Follows);
 }
 
 // A target that jumped as the finger landed is another advice, and nobody has accepted that one.

@@ -32,12 +32,11 @@ bool nowhere(const Reason& trouble) noexcept {
 
 // Once for each trouble, until the input has been good again for as long as it was bad.
 void OverrideGate::reportFault(const Reason& trouble, const GateInput& in, GateOutput& out) STILLCUT_RT {
-  if (first_ && trouble.code == ReasonCode::GateClockFault) return;
+  if (clock_.step() == StepClock::Step::First && trouble.code == ReasonCode::GateClockFault) return;
   if (trouble.code == ReasonCode::StrategyFault) return;  // has been told
   const bool plain = ordinary(trouble, in.verdict);
-  if (!commanding_ && (plain || authority_ == Authority::Off)) return;
-  if (saidTrouble_ == trouble.code) return;
-  saidTrouble_ = trouble.code;
+  if (!commanding() && (plain || authority_ == Authority::Off)) return;
+  if (!said_.trouble(trouble.code)) return;
   if (plain) {
     say(out, in.now, EventLevel::Info, trouble);
   } else {
@@ -51,8 +50,8 @@ void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, G
   pendingAdvice_.carriedOut();
   if (restLeft_ > 0.0) restLeft_ = limits_.reengageDelay.value;
   if (trouble.code != ReasonCode::GateOverrideReset) reportFault(trouble, in, out);
-  badTime_ = std::min(badTime_ + elapsed_, limits_.holdTime.value);
-  if (!commanding_) return;
+  badTime_ = std::min(badTime_ + clock_.elapsed(), limits_.holdTime.value);
+  if (!commanding()) return;
   ramp_.halt();
   const bool steered = steerable(checkMachine(in.machine, in.now, limits_.machineAge));
   if (steered)
@@ -67,11 +66,11 @@ void OverrideGate::holdThenRelease(const Reason& trouble, const GateInput& in, G
 }
 
 void OverrideGate::relinquish(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
-  if (!commanding_) return drop(why, level, now, out);
-  if (relinquishing_) return;
+  if (!commanding()) return drop(why, level, now, out);
+  if (!steering()) return;
   forget();
   ramp_.straightTo({});
-  relinquishing_ = true;
+  enter(GateCause::GivesUp);
   stuck_ = 0.0;
   dropReason_ = why;
   if (level != EventLevel::Fault) return;
@@ -80,11 +79,11 @@ void OverrideGate::relinquish(const Reason& why, EventLevel level, Instant now, 
 }
 
 // At full rate: it was not the cut's becoming quiet that ended it, somebody or something wants the programmed values.
-void OverrideGate::releaseAtProgrammed(const GateInput& in, GateOutput& out) STILLCUT_RT {
+void OverrideGate::goHome(const GateInput& in, GateOutput& out) STILLCUT_RT {
   pendingAdvice_.close();
   const Reason machine = checkMachine(in.machine, in.now, limits_.machineAge);
   if (!steerable(machine)) {
-    saidTrouble_ = ReasonCode::None;
+    said_.troubleOver();
     reportFault(machine, in, out);
     drop(dropReason_, EventLevel::Info, in.now, out);
     return;
@@ -99,10 +98,10 @@ void OverrideGate::releaseAtProgrammed(const GateInput& in, GateOutput& out) STI
   if (dropReason_.code == ReasonCode::GateNotFollowing) ramp.actualSpeed = 0.0;
   ramp_.advance(ramp);
   const Factors& now = ramp_.now();
-  stuck_ = now.speed == before.speed && now.feed == before.feed ? stuck_ + elapsed_ : 0.0;
+  stuck_ = now.speed == before.speed && now.feed == before.feed ? stuck_ + clock_.elapsed() : 0.0;
   out.reason = {ReasonCode::Recovering, {1.0}};
   // What waits for a spindle that never comes, waits as long as for one that should follow.
-  badTime_ = clockGood_ ? 0.0 : badTime_ + elapsed_;
+  badTime_ = clock_.good() ? 0.0 : badTime_ + clock_.elapsed();
   const bool noTime = badTime_ > 0.0 && badTime_ >= limits_.holdTime.value;
   if (noTime || stuck_ > limits_.followTime.value) drop(dropReason_, EventLevel::Info, in.now, out);
 }
@@ -112,17 +111,14 @@ void OverrideGate::forget() STILLCUT_RT {
   setpoint_.restart();
   pendingAdvice_.clear();
   judge_.leave();
-  goingBack_ = false;
   badTime_ = 0.0;
 }
 
 void OverrideGate::drop(const Reason& why, EventLevel level, Instant now, GateOutput& out) STILLCUT_RT {
   forget();
   ramp_.restart();
-  relinquishing_ = false;
-  if (!commanding_) return;
-  commanding_ = false;
-  owesRelease_ = true;
+  if (!commanding()) return;
+  enter(GateCause::Drops);
   dropReason_ = why;
   restLeft_ = limits_.reengageDelay.value;
   if (level == EventLevel::Fault) report(out, now, level, why);
