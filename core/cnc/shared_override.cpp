@@ -57,7 +57,8 @@ void SharedOverride::seen(int percent, Instant now) noexcept {
   const int stood = shown_.value_or(percent);
   shown_ = percent;
   if (ours || undoHand(percent, now)) return;
-  if (manners_.sightings > 1 && !nothingSent()) beforeHand_ = BeforeHand{stood, base_, factor_, firstOnBase_, now};
+  if (manners_.sightings > 1 && !nothingSent())
+    beforeHand_ = BeforeHand{stood, base_, factor_, grabbed_, firstOnBase_, now};
   takeHand(percent);
 }
 
@@ -65,16 +66,16 @@ bool SharedOverride::undoHand(int percent, Instant now) noexcept {
   if (!beforeHand_ || beforeHand_->shown != percent || now - beforeHand_->taken > kLongestLie) return false;
   base_ = beforeHand_->base;
   firstOnBase_ = beforeHand_->firstOnBase;
-  if (grabbed_) factor_ = beforeHand_->factor;
+  if (grabbed_ && !beforeHand_->grabbed) factor_ = beforeHand_->factor;
+  grabbed_ = beforeHand_->grabbed;
   beforeHand_.reset();
-  grabbed_ = false;
   return true;
 }
 
 // Nobody here sent this: the operator's hand. What is still on its way may show up after it; then it is sent home to
 // what the hand chose.
 void SharedOverride::takeHand(int percent) noexcept {
-  grabbed_ = factor_ != 1.0;
+  grabbed_ = grabbed_ || factor_ != 1.0;  // a hand that turns twice has not given way
   base_ = percent;
   factor_ = 1.0;
   firstOnBase_ = sentCount_;

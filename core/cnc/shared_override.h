@@ -95,6 +95,7 @@ class SharedOverride {
   struct BeforeHand {
     int shown = 0, base = 0;
     double factor = 1.0;  // wanted then, or since
+    bool grabbed = false;
     std::uint64_t firstOnBase = 0;
     Instant taken{};
   };

@@ -78,6 +78,22 @@ TEST(SharedOverride, AForeignValueIsTheOperatorsHandUntilTheEngagementEnds) {
 }
 
 // After a hand our own values are no longer ours: turned back to one of them, it is still the operator's.
+// The second turn of the hand is no leave to go on with the engagement that the first one ended.
+TEST(SharedOverride, AHandThatTurnsTwiceHasNotGivenWay) {
+  SharedOverride knob = seenAt100();
+  knob.want(Ratio(0.8), 1);
+  knob.sent(80, at(0.1));
+  knob.seen(80, at(0.2));
+  for (const int hand : {70, 117}) {
+    knob.seen(hand, at(0.01 * hand));
+    knob.want(Ratio(0.5), 1);
+    EXPECT_TRUE(knob.grabbed());
+    EXPECT_FALSE(knob.due().has_value()) << hand;
+  }
+  knob.want(Ratio(0.5), 2);
+  EXPECT_EQ(knob.due(), 59) << "another engagement begins at what the hand chose";
+}
+
 TEST(SharedOverride, AHandThatTurnsToWhatWeSentOnceIsAHand) {
   SharedOverride knob = seenAt100();
   knob.want(Ratio(0.8), 1);
