@@ -2,6 +2,8 @@
 // way to switch it off: a wish that it does not understand, or that it gets from a machine state it cannot trust, is
 // held, and then the programmed values come back.
 //
+// Its one state and what may follow what: gate_state.h, the first page to read; step() in the source is the second.
+//
 // Each step: time, operator, checks of everything that came in; then either hold-then-release, or the wish trimmed to
 // the limits, counted as a change, low-passed, rate-limited, ordered (speed rises before feed, feed falls before
 // speed), and checked for being finite last. While a Set is in force it is issued anew each step: that is what renews
