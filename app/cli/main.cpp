@@ -1,6 +1,7 @@
 // stillcut-cli: the program without a screen. One subcommand per file; see README, "Command line".
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <string_view>
@@ -91,6 +92,7 @@ int run(int argc, char** argv) {
 }  // namespace stillcut::app
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of that file, not the program's end
   try {
     return stillcut::app::run(argc, argv);
   } catch (const std::exception& e) {

@@ -154,10 +154,11 @@ Status record(Rig& rig, const config::Profile& profile, const RunOptions& option
   const std::string origin = profileOrigin(profile, options.profile);
   std::error_code unknown;
   if (std::filesystem::is_directory(options.record, unknown)) return rig.recordInto(options.record, origin, told);
-  const std::string path = record::freeSessionPath(options.record);
-  if (path != options.record)
+  Status recording = rig.recordToNew(options.record, origin);
+  const std::string path = rig.recorder()->status().path;
+  if (recording && path != options.record)
     std::printf("%s is there already: recording to %s\n", options.record.c_str(), path.c_str());
-  return rig.recordTo(path, origin);
+  return recording;
 }
 
 int run(const RunOptions& options) {
@@ -177,7 +178,7 @@ int run(const RunOptions& options) {
   auto rig = buildProfileRig(*profile, options.profile, &fault);
   if (!rig) into.write(LogLevel::Error, "not started: " + rig.error().line());
   if (!rig) return fail(rig.error(), fault == SetUpFault::Hardware ? kExitDevice : kExitInput);
-  if (const Status recording = record(**rig, *profile, options); !recording) return fail(recording.error());
+  (void)record(**rig, *profile, options).ok();  // the console says what is not recorded
   mindInterruption();
   std::printf("monitoring with %s; authority is off\n", profile->detector.c_str());
   return watch(**rig, options, into, profile->source.id == "replay");

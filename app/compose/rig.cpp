@@ -70,6 +70,10 @@ class RecorderTap final : public pipeline::StepTap {
   record::Recorder& recorder_;
 };
 
+Status checkRoomFor(const std::string& path) {
+  return record::checkRoom(path, record::RecorderOptions().reserveBytes);
+}
+
 config::MachineOverrides reach(const cnc::LinkInfo& info) {
   return {info.lowestSpeed, info.highestSpeed, info.lowestFeed, info.highestFeed};
 }
@@ -171,10 +175,26 @@ void Rig::tapInto(std::unique_ptr<record::Recorder> recorder) {
 }
 
 Status Rig::recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options) {
-  auto recorder = record::Recorder::create(path, sessionHeader(origin), options);
-  if (!recorder) return recorder.error();
-  tapInto(std::move(recorder).value());
-  return Done{};
+  return tapIntoMade(path, record::Recorder::create(path, sessionHeader(origin), options));
+}
+
+Status Rig::recordToNew(const std::string& wanted, const std::string& origin) {
+  const record::NextPath nextPath = [wanted]() -> Result<std::string> {
+    const std::string path = record::freeSessionPath(wanted);
+    if (Status room = checkRoomFor(path); !room) return room.error();
+    return path;
+  };
+  return tapIntoMade(wanted, record::Recorder::create(nextPath, sessionHeader(origin)));
+}
+
+// The cut is watched all the same where nothing can be recorded.
+Status Rig::tapIntoMade(const std::string& path, Result<std::unique_ptr<record::Recorder>> made) {
+  if (made) {
+    tapInto(std::move(made).value());
+    return Done{};
+  }
+  tapInto(record::Recorder::stopped(path, made.error(), spec_.setup));
+  return made.error();
 }
 
 Status Rig::recordInto(const std::string& folder, const std::string& origin,
@@ -184,17 +204,21 @@ Status Rig::recordInto(const std::string& folder, const std::string& origin,
   const record::NextPath nextPath = [folder, plan, job = header.job, tool = header.setup.tool,
                                      told = std::move(told)]() -> Result<std::string> {
     for (const record::Deleted& file : record::applyRetention(folder, plan, record::nowUtc())) told(file);
-    return record::newSessionPath(folder, job, tool, record::nowUtc());
+    Result<std::string> path = record::newSessionPath(folder, job, tool, record::nowUtc());
+    if (!path) return path;
+    if (const Status room = checkRoomFor(*path); !room) return room.error();
+    return path;
   };
-  const auto first = nextPath();  // in every mode: what cannot be kept is known before the cut
-  if (!first) return first.error();
+  if (plan.mode == record::RecordMode::Continuous) {
+    return tapIntoMade(folder, record::Recorder::create(nextPath, header));
+  }
+  // In every mode: what cannot be kept is known before the cut.
+  if (const auto first = nextPath(); !first) return tapIntoMade(folder, first.error());
   std::unique_ptr<record::StepSink> sink;
   if (plan.mode == record::RecordMode::AroundEvents) {
     sink = record::aroundEvents(header, plan, nextPath, {});
-  } else if (plan.mode == record::RecordMode::Features) {
-    sink = record::features(header, plan, nextPath, {});
   } else {
-    return recordTo(first.value(), origin);
+    sink = record::features(header, plan, nextPath, {});
   }
   tapInto(record::Recorder::create(std::move(sink), header.setup));
   return Done{};

@@ -65,7 +65,11 @@ class Rig {
 
   // Before the first step: everything goes to the session file `path` as well, with the whole wiring of this run (see
   // run_text.h). `origin`: the scenario or profile it was made from, as text, kept for the reader.
+  // An error, here and below: nothing will be recorded. The run may begin all the same; recorder() says then that it
+  // has stopped, and why.
   Status recordTo(const std::string& path, const std::string& origin, const record::RecorderOptions& options = {});
+  // The same under the first free name of "cut.h5", "cut-2.h5" ...: nothing that was recorded is replaced.
+  Status recordToNew(const std::string& wanted, const std::string& origin);
   // The same below `folder`, in files named by job, tool and time, as the parameters record.* say; what they let go is
   // deleted first, and told (on the thread that records, once it runs).
   Status recordInto(const std::string& folder, const std::string& origin,
@@ -103,6 +107,7 @@ class Rig {
   pipeline::EngineOptions liveOptions(pipeline::EngineOptions options) const;
   record::SessionHeader sessionHeader(const std::string& origin) const;
   void tapInto(std::unique_ptr<record::Recorder> recorder);
+  Status tapIntoMade(const std::string& path, Result<std::unique_ptr<record::Recorder>> made);
 
   RigSpec spec_;
   daq::SourceFormat format_;

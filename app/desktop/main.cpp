@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -264,7 +265,7 @@ int run(int argc, char** argv) {
   (*session)->logTo(log);
   if (!options->record.isEmpty()) {
     const Status recording = (*session)->recordAsAsked(options->record.toStdString());
-    if (!recording) return refuse(recording.error());
+    if (!recording) fail(recording.error().line() + "; monitoring goes on");
   }
 
   // Pictures are made of what the command line says alone.
@@ -303,6 +304,7 @@ int run(int argc, char** argv) {
 }  // namespace stillcut::app
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow any more is an error of that file, not the program's end
   try {
     return stillcut::app::run(argc, argv);
   } catch (const std::exception& e) {

@@ -13,7 +13,6 @@
 #include "core/milling/simulation/scenario.h"
 #include "core/pipeline/catalog.h"
 #include "core/rt/realtime_thread.h"
-#include "core/session/session_folder.h"
 #include "ui/base/say.h"
 
 namespace stillcut::app {
@@ -36,7 +35,7 @@ Status CutRun::recordInto(const std::string& folder) {
 
 Status CutRun::recordAt(const std::string& fileOrFolder) {
   const bool folder = QFileInfo(QString::fromStdString(fileOrFolder)).isDir();
-  return folder ? recordInto(fileOrFolder) : recordTo(record::freeSessionPath(fileOrFolder));
+  return folder ? recordInto(fileOrFolder) : rig_->recordToNew(fileOrFolder, configuration_);
 }
 
 Status CutRun::recordAsSaid(const config::Profile& profile, const std::string& path) {
@@ -160,9 +159,8 @@ Result<std::unique_ptr<CutRun>> openProfileRun(const std::string& path, Recorded
     run->setActive(std::make_unique<ActiveLoopController>(std::move(parts->device), parts->options, activeClock()));
   }
   run->madeFrom(path);
-  if (recorded == Recorded::AsProfileSays) {
-    if (const Status recording = run->recordAsSaid(*profile, path); !recording) return recording.error();
-  }
+  // What cannot be recorded is watched all the same, and the screen says so.
+  if (recorded == Recorded::AsProfileSays) (void)run->recordAsSaid(*profile, path).ok();
   auto lobes = LobeWorker::ofProfile(*profile, path);
   if (!lobes) return lobes.error();
   run->setLobes(std::move(lobes).value());

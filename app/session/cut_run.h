@@ -27,7 +27,8 @@ class CutRun {
   CutRun(const CutRun&) = delete;
   CutRun& operator=(const CutRun&) = delete;
 
-  // Before start(), one of these: everything goes to the session file as well; or to a new one below a folder, as the
+  // Before start(), one of these. An error: nothing will be recorded; the run may start all the same, and recorder()
+  // says why. Everything goes to the session file as well; or to a new one below a folder, as the
   // parameters record.* say; or to either, whichever `fileOrFolder` is; or as `profile`, of the file `path`, says.
   Status recordTo(const std::string& file) { return rig_->recordTo(file, configuration_); }
   Status recordInto(const std::string& folder);

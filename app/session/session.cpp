@@ -79,26 +79,25 @@ void Session::demonstrateWith(const std::string& scenario) {
 
 Status Session::switchTo(const Opening& open) {
   if (Status may = mayLeaveMachine(message("start")); !may) return may;
-  if (Status kept = stop(); !kept) return kept;
+  (void)stop().ok();  // what its recording lacks is in the log, and no reason not to watch the next cut
   auto next = open();
-  Status placed = next ? place(std::move(next).value()) : Status(next.error());
-  if (placed) return placed;
-  log_.write(LogLevel::Error, "no run begins: " + placed.error().line());
-  return Error{placed.error().where, placed.error().what,
-               message("%1; the cut before has been stopped", placed.error().why)};
+  if (next) {
+    place(std::move(next).value());
+    return Done{};
+  }
+  const Error& error = next.error();
+  log_.write(LogLevel::Error, "no run begins: " + error.line());
+  return Error{error.where, error.what, message("%1; the cut before has been stopped", error.why)};
 }
 
-Status Session::place(std::unique_ptr<CutRun> next) {
-  if (!asked_.empty()) {
-    if (Status recording = next->recordAt(asked_); !recording) return recording;
-  }
+void Session::place(std::unique_ptr<CutRun> next) {
+  if (!asked_.empty()) (void)next->recordAt(asked_).ok();  // the run's recorder says what is not recorded
   run_ = std::move(next);
   if (!run_->recordingFolder().isEmpty()) replays_.setFolder(run_->recordingFolder());
   machine_.inForce = run_->profilePath();
   tuning_.openCut(run_->rig().params());
   ++runs_;
   start();
-  return Done{};
 }
 
 const Snapshot* Session::pull() {

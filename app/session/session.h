@@ -78,7 +78,7 @@ class Session final : public ui::SessionFacade {
   // Another run takes the place of this one, whose machine gets its programmed values back first.
   using Opening = std::function<Result<std::unique_ptr<CutRun>>()>;
   Status switchTo(const Opening& open);
-  Status place(std::unique_ptr<CutRun> next);
+  void place(std::unique_ptr<CutRun> next);
 
   ProgramLog log_;  // outlives the run
   std::unique_ptr<CutRun> run_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "core/model/block_copy.h"
@@ -30,6 +29,22 @@ Result<std::unique_ptr<Recorder>> Recorder::create(const std::string& path, cons
   return create(oneFile(std::move(*writer)), header.setup, options);
 }
 
+Result<std::unique_ptr<Recorder>> Recorder::create(const NextPath& nextPath, const SessionHeader& header,
+                                                   const RecorderOptions& options) {
+  Result<std::unique_ptr<SessionWriter>> writer = createUnderNextName(nextPath, header, {false, true, options.disk});
+  if (!writer) return writer.error();
+  return create(oneFile(std::move(*writer)), header.setup, options);
+}
+
+std::unique_ptr<Recorder> Recorder::stopped(const std::string& path, const Error& why, const CutSetup& setup) {
+  RecorderOptions least;
+  least.buffer = Seconds(0.0);
+  std::unique_ptr<Recorder> recorder(new Recorder(nullptr, setup, least));
+  recorder->path_ = path;
+  recorder->stopWith(why.asMessage());
+  return recorder;
+}
+
 std::unique_ptr<Recorder> Recorder::create(std::unique_ptr<StepSink> sink, const CutSetup& setup,
                                            const RecorderOptions& options) {
   return std::unique_ptr<Recorder>(new Recorder(std::move(sink), setup, options));
@@ -42,7 +57,7 @@ Recorder::Recorder(std::unique_ptr<StepSink> sink, const CutSetup& setup, const 
             [&setup](StepRecord& slot) {
               slot.input.block.allocate(static_cast<int>(setup.channels.size()), setup.blockFrames);
             }),
-      path_(sink_->path()) {}
+      path_(sink_ ? sink_->path() : std::string()) {}
 
 Recorder::~Recorder() {
   (void)finish().ok();
@@ -115,14 +130,11 @@ Status Recorder::checkSpace() {
     const std::scoped_lock lock(faultLock_);
     path_ = path;
   }
-  if (const SessionWriter* writer = sink_->writer(); writer != nullptr && !writer->inPlace()) {
-    return Error{path, message("recording stopped: the file was deleted or moved away")};
+  if (const SessionWriter* writer = sink_->writer(); writer != nullptr) {
+    if (!writer->inPlace()) return Error{path, message("recording stopped: the file was deleted or moved away")};
+    if (writer->cutShort()) return Error{path, message("recording stopped: the file was cut short by another program")};
   }
-  std::error_code problem;
-  const std::filesystem::space_info space = std::filesystem::space(path, problem);
-  if (problem || space.available >= options_.reserveBytes) return Done{};
-  return Error{path, message("recording stopped: the disk is nearly full"),
-               message("%1 MB are left", std::to_string(space.available >> 20U))};
+  return checkRoom(path, options_.reserveBytes);
 }
 
 // What was recorded is closed and stays; from here on steps are counted as dropped.

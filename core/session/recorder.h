@@ -40,6 +40,12 @@ class Recorder {
   // Set-up thread. Creates the session file; the steps that will come have the format of header.setup.
   static Result<std::unique_ptr<Recorder>> create(const std::string& path, const SessionHeader& header,
                                                   const RecorderOptions& options = {});
+  // The same under the first name of `nextPath` that nobody has.
+  static Result<std::unique_ptr<Recorder>> create(const NextPath& nextPath, const SessionHeader& header,
+                                                  const RecorderOptions& options = {});
+  // One that has stopped before it began, for the reason `why`: every step is dropped and counted, and its status and
+  // finish() say why. A cut is watched all the same.
+  static std::unique_ptr<Recorder> stopped(const std::string& path, const Error& why, const CutSetup& setup);
   // The same into any sink.
   static std::unique_ptr<Recorder> create(std::unique_ptr<StepSink> sink, const CutSetup& setup,
                                           const RecorderOptions& options = {});

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/formats/utf_text.h"
 #include "core/session/file/marker_rows.h"
 #include "core/session/file/session_layout.h"
 #include "core/session/file/session_markers.h"
@@ -23,14 +24,14 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string fileName(const std::string& text, const char* otherwise) {
-  constexpr std::size_t kLongest = 80;
+  constexpr std::size_t kLongest = 80;  // bytes
   std::string name;
-  for (const char c : text) {
+  for (const char c : utf8Of(text)) {
     const auto code = static_cast<unsigned char>(c);
     const bool bad = code < 0x20 || code == 0x7f || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
     name += bad ? '-' : c;
   }
-  name.resize(std::min(name.size(), kLongest));
+  name.resize(cutUtf8(name, kLongest).size());
   while (!name.empty() && (name.back() == ' ' || name.back() == '.')) name.pop_back();
   while (!name.empty() && (name.front() == ' ' || name.front() == '.')) name.erase(0, 1);
   return name.empty() ? otherwise : name;
@@ -82,10 +83,14 @@ std::vector<Candidate> sessionsBelow(const std::string& folder) {
   return found;
 }
 
+bool isFree(const std::string& path) {
+  std::error_code unknown;
+  return !fs::exists(path, unknown) && !fs::exists(journalPath(path), unknown);
+}
+
 std::string freeName(const std::string& stem, const std::string& suffix, const char* between) {
   std::string path = stem + suffix;
-  std::error_code unknown;
-  for (int n = 2; fs::exists(path, unknown) || fs::exists(journalPath(path), unknown); ++n) {
+  for (int n = 2; !isFree(path); ++n) {
     path = stem;
     path.append(between).append(std::to_string(n)).append(suffix);
   }
@@ -110,6 +115,30 @@ Result<std::string> newSessionPath(const std::string& folder, const std::string&
 
 std::string freeSessionPath(const std::string& wanted) {
   return freeName(fs::path(wanted).replace_extension().string(), fs::path(wanted).extension().string(), "-");
+}
+
+Status checkRoom(const std::string& path, std::uint64_t bytes) {
+  std::error_code problem;
+  fs::path place = fs::absolute(path, problem);
+  if (!fs::exists(place, problem)) place = place.parent_path();
+  const fs::space_info space = fs::space(place, problem);
+  const bool unknown = problem || space.capacity == 0;
+  if (unknown || space.available >= bytes) return Done{};
+  return Error{path, message("recording stopped: the disk is nearly full"),
+               message("%1 MB are left", std::to_string(space.available >> 20U))};
+}
+
+Result<std::unique_ptr<SessionWriter>> createUnderNextName(const NextPath& nextPath, const SessionHeader& header,
+                                                           const SessionWriterOptions& options) {
+  constexpr int kMostTries = 100;
+  SessionWriterOptions asNew = options;
+  asNew.replaces = false;
+  for (int tries = 1;; ++tries) {
+    const Result<std::string> path = nextPath();
+    if (!path) return path.error();
+    Result<std::unique_ptr<SessionWriter>> made = SessionWriter::create(*path, header, asNew);
+    if (made || isFree(*path) || tries == kMostTries) return made;
+  }
 }
 
 Status checkReplaceable(const std::string& path, MayReplace may) {

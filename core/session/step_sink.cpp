@@ -42,12 +42,10 @@ class ManyFiles : public StepSink {
 
  protected:
   Status openNext() {
-    Result<std::string> path = nextPath_();
-    if (!path) return path.error();
-    last_ = *path;
-    Result<std::unique_ptr<SessionWriter>> made = SessionWriter::create(*path, header_, options_);
+    Result<std::unique_ptr<SessionWriter>> made = createUnderNextName(nextPath_, header_, options_);
     if (!made) return made.error();
     writer_ = std::move(*made);
+    last_ = writer_->path();
     return Done{};
   }
 

@@ -2,13 +2,13 @@
 // Thread: the writing one; not real-time.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 
 #include "core/base/result.h"
 #include "core/session/file/session_writer.h"
 #include "core/session/record_params.h"
+#include "core/session/session_folder.h"
 
 namespace stillcut::record {
 
@@ -28,9 +28,6 @@ class StepSink {
   // Null: no file is open.
   virtual SessionWriter* writer() = 0;
 };
-
-// Names each new file; an error when its folder cannot be made.
-using NextPath = std::function<Result<std::string>()>;
 
 std::unique_ptr<StepSink> oneFile(std::unique_ptr<SessionWriter> writer);
 // Keeps the last plan.before of steps in memory. An alarm of the detector in charge, an event of level warning or

@@ -25,6 +25,11 @@ std::uint64_t sizeOf(int file) {
   return fstat(file, &info) == 0 ? static_cast<std::uint64_t>(info.st_size) : 0;
 }
 
+// Shares and file systems of their own kind answer flock() so.
+bool lacksLocks(int cause) {
+  return cause == ENOLCK || cause == ENOSYS || cause == EOPNOTSUPP || cause == EINVAL;
+}
+
 bool readAll(int file, std::uint64_t offset, std::span<std::byte> out) {
   while (!out.empty()) {
     const ssize_t got = pread(file, out.data(), out.size(), static_cast<off_t>(offset));
@@ -117,7 +122,7 @@ Result<std::unique_ptr<JournaledFile>> JournaledFile::open(const std::string& pa
   const int flags = access == Access::Create ? O_RDWR | O_CREAT | O_TRUNC : access == Access::Write ? O_RDWR : O_RDONLY;
   file->file_ = ::open(path.c_str(), flags | O_CLOEXEC, kMode);
   if (file->file_ < 0) return Error{path, message("cannot be opened"), foreign(std::strerror(errno))};
-  file->size_ = file->committed_ = sizeOf(file->file_);
+  file->size_ = file->committed_ = file->written_ = sizeOf(file->file_);
   if (access == Access::Write) {
     if (const Status s = file->beginJournal(path); !s) return s.error();
   }
@@ -137,25 +142,50 @@ JournaledFile::~JournaledFile() {
   if (journalFile_ >= 0) ::close(journalFile_);
 }
 
-Status JournaledFile::beginJournal(const std::string& session) {
+Status JournaledFile::beginJournal(const std::string& session, JournalOf which) {
   constexpr mode_t kMode = 0666;
   journal_ = journalPath(session);
-  journalFile_ = ::open(journal_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, kMode);
+  journalFile_ = ::open(journal_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, kMode);
+  const bool made = journalFile_ >= 0;
+  if (!made && errno == EEXIST) {
+    if (which == JournalOf::NewFile) return Error{session, message("is being written already")};
+    journalFile_ = ::open(journal_.c_str(), O_RDWR | O_CLOEXEC);
+  }
   if (journalFile_ < 0) return Error{journal_, message("cannot be written"), foreign(std::strerror(errno))};
-  if (flock(journalFile_, LOCK_EX | LOCK_NB) != 0) return Error{session, message("is being written already")};
-  if (ftruncate(journalFile_, 0) != 0)
-    return Error{journal_, message("cannot be written"), foreign(std::strerror(errno))};
+  if (flock(journalFile_, LOCK_EX | LOCK_NB) != 0) return refuseJournal(session, made);
+  if (ftruncate(journalFile_, 0) != 0) return refuseJournal(session, made);
   (void)posix_fallocate(journalFile_, 0, kJournalReserve);
-  if (!disk_.sync(file_) || fsync(journalFile_) != 0)
-    return Error{session, message("cannot be written"), foreign(std::strerror(errno))};
+  if (!disk_.sync(file_) || fsync(journalFile_) != 0) return refuseJournal(session, made);
   syncFolder(session);
   committed_ = size_;
   return Done{};
 }
 
+// For the reason in errno.
+Status JournaledFile::refuseJournal(const std::string& session, bool made) {
+  const int cause = errno;
+  if (made) std::remove(journal_.c_str());
+  ::close(std::exchange(journalFile_, -1));
+  if (cause == EWOULDBLOCK) return Error{session, message("is being written already")};
+  if (lacksLocks(cause)) {
+    return Error{session, message("this folder has no file locks, without which a recording is not safe (%1)",
+                                  foreign(std::strerror(cause)))};
+  }
+  return Error{session, message("cannot be written"), foreign(std::strerror(cause))};
+}
+
 bool JournaledFile::failed(const char* doing) {
   error_ = message("%1: %2 failed (%3)", path_, doing, foreign(std::strerror(errno)));
   return false;
+}
+
+bool JournaledFile::failedCutShort() {
+  error_ = message("%1 was cut short by another program", path_);
+  return false;
+}
+
+bool JournaledFile::cutShort() const {
+  return sizeOf(file_) < written_;
 }
 
 bool JournaledFile::read(std::uint64_t offset, std::span<std::byte> out) const {
@@ -177,7 +207,11 @@ bool JournaledFile::write(std::uint64_t offset, std::span<const std::byte> bytes
     pending_.overwrites.push_back({offset, {bytes.begin(), bytes.end()}});
     return true;
   }
-  return disk_.write(file_, offset, bytes) || failed("writing");
+  // A write behind the end would fill with zeros what somebody has taken away.
+  if (cutShort()) return failedCutShort();
+  if (!disk_.write(file_, offset, bytes)) return failed("writing");
+  written_ = std::max(written_, offset + bytes.size());
+  return true;
 }
 
 void JournaledFile::truncate(std::uint64_t size) {
@@ -186,6 +220,7 @@ void JournaledFile::truncate(std::uint64_t size) {
 
 Status JournaledFile::commit(bool toDisk) {
   if (abandoned_) return Done{};
+  if (cutShort()) return failedCutShort(), Error{{}, error_};
   ++pending_.commit;
   pending_.fileSize = sizeOf(file_);
   if (toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{{}, error_};
@@ -211,7 +246,7 @@ Status JournaledFile::apply(bool toDisk) {
   if (sizeOf(file_) != size_ && ftruncate(file_, static_cast<off_t>(size_)) != 0) {
     return failed("setting the length"), Error{{}, error_};
   }
-  committed_ = size_;
+  committed_ = written_ = size_;
   if (changed && toDisk && !disk_.sync(file_)) return failed("writing to disk"), Error{{}, error_};
   return Done{};
 }
@@ -247,7 +282,9 @@ Result<Recovery> recoverFromJournal(const std::string& path, const std::function
     return outcome;
   };
   if (journal < 0 || file < 0) return left(Recovery::NotWritable);
-  if (flock(journal, LOCK_EX | LOCK_NB) != 0) return left(Recovery::WriterAlive);
+  if (flock(journal, LOCK_EX | LOCK_NB) != 0) {
+    return left(lacksLocks(errno) ? Recovery::NotWritable : Recovery::WriterAlive);
+  }
   if (const auto content = journalOf(journal)) {
     if (!belongsTo(*content, file)) return left(Recovery::AnothersJournal);
     if (const Status usable = whole(); !usable) return left(usable.error());

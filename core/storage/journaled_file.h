@@ -28,8 +28,11 @@ class JournaledFile {
   JournaledFile(const JournaledFile&) = delete;
   JournaledFile& operator=(const JournaledFile&) = delete;
 
-  // Makes and locks the journal of `session`, the name the file will have. The lock tells readers that a writer lives.
-  Status beginJournal(const std::string& session);
+  // Makes and locks the journal of `session`, the name the file will have. The lock tells readers that a writer lives,
+  // and a journal that was made as a new one keeps the name for this file among all programs that record. An error
+  // leaves no journal that was not there before.
+  enum class JournalOf { AnyFile, NewFile };  // NewFile: an error where one is there
+  Status beginJournal(const std::string& session, JournalOf which = JournalOf::AnyFile);
 
   std::uint64_t size() const { return size_; }
   bool read(std::uint64_t offset, std::span<std::byte> out) const;  // zeros behind the end
@@ -45,12 +48,16 @@ class JournaledFile {
   void removeJournal();
   // False: `path` is not this file any more; it was deleted, moved away or replaced.
   bool isAt(const std::string& path) const;
+  // Somebody else has made it shorter than what was written to it.
+  bool cutShort() const;
   // One line about the last failure.
   const Message& error() const { return error_; }
 
  private:
   JournaledFile(std::string path, Disk& disk) : path_(std::move(path)), disk_(disk) {}
   bool failed(const char* doing);
+  bool failedCutShort();
+  Status refuseJournal(const std::string& session, bool made);
   Status apply(bool toDisk);
 
   std::string path_;
@@ -60,6 +67,7 @@ class JournaledFile {
   int journalFile_ = -1;
   std::uint64_t size_ = 0;
   std::uint64_t committed_ = 0;  // size at the last commit
+  std::uint64_t written_ = 0;    // where what was written to the file ends
   JournalContent pending_;
   bool abandoned_ = false;
   Message error_;

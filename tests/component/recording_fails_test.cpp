@@ -44,7 +44,7 @@ Ran run(const std::string& path, record::Disk* disk) {
   record::RecorderOptions options;
   options.disk = disk;
   if (!path.empty()) {
-    EXPECT_TRUE((*rig)->recordTo(path, "", options).ok());
+    EXPECT_EQ((*rig)->recordTo(path, "", options).ok(), path.find("/proc/") != 0);
   }
   (*rig)->send({OperatorAction::SetAuthority, Authority::Auto});
   std::uint64_t seen = 0;
@@ -84,6 +84,15 @@ TEST(RecordingFails, ControlGoesOnAndSaysOnceThatNothingIsRecorded) {
     EXPECT_GT((*reader)->format().blocks, 0);
     EXPECT_LT((*reader)->format().blocks, static_cast<std::int64_t>(ran.outputs.size()));
   }
+}
+
+TEST(RecordingFails, WhereNothingCanBeRecordedTheCutIsWatchedAllTheSame) {
+  const Ran undisturbed = run("", nullptr);
+  const Ran ran = run("/proc/cut.h5", nullptr);
+  EXPECT_EQ(ran.stopEvents, 1);
+  EXPECT_THAT(ran.recording, testing::HasSubstr("/proc/cut.h5: the session file cannot be created"));
+  ASSERT_EQ(ran.outputs.size(), undisturbed.outputs.size());
+  EXPECT_EQ(test::difference(ran.outputs.back(), undisturbed.outputs.back()), "");
 }
 
 }  // namespace

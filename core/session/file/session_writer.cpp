@@ -1,9 +1,12 @@
 #include "core/session/file/session_writer.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <utility>
 #include <vector>
 
@@ -110,6 +113,15 @@ struct SessionWriter::Impl {
     }
     return createTables() && H5Fstart_swmr_write(file.get()) >= 0 && H5Fflush(file.get(), H5F_SCOPE_LOCAL) >= 0;
   }
+  // Whoever has made the journal has the name: no other recording takes it between the look and the move.
+  Status place(const std::string& part, const std::string& path, bool replaces) {
+    const auto which = replaces ? JournaledFile::JournalOf::AnyFile : JournaledFile::JournalOf::NewFile;
+    if (Status begun = journaled->beginJournal(path, which); !begun) return begun;
+    std::error_code unknown;
+    if (!replaces && std::filesystem::exists(path, unknown)) return Error{path, message("is there already")};
+    if (std::rename(part.c_str(), path.c_str()) == 0) return Done{};
+    return Error{path, foreign(std::strerror(errno))};
+  }
   // The blocks go last: a reader that sees a block finds everything that belongs to it.
   bool write() {
     return std::all_of(samples.begin(), samples.end(), [](SampleWriter& s) { return s.write(); }) &&
@@ -137,7 +149,8 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
   if (channels < 1 || channels > kMostChannels || !(header.setup.rate.value > 0.0) || header.setup.blockFrames < 1) {
     return Error{path, message("cannot be recorded"), message("channels, rate and block length must be known before")};
   }
-  const std::string part = path + ".part";
+  // Of this program alone: another one may be about to take the same name.
+  const std::string part = path + "." + std::to_string(getpid()) + ".part";
   Disk& disk = options.disk != nullptr ? *options.disk : systemDisk();
   Result<std::unique_ptr<JournaledFile>> file = JournaledFile::open(part, JournaledFile::Access::Create, disk);
   if (!file) return Error{path, message("the session file cannot be created"), file.error().why};
@@ -146,15 +159,15 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
   impl->author = cutUtf8(header.operatorName.substr(0, header.operatorName.find('\0')), kMarkerAuthorSize - 1);
   impl->keepSamples = options.samples;
   impl->powerSafe = options.powerSafe;
-  Status begun = Done{};
-  const bool made = impl->create(part, header) && (begun = impl->journaled->beginJournal(path)).ok() &&
-                    std::rename(part.c_str(), path.c_str()) == 0;
-  if (!made) {
+  const bool made = impl->create(part, header);
+  Status placed = Done{};
+  if (made) placed = impl->place(part, path, options.replaces);
+  if (!made || !placed) {
     const Message& reason = impl->journaled->error();
-    const Message cause = !begun ? begun.error().what : !reason.empty() ? reason : foreign(std::strerror(errno));
+    const Message cause = !placed ? placed.error().what : !reason.empty() ? reason : foreign(std::strerror(errno));
     impl->journaled->abandon();
     impl->close();
-    if (begun) impl->journaled->removeJournal();
+    impl->journaled->removeJournal();
     std::remove(part.c_str());
     return Error{path, message("the session file cannot be created"), cause};
   }
@@ -168,11 +181,17 @@ Status SessionWriter::failed(const char* doing) {
 
 // What the last flush has brought is closed; what came after it is gone.
 Status SessionWriter::failed(const Error& error) {
+  leaveWhole();
+  return error;
+}
+
+void SessionWriter::leaveWhole() {
+  const bool beyondRepair = impl_->journaled->cutShort();
   impl_->journaled->abandon();
   impl_->close();
+  if (beyondRepair) impl_->journaled->removeJournal();  // it fits nothing any more
   impl_->journaled.reset();
-  (void)repairSession(path_).ok();
-  return error;
+  if (!beyondRepair) (void)repairSession(path_).ok();
 }
 
 Status SessionWriter::add(const StepInput& input, const StepOutput& output) {
@@ -240,6 +259,10 @@ bool SessionWriter::inPlace() const {
   return impl_->journaled && impl_->journaled->isAt(path_);
 }
 
+bool SessionWriter::cutShort() const {
+  return impl_->journaled && impl_->journaled->cutShort();
+}
+
 void SessionWriter::setPowerSafe() {
   impl_->powerSafe = true;
 }
@@ -262,7 +285,7 @@ Status SessionWriter::close() {
   if (const Status s = flush(); !s) return s.error();
   if (!impl_->close()) return Error{path_, message("the session file was not closed cleanly"), hdf5Cause()};
   if (const Status s = impl_->journaled->commit(true); !s) {
-    return Error{path_, message("the session file was not closed cleanly"), impl_->journaled->error()};
+    return failed(Error{path_, message("the session file was not closed cleanly"), impl_->journaled->error()});
   }
   impl_->journaled->removeJournal();
   return Done{};

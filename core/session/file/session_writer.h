@@ -31,6 +31,7 @@ struct SessionWriterOptions {
   bool powerSafe = false;  // every flush waits for the disk: what was flushed survives a power loss as well
   bool samples = true;     // false: a history of features; blocks are there, without their samples
   Disk* disk = nullptr;    // null: the system's
+  bool replaces = true;    // false: an error where a session, or the journal of one, is under the name already
 };
 
 class SessionWriter {
@@ -63,6 +64,8 @@ class SessionWriter {
   Status close();
   // False: somebody has deleted or moved the file; what is written goes where nobody looks.
   bool inPlace() const;
+  // Somebody has made the file shorter than what was written to it.
+  bool cutShort() const;
   const std::string& path() const { return path_; }
 
  private:
@@ -70,6 +73,7 @@ class SessionWriter {
   SessionWriter(std::string path, std::unique_ptr<Impl> impl);
   Status failed(const char* doing);
   Status failed(const Error& error);
+  void leaveWhole();
 
   std::string path_;
   std::unique_ptr<Impl> impl_;

@@ -175,6 +175,17 @@ TEST_F(Simulate, AProfileRunsOnTheSimulatedMachineAndRecords) {
   EXPECT_EQ(info["session"]["commands"], 0);  // off: nothing is commanded
 }
 
+TEST_F(Simulate, WhatCannotBeRecordedIsSaidInOneLineAndTheCutIsWatched) {
+  folder_.file("machine.toml", kMachine);
+  const Outcome ran = runCli(folder_ / "", {"run", "--profile", "machine.toml", "--seconds", "0.5", "--record",
+                                            "/proc/run.h5", "--flights", "flights"});
+  EXPECT_EQ(ran.exitCode, 3);
+  EXPECT_THAT(ran.out, testing::HasSubstr("blocks decided"));
+  EXPECT_THAT(ran.err, testing::HasSubstr("/proc/run.h5"));
+  EXPECT_THAT(ran.err, testing::HasSubstr("monitoring goes on"));
+  EXPECT_EQ(std::count(ran.err.begin(), ran.err.end(), '\n'), 1) << ran.err;
+}
+
 TEST_F(Simulate, TheProfileThatComesWithTheProgramRuns) {
   const std::string profile = STILLCUT_SOURCE_DIR "/resources/profiles/simulated.toml";
   EXPECT_THAT(run({"run", "--profile", profile, "--seconds", "1", "--flights", "flights"}),

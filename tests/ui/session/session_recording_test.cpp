@@ -24,7 +24,7 @@ class RecordedByProfile : public testing::Test {
     session_->keepRecordingsIn(folder_.filePath(QStringLiteral("usual")));
     session_->keepFlightsIn(folder_.filePath(QStringLiteral("flights")).toStdString());
     if (!asked.isEmpty()) {
-      ASSERT_TRUE(session_->recordAsAsked(asked.toStdString()).ok());
+      askedFor_ = session_->recordAsAsked(asked.toStdString());
       session_->start();
     }
     ui::SetupController& controller = *session_->setup();
@@ -69,6 +69,7 @@ class RecordedByProfile : public testing::Test {
 
   QTemporaryDir folder_;
   std::unique_ptr<Session> session_;
+  Status askedFor_ = Done{};
 };
 
 TEST_F(RecordedByProfile, EverythingIsKeptWithWhoAndWhatFor) {
@@ -96,6 +97,18 @@ TEST_F(RecordedByProfile, WhatWasAskedForAtTheStartHoldsForEveryProfile) {
   ASSERT_TRUE(session_->stop().ok());
   EXPECT_TRUE(evaluate::glimpseOf(onlyFileIn(asked)).ok());
   EXPECT_FALSE(QFileInfo::exists(recordings()));
+}
+
+// A share that is gone, a folder for reading: the cut before and the one of the profile are watched, and the screen
+// says what is not recorded.
+TEST_F(RecordedByProfile, WhereNothingCanBeRecordedTheCutIsWatchedAllTheSame) {
+  start("continuous", QStringLiteral("/proc/cut.h5"));
+  EXPECT_FALSE(askedFor_.ok());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session_->pull() != nullptr; }, 60'000));
+  EXPECT_EQ(session_->recorder().state, ui::RecorderView::State::Failed);
+  EXPECT_TRUE(session_->recorder().problem.contains(QStringLiteral("/proc/cut.h5")));
+  EXPECT_EQ(session_->setup()->recordingNow().state, ui::RecordingNow::State::Stopped);
+  EXPECT_FALSE(session_->stop().ok());
 }
 
 TEST_F(RecordedByProfile, AFileThatWasAskedForIsFollowedByTheNext) {

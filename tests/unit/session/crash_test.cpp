@@ -278,6 +278,7 @@ TEST(NeverLost, AFullDiskStopsTheRecordingLoudlyAndWhatWasFlushedIsClosed) {
     EXPECT_THAT(text(status.fault), HasSubstr("No space left on device"));
     EXPECT_EQ(text(status.fault).find('\n'), std::string::npos);
     EXPECT_FALSE((*recorder)->finish().ok());
+    EXPECT_FALSE(std::filesystem::exists(journalPath(path)));
     const WhatIsLeft left = look(path);
     ASSERT_TRUE(left.opens) << left.error;
     EXPECT_FALSE(left.damaged) << left.error;
