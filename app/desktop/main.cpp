@@ -205,10 +205,10 @@ int takePicture(Session& session, ui::MainWindow& window, const Options& options
 
 // Where recordings are kept and looked for.
 QString recordingsOf(const Options& options) {
-  if (options.record.isEmpty())
-    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recordings");
+  // A file of one's own choice may lie anywhere: the folder around it is no folder of recordings.
   const QFileInfo given(options.record);
-  return given.isDir() ? given.absoluteFilePath() : given.absolutePath();
+  if (!options.record.isEmpty() && given.isDir()) return given.absoluteFilePath();
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recordings");
 }
 
 bool needsNoDisplay(int argc, char** argv) {

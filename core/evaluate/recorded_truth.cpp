@@ -153,7 +153,7 @@ Result<std::optional<RecordedTruth>> fromCase(const fs::path& recording, const s
 
 // What the detector in charge said then.
 Result<std::vector<Alarm>> recordedAlarms(const std::string& path) {
-  auto reader = record::openSession(path);
+  auto reader = record::openRecording(path);
   if (!reader) return reader.error();
   const record::RecordingFormat& format = (*reader)->format();
   SampleBlock block;

@@ -15,7 +15,6 @@
 #include "core/sensing/feed_now.h"
 #include "core/session/file/session_markers.h"
 #include "core/session/session_glance.h"
-#include "core/session/session_overview.h"
 
 namespace stillcut::evaluate {
 namespace {
@@ -277,19 +276,16 @@ Result<SessionSummary> glimpseOf(const std::string& path) {
     summary.length = (*reader)->format().length();
   }
   if (!summary.session) return summary;
-  const auto overview = record::SessionOverview::open(path);
-  if (!overview) return overview.error();
-  const Instant begin = (*overview)->begin(), end = (*overview)->end();
-  if (!(end > begin)) {  // a history of features
+  constexpr int kColumns = 2048;
+  const auto sketch = record::sketchSession(path, kColumns);
+  if (!sketch) return sketch.error();
+  if (sketch->columns.size() != kColumns) {  // a history of features
     if (const auto glance = record::glanceAtSession(path)) summary.length = glance->length;
     return summary;
   }
-  summary.length = secondsBetween(begin, end);
-  constexpr int kColumns = 2048;
-  const auto columns = (*overview)->overview(0, begin, end, kColumns);
-  if (!columns) return columns.error();
+  summary.length = secondsBetween(sketch->begin, sketch->end);
   for (int k = 0; k < kColumns; ++k) {
-    const record::MinMax& column = columns.value()[static_cast<std::size_t>(k)];
+    const record::MinMax& column = sketch->columns[static_cast<std::size_t>(k)];
     SummaryPoint point;
     point.time = summary.length * ((k + 0.5) / kColumns);
     point.gap = std::isnan(column.min);

@@ -81,11 +81,7 @@ Result<std::unique_ptr<RecordingReader>> openRecording(const std::string& path, 
   file.read(bytes.data(), bytes.size());
   const std::string_view head(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (head.empty()) return Error{name, message("the file is empty")};
-  if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) {
-    auto foreign = openIsolated(name, inner, options);
-    if (!foreign || *foreign) return foreign;
-    return openSession(name, options);
-  }
+  if (isHdf5File(name) || head.starts_with("MATLAB 7.3")) return openIsolated(name, inner, options);
   if (head.starts_with("MATLAB 5.0")) return openMat5(name, inner, options);
   if (!inner.empty()) return Error{path, message("only HDF5 and MATLAB files have places inside")};
   if (hasSuffix(name, ".mat"))

@@ -10,12 +10,9 @@
 #include <optional>
 
 #include "core/formats/utf_text.h"
-#include "core/session/file/marker_rows.h"
-#include "core/session/file/session_layout.h"
-#include "core/session/file/session_markers.h"
-#include "core/session/file/session_open.h"
 #include "core/session/file/session_reader.h"
-#include "core/storage/hdf5_file.h"
+#include "core/session/session_glance.h"
+#include "core/session/session_kind.h"
 #include "core/storage/journal.h"
 
 namespace stillcut::record {
@@ -50,15 +47,9 @@ enum class Holds : std::uint8_t { Everything, FeaturesOnly };
 std::optional<Holds> mayGo(const std::string& path) {
   std::error_code unknown;
   if (fs::exists(journalPath(path), unknown) || !isHdf5File(path)) return std::nullopt;
-  Holds holds = Holds::Everything;
-  {
-    const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-    if (!opened || !readSessionFormat(*opened, path)) return std::nullopt;
-    if (readInteger(opened->file.get(), kFeaturesOnly).value_or(0) != 0) holds = Holds::FeaturesOnly;
-  }
-  const Result<std::vector<Marker>> markers = readMarkers(path);
-  if (!markers || !markers->empty()) return std::nullopt;
-  return holds;
+  const std::optional<SessionGlance> glance = glanceAtSession(path);
+  if (!glance || glance->markers > 0) return std::nullopt;
+  return glance->featuresOnly ? Holds::FeaturesOnly : Holds::Everything;
 }
 
 std::string inWords(Seconds age) {
@@ -149,14 +140,10 @@ Status checkReplaceable(const std::string& path, MayReplace may) {
                  message("a recording of this name is still being written, or was cut off; take another name")};
   }
   if (!isHdf5File(path)) return Done{};
-  const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-  if (!opened) return Error{path, refused, message("it may be a recording that is damaged; take another name")};
-  const hid_t file = opened->file.get();
-  if (readText(file, "format") != kSessionFormat) return Done{};
-  if (may == MayReplace::SimulatedSession && readInteger(file, "simulated").value_or(0) != 0) {
-    const auto markers = readMarkerRows(file, path);
-    if (markers && markers->empty()) return Done{};
-  }
+  const std::string kind = kindOfHdf5(path);
+  if (kind == "damaged")
+    return Error{path, refused, message("it may be a recording that is damaged; take another name")};
+  if (kind == "other" || (kind == "simulated" && may == MayReplace::SimulatedSession)) return Done{};
   return Error{path, refused, message("it is a recorded session; take another name")};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/formats/hdf5/isolated_reader.h"
 #include "core/session/file/marker_rows.h"
 #include "core/session/file/session_layout.h"
 #include "core/session/file/session_open.h"
@@ -12,19 +11,18 @@
 
 namespace stillcut::record {
 
-std::optional<SessionGlance> glanceAtSession(const std::string& path) {
+std::optional<SessionGlance> here::glanceAtSession(const std::string& path) {
   // With its journal beside it the file is being written, or was cut off and wants a repair.
   std::error_code ignored;
   if (std::filesystem::exists(journalPath(path), ignored)) return std::nullopt;
-  const auto foreign = openIsolated(path, "", {});
-  if (!foreign || *foreign) return std::nullopt;
   const Result<OpenedSession> opened = openSessionFile(path, Repair::No);
-  if (!opened) return std::nullopt;
+  if (!opened || !readSessionFormat(*opened, path)) return std::nullopt;
   const hid_t file = opened->file.get();
   TableReader<BlockRow> blocks;
   const auto markers = readMarkerRows(file, path);
   if (!blocks.open(file, kBlocksPath) || !markers) return std::nullopt;
   SessionGlance glance;
+  glance.featuresOnly = readInteger(file, kFeaturesOnly).value_or(0) != 0;
   bool damaged = false;
   if (const BlockRow* first = blocks.at(0, damaged)) {
     const std::int64_t begin_ns = first->firstSample;

@@ -1,20 +1,40 @@
 // What a list of recordings says of each session: its length and how many markers it holds, without reading its steps.
-// Thread: any, one at a time; not real-time (file access, and a process that looks first whether the file is ours).
+// Thread: any; not real-time (file access by a process of its own, which may die of a damaged file).
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "core/base/units.h"
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/session/file/min_max.h"
 
 namespace stillcut::record {
 
 struct SessionGlance {
   Seconds length{};  // from the first sample to the last, pauses included
   int markers = 0;
+  bool featuresOnly = false;  // a history without samples
 };
 
-// Nothing where the file is no session, is still being written, or was cut off: a glance repairs nothing.
+// Nothing where the file is no session, is still being written, or was cut off: a glance repairs nothing. Nothing as
+// well where the look takes more than 0.1 s of work: waiting for a slow disk is none.
 std::optional<SessionGlance> glanceAtSession(const std::string& path);
+
+// The whole of a session as a picture: least and greatest of its first channel in each of `columns` equal parts, in SI
+// units; NaN where nothing was recorded. 0 columns: its begin and end alone.
+struct SessionSketch {
+  Instant begin{}, end{};
+  std::vector<MinMax> columns;
+};
+Result<SessionSketch> sketchSession(const std::string& path, int columns);
+
+namespace here {
+
+// In the process that calls it.
+std::optional<SessionGlance> glanceAtSession(const std::string& path);
+
+}  // namespace here
 
 }  // namespace stillcut::record

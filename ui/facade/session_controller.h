@@ -19,7 +19,8 @@ struct SessionEntry {
   QString path, job, tool;
   qint64 wallMs = 0;  // when it was last written, ms since 1970
   qint64 bytes = 0;
-  // What is inside is looked at after the list is shown; No: an imported recording, or one still being written.
+  // What is inside is looked at when somebody asks (lookInside); No: an imported recording, one still being written, or
+  // one that cannot be looked into.
   enum class Inside { NotYet, Known, No };
   Inside inside = Inside::No;
   Seconds length{};
@@ -71,6 +72,9 @@ class SessionController {
   virtual QString folder() const = 0;
   virtual void setFolder(const QString& folder) = 0;  // lists it anew
   virtual const std::vector<SessionEntry>& entries() const = 0;
+  // These rows are on the screen: what is inside their files is looked at, and what was asked for before and not yet
+  // looked at is left. No other file is opened for the list.
+  virtual void lookInside(const QStringList& paths) = 0;
   // Simulated cuts that can be opened as a recording can: the program's own, and those of the folder.
   virtual const std::vector<SessionEntry>& scenarios() const = 0;
 

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListView>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "ui/pages/tool_button.h"
@@ -25,7 +26,10 @@ SessionList::SessionList(SessionController* controller, QWidget* parent)
   filter_->setPlaceholderText(tr("Find job or tool"));
   filter_->setAccessibleName(filter_->placeholderText());
   filter_->setClearButtonEnabled(false);
-  connect(filter_, &QLineEdit::textChanged, &order_, &QSortFilterProxyModel::setFilterFixedString);
+  connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    order_.setFilterFixedString(text);
+    lookInsideShown();
+  });
   byJob_ = toolButton(tr("JOB"), tr("Order by job"), "sessions-by-job");
   byTool_ = toolButton(tr("TOOL"), tr("Order by tool"), "sessions-by-tool");
   byTime_ = toolButton(tr("TIME"), tr("Order by time"), "sessions-by-time");
@@ -54,6 +58,8 @@ SessionList::SessionList(SessionController* controller, QWidget* parent)
     const QString path = index.data(SessionListModel::PathRole).toString();
     if (controller_ != nullptr && !path.isEmpty() && path != controller_->openedPath()) controller_->open(path);
   };
+  connect(list_->verticalScrollBar(), &QScrollBar::valueChanged, this, &SessionList::lookInsideShown);
+  connect(list_->verticalScrollBar(), &QScrollBar::rangeChanged, this, &SessionList::lookInsideShown);
   connect(list_, &QListView::clicked, this, openIndex);
   connect(list_, &QListView::activated, this, openIndex);
   empty_ = new TextLabel({type_size::kBody, false, true, true});
@@ -77,6 +83,22 @@ void SessionList::orderBy(SessionOrder::By by) {
   byJob_->setChecked(by == SessionOrder::Job);
   byTool_->setChecked(by == SessionOrder::Tool);
   byTime_->setChecked(by == SessionOrder::Time);
+  lookInsideShown();
+}
+
+// Files are opened for nobody: only what is inside the rows on the screen is asked for.
+void SessionList::lookInsideShown() {
+  if (controller_ == nullptr || !isVisible() || simulated_->isChecked()) return;
+  (void)list_->indexAt({});  // lays the rows out where that waits
+  const QRect seen = list_->viewport()->rect();
+  QStringList paths;
+  for (int k = 0; k < order_.rowCount(); ++k) {
+    const QModelIndex row = order_.index(k, 0);
+    const QRect place = list_->visualRect(row);
+    if (place.top() > seen.bottom()) break;
+    if (place.bottom() >= seen.top()) paths.append(row.data(SessionListModel::PathRole).toString());
+  }
+  controller_->lookInside(paths);
 }
 
 void SessionList::showSimulated(bool simulated) {
@@ -94,6 +116,12 @@ void SessionList::refresh() {
                       ? tr("No recordings here. Cuts are recorded as the page SET UP, RECORDING says.")
                       : tr("There are no recordings to work on here."));
   empty_->setVisible(sessions_.rowCount() == 0);
+  lookInsideShown();
+}
+
+void SessionList::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  lookInsideShown();
 }
 
 void SessionList::showEvent(QShowEvent* event) {

@@ -27,10 +27,12 @@ class SessionList : public QWidget, public Themed {
 
  protected:
   void showEvent(QShowEvent* event) override;  // somebody looks: what was recorded since is listed
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void orderBy(SessionOrder::By by);
   void showSimulated(bool simulated);
+  void lookInsideShown();
 
   SessionController* controller_;
   SessionListModel sessions_;

@@ -7,7 +7,7 @@
 #include "core/detect/registry.h"
 #include "core/evaluate/session_summary_builder.h"
 #include "core/session/file/session_markers.h"
-#include "core/session/session_overview.h"
+#include "core/session/session_glance.h"
 
 namespace stillcut::app {
 namespace {
@@ -26,9 +26,9 @@ Result<std::unique_ptr<Rig>> replayRig(const std::string& path, const ReplayPaci
 // Imported files begin at 0.
 Result<Instant> beginOf(const std::string& path, bool session) {
   if (!session) return Instant{};
-  const auto overview = record::SessionOverview::open(path);
-  if (!overview) return overview.error();
-  return (*overview)->begin();
+  const auto sketch = record::sketchSession(path, 0);
+  if (!sketch) return sketch.error();
+  return sketch->begin;
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ class ReplayController final : public ui::SessionController {
   QString folder() const override { return lister_.folder(); }
   void setFolder(const QString& folder) override;
   const std::vector<ui::SessionEntry>& entries() const override { return lister_.entries(); }
+  void lookInside(const QStringList& paths) override { lister_.lookInside(paths); }
   const std::vector<ui::SessionEntry>& scenarios() const override { return scenarios_; }
   void open(const QString& path) override;
   QString openedPath() const override { return path_; }

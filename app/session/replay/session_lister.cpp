@@ -3,17 +3,14 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "app/compose/recording_score.h"
-#include "core/session/session_glance.h"
 
 namespace stillcut::app {
 namespace {
-
-constexpr std::size_t kAtOnce = 16;  // files looked at before the screen hears of them
 
 // FOLDER/JOB/TOOL/TIME.h5, as sessions are named; anything else is its own job.
 ui::SessionEntry entryOf(const QString& folder, const std::string& path) {
@@ -57,35 +54,40 @@ void SessionLister::list(const QString& folder) {
                 keepWhatIsKnown(entries, before);
                 return BackgroundTask::Apply([this, entries = std::move(entries)] {
                   entries_ = entries;
-                  lookInside();
+                  lookAtNext();
                 });
               });
 }
 
-void SessionLister::lookInside() {
-  std::vector<std::pair<std::size_t, std::string>> next;
-  for (std::size_t i = 0; i < entries_.size() && next.size() < kAtOnce; ++i) {
-    if (entries_[i].inside == ui::SessionEntry::Inside::NotYet) next.emplace_back(i, entries_[i].path.toStdString());
-  }
-  if (next.empty()) return;
+void SessionLister::lookInside(const QStringList& paths) {
+  if (paths == asked_) return;
+  asked_ = paths;
+  if (!task_.state().running) lookAtNext();
+}
+
+// One at a time: the screen hears of each, and what has scrolled away meanwhile is not waited for.
+void SessionLister::lookAtNext() {
+  const auto next = std::find_if(entries_.begin(), entries_.end(), [this](const ui::SessionEntry& entry) {
+    return entry.inside == ui::SessionEntry::Inside::NotYet && asked_.contains(entry.path);
+  });
+  if (next == entries_.end()) return;
   task_.start(ui::TaskState::What::None, folder_,
-              [this, next](BackgroundTask::Progress& progress) -> Result<BackgroundTask::Apply> {
-                std::vector<std::optional<record::SessionGlance>> seen;
-                for (const auto& [place, path] : next) {
-                  if (progress.stopped()) return Error{path, message("stopped")};
-                  seen.push_back(record::glanceAtSession(path));
-                }
-                return BackgroundTask::Apply([this, next, seen = std::move(seen)] {
-                  for (std::size_t k = 0; k < next.size(); ++k) {
-                    ui::SessionEntry& entry = entries_[next[k].first];
-                    entry.inside = seen[k] ? ui::SessionEntry::Inside::Known : ui::SessionEntry::Inside::No;
-                    if (!seen[k]) continue;
-                    entry.length = seen[k]->length;
-                    entry.markers = seen[k]->markers;
-                  }
-                  lookInside();
+              [this, path = next->path](BackgroundTask::Progress&) -> Result<BackgroundTask::Apply> {
+                return BackgroundTask::Apply([this, path, seen = record::glanceAtSession(path.toStdString())] {
+                  take(path, seen);
+                  lookAtNext();
                 });
               });
+}
+
+void SessionLister::take(const QString& path, const std::optional<record::SessionGlance>& seen) {
+  for (ui::SessionEntry& entry : entries_) {
+    if (entry.path != path) continue;
+    entry.inside = seen ? ui::SessionEntry::Inside::Known : ui::SessionEntry::Inside::No;
+    if (!seen) continue;
+    entry.length = seen->length;
+    entry.markers = seen->markers;
+  }
 }
 
 void SessionLister::setMarkers(const QString& path, int markers) {

@@ -3,7 +3,9 @@
 #include <sys/socket.h>
 
 #include <cerrno>
+#include <cstring>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace stillcut::record::apart {
 namespace {
@@ -12,6 +14,13 @@ using Json = nlohmann::json;
 
 std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+// Numbers as they are, not-a-number too, and texts whatever bytes they hold.
+std::string cbor(const Json& json) {
+  std::string bytes;
+  Json::to_cbor(json, bytes);
+  return bytes;
 }
 
 }  // namespace
@@ -55,49 +64,146 @@ ReadOptions optionsFrom(const std::string& json) {
   return options;
 }
 
-std::string toJson(const RecordingFormat& format) {
-  Json channels = Json::array();
-  for (const RecordedChannel& c : format.channels) {
-    channels.push_back({{"name", c.info.name},
-                        {"quantity", static_cast<int>(c.info.quantity)},
-                        {"known", c.quantityKnown},
-                        {"scale", c.info.scale},
-                        {"axis", c.info.axis},
-                        {"unit", c.unit},
-                        {"sensitivity", c.info.sensitivity},
-                        {"volts", c.info.volts},
-                        {"coupling", c.info.coupling},
-                        {"place", c.info.place}});
-  }
-  return text({{"kind", format.kind},
-               {"rate", format.rate.value},
-               {"frames", format.frames},
-               {"skipped", format.skipped},
-               {"channels", channels}});
+namespace {
+
+Json packed(const RecordedChannel& c) {
+  return {{"name", c.info.name},
+          {"quantity", static_cast<int>(c.info.quantity)},
+          {"known", c.quantityKnown},
+          {"scale", c.info.scale},
+          {"axis", c.info.axis},
+          {"unit", c.unit},
+          {"sensitivity", c.info.sensitivity},
+          {"volts", c.info.volts},
+          {"coupling", c.info.coupling},
+          {"place", c.info.place}};
 }
 
-RecordingFormat formatFrom(const std::string& json) {
-  const Json all = Json::parse(json);
+RecordedChannel channelFrom(const Json& one) {
+  RecordedChannel c;
+  c.info.name = one["name"].get<std::string>();
+  c.info.quantity = static_cast<SensorQuantity>(one["quantity"].get<int>());
+  c.quantityKnown = one["known"].get<bool>();
+  c.info.scale = one["scale"].get<double>();
+  c.info.axis = one["axis"].get<std::string>();
+  c.unit = one["unit"].get<std::string>();
+  c.info.sensitivity = one["sensitivity"].get<double>();
+  c.info.volts = one["volts"].get<double>();
+  c.info.coupling = one["coupling"].get<std::string>();
+  c.info.place = one["place"].get<std::string>();
+  return c;
+}
+
+// As a session has it; the channels' own lines say the rest.
+Json packed(const CutSetup& setup) {
+  Json channels = Json::array();
+  for (const ChannelInfo& info : setup.channels) channels.push_back(packed(RecordedChannel{info, "", true}));
+  return {{"machine", setup.machine},
+          {"tool", setup.tool},
+          {"teeth", setup.teeth},
+          {"diameter", setup.toolDiameter.value},
+          {"speed", setup.nominalSpeed.value},
+          {"feed", setup.nominalFeed.value},
+          {"rate", setup.rate.value},
+          {"blockFrames", setup.blockFrames},
+          {"channels", channels}};
+}
+
+CutSetup setupFrom(const Json& all) {
+  CutSetup setup;
+  setup.machine = all["machine"].get<std::string>();
+  setup.tool = all["tool"].get<std::string>();
+  setup.teeth = all["teeth"].get<int>();
+  setup.toolDiameter = Metres(all["diameter"].get<double>());
+  setup.nominalSpeed = Rpm(all["speed"].get<double>());
+  setup.nominalFeed = MetresPerSecond(all["feed"].get<double>());
+  setup.rate = Hertz(all["rate"].get<double>());
+  setup.blockFrames = all["blockFrames"].get<int>();
+  for (const Json& one : all["channels"]) setup.channels.push_back(channelFrom(one).info);
+  return setup;
+}
+
+}  // namespace
+
+std::string toCbor(const RecordingFormat& format) {
+  Json channels = Json::array();
+  for (const RecordedChannel& c : format.channels) channels.push_back(packed(c));
+  Json all{{"kind", format.kind},
+           {"rate", format.rate.value},
+           {"frames", format.frames},
+           {"blocks", format.blocks},
+           {"blockFrames", format.blockFrames},
+           {"skipped", format.skipped},
+           {"channels", channels},
+           {"configuration", format.configuration},
+           {"program", format.programVersion},
+           {"operator", format.operatorName},
+           {"job", format.job},
+           {"started", format.started_ns},
+           {"simulated", format.simulated},
+           {"closed", format.closedCleanly}};
+  if (format.setup) all["setup"] = packed(*format.setup);
+  return cbor(all);
+}
+
+RecordingFormat formatFrom(const std::string& packed) {
+  const Json all = Json::from_cbor(packed);
   RecordingFormat format;
   format.kind = all["kind"].get<std::string>();
   format.rate = Hertz(all["rate"].get<double>());
   format.frames = all["frames"].get<std::int64_t>();
+  format.blocks = all["blocks"].get<std::int64_t>();
+  format.blockFrames = all["blockFrames"].get<int>();
   format.skipped = all["skipped"].get<std::vector<std::string>>();
-  for (const Json& one : all["channels"]) {
-    RecordedChannel c;
-    c.info.name = one["name"].get<std::string>();
-    c.info.quantity = static_cast<SensorQuantity>(one["quantity"].get<int>());
-    c.quantityKnown = one["known"].get<bool>();
-    c.info.scale = one["scale"].get<double>();
-    c.info.axis = one["axis"].get<std::string>();
-    c.unit = one["unit"].get<std::string>();
-    c.info.sensitivity = one["sensitivity"].get<double>();
-    c.info.volts = one["volts"].get<double>();
-    c.info.coupling = one["coupling"].get<std::string>();
-    c.info.place = one["place"].get<std::string>();
-    format.channels.push_back(std::move(c));
-  }
+  for (const Json& one : all["channels"]) format.channels.push_back(channelFrom(one));
+  format.configuration = all["configuration"].get<std::string>();
+  format.programVersion = all["program"].get<std::string>();
+  format.operatorName = all["operator"].get<std::string>();
+  format.job = all["job"].get<std::string>();
+  format.started_ns = all["started"].get<std::int64_t>();
+  format.simulated = all["simulated"].get<bool>();
+  format.closedCleanly = all["closed"].get<bool>();
+  if (all.contains("setup")) format.setup = setupFrom(all["setup"]);
   return format;
+}
+
+std::string toJson(const Ask& ask) {
+  return text({{"ask", ask.what}, {"arguments", ask.arguments}, {"patience", ask.patience.value}});
+}
+
+std::optional<Ask> askFrom(const std::string& json) {
+  const Json all = Json::parse(json);
+  if (!all.contains("ask")) return std::nullopt;
+  return Ask{all["ask"].get<std::string>(), all["arguments"].get<std::string>(),
+             Seconds(all["patience"].get<double>())};
+}
+
+// As memory has them: both ends are of one build.
+static_assert(std::is_trivially_copyable_v<MachineState> && std::is_trivially_copyable_v<StepOutput> &&
+              std::is_trivially_copyable_v<OperatorInput>);
+
+void packStep(const StepRecord& step, std::span<std::byte, kStepBytes> out) {
+  std::byte* to = out.data();
+  const auto put = [&to](const auto& value) {
+    std::memcpy(to, &value, sizeof value);
+    to += sizeof value;
+  };
+  put(step.input.machine);
+  put(step.input.inputCount);
+  put(step.input.inputs);
+  put(step.output);
+}
+
+void unpackStep(std::string_view bytes, StepRecord& step) {
+  const char* from = bytes.data();
+  const auto take = [&from](auto& value) {
+    std::memcpy(static_cast<void*>(&value), from, sizeof value);
+    from += sizeof value;
+  };
+  take(step.input.machine);
+  take(step.input.inputCount);
+  take(step.input.inputs);
+  take(step.output);
 }
 
 namespace {

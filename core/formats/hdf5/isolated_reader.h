@@ -1,8 +1,8 @@
-// HDF5 files of other programs, read in a process of their own. HDF5 1.10 dies of some damaged files, at the first byte
-// or a gigabyte into the samples: a stranger's file must not take a running cut with it. The process is a program
-// that starts afresh (stillcut-reader; no fork, which would halt a real-time thread at its next write, and could copy a
-// lock that somebody holds); it reads, and hands over one block for each that is asked for.
-// Thread: any, one at a time.
+// HDF5 files, our own sessions among them, read in a process of their own. HDF5 1.10 dies of some damaged files, at the
+// first byte or a gigabyte into the samples: a stranger's file must not take a running cut with it. The process is a
+// program that starts afresh (stillcut-reader; no fork, which would halt a real-time thread at its next write, and
+// could copy a lock that somebody holds); it reads, and hands over one block for each that is asked for. Thread: any,
+// one at a time.
 #pragma once
 
 #include <memory>
@@ -12,8 +12,8 @@
 
 namespace stillcut::record {
 
-// Null: the file is one of our sessions, or what a crash has left of one, and was not read any further. Error: the
-// library died or took more than a minute, then and later: one line; else what openHdf5() says.
+// A session comes back with its steps. Error: the library died or took more than a minute, then and later: one line;
+// else what openHdf5() or the session's own reader say.
 Result<std::unique_ptr<RecordingReader>> openIsolated(const std::string& path, const std::string& inner,
                                                       const ReadOptions& options);
 

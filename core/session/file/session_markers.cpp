@@ -103,7 +103,7 @@ std::int64_t nowUtc() {
       .count();
 }
 
-Result<std::vector<Marker>> readMarkers(const std::string& session) {
+Result<std::vector<Marker>> here::readMarkers(const std::string& session) {
   const Result<OpenedSession> opened = openSessionFile(session);
   if (!opened) return opened.error();
   const Result<std::map<std::uint64_t, MarkerRow>> rows = readMarkerRows(opened.value().file.get(), session);
@@ -116,7 +116,7 @@ Result<std::vector<Marker>> readMarkers(const std::string& session) {
   return markers;
 }
 
-Result<std::uint64_t> addMarker(const std::string& session, Marker marker) {
+Result<std::uint64_t> here::addMarker(const std::string& session, Marker marker) {
   const Status added = appendRow(session, [&](const auto& rows) {
     marker.number = rows.empty() ? 0 : rows.rbegin()->first + 1;
     if (marker.made_ns == 0) marker.made_ns = nowUtc();
@@ -126,7 +126,7 @@ Result<std::uint64_t> addMarker(const std::string& session, Marker marker) {
   return marker.number;
 }
 
-Status changeMarker(const std::string& session, const Marker& marker) {
+Status here::changeMarker(const std::string& session, const Marker& marker) {
   return appendRow(session, [&](const auto& rows) -> Result<MarkerRow> {
     const auto found = rows.find(marker.number);
     if (found == rows.end() || found->second.removed != 0) {
@@ -136,7 +136,7 @@ Status changeMarker(const std::string& session, const Marker& marker) {
   });
 }
 
-Status removeMarker(const std::string& session, std::uint64_t number) {
+Status here::removeMarker(const std::string& session, std::uint64_t number) {
   return appendRow(session, [&](const auto& rows) -> Result<MarkerRow> {
     const auto found = rows.find(number);
     if (found == rows.end() || found->second.removed != 0) {

@@ -1,7 +1,7 @@
 // The markers of a session: set during the cut by the writer, and afterwards by whoever listens to it again.
 // Thread: set-up; not real-time (file access). Adding and removing takes the file for itself: an error while it is
 // still being recorded. The file goes from one state to the next as a whole, through its journal, whatever happens
-// meanwhile; nothing but the markers' table changes.
+// meanwhile; nothing but the markers' table changes. Who does the work, see session_reader.h.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,15 @@ Result<std::uint64_t> addMarker(const std::string& session, Marker marker);
 // Replaces the marker of this number.
 Status changeMarker(const std::string& session, const Marker& marker);
 Status removeMarker(const std::string& session, std::uint64_t number);
+
+namespace here {
+
+Result<std::vector<Marker>> readMarkers(const std::string& session);
+Result<std::uint64_t> addMarker(const std::string& session, Marker marker);
+Status changeMarker(const std::string& session, const Marker& marker);
+Status removeMarker(const std::string& session, std::uint64_t number);
+
+}  // namespace here
 
 // An error where a text is too long for the file, or the span ends before it begins.
 Result<MarkerRow> toRow(const Marker& marker);

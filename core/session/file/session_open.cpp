@@ -157,7 +157,7 @@ Result<OpenedSession> openSessionFile(const std::string& path, Repair repair) {
   OpenedSession opened;
   if (recovery.value() == Recovery::Recovered) {
     opened.closedCleanly = false;
-    (void)repairSession(path).ok();  // what that cannot mend may still be readable
+    (void)here::repairSession(path).ok();  // what that cannot mend may still be readable
   }
   if (recovery.value() != Recovery::NotWritable) {
     opened.file = Hdf5Id(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));

@@ -236,7 +236,7 @@ class SessionReader final : public RecordingReader {
 
 }  // namespace
 
-Result<std::unique_ptr<RecordingReader>> openSession(const std::string& path, const ReadOptions& options) {
+Result<std::unique_ptr<RecordingReader>> here::openSession(const std::string& path, const ReadOptions& options) {
   Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
   return SessionReader::open(std::move(*opened), path, options);

@@ -41,7 +41,7 @@ Status clearMarks(const std::string& path, JournaledFile& journaled) {
 
 }  // namespace
 
-Result<bool> repairSession(const std::string& path) {
+Result<bool> here::repairSession(const std::string& path) {
   quietHdf5();
   if (!isHdf5File(path)) return Error{path, message("is no session file")};
   const Result<Recovery> recovery = recoverSession(path);
@@ -67,8 +67,8 @@ Result<bool> repairSession(const std::string& path) {
   return true;
 }
 
-Result<SessionCounts> countSession(const std::string& path) {
-  Result<std::vector<Marker>> markers = readMarkers(path);
+Result<SessionCounts> here::countSession(const std::string& path) {
+  Result<std::vector<Marker>> markers = here::readMarkers(path);
   if (!markers) return markers.error();
   const Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
@@ -115,7 +115,7 @@ Result<SessionCounts> countSession(const std::string& path) {
   return counts;
 }
 
-Result<std::vector<RecordedTruthSample>> readTruthSeries(const std::string& path) {
+Result<std::vector<RecordedTruthSample>> here::readTruthSeries(const std::string& path) {
   const Result<OpenedSession> opened = openSessionFile(path);
   if (!opened) return opened.error();
   TableReader<TruthSampleRow> series;

@@ -191,7 +191,7 @@ void SessionWriter::leaveWhole() {
   impl_->close();
   if (beyondRepair) impl_->journaled->removeJournal();  // it fits nothing any more
   impl_->journaled.reset();
-  if (!beyondRepair) (void)repairSession(path_).ok();
+  if (!beyondRepair) (void)here::repairSession(path_).ok();
 }
 
 Status SessionWriter::add(const StepInput& input, const StepOutput& output) {

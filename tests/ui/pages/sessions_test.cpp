@@ -288,6 +288,24 @@ TEST(SessionModels, PassTheModelTester) {
   list.show({});
 }
 
+TEST_F(SessionsPageTest, OnlyWhatIsOnTheScreenIsLookedInto) {
+  std::vector<SessionEntry> many(500, controller_.entries().front());
+  for (int k = 0; k < 500; ++k) {
+    SessionEntry& entry = many[static_cast<std::size_t>(k)];
+    entry.path = QStringLiteral("/rec/%1.h5").arg(k);
+    entry.inside = SessionEntry::Inside::NotYet;
+    entry.wallMs -= k;
+  }
+  controller_.setEntries(many);
+  openSessions();
+  ASSERT_FALSE(controller_.asked.isEmpty());
+  EXPECT_LT(controller_.asked.size(), 40);
+  EXPECT_EQ(controller_.asked.front(), many.front().path);
+  find<QListView>("session-list")->scrollToBottom();
+  EXPECT_LT(controller_.asked.size(), 40);
+  EXPECT_EQ(controller_.asked.back(), many.back().path);
+}
+
 class SessionsPictures : public SessionsPageTest, public testing::WithParamInterface<PageLook> {};
 
 TEST_P(SessionsPictures, EveryStateFits) {

@@ -200,8 +200,17 @@ TEST_F(ReplayDeskTest, TheListTellsTheLengthAndTheMarkersOfEverySession) {
            std::none_of(all.begin(), all.end(), [](const auto& e) { return e.inside == Inside::NotYet; });
   };
   controller_.setFolder(folder_.path());
-  test::waitFor(controller_, told);
+  test::waitFor(controller_, [this] { return controller_.entries().size() == 2U; });
   const auto& entries = controller_.entries();
+  for (const auto& entry : entries) EXPECT_EQ(entry.inside, Inside::NotYet) << "nobody has asked";
+  controller_.lookInside({foreign.fileName()});
+  test::waitFor(controller_, [&] {
+    return std::any_of(entries.begin(), entries.end(), [](const auto& e) { return e.inside != Inside::NotYet; });
+  });
+  const auto seen = std::count_if(entries.begin(), entries.end(), [](const auto& e) { return e.inside == Inside::No; });
+  EXPECT_EQ(seen, 1) << "the one that was asked for, and no other";
+  controller_.lookInside({foreign.fileName(), path_});
+  test::waitFor(controller_, told);
   const ui::SessionEntry& demo = entries[0].path == path_ ? entries[0] : entries[1];
   const ui::SessionEntry& broken = entries[0].path == path_ ? entries[1] : entries[0];
   EXPECT_EQ(demo.inside, Inside::Known);
@@ -243,6 +252,20 @@ TEST_F(ReplayDeskTest, ExportsTheSpan) {
   const double frames = static_cast<double>(QFile(file).size()) /
                         (4.0 * static_cast<double>(controller_.summary()->setup.channels.size()));
   EXPECT_NEAR(frames / controller_.summary()->setup.rate.value, 1.0, 0.05);
+}
+
+// Files that end whoever reads them: the one that is open stays, and the screen says why.
+TEST_F(ReplayDeskTest, NoFileThatKillsItsReaderEndsTheDesktop) {
+  const QDir hostile(QStringLiteral(STILLCUT_SHARED_DIR "/cases_hostile"));
+  const QStringList names = hostile.entryList({QStringLiteral("*.h5")}, QDir::Files);
+  if (names.isEmpty()) GTEST_SKIP() << "no such files here";
+  for (const QString& name : names) {
+    const QString copy = folder_.filePath(name);
+    ASSERT_TRUE(QFile::copy(hostile.filePath(name), copy));
+    controller_.open(copy);
+    test::waitFor(controller_, [this] { return !controller_.task().running; });
+    EXPECT_TRUE(controller_.openedPath() == copy || !controller_.task().problem.isEmpty()) << name.toStdString();
+  }
 }
 
 // One bad file is no reason to score none.
