@@ -157,6 +157,7 @@ Status JournaledFile::beginJournal(const std::string& session, JournalOf which) 
   (void)posix_fallocate(journalFile_, 0, kJournalReserve);
   if (!disk_.sync(file_) || fsync(journalFile_) != 0) return refuseJournal(session, made);
   syncFolder(session);
+  path_ = session;
   committed_ = size_;
   return Done{};
 }

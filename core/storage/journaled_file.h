@@ -60,7 +60,7 @@ class JournaledFile {
   Status refuseJournal(const std::string& session, bool made);
   Status apply(bool toDisk);
 
-  std::string path_;
+  std::string path_;  // for messages
   std::string journal_;
   Disk& disk_;
   int file_ = -1;
