@@ -6,11 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "app/cli/command.h"
 #include "app/cli/out_path.h"
 #include "app/compose/flight_log.h"
 #include "app/compose/interruption.h"
+#include "app/compose/left_overrides.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/wires.h"
@@ -65,6 +67,12 @@ class Console {
     recordingTold_ = !stopped.empty();
     if (recordingTold_) fail(Error{{}, stopped, message("monitoring goes on")});
   }
+  // The same of what a killed run has left in the machine; without a screen there is no button to bring it back.
+  void watchLeft() {
+    const auto left = rig_.leftInMachine();
+    if (!left || std::exchange(leftTold_, true)) return;
+    fail(Error{{}, leftSentence(*left)});
+  }
   bool recordingTold() const { return recordingTold_; }
 
  private:
@@ -73,7 +81,7 @@ class Console {
   std::uint64_t printed_ = 0;
   bool begun_ = false;
   Instant begin_{};  // of the first block, as a recording counts
-  bool recordingTold_ = false;
+  bool recordingTold_ = false, leftTold_ = false;
 };
 
 Status checkOptions(const RunOptions& options) {
@@ -123,6 +131,7 @@ int watch(Rig& rig, const RunOptions& options, const ProgramLog& log, bool repla
     never.waitFor(kLook);
     const Seconds length = console.look();
     console.watchRecording();
+    console.watchLeft();
     if (options.seconds > 0.0 && length.value >= options.seconds) break;
   }
   const Status recorded = rig.stop();

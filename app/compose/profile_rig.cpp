@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/compose/known_lobes.h"
+#include "app/compose/left_overrides.h"
 #include "app/compose/resource_folder.h"
 #include "app/io/alsa_driver.h"
 #include "app/io/comedi_driver.h"
@@ -117,7 +118,8 @@ Result<std::unique_ptr<Rig>> buildProfileRig(const config::Profile& profile, con
   RigSpec spec;
   spec.device = std::move(parts->device);
   spec.clock = std::move(parts->clock);
-  spec.link = std::move(parts->link);
+  spec.left = std::make_shared<cnc::SentOverridesCell>();
+  spec.link = remembered(std::move(parts->link), profile, defaultLeftFolder().string(), spec.left);
   spec.linkEffect = cnc::savedDelay(profile.link.settings, cnc::kSavedEffect);
   spec.setup = profile.cut;
   auto known = stableSpeeds(profile, modelFile(profile, path));

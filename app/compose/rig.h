@@ -5,9 +5,11 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/cnc/override_memory.h"
 #include "core/config/param_set.h"
 #include "core/pipeline/engine.h"
 #include "core/pipeline/serial_run.h"
@@ -29,6 +31,7 @@ struct RigSpec {
   std::unique_ptr<pipeline::StepSource> steps;         // empty: `device`, live
   std::unique_ptr<pipeline::MachineStateSource> feed;  // empty: the link's mailbox and the operator's ring
   std::unique_ptr<cnc::CncLink> link;                  // empty: no machine
+  std::shared_ptr<cnc::SentOverridesCell> left;        // what a killed run has left in it; empty: nothing can be
   Seconds linkEffect{};                                // from an order to its effect, as measured before; 0: never
   CutSetup setup;  // rate, channels and block size are overwritten by the source's format
   config::ParamSet params;
@@ -62,6 +65,8 @@ class Rig {
   const daq::SourceFormat& deviceFormat() const { return format_; }
   cnc::LinkInfo linkInfo() const;
   bool hasLink() const { return spec_.link != nullptr; }
+  // Any thread: what a run that was killed has left in the machine, and the operator's BACK TO 100 % brings back.
+  std::optional<cnc::SentOverrides> leftInMachine() const { return spec_.left ? spec_.left->get() : std::nullopt; }
 
   // Before the first step: everything goes to the session file `path` as well, with the whole wiring of this run (see
   // run_text.h). `origin`: the scenario or profile it was made from, as text, kept for the reader.

@@ -79,6 +79,7 @@ class OneProgramLink final : public cnc::CncLink {
   MachineState read(Instant now) noexcept override { return link_->read(now); }
   void apply(const OverrideCommand& command, Instant now) noexcept override { link_->apply(command, now); }
   void release(Instant now) noexcept override { link_->release(now); }
+  void adopt(std::optional<Ratio> speed, std::optional<Ratio> feed) noexcept override { link_->adopt(speed, feed); }
   void close() noexcept override {
     link_->close();
     held_.clear();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "app/compose/left_overrides.h"
+
 namespace stillcut::app {
 namespace {
 
@@ -35,6 +37,10 @@ void RunLog::look(Rig& rig, const Snapshot* snapshot) {
   if (snapshot != nullptr) {
     events(*snapshot);
     if (rig.hasLink()) link(snapshot->machine);
+  }
+  if (const auto left = rig.leftInMachine(); left && !leftTold_) {
+    leftTold_ = true;
+    log_.write(LogLevel::Warning, text(leftSentence(*left)));
   }
   const std::string trouble = text(rig.device().trouble());
   if (trouble != trouble_) {

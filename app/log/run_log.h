@@ -29,7 +29,7 @@ class RunLog {
   bool linkUp_ = false;
   OverrideInhibit inhibit_ = OverrideInhibit::None;
   std::string trouble_;  // of the device, as last written
-  bool recorderFault_ = false;
+  bool recorderFault_ = false, leftTold_ = false;
 };
 
 }  // namespace stillcut::app

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/compose/active_setup.h"
+#include "app/compose/left_overrides.h"
 #include "app/compose/profile_rig.h"
 #include "app/compose/scenario_rig.h"
 #include "app/session/session_view.h"
@@ -103,7 +104,10 @@ config::Profile CutRun::asProfile() const {
 }
 
 ui::LinkStatus CutRun::link() const {
-  if (!rig_->finished()) return {{}, ui::sayCore(rig_->device().trouble())};
+  if (!rig_->finished()) {
+    const auto left = rig_->leftInMachine();
+    return {left ? ui::sayCore(leftSentence(*left)) : QString(), ui::sayCore(rig_->device().trouble())};
+  }
   const Message fault = rig_->device().fault();
   return {{}, fault.empty() ? QCoreApplication::translate("Session", "The run has ended") : ui::sayCore(fault)};
 }

@@ -4,6 +4,7 @@
 // back through one.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -36,6 +37,10 @@ class CncLink {
   // Brings the programmed values back. Called on lease expiry, on every end, and by the destructor of the runner.
   // Must work without a command: safety does not wait for the gate.
   virtual void release(Instant now) noexcept = 0;
+  // Before a release(): what stands in the overrides named was left by a program of ours that died, and this is what
+  // the operator had: home. Sends nothing. For links that share one register with the operator's knobs; others go home
+  // to 100 % by themselves.
+  virtual void adopt(std::optional<Ratio> /*speed*/, std::optional<Ratio> /*feed*/) noexcept {}
   // The last call on the link thread: lets go of wires, which belong to the thread that used them.
   virtual void close() noexcept {}
 };

@@ -116,6 +116,14 @@ void SharedOverride::refused() noexcept {
   underway_.reset();
 }
 
+void SharedOverride::adopt(Ratio base) noexcept {
+  if (!shown_ || !nothingSent() || !isFinite(base)) return;
+  base_ = static_cast<int>(std::lround(100.0 * base.value));
+  sent(*shown_, Instant{});
+  underway_.reset();  // it has shown long since
+  unseen_ = sentCount_;
+}
+
 void SharedOverride::lost() noexcept {
   restarted();
   rejoining_ = true;

@@ -48,6 +48,9 @@ class SharedOverride {
   // The connection broke: the register must be seen again before anything is sent. What we ever sent on this base is
   // still ours then, however long it has stood: nobody saw whose hand it was, and home is what the operator chose last.
   void lost() noexcept;
+  // What the register shows was left by a program of ours that died; `base` is what its operator had. Ignored before
+  // the register has been seen, and once anything was sent. due() is then the way home.
+  void adopt(Ratio base) noexcept;
   // The peer began anew, with values of its own: as lost(), but nothing that stands there is taken for ours.
   void restarted() noexcept;
 

@@ -6,9 +6,8 @@
 //   Idle         nothing of ours       ask, or take the overrides              nothing, and say why
 //   Engaged      a Set                 follow the wish by the ramp             hold; after gate.hold-time give up
 //   Returning    a Set                 to 100 % at the slow rate, by a wish    hold; after gate.hold-time give up
-//   LettingGo    a Set                 to 100 % at full rate, whoever wishes   the same while the machine can be
-//   steered,
-//                                                                              else drop
+//   LettingGo    a Set                 to 100 % at full rate, whoever wishes   the same, or drop where nothing can be
+//                                                                              steered
 //   OwesRelease  what was dropped      send the Release                        send the Release
 //
 // Plain values: any thread.
@@ -31,19 +30,20 @@ enum class GateCause : std::uint8_t {
   GivesUp,  // somebody or something wants the programmed values, and the machine can be steered there
   Drops,    // at 100 %, or where nothing can be steered any more
   Sends,    // the Release is out
+  Recalls,  // the operator wants what an earlier run may have left in force to be released
 };
-inline constexpr std::size_t kGateCauses = 6;
+inline constexpr std::size_t kGateCauses = 7;
 
 constexpr GateState after(GateState state, GateCause cause) noexcept {
   using enum GateState;
   constexpr std::array<std::array<GateState, kGateCauses>, kGateStates> kTable{{
       // clang-format off
-      //                Takes        Follows      Returns      GivesUp      Drops        Sends
-      /* Idle */        {Engaged,     Idle,        Idle,        Idle,        Idle,        Idle},
-      /* Engaged */     {Engaged,     Engaged,     Returning,   LettingGo,   OwesRelease, Engaged},
-      /* Returning */   {Returning,   Engaged,     Returning,   LettingGo,   OwesRelease, Returning},
-      /* LettingGo */   {LettingGo,   LettingGo,   LettingGo,   LettingGo,   OwesRelease, LettingGo},
-      /* OwesRelease */ {OwesRelease, OwesRelease, OwesRelease, OwesRelease, OwesRelease, Idle},
+      //                Takes        Follows      Returns      GivesUp      Drops        Sends        Recalls
+      /* Idle */        {Engaged,     Idle,        Idle,        Idle,        Idle,        Idle,        OwesRelease},
+      /* Engaged */     {Engaged,     Engaged,     Returning,   LettingGo,   OwesRelease, Engaged,     Engaged},
+      /* Returning */   {Returning,   Engaged,     Returning,   LettingGo,   OwesRelease, Returning,   Returning},
+      /* LettingGo */   {LettingGo,   LettingGo,   LettingGo,   LettingGo,   OwesRelease, LettingGo,   LettingGo},
+      /* OwesRelease */ {OwesRelease, OwesRelease, OwesRelease, OwesRelease, OwesRelease, Idle,        OwesRelease},
       // clang-format on
   }};
   return kTable[static_cast<std::size_t>(state)][static_cast<std::size_t>(cause)];

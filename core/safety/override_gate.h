@@ -61,6 +61,7 @@ class OverrideGate {
   void obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_RT;
   void setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT;
   void stay() STILLCUT_RT;
+  void releaseWhatWasLeft() STILLCUT_RT;
   void acceptAdvice(std::uint32_t number, Instant now, GateOutput& out) STILLCUT_RT;
   void refuseAdvice(Instant now, GateOutput& out) STILLCUT_RT;
   void watchLink(const GateInput& in, GateOutput& out) STILLCUT_RT;

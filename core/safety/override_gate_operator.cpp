@@ -27,6 +27,7 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
         say(out, in.now, EventLevel::Info, {ReasonCode::BackToProgrammed, {}});
         setAuthority(Authority::Off, in.now, out);
         operatorHold_ = false;
+        releaseWhatWasLeft();
         break;
       case OperatorAction::Hold:
         operatorHold_ = true;
@@ -41,6 +42,15 @@ void OverrideGate::obeyOperator(const GateInput& in, GateOutput& out) STILLCUT_R
         break;  // for the detectors' thresholds and the record, not for the machine
     }
   }
+}
+
+// Nothing of this run is in force, but something of a run that was killed may be: only the link can tell, and a Release
+// changes nothing where there is nothing.
+void OverrideGate::releaseWhatWasLeft() STILLCUT_RT {
+  if (commanding()) return;
+  enter(GateCause::Recalls);
+  dropReason_ = {ReasonCode::BackToProgrammed, {}};
+  restLeft_ = limits_.reengageDelay.value;
 }
 
 void OverrideGate::setAuthority(Authority wanted, Instant now, GateOutput& out) STILLCUT_RT {

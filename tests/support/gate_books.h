@@ -72,7 +72,7 @@ class Books {
     if (out.command && !set && !fresh_) sinceRelease = 0.0;
     fresh_ = false;
     const bool moved = set && (out.command->speed().value != speed_ || out.command->feed().value != feed_);
-    stuck = moved || !mayLeave ? 0.0 : stuck + elapsed;
+    stuck = moved || !mustLeave ? 0.0 : stuck + elapsed;  // what may leave need not hurry
     if (!set && inForce) mayLeave = mustLeave = licence = false;
     if (set && out.command->engagement() != engagement_) {
       programmed_ = in.machine.programmedSpeed.value;

@@ -40,6 +40,10 @@ class GrblLink final : public CncLink {
   MachineState read(Instant now) noexcept override;
   void apply(const OverrideCommand& command, Instant now) noexcept override;
   void release(Instant now) noexcept override;
+  void adopt(std::optional<Ratio> speed, std::optional<Ratio> feed) noexcept override {
+    if (speed) speed_.adopt(*speed);
+    if (feed) feed_.adopt(*feed);
+  }
   void close() noexcept override;
 
   static constexpr Duration kWait = std::chrono::milliseconds(6);

@@ -62,6 +62,10 @@ class LinuxCncLink final : public CncLink {
   MachineState read(Instant now) noexcept override;
   void apply(const OverrideCommand& command, Instant now) noexcept override;
   void release(Instant now) noexcept override;
+  void adopt(std::optional<Ratio> speed, std::optional<Ratio> feed) noexcept override {
+    if (speed) overrides_.speed.adopt(*speed);
+    if (feed) overrides_.feed.adopt(*feed);
+  }
   void close() noexcept override;
 
   static constexpr Duration kWait = std::chrono::milliseconds(2);

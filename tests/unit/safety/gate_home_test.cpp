@@ -25,6 +25,22 @@ TEST(GateHome, BackToProgrammedTurnsAuthorityOffAndGoesHomeByTheRamp) {
   EXPECT_TRUE(h.commands.empty());
 }
 
+// What a run that was killed has left in the machine is not the gate's to know: the link brings it home.
+TEST(GateHome, BackToProgrammedWithNothingInForceGivesOneReleaseAndTakesNothing) {
+  GateHarness h;
+  h.run(1.0);
+  ASSERT_TRUE(h.commands.empty());
+  h.act(OperatorAction::BackToProgrammed);
+  h.run(1.0);
+  ASSERT_EQ(h.commands.size(), 1U);
+  EXPECT_EQ(h.commands[0].kind, CommandKind::Release);
+  EXPECT_EQ(h.commands[0].reason.code, ReasonCode::BackToProgrammed);
+  EXPECT_FALSE(h.gate.commanding());
+  EXPECT_EQ(h.gate.authority(), Authority::Off);
+  h.settleAt(9000, 900);
+  EXPECT_TRUE(h.gate.commanding()) << "and may be asked again";
+}
+
 TEST(GateHome, FromAboveTheFeedGoesHomeFirst) {
   GateHarness h;
   h.settleAt(11500, 1150);
