@@ -108,6 +108,8 @@ void tellLateness(const pipeline::Engine& engine) {
       static_cast<unsigned long long>(latency.count()), ms(latency.quantile(0.5)),
       ms(std::min(latency.quantile(0.999), latency.worst())), ms(latency.worst()),
       static_cast<unsigned long long>(engine.droppedBlocks()));
+  if (engine.leasesExpired() > 0)
+    std::printf("%llu leases ran out\n", static_cast<unsigned long long>(engine.leasesExpired()));
 }
 
 // Until the source ends, the time is over or somebody interrupts.

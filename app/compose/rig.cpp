@@ -141,7 +141,8 @@ Status Rig::prepare(SetUpFault& fault) {
     spec_.feed = std::make_unique<pipeline::TunedStateSource>(std::move(spec_.feed), inputs_);
   }
   if (spec_.link) {
-    linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_, spec_.linkEffect);
+    const Clock* boot = spec_.deterministic ? nullptr : &bootClock_;
+    linkRunner_ = std::make_unique<pipeline::LinkRunner>(*spec_.link, commands_, states_, spec_.linkEffect, boot);
   }
   makeLoop();
   return Done{};

@@ -13,6 +13,7 @@
 #include "core/config/param_set.h"
 #include "core/pipeline/engine.h"
 #include "core/pipeline/serial_run.h"
+#include "core/rt/boot_clock.h"
 #include "core/session/recorder.h"
 #include "core/session/session_folder.h"
 
@@ -120,6 +121,7 @@ class Rig {
   rt::Mailbox<MachineState> states_;
   rt::SpscRing<OperatorInput> inputs_{32};
   SteadyClock steadyClock_;
+  rt::BootClock bootClock_;
   ManualClock manualClock_;
   std::unique_ptr<pipeline::Chain> chain_;
   pipeline::SnapshotPublisher publisher_;

@@ -39,7 +39,10 @@ struct PathHealth {
   std::uint64_t gaps = 0;
   std::uint64_t overruns = 0;  // blocks whose processing took longer than their own length
   std::uint64_t detectorFaults = 0;
-  std::uint64_t tapDropped = 0;  // items the recorder could not take in time
+  std::uint64_t tapDropped = 0;     // items the recorder could not take in time
+  std::uint64_t leasesExpired = 0;  // orders that the link thread took back because nothing renewed them
+  std::uint64_t linkStalls = 0;     // times the link thread stood still, or the computer slept
+  Seconds linkThreadAge{};          // since the link thread's last tick: old, it stands still, not the machine
   Seconds blockLength{};
   Seconds blockAge{};  // from the last sample to the decision, newest block
   Seconds worstBlockAge{};

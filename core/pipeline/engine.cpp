@@ -88,6 +88,7 @@ void Engine::worker(const std::stop_token& stop) {
       continue;
     }
     parts_.loop.countDropped(dropped_.load(std::memory_order_relaxed));
+    if (parts_.link != nullptr) parts_.loop.countLink(parts_.link->tally(), parts_.clock.now());
     parts_.loop.step(*input);
     latency_.record(secondsBetween(input->block.end(), parts_.clock.now()));
     ring_.pop();

@@ -46,6 +46,7 @@ class Engine {
 
   // True once the source has ended and every block of it has been processed.
   bool finished() const { return finished_.load(std::memory_order_acquire); }
+  std::uint64_t leasesExpired() const { return parts_.link != nullptr ? parts_.link->leasesExpired() : 0; }
   std::uint64_t droppedBlocks() const { return dropped_.load(std::memory_order_relaxed); }
   // From the last sample of a block to the hand-over of its decision.
   const rt::DeadlineStats& latency() const { return latency_; }

@@ -2,11 +2,32 @@
 
 namespace stillcut::pipeline {
 
-void LinkRunner::tick(Instant now) noexcept {
+namespace {
+
+// Between two looks at two clocks this thread may be kept waiting for a while.
+constexpr Duration kShortestSleep = std::chrono::milliseconds(100);
+constexpr Duration kLongestGap = std::chrono::milliseconds(500);
+
+}  // namespace
+
+// A computer that was put to sleep has not renewed anything meanwhile, whatever the clock says that slept with it.
+void LinkRunner::watchTime(Instant now) noexcept {
+  const Duration ahead = boot_ != nullptr ? boot_->now() - now : Duration{};
+  const Duration slept = ticked_ ? ahead - ahead_ : Duration{};
+  const bool hasSlept = slept > kShortestSleep;
+  if (hasSlept) asleep_ += slept;
+  if (!ticked_ || hasSlept) ahead_ = ahead;
+  if (hasSlept || (ticked_ && now - lastTick_ > kLongestGap)) stalls_.fetch_add(1, std::memory_order_relaxed);
+  ticked_ = true;
   lastTick_ = now;
+  lastTick_ns_.store(toNs(now), std::memory_order_relaxed);
+}
+
+void LinkRunner::tick(Instant now) noexcept {
+  watchTime(now);
   if (!finished_) {
     const auto newest = commands_.latest();
-    switch (lease_.poll(newest ? &*newest : nullptr, now)) {
+    switch (lease_.poll(newest ? &*newest : nullptr, now + asleep_)) {
       case safety::LinkAction::Apply:
         effect_.commanded(newest->speed(), newest->feed(), now);
         link_.apply(*newest, now);

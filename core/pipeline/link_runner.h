@@ -17,12 +17,21 @@
 
 namespace stillcut::pipeline {
 
+// Of the link thread itself, for the screen: a machine that is silent and a thread of ours that stands still look the
+// same from the worker.
+struct LinkTally {
+  std::uint64_t leasesExpired = 0;
+  std::uint64_t stalls = 0;  // ticks that came more than 0.5 s late, and sleeps of the computer
+  Instant lastTick{};        // 0: none yet
+};
+
 class LinkRunner {
  public:
-  // `effect`: how long an order took to act when it was measured before; 0: never.
+  // `effect`: how long an order took to act when it was measured before; 0: never. `boot`: a clock that goes on while
+  // the computer sleeps, for leases to run out then as well; null: the clock of tick() is all there is.
   LinkRunner(cnc::CncLink& link, rt::Mailbox<OverrideCommand>& commands, rt::Mailbox<MachineState>& states,
-             Seconds effect = {})
-      : link_(link), commands_(commands), states_(states), effect_(effect) {}
+             Seconds effect = {}, const Clock* boot = nullptr)
+      : link_(link), commands_(commands), states_(states), boot_(boot), effect_(effect) {}
   // Whatever ends the run, the programmed values come back.
   ~LinkRunner() { finish(); }
   LinkRunner(const LinkRunner&) = delete;
@@ -36,17 +45,28 @@ class LinkRunner {
 
   // Any thread.
   std::uint64_t leasesExpired() const { return leasesExpired_.load(std::memory_order_relaxed); }
+  LinkTally tally() const {
+    return {leasesExpired(), stalls_.load(std::memory_order_relaxed),
+            instantFromNs(lastTick_ns_.load(std::memory_order_relaxed))};
+  }
 
  private:
+  void watchTime(Instant now) noexcept;
   void measure(MachineState& state) noexcept;
 
   cnc::CncLink& link_;
   rt::Mailbox<OverrideCommand>& commands_;
   rt::Mailbox<MachineState>& states_;
+  const Clock* boot_;
   safety::LeaseWatch lease_;
   cnc::EffectGauge effect_;
   Instant lastTick_{};
+  bool ticked_ = false;
+  Duration ahead_{};   // the boot clock, of ours
+  Duration asleep_{};  // so long in all
   bool finished_ = false;
+  std::atomic<std::uint64_t> stalls_{0};
+  std::atomic<std::int64_t> lastTick_ns_{0};
   std::atomic<std::uint64_t> leasesExpired_{0};
 };
 

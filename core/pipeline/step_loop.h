@@ -8,6 +8,7 @@
 #include "core/model/step_record.h"
 #include "core/pipeline/chain.h"
 #include "core/pipeline/intervention_log.h"
+#include "core/pipeline/link_runner.h"
 #include "core/pipeline/machine_state_source.h"
 #include "core/pipeline/snapshot_publisher.h"
 #include "core/rt/mailbox.h"
@@ -42,6 +43,12 @@ class StepLoop {
 
   // Blocks lost before the ring so far. Before step().
   void countDropped(std::uint64_t total) noexcept { health_.droppedBlocks = total; }
+  // Of the link thread. Before step().
+  void countLink(const LinkTally& tally, Instant now) noexcept {
+    health_.leasesExpired = tally.leasesExpired;
+    health_.linkStalls = tally.stalls;
+    health_.linkThreadAge = tally.lastTick != Instant{} ? secondsBetween(tally.lastTick, now) : Seconds();
+  }
   const PathHealth& health() const { return health_; }
   const InterventionLog& interventions() const { return log_; }
 

@@ -38,6 +38,11 @@ StripItem linkItem(const Picture& p) {
   // Read after the block was recorded: as new as can be.
   const Seconds age =
       std::max(Seconds(), secondsBetween(p.snapshot->machine.time, p.snapshot->time)) + (p.stale ? p.age : Seconds());
+  // Nobody asks the machine: whether it would answer is not known.
+  constexpr Seconds kStandsStill{1.0};
+  const Seconds thread = p.snapshot->health.linkThreadAge;
+  if (thread > kStandsStill)
+    return {label, say("Stillcut itself stands still for %1").arg(duration(thread)), Tone::Chatter};
   if (!p.snapshot->machine.linkUp) return {label, say("no answer for %1").arg(duration(age)), Tone::Chatter};
   if (!p.snapshot->machine.valid) return {label, say("not read yet"), Tone::Faint};
   const Tone tone = age.value > 1.0 ? Tone::Onset : Tone::Normal;
@@ -161,6 +166,8 @@ std::vector<StripItem> makeStrip(const Picture& picture) {
   items.push_back({say("Rate"), join(number(picture.info->setup.rate.value), QStringLiteral("Hz")), Tone::Normal});
   items.push_back(counter(say("Drops"), health.droppedBlocks));
   items.push_back(counter(say("Overruns"), health.overruns));
+  if (health.leasesExpired > 0) items.push_back(counter(say("Leases run out"), health.leasesExpired));
+  if (health.linkStalls > 0) items.push_back(counter(say("Standstills"), health.linkStalls));
   const Seconds blockAge = picture.stale ? picture.age : health.blockAge;
   items.push_back({say("Block age"), duration(picture.snapshot ? blockAge : Seconds(std::nan(""))),
                    picture.stale ? Tone::Chatter : Tone::Normal});

@@ -274,6 +274,25 @@ TEST(Strip, CountersAndLossesStandOut) {
   EXPECT_EQ(items[6].tone, Tone::Chatter);
 }
 
+// Whose fault it is: a machine that is silent, or a thread of ours that asks nothing.
+TEST(Strip, AThreadThatStandsStillIsNoSilentMachine) {
+  Scene s = stableScene();
+  s.snapshot.machine.time = s.snapshot.time - std::chrono::seconds(5);
+  s.snapshot.machine.linkUp = false;
+  EXPECT_TRUE(makeStrip(s.picture())[0].value.startsWith("no answer for 5"));
+  s.snapshot.health.linkThreadAge = Seconds(5.0);
+  EXPECT_TRUE(makeStrip(s.picture())[0].value.startsWith("Stillcut itself stands still for 5"));
+  const auto shown = [&](const char* label) {
+    const auto items = makeStrip(s.picture());
+    return std::any_of(items.begin(), items.end(), [&](const StripItem& i) { return i.label == QLatin1String(label); });
+  };
+  EXPECT_FALSE(shown("Leases run out"));
+  s.snapshot.health.leasesExpired = 2;
+  s.snapshot.health.linkStalls = 1;
+  EXPECT_TRUE(shown("Leases run out"));
+  EXPECT_TRUE(shown("Standstills"));
+}
+
 TEST(Strip, ALostLinkIsRedForAsLongAsItHasNotAnswered) {
   Scene s = stableScene();
   s.snapshot.machine.time = s.snapshot.time - std::chrono::seconds(3);

@@ -73,6 +73,44 @@ TEST_F(LinkRunnerTest, AStalledWorkerLosesTheMachineWhenTheLeaseRunsOut) {
   EXPECT_EQ(link_.applied(), applied);  // that engagement is over
 }
 
+// The steady clock sleeps with the computer: by it, the worker renews in time.
+TEST_F(LinkRunnerTest, ASleepOfTheComputerEndsTheLeaseAsTheTimeThatItIs) {
+  ManualClock boot;
+  runner_.emplace(link_, commands_, states_, Seconds(), &boot);
+  const auto tick = [&](double aheadMs) {
+    boot.set(at(now_ + aheadMs));
+    runner_->tick(at(now_));
+    now_ += 5.0;
+  };
+  for (int i = 0; i < 20; ++i) tick(7000.0);  // slept before the run began
+  commands_.post(maker_.next());
+  for (int i = 0; i < 20; ++i) tick(i % 2 == 0 ? 7000.0 : 7050.0);  // kept waiting between two looks
+  EXPECT_EQ(link_.released(), 0);
+  EXPECT_EQ(runner_->tally().stalls, 0U);
+  const OverrideCommand command = maker_.next();
+  commands_.post(command);
+  tick(7000.0 + 3.6e6);
+  EXPECT_EQ(link_.released(), 1);
+  EXPECT_EQ(runner_->tally().leasesExpired, 1U);
+  EXPECT_EQ(runner_->tally().stalls, 1U);
+  EXPECT_EQ(states_.latest()->endedEngagement, command.engagement());
+  const int applied = link_.applied();
+  commands_.post(maker_.next());
+  for (int i = 0; i < 20; ++i) tick(7000.0 + 3.6e6);
+  EXPECT_EQ(link_.applied(), applied) << "that engagement is over";
+  EXPECT_EQ(runner_->tally().stalls, 1U) << "slept once";
+}
+
+TEST_F(LinkRunnerTest, AThreadThatStoodStillIsCountedAndItsLastTickTold) {
+  tickUntil(100.0);
+  EXPECT_EQ(runner_->tally().stalls, 0U);
+  EXPECT_EQ(runner_->tally().lastTick, at(100.0));
+  now_ += 600.0;
+  tickUntil(now_);
+  EXPECT_EQ(runner_->tally().stalls, 1U);
+  EXPECT_EQ(runner_->tally().leasesExpired, 0U) << "nothing was in force";
+}
+
 TEST_F(LinkRunnerTest, RenewedLeasesStayInForce) {
   tickUntil(10.0);
   for (int i = 0; i < 100; ++i) {
