@@ -298,12 +298,12 @@ TEST_F(SessionsPageTest, OnlyWhatIsOnTheScreenIsLookedInto) {
   }
   controller_.setEntries(many);
   openSessions();
-  ASSERT_FALSE(controller_.asked.isEmpty());
-  EXPECT_LT(controller_.asked.size(), 40);
-  EXPECT_EQ(controller_.asked.front(), many.front().path);
+  ASSERT_FALSE(controller_.lookedInto.isEmpty());
+  EXPECT_LT(controller_.lookedInto.size(), 40);
+  EXPECT_EQ(controller_.lookedInto.front(), many.front().path);
   find<QListView>("session-list")->scrollToBottom();
-  EXPECT_LT(controller_.asked.size(), 40);
-  EXPECT_EQ(controller_.asked.back(), many.back().path);
+  EXPECT_LT(controller_.lookedInto.size(), 40);
+  EXPECT_EQ(controller_.lookedInto.back(), many.back().path);
 }
 
 class SessionsPictures : public SessionsPageTest, public testing::WithParamInterface<PageLook> {};

@@ -54,7 +54,7 @@ class FakeSessionDesk final : public SessionController {
   }
   const std::vector<SessionEntry>& entries() const override { return entries_; }
   void setEntries(std::vector<SessionEntry> entries) { entries_ = std::move(entries); }
-  void lookInside(const QStringList& paths) override { asked = paths; }
+  void lookInside(const QStringList& paths) override { lookedInto = paths; }
   const std::vector<SessionEntry>& scenarios() const override { return scenarios_; }
   void open(const QString& path) override {
     path_ = path;
@@ -154,7 +154,7 @@ class FakeSessionDesk final : public SessionController {
   QString exported;
   Seconds exportFrom{}, exportTo{};
   int steps = 0, listed = 0;
-  QStringList asked;  // to look inside
+  QStringList lookedInto;
   bool changed = true, everywhere = false, refuse = false, scoredFolder = false, cancelled = false;
 
  private:
